@@ -1,0 +1,231 @@
+//! The model: what the spec means, in SI units. After this stage no string is looked up, every number
+//! is a finite `f64`, and every list is complete.
+
+use crate::source::Span;
+
+/// A checked spec.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// g, m/s^2.
+    pub gravity: f64,
+    pub vehicle: Vehicle,
+    /// Declared fault modes in the order written; the healthy vehicle is not among them.
+    pub modes: Vec<FaultMode>,
+    /// `None` where the file set only describes vehicles or faults.
+    pub mission: Option<Mission>,
+    /// The `plan` block, or its defaults where there is none.
+    pub plan: Plan,
+    /// Every default that filled in for something not written, for `check --explain-defaults`.
+    pub defaults: Vec<DefaultUsed>,
+}
+
+/// `field` took `value` because nothing was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DefaultUsed {
+    /// Dotted path, such as `plan.reserve`.
+    pub field: String,
+    /// As one would write it, such as `10 %`.
+    pub value: String,
+    pub reason: String,
+}
+
+/// The vehicle: mass, inertia and rotors with parallel axes along body z.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Vehicle {
+    pub name: String,
+    pub doc: Option<String>,
+    /// The layout string of a ring, `None` where rotors are placed one by one.
+    pub layout: Option<String>,
+    /// m, kg.
+    pub mass: f64,
+    /// Diagonal of J: Ixx, Iyy, Izz, kg m^2.
+    pub inertia: [f64; 3],
+    /// In the spec's order; rotor k of the language is `rotors[k - 1]`.
+    pub rotors: Vec<Rotor>,
+    pub span: Span,
+    pub mass_span: Span,
+}
+
+/// P turns counter-clockwise seen from above: its drag torque on the body is negative about z.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spin {
+    P,
+    N,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rotor {
+    /// Position from the centre of gravity, m: x forward, y left, z up.
+    pub position: [f64; 3],
+    pub spin: Spin,
+    /// b, N s^2 (thrust = b w^2, w in rad/s).
+    pub thrust_coefficient: f64,
+    /// d, N m s^2 (drag torque = d w^2).
+    pub drag_coefficient: f64,
+    /// w_max, rad/s.
+    pub max_speed: f64,
+    /// First-order motor time constant, s; simulation only.
+    pub time_constant: Option<f64>,
+}
+
+impl Rotor {
+    /// b w_max^2, N.
+    pub fn max_thrust(&self) -> f64 {
+        self.thrust_coefficient * self.max_speed * self.max_speed
+    }
+}
+
+/// A fault mode sets theta of (32): rotor k gives theta_k b w^2 with w at most w_max.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaultMode {
+    pub name: String,
+    pub title: Option<String>,
+    pub doc: Option<String>,
+    /// theta, one per rotor, 0..1; 1 for untouched rotors, 0 for lost ones, 1 for stuck ones.
+    pub capacity: Vec<f64>,
+    /// Some(x) where the thrust is pinned at x of full thrust (0..1).
+    pub stuck: Vec<Option<f64>>,
+    /// FMEA numbers, 1..10.
+    pub severity: Option<u8>,
+    pub occurrence: Option<u8>,
+    pub detection: Option<u8>,
+    /// Failure rate, 1/s.
+    pub rate: Option<f64>,
+    pub span: Span,
+}
+
+impl FaultMode {
+    /// Rotors with capacity 0, counted from 1.
+    pub fn lost(&self) -> Vec<usize> {
+        (1..=self.capacity.len()).filter(|k| self.capacity[k - 1] == 0.0).collect()
+    }
+
+    /// Risk priority number: severity x occurrence x detection, where all three are given.
+    pub fn rpn(&self) -> Option<u32> {
+        Some(u32::from(self.severity?) * u32::from(self.occurrence?) * u32::from(self.detection?))
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mission {
+    pub name: String,
+    pub doc: Option<String>,
+    /// In flight order; at least two.
+    pub waypoints: Vec<Waypoint>,
+    /// `legs[i]` leads from `waypoints[i]` to `waypoints[i + 1]`.
+    pub legs: Vec<Leg>,
+    /// At rest unless `start moving` / `end moving`.
+    pub start_at_rest: bool,
+    pub end_at_rest: bool,
+    pub limits: Vec<Limit>,
+    pub span: Span,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Waypoint {
+    pub name: Option<String>,
+    /// World frame, m, z up.
+    pub position: [f64; 3],
+    /// psi, rad, unwrapped along the mission (turns take the shorter way).
+    pub yaw: f64,
+    /// Position tolerance, m (Euclidean), > 0.
+    pub within: f64,
+    /// Yaw tolerance, rad, > 0.
+    pub yaw_within: f64,
+    /// alpha_i of (47), >= 0.
+    pub weight: f64,
+    /// Arrival time since the start of the mission, s, where the spec fixes it.
+    pub time: Option<f64>,
+    /// How long the vehicle stands still here after arriving, s; 0 where it flies on.
+    pub hold: f64,
+    /// The statement that made it (the whole `curve` for its points).
+    pub span: Span,
+    pub time_span: Option<Span>,
+    pub hold_span: Option<Span>,
+}
+
+/// A leg's share of the time that fixed times and holds leave free.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// > 0; only ratios between legs matter.
+    pub share: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LimitKind {
+    X,
+    Y,
+    /// `z` and `altitude`.
+    Z,
+    Yaw,
+    Speed,
+    SpeedHorizontal,
+    Climb,
+    Descent,
+    Acceleration,
+    AccelerationHorizontal,
+    Jerk,
+    YawRate,
+    YawAcceleration,
+    Tilt,
+}
+
+/// One limit in SI units. For `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal ones only `upper` is set:
+/// they bound a norm. `Climb` bounds the upward speed, `Descent` the downward speed (both upper, >= 0). A single
+/// `<=` on `YawRate` or `YawAcceleration` bounds both directions (lower = -upper).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit {
+    pub kind: LimitKind,
+    pub lower: Option<f64>,
+    pub upper: Option<f64>,
+    pub span: Span,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlannerKind {
+    /// Risk-insensitive: the healthy set.
+    Rip,
+    /// Risk-conservative: the intersection of the modes' sets.
+    Rcp,
+    /// Risk-sensitive: the healthy set and the facets the RIP plan violates.
+    Rsp,
+}
+
+impl PlannerKind {
+    pub fn name(self) -> &'static str {
+        match self {
+            PlannerKind::Rip => "rip",
+            PlannerKind::Rcp => "rcp",
+            PlannerKind::Rsp => "rsp",
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MissionTime {
+    Minimum,
+    /// s
+    Fixed(f64),
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    pub planner: PlannerKind,
+    /// Indices into [`Model::modes`], in the order written, without repeats.
+    pub against: Vec<usize>,
+    pub time: MissionTime,
+    /// Intervals of the whole mission.
+    pub samples: usize,
+    /// Share of each set kept for feedback, 0 <= reserve < 1.
+    pub reserve: f64,
+    /// Weight of the integral of x''''^2 + y''''^2 (1/(m^2 s^-8 s)).
+    pub snap_weight: f64,
+    /// Weight of the integral of z''^2 + psi''^2.
+    pub acceleration_weight: f64,
+    /// The `plan` block, or the mission where there is none.
+    pub span: Span,
+    pub against_span: Span,
+    pub time_span: Span,
+    pub samples_span: Span,
+    pub reserve_span: Span,
+}

@@ -1,0 +1,142 @@
+//! Source texts and places in them.
+//!
+//! Every file of a file set gets a [`FileId`]; a [`Span`] is a byte range of one file. Lines and
+//! columns are computed only when a person or an editor has to be told.
+
+use std::fmt;
+
+/// Index of a file in a [`SourceMap`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct FileId(pub u32);
+
+/// A half-open byte range `start..end` of one file.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct Span {
+    pub file: FileId,
+    pub start: u32,
+    pub end: u32,
+}
+
+impl Span {
+    pub fn new(file: FileId, start: usize, end: usize) -> Self {
+        Span { file, start: start as u32, end: end as u32 }
+    }
+
+    /// The smallest span that covers both; `other` must lie in the same file.
+    pub fn to(self, other: Span) -> Span {
+        Span { file: self.file, start: self.start.min(other.start), end: self.end.max(other.end) }
+    }
+}
+
+impl fmt::Debug for Span {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}..{}", self.file.0, self.start, self.end)
+    }
+}
+
+/// A value and the place it was written at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spanned<T> {
+    pub value: T,
+    pub span: Span,
+}
+
+impl<T> Spanned<T> {
+    pub fn new(value: T, span: Span) -> Self {
+        Spanned { value, span }
+    }
+}
+
+/// One file: the name the user gave (or the path a `use` led to) and its text.
+#[derive(Debug, Clone)]
+pub struct Source {
+    /// As the user wrote it; `<stdin>` for `-`.
+    pub name: String,
+    pub text: String,
+    /// Byte offset of the start of each line; the first is 0.
+    line_starts: Vec<u32>,
+}
+
+/// A place as people count: 1-based line, 1-based column in Unicode scalars.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    pub line: usize,
+    pub column: usize,
+}
+
+impl Source {
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        let text = text.into();
+        let line_starts = std::iter::once(0)
+            .chain(text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i as u32 + 1))
+            .collect();
+        Source { name: name.into(), text, line_starts }
+    }
+
+    /// 0-based line that holds byte `offset` (clamped to the text).
+    fn line_index(&self, offset: usize) -> usize {
+        self.line_starts.partition_point(|&s| s as usize <= offset.min(self.text.len())) - 1
+    }
+
+    /// Line and column of a byte offset, in Unicode scalars; an offset inside a scalar counts as its start.
+    pub fn place(&self, offset: usize) -> Place {
+        let line = self.line_index(offset);
+        let start = self.line_starts[line] as usize;
+        let column = self.text[start..].char_indices().take_while(|(i, _)| start + i < offset).count();
+        Place { line: line + 1, column: column + 1 }
+    }
+
+    /// 0-based line and UTF-16 column, as the Language Server Protocol counts.
+    pub fn place_utf16(&self, offset: usize) -> (u32, u32) {
+        let line = self.line_index(offset);
+        let start = self.line_starts[line] as usize;
+        let units: usize = self.text[start..]
+            .char_indices()
+            .take_while(|(i, _)| start + i < offset)
+            .map(|(_, c)| c.len_utf16())
+            .sum();
+        (line as u32, units as u32)
+    }
+}
+
+/// All files of one compilation, in the order they were first named.
+#[derive(Debug, Clone, Default)]
+pub struct SourceMap {
+    files: Vec<Source>,
+}
+
+impl SourceMap {
+    pub fn add(&mut self, source: Source) -> FileId {
+        self.files.push(source);
+        FileId(self.files.len() as u32 - 1)
+    }
+
+    pub fn get(&self, file: FileId) -> &Source {
+        &self.files[file.0 as usize]
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = (FileId, &Source)> {
+        self.files.iter().enumerate().map(|(i, s)| (FileId(i as u32), s))
+    }
+
+    /// The text under a span (empty where the span does not fit the file).
+    pub fn snippet(&self, span: Span) -> &str {
+        self.get(span.file).text.get(span.start as usize..span.end as usize).unwrap_or("")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_count_scalars_and_utf16_units() {
+        let s = Source::new("t", "ab\nα😀x\n");
+        assert_eq!(s.place(0), Place { line: 1, column: 1 });
+        assert_eq!(s.place(3), Place { line: 2, column: 1 });
+        let x = s.text.find('x').unwrap();
+        assert_eq!(s.place(x), Place { line: 2, column: 3 });
+        assert_eq!(s.place_utf16(x), (1, 3));
+        assert_eq!(s.place(s.text.len()), Place { line: 3, column: 1 });
+    }
+}
