@@ -1,0 +1,87 @@
+//! The actuation matrix A of (1), (10) to (13): wrench = A Omega_s.
+
+use crate::model::{FaultMode, Spin, Vehicle};
+use nalgebra::{Matrix4xX, Vector4};
+use std::fmt;
+
+/// A wrench [T, tau_x, tau_y, tau_z]: N, N m, N m, N m, body frame.
+pub type Wrench = Vector4<f64>;
+
+/// The matrix A (4 x n, per squared rotor speed) and the bounds 0 <= w_k^2 <= max_square[k].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Actuation {
+    /// Rows T (N s^2), tau_x, tau_y, tau_z (N m s^2); one column per rotor.
+    pub effectiveness: Matrix4xX<f64>,
+    /// w_max^2, rad^2/s^2.
+    pub max_square: Vec<f64>,
+}
+
+impl Actuation {
+    /// Equation (13), rotor by rotor: with the rotor at (x, y) and F = b w^2,
+    /// T = F, tau_x = y F, tau_y = -x F, tau_z = -d w^2 for P and +d w^2 for N.
+    pub fn of(vehicle: &Vehicle) -> Self {
+        let columns: Vec<Vector4<f64>> = vehicle
+            .rotors
+            .iter()
+            .map(|r| {
+                let [x, y, _] = r.position;
+                let (b, d) = (r.thrust_coefficient, r.drag_coefficient);
+                let drag = match r.spin {
+                    Spin::P => -d,
+                    Spin::N => d,
+                };
+                Vector4::new(b, b * y, -b * x, drag)
+            })
+            .collect();
+        Actuation {
+            effectiveness: Matrix4xX::from_columns(&columns),
+            max_square: vehicle.rotors.iter().map(|r| r.max_speed * r.max_speed).collect(),
+        }
+    }
+
+    pub fn rotors(&self) -> usize {
+        self.max_square.len()
+    }
+
+    /// The wrench of rotor k (from 0) at full thrust.
+    pub fn full(&self, k: usize) -> Wrench {
+        self.effectiveness.column(k) * self.max_square[k]
+    }
+
+    /// What a mode leaves: full-thrust wrenches scaled by theta of (32), and the wrench of the stuck rotors.
+    /// A stuck rotor's generator is zero.
+    pub fn under(&self, mode: &FaultMode) -> (Wrench, Vec<Wrench>) {
+        let mut shift = Wrench::zeros();
+        let generators = (0..self.rotors())
+            .map(|k| match mode.stuck[k] {
+                Some(share) => {
+                    shift += self.full(k) * share;
+                    Wrench::zeros()
+                }
+                None => self.full(k) * mode.capacity[k],
+            })
+            .collect();
+        (shift, generators)
+    }
+}
+
+impl fmt::Display for Actuation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, name) in ["T", "tau_x", "tau_y", "tau_z"].iter().enumerate() {
+            write!(f, "{name:<6}")?;
+            for k in 0..self.rotors() {
+                // Cosines of right angles leave dust of 1e-17 relative size.
+                let v = self.effectiveness[(i, k)];
+                let size = self.effectiveness.column(k).amax();
+                let v = if v.abs() < 1e-14 * size { 0.0 } else { v };
+                write!(f, " {v:>13.6e}")?;
+            }
+            writeln!(f)?;
+        }
+        write!(f, "w_max ")?;
+        for s in &self.max_square {
+            write!(f, " {:>13.6}", s.sqrt())?;
+        }
+        writeln!(f)
+    }
+}

@@ -1,0 +1,140 @@
+//! What each fault mode leaves: the exact set of wrenches, and what follows from it.
+
+pub mod verdict;
+
+use crate::actuation::{Actuation, Wrench};
+use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};
+use crate::geometry::zonotope::{Spanning, Zonotope};
+use crate::model::{FaultMode, Model};
+use std::fmt;
+
+/// The mode of the vehicle without faults.
+pub const HEALTHY: &str = "healthy";
+
+/// Where a row of a set comes from: a mode (0 is healthy, i + 1 is `Model::modes[i]`) and a facet of its set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FacetOf {
+    pub mode: usize,
+    pub facet: usize,
+    /// The rotors that span the facet; all others stand at a bound on it.
+    pub spanning: Spanning,
+}
+
+/// The wrenches [T, tau_x, tau_y, tau_z] (N, N m) that a mode can produce.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AdmissibleSet {
+    /// 0 is healthy, i + 1 is `Model::modes[i]`.
+    pub mode: usize,
+    pub name: String,
+    pub zonotope: Zonotope<4>,
+    pub polytope: Polytope<4, FacetOf>,
+    /// Dimension of the set.
+    pub rank: usize,
+    /// [m g, 0, 0, 0].
+    pub hover: Wrench,
+}
+
+impl AdmissibleSet {
+    fn new(mode: usize, name: &str, center: Wrench, generators: Vec<Wrench>, hover: Wrench) -> Self {
+        let zonotope = Zonotope { center, generators };
+        let Polytope { equalities, facets } = zonotope.facets();
+        let rank = 4 - equalities.len();
+        let facets = facets
+            .into_iter()
+            .enumerate()
+            .map(|(facet, f)| Facet {
+                normal: f.normal,
+                offset: f.offset,
+                origin: FacetOf { mode, facet, spanning: f.origin },
+            })
+            .collect();
+        AdmissibleSet { mode, name: name.into(), zonotope, polytope: Polytope { equalities, facets }, rank, hover }
+    }
+
+    /// The set of the healthy vehicle.
+    pub fn healthy(model: &Model) -> Self {
+        let actuation = Actuation::of(&model.vehicle);
+        let generators = (0..actuation.rotors()).map(|k| actuation.full(k)).collect();
+        Self::new(0, HEALTHY, Wrench::zeros(), generators, hover(model))
+    }
+
+    /// The set of `model.modes[index]`.
+    pub fn of_mode(model: &Model, index: usize) -> Self {
+        let mode: &FaultMode = &model.modes[index];
+        let (shift, generators) = Actuation::of(&model.vehicle).under(mode);
+        Self::new(index + 1, &mode.name, shift, generators, hover(model))
+    }
+
+    /// Healthy first, then every declared mode.
+    pub fn all(model: &Model) -> Vec<Self> {
+        std::iter::once(Self::healthy(model))
+            .chain((0..model.modes.len()).map(|i| Self::of_mode(model, i)))
+            .collect()
+    }
+
+    /// The set shrunk about hover, keeping `reserve` (0..1) of it for feedback.
+    pub fn with_reserve(&self, reserve: f64) -> Self {
+        let mut kept = self.clone();
+        if reserve > 0.0 {
+            kept.polytope = kept.polytope.shrink_about(&self.hover, reserve);
+        }
+        kept
+    }
+}
+
+/// The hover wrench [m g, 0, 0, 0].
+pub fn hover(model: &Model) -> Wrench {
+    Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0)
+}
+
+/// The rows a planner imposes: equalities, then facets with all the facets each stands for.
+pub type Intersection = Polytope<4, Vec<FacetOf>>;
+
+/// Minimal description of the intersection of several sets that all hold hover.
+pub fn intersection(sets: &[&AdmissibleSet]) -> Intersection {
+    let scale = sets[0].zonotope.scale();
+    let polytopes: Vec<_> = sets.iter().map(|s| &s.polytope).collect();
+    intersect(&polytopes, &sets[0].hover, &scale)
+}
+
+/// One equality or facet as text, coefficients of [T, tau_x, tau_y, tau_z].
+fn row(f: &mut fmt::Formatter<'_>, n: &Wrench, relation: &str, offset: f64) -> fmt::Result {
+    let clean = |v: f64| if v.abs() < 5e-10 { 0.0 } else { v };
+    write!(f, "  ")?;
+    for v in n.iter() {
+        write!(f, "{:>13.9} ", clean(*v))?;
+    }
+    write!(f, "{relation} {:>12.6}", clean(offset))
+}
+
+pub(crate) fn write_equality(f: &mut fmt::Formatter<'_>, e: &Equality<4>) -> fmt::Result {
+    row(f, &e.normal, "= ", e.offset)
+}
+
+pub(crate) fn write_facet<O>(f: &mut fmt::Formatter<'_>, facet: &Facet<4, O>) -> fmt::Result {
+    row(f, &facet.normal, "<=", facet.offset)
+}
+
+impl fmt::Display for AdmissibleSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{}: dimension {}, {} facets, {} equalities",
+            self.name,
+            self.rank,
+            self.polytope.facets.len(),
+            self.polytope.equalities.len()
+        )?;
+        for e in &self.polytope.equalities {
+            write_equality(f, e)?;
+            writeln!(f)?;
+        }
+        for facet in &self.polytope.facets {
+            write_facet(f, facet)?;
+            let rotors: Vec<String> =
+                facet.origin.spanning.generators().map(|k| (k + 1).to_string()).collect();
+            writeln!(f, "   rotors {}", rotors.join(" "))?;
+        }
+        Ok(())
+    }
+}

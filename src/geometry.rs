@@ -1,0 +1,6 @@
+//! Pure mathematics of small polytopes: zonotopes, half-space descriptions, nearest points.
+//! Nothing here knows a vehicle.
+
+pub mod nearest;
+pub mod polytope;
+pub mod zonotope;

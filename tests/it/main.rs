@@ -1,1 +1,4 @@
+//! One integration binary: every test of the compiler through its public interface.
 
+mod controllability;
+mod vehicles;

@@ -1,0 +1,174 @@
+//! Verdicts of section 3.2 with margins: what a mode can still do about hover.
+
+use super::{AdmissibleSet, hover};
+use crate::actuation::Wrench;
+use crate::geometry::polytope::Polytope;
+use crate::geometry::zonotope::Zonotope;
+use crate::model::Model;
+use nalgebra::{SVector, Vector3};
+use serde::Serialize;
+
+/// A residual of (31) shorter than this in N and N m is zero.
+pub const ZERO_RESIDUAL: f64 = 1e-6;
+
+/// A margin below this share of the set's thrust range counts as the boundary itself.
+const ON_BOUNDARY: f64 = 1e-9;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// Hover is reachable.
+    Controllable,
+    /// Hover is reachable when yaw is given up.
+    Stabilizable,
+    Unstable,
+}
+
+impl Verdict {
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Controllable => "controllable",
+            Verdict::Stabilizable => "stabilizable",
+            Verdict::Unstable => "unstable",
+        }
+    }
+}
+
+/// Distances from hover to the boundary along an axis: [down, up], both at least 0; N or N m.
+pub type BothWays = [f64; 2];
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Headroom {
+    pub thrust: BothWays,
+    pub tau_x: BothWays,
+    pub tau_y: BothWays,
+    pub tau_z: BothWays,
+}
+
+/// One mode's record; the fields of `mavc analyze --format json`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ModeAnalysis {
+    pub name: String,
+    /// Rotors with capacity 0, from 1.
+    pub lost: Vec<usize>,
+    pub capacity: Vec<f64>,
+    pub stuck: Vec<Option<f64>>,
+    pub verdict: Verdict,
+    /// Hover strictly inside the set the verdict speaks of (the yaw-free set for stabilizable).
+    pub interior: bool,
+    /// Dimension of the set.
+    pub rank: usize,
+    /// Inequalities of the minimal description; `None` where the set is flat.
+    pub facets: Option<usize>,
+    /// Available control authority index (Du, Quan, Cai 2015): signed distance from hover to the boundary
+    /// in the plain (N, N m) norm, outside the most violated facet's negative slack; `None` where flat.
+    pub acai: Option<f64>,
+    /// The same in (T, tau_x, tau_y).
+    pub acai_yaw_free: Option<f64>,
+    /// Heaviest mass that hovers, kg; `None` where no mass does.
+    pub critical_mass_kg: Option<f64>,
+    pub critical_mass_yaw_free_kg: Option<f64>,
+    /// e_p = A Omega_s - u_ref of (31), [N, N m, N m, N m].
+    pub residual4: [f64; 4],
+    /// The same without tau_z.
+    pub residual3: [f64; 3],
+    /// `None` where hover is outside the set.
+    pub headroom: Option<Headroom>,
+}
+
+/// Analyses every set in `sets` (healthy first, as [`AdmissibleSet::all`] gives them).
+pub fn analyze_all(model: &Model, sets: &[AdmissibleSet]) -> Vec<ModeAnalysis> {
+    sets.iter().map(|s| analyze(model, s)).collect()
+}
+
+/// The record of one mode.
+pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
+    let rotors = model.vehicle.rotors.len();
+    let (lost, capacity, stuck) = match set.mode.checked_sub(1) {
+        Some(i) => (model.modes[i].lost(), model.modes[i].capacity.clone(), model.modes[i].stuck.clone()),
+        None => (Vec::new(), vec![1.0; rotors], vec![None; rotors]),
+    };
+    let u_ref = hover(model);
+    let shadow = without_yaw(&set.zonotope);
+    let yaw_free = shadow.facets();
+    let u_ref3 = u_ref.fixed_rows::<3>(0).into_owned();
+
+    let residual4 = clean(set.zonotope.nearest(&u_ref) - u_ref);
+    let residual3 = clean(shadow.nearest(&u_ref3) - u_ref3);
+    let verdict = if residual4.norm() < ZERO_RESIDUAL {
+        Verdict::Controllable
+    } else if residual3.norm() < ZERO_RESIDUAL {
+        Verdict::Stabilizable
+    } else {
+        Verdict::Unstable
+    };
+    let size = set.zonotope.scale()[0];
+    let acai = signed_margin(&set.polytope, &u_ref, size);
+    let acai_yaw_free = signed_margin(&yaw_free, &u_ref3, size);
+    let interior = match verdict {
+        Verdict::Controllable => acai.is_some_and(|a| a > 0.0),
+        Verdict::Stabilizable => acai_yaw_free.is_some_and(|a| a > 0.0),
+        Verdict::Unstable => false,
+    };
+    ModeAnalysis {
+        name: set.name.clone(),
+        lost,
+        capacity,
+        stuck,
+        verdict,
+        interior,
+        rank: set.rank,
+        facets: set.polytope.equalities.is_empty().then_some(set.polytope.facets.len()),
+        acai,
+        acai_yaw_free,
+        critical_mass_kg: heaviest(&set.polytope, size).map(|t| t / model.gravity),
+        critical_mass_yaw_free_kg: heaviest(&yaw_free, size).map(|t| t / model.gravity),
+        residual4: residual4.into(),
+        residual3: residual3.into(),
+        headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
+    }
+}
+
+/// The shadow of the set in (T, tau_x, tau_y): what can be had when tau_z is left free.
+pub fn without_yaw(zonotope: &Zonotope<4>) -> Zonotope<3> {
+    let drop = |w: &Wrench| Vector3::new(w[0], w[1], w[2]);
+    Zonotope { center: drop(&zonotope.center), generators: zonotope.generators.iter().map(drop).collect() }
+}
+
+/// Rounding dust in a residual is zero.
+fn clean<const D: usize>(e: SVector<f64, D>) -> SVector<f64, D> {
+    if e.norm() < ZERO_RESIDUAL { SVector::zeros() } else { e.map(|v| if v.abs() < 1e-12 { 0.0 } else { v }) }
+}
+
+/// Signed distance to the boundary; `None` where the set is flat, exactly 0 on the boundary.
+fn signed_margin<const D: usize, O: Clone>(
+    polytope: &Polytope<D, O>,
+    at: &SVector<f64, D>,
+    size: f64,
+) -> Option<f64> {
+    if !polytope.equalities.is_empty() {
+        return None;
+    }
+    let margin = polytope.margin(at);
+    Some(if margin.abs() <= ON_BOUNDARY * size { 0.0 } else { margin })
+}
+
+/// Largest T with [T, 0, ...] in the set, N.
+fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<f64> {
+    let mut thrust = SVector::<f64, D>::zeros();
+    thrust[0] = 1.0;
+    let (_, high) = polytope.chord(&SVector::zeros(), &thrust, ON_BOUNDARY * size)?;
+    (high >= -ON_BOUNDARY * size).then(|| if high.abs() <= ON_BOUNDARY * size { 0.0 } else { high })
+}
+
+fn headroom(set: &AdmissibleSet, at: &Wrench, size: f64) -> Headroom {
+    let along = |axis: usize| {
+        let mut direction = Wrench::zeros();
+        direction[axis] = 1.0;
+        match set.polytope.chord(at, &direction, ON_BOUNDARY * size) {
+            Some((low, high)) => [low, high].map(|t| if t.abs() <= ON_BOUNDARY * size { 0.0 } else { t.abs() }),
+            None => [0.0, 0.0],
+        }
+    };
+    Headroom { thrust: along(0), tau_x: along(1), tau_y: along(2), tau_z: along(3) }
+}

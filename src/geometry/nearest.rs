@@ -1,0 +1,112 @@
+//! The point of a polytope that lies nearest to the origin (Wolfe, "Finding the nearest point in a
+//! polytope", Mathematical Programming 11, 1976). The polytope is given by a linear minimisation oracle
+//! alone, so the 2^n vertices of a zonotope are never listed.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+/// Iterations after which the search stops with what it has; Wolfe's method is finite, and the sets
+/// here need a few tens.
+const MOST_ITERATIONS: usize = 1_000;
+
+/// The nearest point to the origin of `conv` of the points that `lowest` can return.
+///
+/// `lowest(v)` returns a point p of the polytope with the smallest v.p; `start` is any point of the polytope.
+/// A result shorter than `zero` is returned as exactly zero.
+pub fn nearest_to_origin<const D: usize>(
+    start: SVector<f64, D>,
+    mut lowest: impl FnMut(&SVector<f64, D>) -> SVector<f64, D>,
+    zero: f64,
+) -> SVector<f64, D> {
+    let mut corral = vec![start];
+    let mut weights = vec![1.0];
+    let mut x = start;
+    for _ in 0..MOST_ITERATIONS {
+        let length = x.norm();
+        if length <= zero {
+            return SVector::zeros();
+        }
+        let p = lowest(&x);
+        // x is nearest when no point lies on the origin's side of the plane through x.
+        let gap = length * length - x.dot(&p);
+        if gap <= 1e-13 * length * (p.norm() + length) || corral.contains(&p) {
+            return x;
+        }
+        corral.push(p);
+        weights.push(0.0);
+        // Minor cycle: move to the affine minimiser, dropping points until it lies inside the corral.
+        loop {
+            let Some(target) = affine_minimiser(&corral) else {
+                // The corral has become affinely dependent: the oldest weightless point is of no use.
+                corral.pop();
+                return x;
+            };
+            if target.iter().all(|&t| t > 1e-12) {
+                weights = target;
+                break;
+            }
+            let mut step = 1.0_f64;
+            for (w, t) in weights.iter().zip(&target) {
+                if *t <= 1e-12 && w - t > 0.0 {
+                    step = step.min(w / (w - t));
+                }
+            }
+            let moved: Vec<f64> = weights.iter().zip(&target).map(|(w, t)| w + step * (t - w)).collect();
+            let before = corral.len();
+            let keep: Vec<bool> = moved.iter().map(|&w| w > 1e-12).collect();
+            let mut kept = keep.iter();
+            corral.retain(|_| *kept.next().unwrap_or(&true));
+            weights = moved.into_iter().filter(|&w| w > 1e-12).collect();
+            if corral.len() == before || corral.is_empty() {
+                return x;
+            }
+        }
+        x = corral.iter().zip(&weights).fold(SVector::zeros(), |sum, (p, w)| sum + p * *w);
+    }
+    x
+}
+
+/// Weights (summing to 1) of the point of the affine hull of `points` that lies nearest to the origin.
+fn affine_minimiser<const D: usize>(points: &[SVector<f64, D>]) -> Option<Vec<f64>> {
+    // With q_i = p_i - p_0: minimise |p_0 + Q c| over c.
+    let k = points.len() - 1;
+    if k == 0 {
+        return Some(vec![1.0]);
+    }
+    let q = DMatrix::from_fn(D, k, |r, c| points[c + 1][r] - points[0][r]);
+    let svd = q.svd(true, true);
+    let largest = svd.singular_values.max();
+    let c = svd
+        .solve(&DVector::from_iterator(D, points[0].iter().map(|v| -v)), 1e-14 * largest)
+        .ok()
+        .filter(|c| c.iter().all(|v| v.is_finite()))?;
+    let mut weights = vec![1.0 - c.sum()];
+    weights.extend(c.iter());
+    Some(weights)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    fn of_points(points: &[Vector3<f64>]) -> Vector3<f64> {
+        nearest_to_origin(
+            points[0],
+            |v| *points.iter().min_by(|a, b| v.dot(a).total_cmp(&v.dot(b))).unwrap(),
+            1e-12,
+        )
+    }
+
+    #[test]
+    fn closed_forms() {
+        // A triangle in the plane x = 2 whose foot of the perpendicular lies inside.
+        let t = [Vector3::new(2., 3., 0.), Vector3::new(2., -3., 1.), Vector3::new(2., 0., -3.)];
+        assert!((of_points(&t) - Vector3::new(2., 0., 0.)).norm() < 1e-12);
+        // An edge: the nearest point of the segment (1, 1)-(1, -1) shifted away.
+        let e = [Vector3::new(1., 1., 5.), Vector3::new(1., -1., 5.)];
+        assert!((of_points(&e) - Vector3::new(1., 0., 5.)).norm() < 1e-12);
+        // The origin inside.
+        let s = [Vector3::new(1., 1., 1.), Vector3::new(-1., 1., -1.), Vector3::new(0., -2., 1.), Vector3::new(0.2, 0.1, -3.)];
+        assert_eq!(of_points(&s), Vector3::zeros());
+    }
+}

@@ -1,0 +1,275 @@
+//! Half-space descriptions `{ w : C w = d, N w <= e }`, equalities first, and minimal intersections.
+
+use super::nearest::nearest_to_origin;
+use nalgebra::SVector;
+use std::cmp::Ordering;
+
+/// `normal . w = offset`, unit normal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equality<const D: usize> {
+    pub normal: SVector<f64, D>,
+    pub offset: f64,
+}
+
+/// `normal . w <= offset`, unit normal. `origin` says where the row comes from; its meaning is the owner's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Facet<const D: usize, O> {
+    pub normal: SVector<f64, D>,
+    pub offset: f64,
+    pub origin: O,
+}
+
+impl<const D: usize, O> Facet<D, O> {
+    /// Distance from `w` to the facet's plane, positive inside.
+    pub fn slack(&self, w: &SVector<f64, D>) -> f64 {
+        self.offset - self.normal.dot(w)
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polytope<const D: usize, O> {
+    pub equalities: Vec<Equality<D>>,
+    pub facets: Vec<Facet<D, O>>,
+}
+
+impl<const D: usize, O: Clone> Polytope<D, O> {
+    /// Smallest facet slack of `w`: the distance to the boundary where `w` lies inside a full-dimensional
+    /// set, minus the largest violation where it lies outside. Infinite for a set without facets.
+    pub fn margin(&self, w: &SVector<f64, D>) -> f64 {
+        self.facets.iter().map(|f| f.slack(w)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Largest distance of `w` from the set's equality planes (0 for a full-dimensional set).
+    pub fn off_plane(&self, w: &SVector<f64, D>) -> f64 {
+        self.equalities.iter().map(|e| (e.normal.dot(w) - e.offset).abs()).fold(0.0, f64::max)
+    }
+
+    pub fn contains(&self, w: &SVector<f64, D>, tolerance: f64) -> bool {
+        self.margin(w) >= -tolerance && self.off_plane(w) <= tolerance
+    }
+
+    /// The parameters t with `start + t direction` in the set, as a closed interval; `None` where the line
+    /// misses it. `tolerance` is how far a parallel plane may be passed.
+    pub fn chord(
+        &self,
+        start: &SVector<f64, D>,
+        direction: &SVector<f64, D>,
+        tolerance: f64,
+    ) -> Option<(f64, f64)> {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let parallel = 1e-12 * direction.norm();
+        for e in &self.equalities {
+            let (rate, gap) = (e.normal.dot(direction), e.offset - e.normal.dot(start));
+            if rate.abs() > parallel {
+                low = low.max(gap / rate);
+                high = high.min(gap / rate);
+            } else if gap.abs() > tolerance {
+                return None;
+            }
+        }
+        for f in &self.facets {
+            let (rate, gap) = (f.normal.dot(direction), f.slack(start));
+            if rate > parallel {
+                high = high.min(gap / rate);
+            } else if rate < -parallel {
+                low = low.max(gap / rate);
+            } else if gap < -tolerance {
+                return None;
+            }
+        }
+        // Planes of a flat set meet in one parameter up to rounding.
+        let slip = tolerance / direction.norm();
+        (low <= high + slip).then(|| if low <= high { (low, high) } else { ((low + high) / 2.0, (low + high) / 2.0) })
+    }
+
+    /// The set seen from `point` and made smaller about it: `{ w : point + (w - point) / (1 - share) in self }`.
+    /// `point` must satisfy the equalities.
+    pub fn shrink_about(&self, point: &SVector<f64, D>, share: f64) -> Self {
+        let mut shrunk = self.clone();
+        for f in &mut shrunk.facets {
+            let at = f.normal.dot(point);
+            f.offset = at + (1.0 - share) * (f.offset - at);
+        }
+        shrunk
+    }
+}
+
+/// Two unit normals are one when they differ by less.
+const SAME_NORMAL: f64 = 1e-9;
+
+/// The minimal description of an intersection.
+///
+/// Equalities first (dependent ones out), then facets with one row per normal (the smallest offset), then
+/// redundant rows out. `scale` holds one positive length per axis, so that normals are compared in
+/// coordinates of like size; `inside` is a point of every set. The origins of the row kept are those of the
+/// rows it stands for: the facets of the given sets with the same plane.
+pub fn intersect<const D: usize, O: Clone>(
+    sets: &[&Polytope<D, O>],
+    inside: &SVector<f64, D>,
+    scale: &SVector<f64, D>,
+) -> Polytope<D, Vec<O>> {
+    let equalities = independent(sets.iter().flat_map(|s| &s.equalities), scale);
+    let mut rows = tightest(sets, scale);
+    // A pair of opposite rows through one point is an equality in disguise; rows parallel to all
+    // equality planes constrain nothing more.
+    rows.retain(|row| remainder(&row.normal, &equalities, scale).norm() > SAME_NORMAL);
+    let facets = irredundant(rows, &equalities, inside, scale);
+    Polytope { equalities, facets }
+}
+
+/// Keeps a maximal independent subset, in order.
+fn independent<'a, const D: usize>(
+    all: impl Iterator<Item = &'a Equality<D>>,
+    scale: &SVector<f64, D>,
+) -> Vec<Equality<D>> {
+    let mut kept: Vec<Equality<D>> = Vec::new();
+    for e in all {
+        if remainder(&e.normal, &kept, scale).norm() > SAME_NORMAL {
+            kept.push(e.clone());
+        }
+    }
+    kept
+}
+
+/// What is left of `normal` (in scaled coordinates, as a unit vector before) outside the span of the equalities.
+fn remainder<const D: usize>(
+    normal: &SVector<f64, D>,
+    equalities: &[Equality<D>],
+    scale: &SVector<f64, D>,
+) -> SVector<f64, D> {
+    let mut basis: Vec<SVector<f64, D>> = Vec::new();
+    for e in equalities {
+        let v = deflate(e.normal.component_mul(scale).normalize(), &basis);
+        if v.norm() > SAME_NORMAL {
+            basis.push(v.normalize());
+        }
+    }
+    deflate(normal.component_mul(scale).normalize(), &basis)
+}
+
+fn deflate<const D: usize>(mut v: SVector<f64, D>, basis: &[SVector<f64, D>]) -> SVector<f64, D> {
+    // Twice is enough (Kahan).
+    for _ in 0..2 {
+        for b in basis {
+            v -= b * b.dot(&v);
+        }
+    }
+    v
+}
+
+/// One row per normal: the smallest offset, with the origins of all rows in that plane.
+fn tightest<const D: usize, O: Clone>(
+    sets: &[&Polytope<D, O>],
+    scale: &SVector<f64, D>,
+) -> Vec<Facet<D, Vec<O>>> {
+    let unit = |f: &Facet<D, O>| f.normal.component_mul(scale).normalize();
+    let mut all: Vec<(SVector<f64, D>, &Facet<D, O>)> =
+        sets.iter().flat_map(|s| &s.facets).map(|f| (unit(f), f)).collect();
+    // Coordinates that agree to rounding compare as equal, so equal normals become neighbours.
+    let cell = |v: f64| (v / (4.0 * SAME_NORMAL)).round();
+    let order = |a: &SVector<f64, D>, b: &SVector<f64, D>| {
+        a.iter().zip(b.iter()).map(|(x, y)| cell(*x).total_cmp(&cell(*y))).find(|o| *o != Ordering::Equal)
+    };
+    all.sort_by(|a, b| order(&a.0, &b.0).unwrap_or(Ordering::Equal));
+    let mut groups: Vec<(SVector<f64, D>, Vec<&Facet<D, O>>)> = Vec::new();
+    for (n, f) in all {
+        // A coordinate may round to either side of a cell's edge: look back over all near groups.
+        let near = groups.iter_mut().rev().take(64).find(|(m, _)| (m - n).amax() < SAME_NORMAL);
+        match near {
+            Some((_, group)) => group.push(f),
+            None => groups.push((n, vec![f])),
+        }
+    }
+    groups
+        .into_iter()
+        .map(|(_, group)| {
+            let tight = group.iter().map(|f| f.offset).fold(f64::INFINITY, f64::min);
+            let height = tight.abs().max(1e-6);
+            let kept: Vec<_> = group.iter().filter(|f| f.offset <= tight + 1e-9 * height).collect();
+            Facet {
+                normal: kept[0].normal,
+                offset: tight,
+                origin: kept.iter().map(|f| f.origin.clone()).collect(),
+            }
+        })
+        .collect()
+}
+
+/// Drops every row that the others imply.
+///
+/// About a strictly inner point c, row i becomes the polar point p_i = n_i / (e_i - n_i.c); it is redundant
+/// exactly when p_i lies in the convex hull of the other polar points and the origin (Ziegler, *Lectures on
+/// Polytopes*, section 2.3).
+fn irredundant<const D: usize, O: Clone>(
+    rows: Vec<Facet<D, O>>,
+    equalities: &[Equality<D>],
+    inside: &SVector<f64, D>,
+    scale: &SVector<f64, D>,
+) -> Vec<Facet<D, O>> {
+    let Some(center) = strictly_inside(&rows, equalities, inside, scale) else {
+        return rows; // the set is thinner than rounding: every row may matter
+    };
+    let polar: Vec<SVector<f64, D>> = rows
+        .iter()
+        .map(|r| {
+            let scaled = r.normal.component_mul(scale);
+            remainder(&r.normal, equalities, scale) * (scaled.norm() / r.slack(&center))
+        })
+        .collect();
+    let mut needed: Vec<bool> = vec![true; rows.len()];
+    for i in 0..rows.len() {
+        let target = polar[i];
+        let candidates: Vec<_> =
+            (0..rows.len()).filter(|&j| j != i && needed[j]).map(|j| polar[j] - target).collect();
+        let size = target.norm();
+        let distance = nearest_to_origin(
+            -target,
+            |v| {
+                candidates
+                    .iter()
+                    .copied()
+                    .chain(std::iter::once(-target))
+                    .min_by(|a, b| v.dot(a).total_cmp(&v.dot(b)))
+                    .unwrap_or(-target)
+            },
+            1e-9 * size,
+        )
+        .norm();
+        needed[i] = distance > 1e-8 * size;
+    }
+    rows.into_iter().zip(needed).filter(|(_, n)| *n).map(|(r, _)| r).collect()
+}
+
+/// A point with positive slack in every row, found from `inside`, which may lie on some of them.
+fn strictly_inside<const D: usize, O: Clone>(
+    rows: &[Facet<D, O>],
+    equalities: &[Equality<D>],
+    inside: &SVector<f64, D>,
+    scale: &SVector<f64, D>,
+) -> Option<SVector<f64, D>> {
+    let slack = |r: &Facet<D, O>, at: &SVector<f64, D>| r.slack(at) / r.normal.component_mul(scale).norm();
+    let touching: Vec<SVector<f64, D>> = rows
+        .iter()
+        .filter(|r| slack(r, inside) < 1e-9)
+        .map(|r| remainder(&r.normal, equalities, scale).normalize())
+        .collect();
+    let Some(first) = touching.first() else { return Some(*inside) };
+    // The nearest point of the hull of the touching normals points out of all of them at once.
+    let out = nearest_to_origin(
+        *first,
+        |v| *touching.iter().min_by(|a, b| v.dot(a).total_cmp(&v.dot(b))).unwrap_or(first),
+        1e-9,
+    );
+    if out.norm() < 1e-9 {
+        return None;
+    }
+    let direction = -out.component_mul(scale);
+    let mut reach = f64::INFINITY;
+    for r in rows {
+        let rate = r.normal.dot(&direction);
+        if rate > 0.0 {
+            reach = reach.min(r.slack(inside).max(0.0) / rate);
+        }
+    }
+    (reach > 0.0 && reach.is_finite()).then(|| inside + direction * (reach / 2.0))
+}
