@@ -1,0 +1,9 @@
+//! Planning as in sections 5.2 and 5.3: waypoint times, rows, selection of facets, shortest times.
+
+pub mod hover_model;
+pub mod profile;
+pub mod rows;
+pub mod search;
+pub mod select;
+pub mod transcribe;
+pub mod yaw;

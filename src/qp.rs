@@ -1,0 +1,198 @@
+//! The convex program every planner ends in, in the solver's standard form, and every row's origin.
+//!
+//! minimise 1/2 x'P x + q'x + constant  subject to  A x + s = b, s in K,
+//! K a product of {0}, the nonnegative orthant and second-order cones, in that order.
+
+pub mod build;
+pub mod mps;
+
+use serde::Serialize;
+
+/// Compressed sparse columns; row indices ascend within a column.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sparse {
+    pub rows: usize,
+    pub cols: usize,
+    pub colptr: Vec<usize>,
+    pub rowval: Vec<usize>,
+    pub nzval: Vec<f64>,
+}
+
+impl Sparse {
+    /// From (row, column, value) entries in any order; entries at one place add up.
+    pub fn from_entries(rows: usize, cols: usize, entries: &[(usize, usize, f64)]) -> Self {
+        // Counting sort by row, then by column: linear, and rows come out ascending in each column.
+        let mut by_row = vec![0usize; rows + 1];
+        for &(r, _, _) in entries {
+            by_row[r + 1] += 1;
+        }
+        for r in 0..rows {
+            by_row[r + 1] += by_row[r];
+        }
+        let mut order = vec![0usize; entries.len()];
+        for (i, &(r, _, _)) in entries.iter().enumerate() {
+            order[by_row[r]] = i;
+            by_row[r] += 1;
+        }
+        let mut start = vec![0usize; cols + 1];
+        for &(_, c, _) in entries {
+            start[c + 1] += 1;
+        }
+        for c in 0..cols {
+            start[c + 1] += start[c];
+        }
+        let mut next = start.clone();
+        let mut sorted = vec![(0usize, 0.0f64); entries.len()];
+        for i in order {
+            let (r, c, v) = entries[i];
+            sorted[next[c]] = (r, v);
+            next[c] += 1;
+        }
+        let mut sparse = Sparse { rows, cols, colptr: vec![0], rowval: Vec::new(), nzval: Vec::new() };
+        for c in 0..cols {
+            let first = sparse.rowval.len();
+            for &(r, v) in &sorted[start[c]..start[c + 1]] {
+                if sparse.rowval.len() > first && sparse.rowval.last() == Some(&r) {
+                    if let Some(last) = sparse.nzval.last_mut() {
+                        *last += v;
+                    }
+                } else {
+                    sparse.rowval.push(r);
+                    sparse.nzval.push(v);
+                }
+            }
+            sparse.colptr.push(sparse.rowval.len());
+        }
+        sparse
+    }
+
+    /// y += M x.
+    pub fn multiply_into(&self, x: &[f64], y: &mut [f64]) {
+        for (c, &v) in x.iter().enumerate() {
+            for i in self.colptr[c]..self.colptr[c + 1] {
+                y[self.rowval[i]] += self.nzval[i] * v;
+            }
+        }
+    }
+
+    /// M' x.
+    pub fn transposed_times(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.cols)
+            .map(|c| (self.colptr[c]..self.colptr[c + 1]).map(|i| self.nzval[i] * x[self.rowval[i]]).sum())
+            .collect()
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case", tag = "cone", content = "rows")]
+pub enum Cone {
+    /// s = 0
+    Zero(usize),
+    /// s >= 0
+    Nonnegative(usize),
+    /// s_0 >= |(s_1, ..)|
+    SecondOrder(usize),
+}
+
+impl Cone {
+    pub fn rows(self) -> usize {
+        match self {
+            Cone::Zero(n) | Cone::Nonnegative(n) | Cone::SecondOrder(n) => n,
+        }
+    }
+}
+
+/// Which statement of the spec, fault mode and sample a row stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case", tag = "row")]
+pub enum RowOrigin {
+    /// The step of one derivative of an axis over an interval.
+    Dynamics { interval: usize, axis: usize, derivative: usize },
+    /// A derivative that is zero at rest (start, end, hold).
+    Rest { node: usize, axis: usize, derivative: usize },
+    /// Row `facet` of the planner's set (see `PlanningSet::rows`) at a node.
+    Facet { facet: usize, node: usize },
+    /// `Mission::limits[limit]` at a node.
+    Limit { limit: usize, node: usize },
+    /// The position tolerance of `Mission::waypoints[waypoint]`.
+    Waypoint { waypoint: usize },
+    /// Its yaw tolerance.
+    WaypointYaw { waypoint: usize },
+    /// The overshoot may not exceed what makes tolerances meaningless.
+    Overshoot,
+}
+
+/// The program, checked for finite data by [`build::Builder::finish`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct QuadraticProgram {
+    /// Upper triangle.
+    pub p: Sparse,
+    pub q: Vec<f64>,
+    pub constant: f64,
+    pub a: Sparse,
+    pub b: Vec<f64>,
+    pub cones: Vec<Cone>,
+    /// One per row of A.
+    pub row_origin: Vec<RowOrigin>,
+}
+
+impl QuadraticProgram {
+    pub fn variables(&self) -> usize {
+        self.q.len()
+    }
+
+    /// P x, from the upper triangle.
+    pub fn hessian_times(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = self.p.transposed_times(x);
+        self.p.multiply_into(x, &mut y);
+        for c in 0..self.p.cols {
+            for i in self.p.colptr[c]..self.p.colptr[c + 1] {
+                if self.p.rowval[i] == c {
+                    y[c] -= self.p.nzval[i] * x[c];
+                }
+            }
+        }
+        y
+    }
+
+    /// 1/2 x'P x + q'x + constant.
+    pub fn objective(&self, x: &[f64]) -> f64 {
+        let px = self.hessian_times(x);
+        x.iter().zip(&px).zip(&self.q).map(|((x, px), q)| x * (0.5 * px + q)).sum::<f64>() + self.constant
+    }
+
+    /// b - A x.
+    pub fn slack(&self, x: &[f64]) -> Vec<f64> {
+        let negative: Vec<f64> = x.iter().map(|v| -v).collect();
+        let mut s = self.b.clone();
+        self.a.multiply_into(&negative, &mut s);
+        s
+    }
+
+    /// How far `s` lies outside K: the largest of |s| on zero rows, -s on nonnegative rows and |s_rest| - s_0
+    /// on cones.
+    pub fn cone_violation(&self, s: &[f64]) -> f64 {
+        self.outside(s, |v| v.abs())
+    }
+
+    /// The same for the dual cone, in which the rows of {0} are free.
+    pub fn dual_violation(&self, z: &[f64]) -> f64 {
+        self.outside(z, |_| 0.0)
+    }
+
+    fn outside(&self, s: &[f64], zero: impl Fn(f64) -> f64) -> f64 {
+        let mut worst = 0.0_f64;
+        let mut at = 0;
+        for cone in &self.cones {
+            let part = &s[at..at + cone.rows()];
+            at += cone.rows();
+            let violation = match cone {
+                Cone::Zero(_) => part.iter().map(|&v| zero(v)).fold(0.0, f64::max),
+                Cone::Nonnegative(_) => part.iter().map(|v| -v).fold(0.0, f64::max),
+                Cone::SecondOrder(_) => part[1..].iter().map(|v| v * v).sum::<f64>().sqrt() - part[0],
+            };
+            worst = worst.max(violation);
+        }
+        worst
+    }
+}

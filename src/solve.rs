@@ -1,0 +1,143 @@
+//! The only room that knows Clarabel. A verdict is data, and each is checked in plain arithmetic before it
+//! is believed.
+
+use crate::qp::{Cone, QuadraticProgram, Sparse};
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+use std::time::{Duration, Instant};
+
+/// A row may be missed by this much (rows are of order one).
+pub const PRIMAL_TOLERANCE: f64 = 1e-6;
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    pub x: Vec<f64>,
+    /// Multipliers: P x + q + A'z = 0, z in the dual cone.
+    pub z: Vec<f64>,
+    /// Value of the program at x.
+    pub objective: f64,
+    /// Value of the dual function at z: no feasible point has a smaller objective (up to the dual residual).
+    pub bound: f64,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    Solved(Solution),
+    /// A'z = 0, b'z < 0, z in the dual cone: nothing satisfies all rows.
+    Infeasible { certificate: Vec<f64> },
+    /// The solver stopped without a verdict that can be shown.
+    Inconclusive {
+        status: String,
+        /// Where it stopped, if it got anywhere.
+        point: Option<Vec<f64>>,
+    },
+}
+
+/// What the solver did, summed over calls.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Effort {
+    pub solves: usize,
+    pub iterations: usize,
+    /// Time inside the solver's calls.
+    pub time: Duration,
+}
+
+impl std::ops::AddAssign for Effort {
+    fn add_assign(&mut self, other: Effort) {
+        self.solves += other.solves;
+        self.iterations += other.iterations;
+        self.time += other.time;
+    }
+}
+
+/// Residuals of the optimality conditions, absolute, in the program's own scaling.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Residuals {
+    /// Distance of b - A x from the cone.
+    pub primal: f64,
+    /// Largest entry of P x + q + A'z.
+    pub stationarity: f64,
+    /// Distance of z from the dual cone.
+    pub dual: f64,
+    /// |s'z|
+    pub complementarity: f64,
+}
+
+/// KKT residuals of a solution, from the program's data alone.
+pub fn residuals(program: &QuadraticProgram, solution: &Solution) -> Residuals {
+    let s = program.slack(&solution.x);
+    let mut gradient = program.hessian_times(&solution.x);
+    for (g, (q, az)) in gradient.iter_mut().zip(program.q.iter().zip(program.a.transposed_times(&solution.z))) {
+        *g += q + az;
+    }
+    Residuals {
+        primal: program.cone_violation(&s),
+        stationarity: gradient.iter().fold(0.0, |m, v| m.max(v.abs())),
+        dual: program.dual_violation(&solution.z),
+        complementarity: s.iter().zip(&solution.z).map(|(s, z)| s * z).sum::<f64>().abs(),
+    }
+}
+
+fn matrix(m: &Sparse) -> CscMatrix<f64> {
+    CscMatrix::new(m.rows, m.cols, m.colptr.clone(), m.rowval.clone(), m.nzval.clone())
+}
+
+/// Solves a program on one thread; the same program gives the same bytes.
+pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
+    let finite = |v: &[f64]| v.iter().all(|x| x.is_finite());
+    if ![&program.p.nzval[..], &program.q, &program.a.nzval, &program.b].into_iter().all(finite) {
+        return (Outcome::Inconclusive { status: "the program holds a number that is not finite".into(), point: None }, Effort::default());
+    }
+    let cones: Vec<SupportedConeT<f64>> = program
+        .cones
+        .iter()
+        .map(|c| match *c {
+            Cone::Zero(n) => SupportedConeT::ZeroConeT(n),
+            Cone::Nonnegative(n) => SupportedConeT::NonnegativeConeT(n),
+            Cone::SecondOrder(n) => SupportedConeT::SecondOrderConeT(n),
+        })
+        .collect();
+    let settings = DefaultSettings { verbose: false, max_threads: 1, presolve_enable: false, ..DefaultSettings::default() };
+    let begin = Instant::now();
+    let solver =
+        DefaultSolver::new(&matrix(&program.p), &program.q, &matrix(&program.a), &program.b, &cones, settings);
+    let Ok(mut solver) = solver else {
+        return (Outcome::Inconclusive { status: "the solver refused the program".into(), point: None }, Effort::default());
+    };
+    solver.solve();
+    let effort =
+        Effort { solves: 1, iterations: solver.solution.iterations as usize, time: begin.elapsed() };
+    (judge(program, solver.solution.status, solver.solution.x, solver.solution.z), effort)
+}
+
+/// Believes a status only where plain arithmetic agrees.
+fn judge(program: &QuadraticProgram, status: SolverStatus, x: Vec<f64>, z: Vec<f64>) -> Outcome {
+    let stopped = |x: Option<Vec<f64>>| Outcome::Inconclusive { status: format!("{status:?}"), point: x };
+    match status {
+        SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {
+            let objective = program.objective(&x);
+            let px = program.hessian_times(&x);
+            let quadratic: f64 = x.iter().zip(&px).map(|(x, p)| x * p).sum();
+            let bz: f64 = program.b.iter().zip(&z).map(|(b, z)| b * z).sum();
+            let solution = Solution { bound: program.constant - 0.5 * quadratic - bz, objective, x, z };
+            let r = residuals(program, &solution);
+            let scale = 1.0 + objective.abs();
+            let loose = if status == SolverStatus::Solved { 1e3 } else { 1.0 };
+            let good = r.primal <= PRIMAL_TOLERANCE
+                && r.dual <= 1e-6 * scale * loose
+                && r.stationarity <= 1e-6 * scale * loose
+                && (solution.objective - solution.bound).abs() <= 1e-6 * scale * loose;
+            if good { Outcome::Solved(solution) } else { stopped(Some(solution.x)) }
+        }
+        SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
+            let bz: f64 = program.b.iter().zip(&z).map(|(b, z)| b * z).sum();
+            let largest = program.a.transposed_times(&z).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            if bz < 0.0 && largest <= 1e-6 * bz.abs() && program.dual_violation(&z) <= 1e-6 * bz.abs() {
+                Outcome::Infeasible { certificate: z }
+            } else {
+                stopped(None)
+            }
+        }
+        _ => stopped(None),
+    }
+}

@@ -1,0 +1,76 @@
+//! The paper's linear wrench map about hover, (19), (20) and (22), for a given yaw motion.
+
+use crate::actuation::Wrench;
+use crate::model::Vehicle;
+
+/// Axes of the plan in the order of its variables.
+pub const X: usize = 0;
+pub const Y: usize = 1;
+pub const Z: usize = 2;
+pub const YAW: usize = 3;
+
+/// x and y are quadruple integrators (45), z and yaw double ones (44): the order is the input's derivative.
+pub const ORDER: [usize; 4] = [4, 4, 2, 2];
+
+/// psi, psi', psi'' at an instant: rad, rad/s, rad/s^2.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct YawState {
+    pub psi: f64,
+    pub rate: f64,
+    pub acceleration: f64,
+}
+
+/// The wrench as an affine function of position derivatives:
+/// `constant + sum of coefficient * (derivative of axis)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrenchMap {
+    pub constant: Wrench,
+    /// (axis, derivative, coefficient)
+    pub terms: Vec<(usize, usize, Wrench)>,
+}
+
+impl WrenchMap {
+    /// With c, s the cosine and sine of psi:
+    ///
+    /// T = m (g + z''),
+    /// tau_x = Ixx phi'',  phi = (s x'' - c y'') / g,
+    /// tau_y = Iyy theta'', theta = (c x'' + s y'') / g,
+    /// tau_z = Izz psi''.
+    ///
+    /// Differentiating with psi(t):
+    /// phi'' g = s x'''' - c y'''' + 2 psi' (c x''' + s y''') + psi'' (c x'' + s y'') - psi'^2 (s x'' - c y''),
+    /// theta'' g = c x'''' + s y'''' - 2 psi' (s x''' - c y''') - psi'' (s x'' - c y'') - psi'^2 (c x'' + s y'').
+    pub fn new(vehicle: &Vehicle, gravity: f64, yaw: YawState) -> Self {
+        let (s, c) = yaw.psi.sin_cos();
+        let YawState { rate, acceleration, .. } = yaw;
+        let [ixx, iyy, izz] = vehicle.inertia;
+        let (roll, pitch) = (ixx / gravity, iyy / gravity);
+        let tau = |x: f64, y: f64| Wrench::new(0.0, roll * x, pitch * y, 0.0);
+        let mut terms = vec![
+            (X, 4, tau(s, c)),
+            (Y, 4, tau(-c, s)),
+            (Z, 2, Wrench::new(vehicle.mass, 0.0, 0.0, 0.0)),
+        ];
+        if rate != 0.0 || acceleration != 0.0 {
+            terms.push((X, 3, tau(2.0 * rate * c, -2.0 * rate * s)));
+            terms.push((Y, 3, tau(2.0 * rate * s, 2.0 * rate * c)));
+            let square = rate * rate;
+            terms.push((X, 2, tau(acceleration * c - square * s, -acceleration * s - square * c)));
+            terms.push((Y, 2, tau(acceleration * s + square * c, acceleration * c - square * s)));
+        }
+        let constant = Wrench::new(vehicle.mass * gravity, 0.0, 0.0, izz * acceleration);
+        WrenchMap { constant, terms }
+    }
+
+    /// The map for a yaw that is itself a variable, linearised at a constant psi: tau_z = Izz psi''.
+    pub fn with_free_yaw(vehicle: &Vehicle, gravity: f64, psi: f64) -> Self {
+        let mut map = Self::new(vehicle, gravity, YawState { psi, ..YawState::default() });
+        map.terms.push((YAW, 2, Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2])));
+        map
+    }
+
+    /// The wrench for `derivatives[axis][order]`.
+    pub fn at(&self, derivatives: &[[f64; 5]; 4]) -> Wrench {
+        self.terms.iter().fold(self.constant, |w, &(axis, order, c)| w + c * derivatives[axis][order])
+    }
+}

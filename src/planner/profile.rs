@@ -1,0 +1,153 @@
+//! When each waypoint is reached, and which node that is.
+
+use crate::model::Mission;
+
+/// A stretch of the mission with one step length: a leg, or a hold at a waypoint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// The waypoint it starts from; for a hold also the one it ends at.
+    pub from: usize,
+    pub hold: bool,
+    pub first_node: usize,
+    pub intervals: usize,
+    /// s
+    pub duration: f64,
+}
+
+impl Segment {
+    /// Length of one interval, s.
+    pub fn step(&self) -> f64 {
+        self.duration / self.intervals as f64
+    }
+}
+
+/// Times of nodes and waypoints for one mission time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    /// Mission time, s.
+    pub total: f64,
+    pub segments: Vec<Segment>,
+    /// s; one more than there are intervals.
+    pub node_times: Vec<f64>,
+    /// Node at which each waypoint is reached.
+    pub waypoint_nodes: Vec<usize>,
+}
+
+impl Profile {
+    pub fn nodes(&self) -> usize {
+        self.node_times.len()
+    }
+
+    pub fn intervals(&self) -> usize {
+        self.node_times.len() - 1
+    }
+
+    /// Length of each interval, s.
+    pub fn steps(&self) -> impl Iterator<Item = f64> {
+        self.segments.iter().flat_map(|s| std::iter::repeat_n(s.step(), s.intervals))
+    }
+
+    /// Nodes at which the vehicle stands still while it holds, ends included.
+    pub fn held_nodes(&self) -> impl Iterator<Item = usize> {
+        self.segments.iter().filter(|s| s.hold).flat_map(|s| s.first_node..=s.first_node + s.intervals)
+    }
+}
+
+/// The mission time that fixed times and holds determine, where they do.
+pub fn determined(mission: &Mission) -> Option<f64> {
+    let last = mission.waypoints.last()?;
+    last.time.map(|t| t + last.hold)
+}
+
+/// Every mission time must exceed this: fixed times and holds up to the last of them, s.
+pub fn earliest(mission: &Mission) -> f64 {
+    let mut at = 0.0;
+    for w in &mission.waypoints {
+        at = w.time.unwrap_or(at) + w.hold;
+    }
+    at
+}
+
+/// Lays out the mission over `total` seconds with `samples` intervals (at least one a segment).
+///
+/// Between fixed times, what holds leave is shared among the legs in proportion to [`crate::model::Leg::share`].
+/// `None` where some leg would get no time.
+pub fn profile(mission: &Mission, total: f64, samples: usize) -> Option<Profile> {
+    let durations = leg_durations(mission, total)?;
+    let mut segments = Vec::new();
+    for (i, w) in mission.waypoints.iter().enumerate() {
+        if w.hold > 0.0 {
+            segments.push(Segment { from: i, hold: true, first_node: 0, intervals: 1, duration: w.hold });
+        }
+        if let Some(&duration) = durations.get(i) {
+            segments.push(Segment { from: i, hold: false, first_node: 0, intervals: 1, duration });
+        }
+    }
+    share_intervals(&mut segments, samples);
+    let mut node_times = vec![0.0];
+    let mut waypoint_nodes = vec![0];
+    let mut begin = 0.0;
+    for s in &mut segments {
+        s.first_node = node_times.len() - 1;
+        node_times.extend((1..=s.intervals).map(|i| begin + s.duration * i as f64 / s.intervals as f64));
+        begin += s.duration;
+        if !s.hold {
+            waypoint_nodes.push(node_times.len() - 1);
+        }
+    }
+    Some(Profile { total, segments, node_times, waypoint_nodes })
+}
+
+/// Duration of each leg, s.
+fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
+    let points = &mission.waypoints;
+    let last = points.len() - 1;
+    let mut durations = vec![0.0; mission.legs.len()];
+    let (mut from, mut leave) = (0, 0.0);
+    for to in 1..=last {
+        let arrival = match points[to].time {
+            Some(t) => t,
+            None if to == last => total - points[to].hold,
+            None => continue,
+        };
+        let held: f64 = points[from..to].iter().map(|w| w.hold).sum();
+        let free = arrival - leave - held;
+        if free.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
+            return None;
+        }
+        let shares: f64 = mission.legs[from..to].iter().map(|l| l.share).sum();
+        for leg in from..to {
+            durations[leg] = free * mission.legs[leg].share / shares;
+        }
+        (from, leave) = (to, arrival);
+    }
+    Some(durations)
+}
+
+/// Whole numbers of intervals in proportion to duration, at least one each (largest remainders).
+fn share_intervals(segments: &mut [Segment], samples: usize) {
+    let total: f64 = segments.iter().map(|s| s.duration).sum();
+    let samples = samples.max(segments.len());
+    let ideal: Vec<f64> = segments.iter().map(|s| s.duration / total * samples as f64).collect();
+    for (s, i) in segments.iter_mut().zip(&ideal) {
+        s.intervals = ((i + 1e-9).floor() as usize).max(1);
+    }
+    let mut used: usize = segments.iter().map(|s| s.intervals).sum();
+    // Hand out what is left where most is missing; take back where most is too much.
+    while used != samples {
+        let lack = |i: usize| ideal[i] - segments[i].intervals as f64;
+        let chosen = if used < samples {
+            (0..segments.len()).rev().max_by(|&a, &b| (lack(a) - 1e-9 * a as f64).total_cmp(&(lack(b) - 1e-9 * b as f64)))
+        } else {
+            (0..segments.len()).filter(|&i| segments[i].intervals > 1).min_by(|&a, &b| lack(a).total_cmp(&lack(b)))
+        };
+        let Some(i) = chosen else { break };
+        if used < samples {
+            segments[i].intervals += 1;
+            used += 1;
+        } else {
+            segments[i].intervals -= 1;
+            used -= 1;
+        }
+    }
+}

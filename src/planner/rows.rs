@@ -1,0 +1,260 @@
+//! One program at one mission time, with facet rows added only where they are passed.
+//!
+//! Few of a set's rows ever bind. A program that lacks rows is a relaxation: where it is infeasible, so is the
+//! full one; where its solution passes no row, it solves the full one.
+
+use super::hover_model::{WrenchMap, YAW};
+use super::profile::{Profile, profile};
+use super::select::PlanningSet;
+use super::transcribe::{FacetAt, NodeState, Purpose, Transcription};
+use super::yaw::{YawPlan, plan_yaw};
+use crate::admissible::AdmissibleSet;
+use crate::model::{Mission, Model};
+use crate::solve::{Effort, Outcome, solve};
+use std::collections::BTreeSet;
+
+/// A waypoint may be overshot by this much, m, and the plan still counts as feasible (yaw in proportion).
+pub const FEASIBLE: f64 = 1e-6;
+
+/// Rows are added until none is passed by more than this share of the healthy set's width.
+const ACCEPTED: f64 = 1e-7;
+
+/// Rows with more slack than this at a plan are not carried on to other mission times.
+const KEPT: f64 = 0.05;
+
+/// After this many rounds every row is imposed.
+const MOST_ROUNDS: usize = 30;
+
+/// The share of [`Purpose::Overshoot`]'s objective that the inputs' cost may take at most, m.
+const COST_SHARE: f64 = 1e-3;
+
+/// A mission laid out in time, with yaw planned: all that does not depend on the planner.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layout {
+    pub profile: Profile,
+    pub yaw: YawPlan,
+}
+
+/// Facet rows found binding so far. They carry over to other mission times and grids.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Pool {
+    rows: BTreeSet<FacetAt>,
+    nodes: usize,
+}
+
+impl Pool {
+    /// Moves the rows to a grid with `nodes` nodes, by their share of the mission.
+    fn fit(&mut self, nodes: usize) {
+        if self.nodes != nodes {
+            let (from, to) = (self.nodes.max(2) - 1, nodes - 1);
+            let move_to = |r: &FacetAt| FacetAt { facet: r.facet, node: (r.node * to + from / 2) / from };
+            self.rows = self.rows.iter().map(move_to).collect();
+            self.nodes = nodes;
+        }
+    }
+}
+
+/// Plans one mission of one model, and counts the solver's effort.
+pub struct Engine<'a> {
+    pub model: &'a Model,
+    pub mission: &'a Mission,
+    pub healthy: &'a AdmissibleSet,
+    pub effort: Effort,
+    /// Told each mission time before it is tried.
+    pub on_progress: Option<&'a (dyn Fn(f64) + Sync)>,
+}
+
+/// What was shown at one mission time.
+#[derive(Debug, Clone)]
+pub enum Decision {
+    Feasible(Box<Planned>),
+    /// Proved by multipliers checked in plain arithmetic.
+    Infeasible,
+    Inconclusive(String),
+}
+
+/// An optimal plan at one mission time.
+#[derive(Debug, Clone)]
+pub struct Planned {
+    pub layout: Layout,
+    pub states: Vec<NodeState>,
+    /// Value of (48).
+    pub objective: f64,
+    /// Facet rows in the last program.
+    pub rows: usize,
+}
+
+/// What came of one program with row generation.
+struct Attempt {
+    outcome: Outcome,
+    states: Vec<NodeState>,
+    rows: usize,
+}
+
+impl<'a> Engine<'a> {
+    pub fn new(model: &'a Model, mission: &'a Mission, healthy: &'a AdmissibleSet) -> Self {
+        Engine { model, mission, healthy, effort: Effort::default(), on_progress: None }
+    }
+
+    pub(super) fn progress(&self, time: f64) {
+        if let Some(tell) = self.on_progress {
+            tell(time);
+        }
+    }
+
+    /// Intervals of the coarse grid that brackets: about five a leg, never more than the plan's.
+    pub(super) fn coarse_samples(&self) -> usize {
+        let segments = self.mission.legs.len() + self.mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+        (5 * segments).min(self.model.plan.samples)
+    }
+
+    /// Lays the mission out; `Ok(None)` where the fixed times leave a leg no time.
+    pub fn layout(&mut self, total: f64, samples: usize) -> Result<Option<Layout>, Outcome> {
+        let Some(profile) = profile(self.mission, total, samples) else { return Ok(None) };
+        let yaw = plan_yaw(self.model, self.mission, &profile, &mut self.effort)?;
+        Ok(Some(Layout { profile, yaw }))
+    }
+
+    /// Decides one mission time: plans it, or shows that no plan meets every waypoint within its tolerance plus
+    /// [`FEASIBLE`].
+    pub fn decide(&mut self, total: f64, samples: usize, set: &PlanningSet, pool: &mut Pool) -> Decision {
+        let layout = match self.layout(total, samples) {
+            Ok(Some(layout)) => layout,
+            Ok(None) | Err(Outcome::Infeasible { .. }) => return Decision::Infeasible,
+            Err(Outcome::Inconclusive { status, .. }) => return Decision::Inconclusive(status),
+            Err(Outcome::Solved(_)) => return Decision::Inconclusive("yaw".into()),
+        };
+        let before = pool.clone();
+        let attempt = self.generate(&layout, set, Purpose::Plan { slack: FEASIBLE }, pool);
+        if let Outcome::Solved(_) = &attempt.outcome {
+            let maps = layout.yaw.maps(self.model, layout.profile.nodes());
+            pool.rows.retain(|r| set.rows[r.facet].excess(&maps[r.node].at(&attempt.states[r.node])) > -KEPT);
+        } else {
+            *pool = before;
+        }
+        match attempt.outcome {
+            Outcome::Solved(solution) => Decision::Feasible(Box::new(Planned {
+                layout,
+                states: attempt.states,
+                objective: solution.objective,
+                rows: attempt.rows,
+            })),
+            Outcome::Infeasible { .. } => Decision::Infeasible,
+            Outcome::Inconclusive { status, .. } => self.decide_by_overshoot(&layout, set, pool, status),
+        }
+    }
+
+    /// Where the plan's program gives no verdict: minimise sigma + epsilon J, which always has a solution. With
+    /// J at most J_max on feasible plans, a lower bound above FEASIBLE + epsilon J_max shows that there is none.
+    fn decide_by_overshoot(&mut self, layout: &Layout, set: &PlanningSet, pool: &mut Pool, status: String) -> Decision {
+        let Some(most) = self.largest_cost(layout) else { return Decision::Inconclusive(status) };
+        let epsilon = COST_SHARE / most;
+        let attempt = self.generate(layout, set, Purpose::Overshoot { epsilon }, pool);
+        match attempt.outcome {
+            Outcome::Solved(solution) if solution.bound > FEASIBLE + COST_SHARE => Decision::Infeasible,
+            Outcome::Infeasible { .. } => Decision::Infeasible,
+            _ => Decision::Inconclusive(status),
+        }
+    }
+
+    /// An upper bound on (48) over all feasible plans: inputs that the healthy set allows, waypoints at the edge
+    /// of their tolerance. `None` where yaw was planned first, for then the rows hold states too.
+    fn largest_cost(&self, layout: &Layout) -> Option<f64> {
+        let YawPlan::Free { .. } = layout.yaw else { return None };
+        let zonotope = &self.healthy.zonotope;
+        let extent = |axis: usize| {
+            let mut n = crate::actuation::Wrench::zeros();
+            n[axis] = 1.0;
+            zonotope.support(&n).abs().max(zonotope.support(&-n).abs())
+        };
+        let vehicle = &self.model.vehicle;
+        let [ixx, iyy, izz] = vehicle.inertia;
+        // x^2 + y^2 does not depend on psi: it is (g tau_x / Ixx)^2 + (g tau_y / Iyy)^2.
+        let roll = extent(1) * self.model.gravity / ixx;
+        let pitch = extent(2) * self.model.gravity / iyy;
+        let climb = (extent(0) / vehicle.mass - self.model.gravity).abs().max(self.model.gravity);
+        let turn = extent(3) / izz;
+        let plan = &self.model.plan;
+        let inputs = plan.snap_weight * (roll * roll + pitch * pitch)
+            + plan.acceleration_weight * (climb * climb + turn * turn);
+        let misses = self.mission.waypoints.iter().map(|w| {
+            w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
+        });
+        Some(inputs * layout.profile.total + misses.sum::<f64>())
+    }
+
+    /// Solves with facet rows added where they are passed, until none is.
+    fn generate(&mut self, layout: &Layout, set: &PlanningSet, purpose: Purpose, pool: &mut Pool) -> Attempt {
+        let nodes = layout.profile.nodes();
+        let maps = layout.yaw.maps(self.model, nodes);
+        let transcription = Transcription {
+            model: self.model,
+            mission: self.mission,
+            profile: &layout.profile,
+            set,
+            maps: &maps,
+            axes: layout.yaw.axes(),
+        };
+        pool.fit(nodes);
+        let most = match purpose {
+            Purpose::Plan { .. } => self.largest_cost(layout).unwrap_or(f64::INFINITY),
+            Purpose::Overshoot { .. } => f64::INFINITY,
+        };
+        let mut round = 0;
+        loop {
+            let chosen: Vec<FacetAt> = pool.rows.iter().copied().collect();
+            let (outcome, spent) = solve(&transcription.program(purpose, &chosen));
+            self.effort += spent;
+            let x = match &outcome {
+                // No feasible plan costs this much.
+                Outcome::Solved(solution) if solution.bound > most => {
+                    let outcome = Outcome::Infeasible { certificate: solution.z.clone() };
+                    return Attempt { outcome, states: Vec::new(), rows: chosen.len() };
+                }
+                Outcome::Solved(solution) => &solution.x,
+                // Even a point without a verdict shows which rows are missing.
+                Outcome::Inconclusive { point: Some(x), .. } => x,
+                _ => return Attempt { outcome, states: Vec::new(), rows: chosen.len() },
+            };
+            let mut states = transcription.states(x);
+            pool.rows.extend(passed(&states, &maps, set));
+            if std::env::var_os("MAVC_DEBUG").is_some() {
+                eprintln!(
+                    "   round {round}: T={:.4} N={} rows={} -> {} {} iters={} {:?}",
+                    layout.profile.total, nodes - 1, chosen.len(), pool.rows.len(),
+                    match &outcome { Outcome::Solved(s) => format!("obj={:.6}", s.objective), _ => "?".into() }, spent.iterations, spent.time
+                );
+            }
+            if pool.rows.len() == chosen.len() {
+                layout.yaw.fill(&mut states);
+                return Attempt { outcome, states, rows: chosen.len() };
+            }
+            round += 1;
+            if round == MOST_ROUNDS {
+                let facets = (0..set.rows.len()).filter(|&f| !set.rows[f].equality);
+                pool.rows = facets.flat_map(|facet| (0..nodes).map(move |node| FacetAt { facet, node })).collect();
+            }
+        }
+    }
+}
+
+/// Rows that the states pass, and the same facets at the neighbouring nodes.
+fn passed(states: &[NodeState], maps: &[WrenchMap], set: &PlanningSet) -> Vec<FacetAt> {
+    let last = states.len() - 1;
+    let mut found = Vec::new();
+    for (node, (state, map)) in states.iter().zip(maps).enumerate() {
+        let wrench = map.at(state);
+        for (facet, row) in set.rows.iter().enumerate() {
+            if !row.equality && row.excess(&wrench) > ACCEPTED {
+                let around = node.saturating_sub(1)..=(node + 1).min(last);
+                found.extend(around.map(|node| FacetAt { facet, node }));
+            }
+        }
+    }
+    found
+}
+
+/// Yaw at every node, rad.
+pub fn yaw_of(states: &[NodeState]) -> impl Iterator<Item = f64> {
+    states.iter().map(|s| s[YAW][0])
+}

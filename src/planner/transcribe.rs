@@ -1,0 +1,314 @@
+//! From a mission, a profile and a planning set to a quadratic program.
+//!
+//! Each node holds every derivative of every axis up to the input (4 for x and y, 2 for z and yaw). Inputs are
+//! piecewise linear between nodes, so a step is exact. A derivative of order i is stored times tau^i, tau the
+//! mean step, which brings all variables to like size.
+
+use super::hover_model::{ORDER, WrenchMap, X, Y, YAW, Z};
+use super::profile::Profile;
+use super::select::PlanningSet;
+use crate::model::{Limit, LimitKind, Mission, Model};
+use crate::qp::build::{Affine, Builder};
+use crate::qp::{QuadraticProgram, RowOrigin};
+
+/// Derivatives of each axis at a node: `[axis][order]`, SI units.
+pub type NodeState = [[f64; 5]; 4];
+
+/// What the program is to find.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Purpose {
+    /// (48): least weighted squared inputs and waypoint distances, every tolerance (widened by `slack`, m and
+    /// rad) met.
+    Plan { slack: f64 },
+    /// The smallest sigma + epsilon J, where every waypoint is met within its tolerance plus sigma (m) and J
+    /// is the cost (48).
+    Overshoot { epsilon: f64 },
+}
+
+/// One facet row at one node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FacetAt {
+    pub facet: usize,
+    pub node: usize,
+}
+
+/// All that a program is made of but the choice of facet rows.
+pub struct Transcription<'a> {
+    pub model: &'a Model,
+    pub mission: &'a Mission,
+    pub profile: &'a Profile,
+    pub set: &'a PlanningSet,
+    /// One wrench map per node.
+    pub maps: &'a [WrenchMap],
+    /// The axes planned here: all four, or only x, y, z where yaw was planned first.
+    pub axes: &'a [usize],
+}
+
+impl Transcription<'_> {
+    fn per_node(&self) -> usize {
+        self.axes.iter().map(|&a| ORDER[a] + 1).sum()
+    }
+
+    fn nodes(&self) -> usize {
+        self.profile.nodes()
+    }
+
+    pub fn variables(&self) -> usize {
+        self.nodes() * self.per_node()
+    }
+
+    /// Unit of time of the scaled variables, s.
+    fn tau(&self) -> f64 {
+        self.profile.total / self.profile.intervals() as f64 * TAU_STEPS
+    }
+
+    fn var(&self, node: usize, axis: usize, order: usize) -> usize {
+        let before: usize = self.axes.iter().take_while(|&&a| a != axis).map(|&a| ORDER[a] + 1).sum();
+        node * self.per_node() + before + order
+    }
+
+    /// The derivative in SI units as an expression.
+    fn derivative(&self, node: usize, axis: usize, order: usize) -> Affine {
+        Affine::term(self.var(node, axis, order), self.tau().powi(-(order as i32)))
+    }
+
+    fn plans(&self, axis: usize) -> bool {
+        self.axes.contains(&axis)
+    }
+
+    /// Component `n . w` at a node, minus `offset`.
+    fn along(&self, node: usize, n: &crate::actuation::Wrench) -> Affine {
+        let map = &self.maps[node];
+        let mut sum = Affine::constant(n.dot(&map.constant));
+        for &(axis, order, c) in &map.terms {
+            let coefficient = n.dot(&c);
+            if coefficient != 0.0 {
+                sum.add(&self.derivative(node, axis, order), coefficient);
+            }
+        }
+        sum
+    }
+
+    /// The program with facet rows only at `chosen`; equality rows of the set always stand.
+    pub fn program(&self, purpose: Purpose, chosen: &[FacetAt]) -> QuadraticProgram {
+        let sigma = self.variables();
+        let extra = usize::from(matches!(purpose, Purpose::Overshoot { .. }));
+        let mut builder = Builder::new(self.variables() + extra);
+        self.dynamics(&mut builder);
+        self.rest(&mut builder);
+        for (facet, row) in self.set.rows.iter().enumerate().filter(|(_, r)| r.equality) {
+            for node in 0..self.nodes() {
+                let expression = self.along(node, &row.normal).plus_constant(-row.offset);
+                builder.zero(expression, RowOrigin::Facet { facet, node });
+            }
+        }
+        for &FacetAt { facet, node } in chosen {
+            let row = &self.set.rows[facet];
+            let expression = self.along(node, &row.normal).plus_constant(-row.offset).times(-1.0);
+            builder.nonnegative(expression, RowOrigin::Facet { facet, node });
+        }
+        for (index, limit) in self.mission.limits.iter().enumerate() {
+            self.limit(&mut builder, index, limit);
+        }
+        match purpose {
+            Purpose::Plan { slack } => {
+                self.waypoints(&mut builder, &Affine::constant(slack));
+                self.cost(&mut builder, 1.0);
+            }
+            Purpose::Overshoot { epsilon } => {
+                self.waypoints(&mut builder, &Affine::term(sigma, 1.0));
+                let smallest = self.mission.waypoints.iter().map(|w| w.within).fold(f64::INFINITY, f64::min);
+                builder.nonnegative(Affine::term(sigma, 1.0).plus_constant(0.9 * smallest), RowOrigin::Overshoot);
+                builder.linear(sigma, 1.0);
+                self.cost(&mut builder, epsilon);
+            }
+        }
+        builder.finish()
+    }
+
+    /// Exact steps under first-order hold: with m = r - i,
+    /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j + h^m [(1/m! - 1/(m+1)!) u_k + u_{k+1}/(m+1)!]`.
+    fn dynamics(&self, builder: &mut Builder) {
+        const FACTORIAL: [f64; 6] = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0];
+        let tau = self.tau();
+        for (interval, step) in self.profile.steps().enumerate() {
+            let h = step / tau;
+            for &axis in self.axes {
+                let r = ORDER[axis];
+                for i in 0..r {
+                    let mut row = Affine::term(self.var(interval + 1, axis, i), -1.0);
+                    for j in i..r {
+                        row = row.plus(self.var(interval, axis, j), h.powi((j - i) as i32) / FACTORIAL[j - i]);
+                    }
+                    let m = r - i;
+                    let power = h.powi(m as i32);
+                    let late = 1.0 / FACTORIAL[m + 1];
+                    row = row
+                        .plus(self.var(interval, axis, r), power * (1.0 / FACTORIAL[m] - late))
+                        .plus(self.var(interval + 1, axis, r), power * late);
+                    builder.zero(row, RowOrigin::Dynamics { interval, axis, derivative: i });
+                }
+            }
+        }
+    }
+
+    /// Velocity, acceleration and (x, y) jerk vanish at rest; all inputs vanish while holding.
+    fn rest(&self, builder: &mut Builder) {
+        let last = self.nodes() - 1;
+        let mut held: Vec<usize> = self.profile.held_nodes().collect();
+        held.dedup();
+        for node in 0..=last {
+            let holding = held.binary_search(&node).is_ok();
+            let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
+            if !holding && !ends {
+                continue;
+            }
+            // Inside a hold the dynamics carry the rest of its first node on.
+            let inside = holding && node > 0 && held.binary_search(&(node - 1)).is_ok();
+            for &axis in self.axes {
+                let orders = match (inside, holding) {
+                    (true, _) => ORDER[axis]..=ORDER[axis],
+                    (false, true) => 1..=ORDER[axis],
+                    (false, false) => 1..=ORDER[axis].min(3),
+                };
+                for derivative in orders {
+                    let row = Affine::term(self.var(node, axis, derivative), 1.0);
+                    builder.zero(row, RowOrigin::Rest { node, axis, derivative });
+                }
+            }
+        }
+    }
+
+    /// |p - p_i| <= within_i + slack; yaw tolerances widen in the same proportion:
+    /// |psi - psi_i| <= yaw_within_i (1 + slack / within_i).
+    fn waypoints(&self, builder: &mut Builder, slack: &Affine) {
+        for (waypoint, (w, &node)) in
+            self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes).enumerate()
+        {
+            if self.plans(X) {
+                let mut cone = vec![slack.clone().plus_constant(w.within)];
+                for (axis, target) in [X, Y, Z].into_iter().zip(w.position) {
+                    cone.push(self.derivative(node, axis, 0).plus_constant(-target));
+                }
+                builder.cone(cone, RowOrigin::Waypoint { waypoint });
+            }
+            if self.plans(YAW) {
+                for sign in [1.0, -1.0] {
+                    let mut row = slack.clone().times(w.yaw_within / w.within).plus_constant(w.yaw_within);
+                    row.add(&self.derivative(node, YAW, 0).plus_constant(-w.yaw), sign);
+                    builder.nonnegative(row, RowOrigin::WaypointYaw { waypoint });
+                }
+            }
+        }
+    }
+
+    /// (48) with exact integrals: over a step h, the integral of u^2 is h (u0^2 + u0 u1 + u1^2) / 3.
+    fn cost(&self, builder: &mut Builder, factor: f64) {
+        let plan = &self.model.plan;
+        let tau = self.tau();
+        for (k, step) in self.profile.steps().enumerate() {
+            for &axis in self.axes {
+                let r = ORDER[axis];
+                let weight = if r == 4 { plan.snap_weight } else { plan.acceleration_weight };
+                let c = factor * weight * step / 3.0 / tau.powi(2 * r as i32);
+                let (u0, u1) = (self.var(k, axis, r), self.var(k + 1, axis, r));
+                builder.product(u0, u0, c);
+                builder.product(u0, u1, c);
+                builder.product(u1, u1, c);
+            }
+        }
+        for (w, &node) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes) {
+            let targets = [w.position[0], w.position[1], w.position[2], w.yaw];
+            for &axis in self.axes {
+                builder.squared_distance(self.var(node, axis, 0), targets[axis], factor * w.weight);
+            }
+        }
+    }
+
+    fn limit(&self, builder: &mut Builder, index: usize, limit: &Limit) {
+        for node in 0..self.nodes() {
+            let origin = RowOrigin::Limit { limit: index, node };
+            let mut interval = |axis: usize, order: usize, sign: f64| {
+                if !self.plans(axis) {
+                    return;
+                }
+                let value = self.derivative(node, axis, order).times(sign);
+                if let Some(upper) = limit.upper {
+                    builder.nonnegative(value.clone().times(-1.0).plus_constant(upper), origin);
+                }
+                if let Some(lower) = limit.lower {
+                    builder.nonnegative(value.plus_constant(-lower), origin);
+                }
+            };
+            match limit.kind {
+                LimitKind::X => interval(X, 0, 1.0),
+                LimitKind::Y => interval(Y, 0, 1.0),
+                LimitKind::Z => interval(Z, 0, 1.0),
+                LimitKind::Yaw => interval(YAW, 0, 1.0),
+                LimitKind::YawRate => interval(YAW, 1, 1.0),
+                LimitKind::YawAcceleration => interval(YAW, 2, 1.0),
+                LimitKind::Climb => interval(Z, 1, 1.0),
+                LimitKind::Descent => interval(Z, 1, -1.0),
+                _ => {
+                    if let (true, Some(upper)) = (self.plans(X), limit.upper) {
+                        self.norm_limit(builder, limit.kind, upper, node, origin);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Bounds on a norm, as second-order cones.
+    fn norm_limit(&self, builder: &mut Builder, kind: LimitKind, upper: f64, node: usize, origin: RowOrigin) {
+        let mut bound = |reach: Affine, axes: &[usize], order: usize| {
+            let parts = axes.iter().map(|&a| self.derivative(node, a, order));
+            builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
+        };
+        match kind {
+            LimitKind::Speed => bound(Affine::constant(upper), &[X, Y, Z], 1),
+            LimitKind::SpeedHorizontal => bound(Affine::constant(upper), &[X, Y], 1),
+            LimitKind::Acceleration => bound(Affine::constant(upper), &[X, Y, Z], 2),
+            LimitKind::AccelerationHorizontal => bound(Affine::constant(upper), &[X, Y], 2),
+            // The thrust points along (x'', y'', z'' + g): tan(tilt) = |(x'', y'')| / (g + z'').
+            LimitKind::Tilt => {
+                let reach = self.derivative(node, Z, 2).plus_constant(self.model.gravity).times(upper.tan());
+                bound(reach, &[X, Y], 2);
+            }
+            LimitKind::Jerk => {
+                // z''' is constant over an interval: both ends of each are bounded.
+                let mut steps = self.profile.steps().enumerate().skip(node.saturating_sub(1)).take(2);
+                while let Some((interval, step)) = steps.next().filter(|(i, _)| *i <= node) {
+                    let mut slope = self.derivative(interval + 1, Z, 2);
+                    slope.add(&self.derivative(interval, Z, 2), -1.0);
+                    let cone = vec![
+                        Affine::constant(upper),
+                        self.derivative(node, X, 3),
+                        self.derivative(node, Y, 3),
+                        slope.times(1.0 / step),
+                    ];
+                    builder.cone(cone, origin);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The derivatives at every node, SI units; axes not planned here are left zero.
+    pub fn states(&self, x: &[f64]) -> Vec<NodeState> {
+        let tau = self.tau();
+        (0..self.nodes())
+            .map(|node| {
+                let mut state = NodeState::default();
+                for &axis in self.axes {
+                    for order in 0..=ORDER[axis] {
+                        state[axis][order] = x[self.var(node, axis, order)] / tau.powi(order as i32);
+                    }
+                }
+                state
+            })
+            .collect()
+    }
+}
+
+/// Steps per unit of scaled time.
+const TAU_STEPS: f64 = 4.0;

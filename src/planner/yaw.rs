@@ -1,0 +1,73 @@
+//! Yaw, planned first where it changes: the smallest integral of psi''^2 within the yaw tolerances.
+
+use super::hover_model::{WrenchMap, X, Y, YAW, YawState, Z};
+use super::profile::Profile;
+use super::select::PlanningSet;
+use super::transcribe::{NodeState, Purpose, Transcription};
+use crate::model::{Mission, Model};
+use crate::solve::{Effort, Outcome, solve};
+
+/// How yaw enters the plan of x, y and z.
+#[derive(Debug, Clone, PartialEq)]
+pub enum YawPlan {
+    /// All waypoints ask for one yaw: psi is a variable like the others, and the wrench map is linearised there.
+    Free { psi: f64 },
+    /// psi, psi', psi'' at every node, fixed before x, y and z are planned.
+    Frozen(Vec<YawState>),
+}
+
+const ALL_AXES: [usize; 4] = [X, Y, Z, YAW];
+
+impl YawPlan {
+    /// The wrench map at every node.
+    pub fn maps(&self, model: &Model, nodes: usize) -> Vec<WrenchMap> {
+        match self {
+            YawPlan::Free { psi } => {
+                vec![WrenchMap::with_free_yaw(&model.vehicle, model.gravity, *psi); nodes]
+            }
+            YawPlan::Frozen(states) => {
+                states.iter().map(|&s| WrenchMap::new(&model.vehicle, model.gravity, s)).collect()
+            }
+        }
+    }
+
+    /// The axes left to plan.
+    pub fn axes(&self) -> &'static [usize] {
+        match self {
+            YawPlan::Free { .. } => &ALL_AXES,
+            YawPlan::Frozen(_) => &ALL_AXES[..3],
+        }
+    }
+
+    /// Writes the frozen yaw into planned states.
+    pub fn fill(&self, states: &mut [NodeState]) {
+        if let YawPlan::Frozen(yaw) = self {
+            for (state, y) in states.iter_mut().zip(yaw) {
+                state[YAW] = [y.psi, y.rate, y.acceleration, 0.0, 0.0];
+            }
+        }
+    }
+}
+
+/// Plans yaw for one profile, or says what the solver said.
+pub fn plan_yaw(
+    model: &Model,
+    mission: &Mission,
+    profile: &Profile,
+    effort: &mut Effort,
+) -> Result<YawPlan, Outcome> {
+    let first = mission.waypoints[0].yaw;
+    if mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12) {
+        return Ok(YawPlan::Free { psi: first });
+    }
+    let nothing = PlanningSet::default();
+    let transcription =
+        Transcription { model, mission, profile, set: &nothing, maps: &[], axes: &ALL_AXES[3..] };
+    let (outcome, spent) = solve(&transcription.program(Purpose::Plan { slack: 0.0 }, &[]));
+    *effort += spent;
+    let Outcome::Solved(solution) = outcome else { return Err(outcome) };
+    let states = transcription.states(&solution.x);
+    Ok(YawPlan::Frozen(
+        states.iter().map(|s| YawState { psi: s[YAW][0], rate: s[YAW][1], acceleration: s[YAW][2] }).collect(),
+    ))
+}

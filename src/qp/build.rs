@@ -1,0 +1,134 @@
+//! Collects rows in any order and sorts them by cone.
+
+use super::{Cone, QuadraticProgram, RowOrigin, Sparse};
+
+/// `sum of coefficient x_variable + constant`
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Affine {
+    pub terms: Vec<(usize, f64)>,
+    pub constant: f64,
+}
+
+impl Affine {
+    pub fn constant(constant: f64) -> Self {
+        Affine { terms: Vec::new(), constant }
+    }
+
+    pub fn term(variable: usize, coefficient: f64) -> Self {
+        Affine { terms: vec![(variable, coefficient)], constant: 0.0 }
+    }
+
+    pub fn plus(mut self, variable: usize, coefficient: f64) -> Self {
+        self.terms.push((variable, coefficient));
+        self
+    }
+
+    pub fn plus_constant(mut self, constant: f64) -> Self {
+        self.constant += constant;
+        self
+    }
+
+    /// Adds `factor` times another expression.
+    pub fn add(&mut self, other: &Affine, factor: f64) {
+        self.terms.extend(other.terms.iter().map(|&(v, c)| (v, c * factor)));
+        self.constant += factor * other.constant;
+    }
+
+    /// The expression times `factor`.
+    pub fn times(mut self, factor: f64) -> Self {
+        self.constant *= factor;
+        for t in &mut self.terms {
+            t.1 *= factor;
+        }
+        self
+    }
+
+    /// Its value at x.
+    pub fn at(&self, x: &[f64]) -> f64 {
+        self.constant + self.terms.iter().map(|&(v, c)| c * x[v]).sum::<f64>()
+    }
+}
+
+/// A program under construction.
+#[derive(Debug, Clone, Default)]
+pub struct Builder {
+    variables: usize,
+    hessian: Vec<(usize, usize, f64)>,
+    q: Vec<f64>,
+    constant: f64,
+    equal: Vec<(Affine, RowOrigin)>,
+    nonnegative: Vec<(Affine, RowOrigin)>,
+    cones: Vec<(Vec<Affine>, RowOrigin)>,
+}
+
+impl Builder {
+    pub fn new(variables: usize) -> Self {
+        Builder { variables, q: vec![0.0; variables], ..Builder::default() }
+    }
+
+    /// expression = 0
+    pub fn zero(&mut self, expression: Affine, origin: RowOrigin) {
+        self.equal.push((expression, origin));
+    }
+
+    /// expression >= 0
+    pub fn nonnegative(&mut self, expression: Affine, origin: RowOrigin) {
+        self.nonnegative.push((expression, origin));
+    }
+
+    /// first >= |(rest)|
+    pub fn cone(&mut self, expressions: Vec<Affine>, origin: RowOrigin) {
+        self.cones.push((expressions, origin));
+    }
+
+    /// Adds `coefficient x_variable` to the objective.
+    pub fn linear(&mut self, variable: usize, coefficient: f64) {
+        self.q[variable] += coefficient;
+    }
+
+    /// Adds `coefficient x_i x_j` to the objective.
+    pub fn product(&mut self, i: usize, j: usize, coefficient: f64) {
+        let value = if i == j { 2.0 * coefficient } else { coefficient };
+        self.hessian.push((i.min(j), i.max(j), value));
+    }
+
+    /// Adds `weight (x_i - target)^2` to the objective.
+    pub fn squared_distance(&mut self, i: usize, target: f64, weight: f64) {
+        self.product(i, i, weight);
+        self.linear(i, -2.0 * weight * target);
+        self.constant += weight * target * target;
+    }
+
+    pub fn finish(self) -> QuadraticProgram {
+        let grouped_rows: usize = self.cones.iter().map(|c| c.0.len()).sum();
+        let rows = self.equal.len() + self.nonnegative.len() + grouped_rows;
+        let mut cones = Vec::new();
+        if !self.equal.is_empty() {
+            cones.push(Cone::Zero(self.equal.len()));
+        }
+        if !self.nonnegative.is_empty() {
+            cones.push(Cone::Nonnegative(self.nonnegative.len()));
+        }
+        cones.extend(self.cones.iter().map(|c| Cone::SecondOrder(c.0.len())));
+        let single = self.equal.into_iter().chain(self.nonnegative);
+        let grouped =
+            self.cones.into_iter().flat_map(|(rows, origin)| rows.into_iter().map(move |r| (r, origin)));
+        let mut entries = Vec::new();
+        let mut b = Vec::with_capacity(rows);
+        let mut row_origin = Vec::with_capacity(rows);
+        for (row, (expression, origin)) in single.chain(grouped).enumerate() {
+            entries.extend(expression.terms.iter().map(|&(v, c)| (row, v, -c)));
+            b.push(expression.constant);
+            row_origin.push(origin);
+        }
+        QuadraticProgram {
+            p: Sparse::from_entries(self.variables, self.variables, &self.hessian),
+            q: self.q,
+            constant: self.constant,
+            a: Sparse::from_entries(rows, self.variables, &entries),
+            b,
+            cones,
+            row_origin,
+        }
+    }
+}

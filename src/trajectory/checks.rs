@@ -1,0 +1,128 @@
+//! What holds between the nodes: limits on the polynomials themselves, and where the linear model is pushed past
+//! its range.
+
+use super::{Trajectory, tilt};
+use crate::model::{Limit, LimitKind, Model};
+use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::planner::transcribe::NodeState;
+
+/// Points per interval at which the polynomials are looked at before refinement.
+const LOOKS: usize = 10;
+
+/// The largest value of a quantity along the flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    pub value: f64,
+    /// s
+    pub at: f64,
+}
+
+/// A limit passed between nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Excess {
+    /// Index into the mission's limits.
+    pub limit: usize,
+    /// How far past the limit, in its SI unit.
+    pub by: f64,
+    /// s
+    pub at: f64,
+}
+
+/// Largest value of `quantity` over the flight: looked at ten times an interval, then refined by golden section
+/// around the best look.
+pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Peak {
+    let mut best = Peak { value: f64::NEG_INFINITY, at: 0.0 };
+    let mut best_interval = 0;
+    for k in 0..trajectory.intervals() {
+        let h = trajectory.times[k + 1] - trajectory.times[k];
+        for i in 0..=LOOKS {
+            let t = h * i as f64 / LOOKS as f64;
+            let value = quantity(&trajectory.within(k, t));
+            if value > best.value {
+                best = Peak { value, at: trajectory.times[k] + t };
+                best_interval = k;
+            }
+        }
+    }
+    let begin = trajectory.times[best_interval];
+    let h = trajectory.times[best_interval + 1] - begin;
+    let look = h / LOOKS as f64;
+    let (mut low, mut high) = ((best.at - begin - look).max(0.0), (best.at - begin + look).min(h));
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    for _ in 0..40 {
+        let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
+        let value = |t: f64| quantity(&trajectory.within(best_interval, t));
+        if value(a) > value(b) { high = b } else { low = a }
+    }
+    let t = 0.5 * (low + high);
+    let value = quantity(&trajectory.within(best_interval, t));
+    if value > best.value { Peak { value, at: begin + t } } else { best }
+}
+
+/// How far `state` is past a limit, in the limit's SI unit; negative inside.
+pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
+    let norm = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
+    let value = match limit.kind {
+        LimitKind::X => state[X][0],
+        LimitKind::Y => state[Y][0],
+        LimitKind::Z => state[Z][0],
+        LimitKind::Yaw => state[YAW][0],
+        LimitKind::YawRate => state[YAW][1],
+        LimitKind::YawAcceleration => state[YAW][2],
+        LimitKind::Climb => state[Z][1],
+        LimitKind::Descent => -state[Z][1],
+        LimitKind::Speed => norm(&[X, Y, Z], 1),
+        LimitKind::SpeedHorizontal => norm(&[X, Y], 1),
+        LimitKind::Acceleration => norm(&[X, Y, Z], 2),
+        LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
+        LimitKind::Jerk => norm(&[X, Y, Z], 3),
+        LimitKind::Tilt => tilt(state, gravity),
+    };
+    let over = limit.upper.map_or(f64::NEG_INFINITY, |u| value - u);
+    let under = limit.lower.map_or(f64::NEG_INFINITY, |l| l - value);
+    over.max(under)
+}
+
+/// The limits that the polynomials pass by more than `tolerance` (in the limit's SI unit), with the worst instant.
+pub fn limit_excesses(trajectory: &Trajectory, model: &Model, tolerance: f64) -> Vec<Excess> {
+    let limits = model.mission.iter().flat_map(|m| &m.limits).enumerate();
+    limits
+        .filter_map(|(limit, l)| {
+            let worst = peak(trajectory, |s| past(l, s, model.gravity));
+            (worst.value > tolerance).then_some(Excess { limit, by: worst.value, at: worst.at })
+        })
+        .collect()
+}
+
+/// How far the plan stretches the linear model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Largest tilt, rad.
+    pub tilt: Peak,
+    /// Smallest thrust, N.
+    pub least_thrust: Peak,
+    /// Full thrust, N.
+    pub full_thrust: f64,
+}
+
+impl Stretch {
+    /// Tilt over 20 degrees: small angles no longer hold.
+    pub fn tilts_too_far(&self) -> bool {
+        self.tilt.value > 20f64.to_radians()
+    }
+
+    /// Thrust within 2 % of zero: the direction of a vanishing thrust says nothing.
+    pub fn nearly_falls(&self) -> bool {
+        self.least_thrust.value < 0.02 * self.full_thrust
+    }
+}
+
+pub fn stretch(trajectory: &Trajectory, model: &Model) -> Stretch {
+    let thrust = |s: &NodeState| model.vehicle.mass * (model.gravity + s[Z][2]);
+    let least = peak(trajectory, |s| -thrust(s));
+    Stretch {
+        tilt: peak(trajectory, |s| tilt(s, model.gravity)),
+        least_thrust: Peak { value: -least.value, at: least.at },
+        full_thrust: model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum(),
+    }
+}

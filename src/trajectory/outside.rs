@@ -1,0 +1,118 @@
+//! When the planned wrench leaves a set, to the instant.
+
+use super::Trajectory;
+use crate::actuation::Wrench;
+use crate::model::Vehicle;
+use crate::planner::select::{SetRow, VIOLATED};
+
+/// How a trajectory stands to one set.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Outside {
+    /// Indices of rows violated at some node.
+    pub facets: Vec<usize>,
+    /// (row, node) pairs violated.
+    pub rows: usize,
+    /// Nodes with a violated row.
+    pub positions: usize,
+    /// Largest excess over all nodes and rows, in widths of the healthy set; negative where all stays inside.
+    pub max_violation: f64,
+    /// Seconds outside.
+    pub seconds: f64,
+    /// The last instant outside, s; `None` where there is none.
+    pub last: Option<f64>,
+}
+
+/// Intervals of yaw-following wrench maps are cut into this many parts when looking for crossings.
+const PARTS: usize = 16;
+
+/// Holds the trajectory against rows. A row is violated where its excess is over [`VIOLATED`].
+///
+/// With yaw linearised the wrench is linear over each interval, so crossing times follow in closed form; where
+/// the model follows the yaw they are bisected to rounding.
+pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow]) -> Outside {
+    let wrenches = trajectory.node_wrenches(vehicle, gravity);
+    let mut found = Outside { max_violation: f64::NEG_INFINITY, ..Outside::default() };
+    let mut violated = vec![false; rows.len()];
+    for w in &wrenches {
+        let mut any = false;
+        for (i, row) in rows.iter().enumerate() {
+            let excess = row.excess(w);
+            found.max_violation = found.max_violation.max(excess);
+            if excess > VIOLATED {
+                any = true;
+                violated[i] = true;
+                found.rows += 1;
+            }
+        }
+        found.positions += usize::from(any);
+    }
+    found.facets = (0..rows.len()).filter(|&i| violated[i]).collect();
+    for k in 0..trajectory.intervals() {
+        let h = trajectory.times[k + 1] - trajectory.times[k];
+        let curved = trajectory.linearised_at.is_none();
+        let parts = if curved { PARTS } else { 1 };
+        let at = |t: f64| trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
+        let mut spans: Vec<(f64, f64)> = Vec::new();
+        let mut left = (0.0, wrenches[k]);
+        for p in 1..=parts {
+            let t = h * p as f64 / parts as f64;
+            let right = (t, if p == parts { wrenches[k + 1] } else { at(t) });
+            for row in rows {
+                spans.extend(span_outside(row, left, right, curved.then_some(&at as &dyn Fn(f64) -> Wrench)));
+            }
+            left = right;
+        }
+        for (a, b) in merged(spans) {
+            found.seconds += b - a;
+            found.last = Some(trajectory.times[k] + b);
+        }
+    }
+    found
+}
+
+/// The part of [left, right] in which one row is violated; at most one crossing is looked for.
+fn span_outside(
+    row: &SetRow,
+    left: (f64, Wrench),
+    right: (f64, Wrench),
+    curved: Option<&dyn Fn(f64) -> Wrench>,
+) -> Option<(f64, f64)> {
+    let (a, b) = (row.excess(&left.1) - VIOLATED, row.excess(&right.1) - VIOLATED);
+    match (a > 0.0, b > 0.0) {
+        (false, false) => None,
+        (true, true) => Some((left.0, right.0)),
+        (out_first, _) => {
+            let t = match curved {
+                None => left.0 + (right.0 - left.0) * a / (a - b),
+                Some(at) => bisect(left.0, right.0, |t| (row.excess(&at(t)) - VIOLATED > 0.0) == out_first),
+            };
+            Some(if out_first { (left.0, t) } else { (t, right.0) })
+        }
+    }
+}
+
+/// The point where `holds` turns from true to false.
+fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if holds(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+/// Union of intervals, ascending.
+fn merged(mut spans: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut union: Vec<(f64, f64)> = Vec::new();
+    for (a, b) in spans {
+        match union.last_mut() {
+            Some(last) if a <= last.1 => last.1 = last.1.max(b),
+            _ => union.push((a, b)),
+        }
+    }
+    union
+}
