@@ -1,5 +1,6 @@
 //! Planning as in sections 5.2 and 5.3: waypoint times, rows, selection of facets, shortest times.
 
+pub mod compare;
 pub mod hover_model;
 pub mod profile;
 pub mod rows;

@@ -38,6 +38,17 @@ pub enum NoTime {
     Inconclusive { at: f64, status: String },
 }
 
+/// What is known before a search, s.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Hint {
+    /// Where to start looking.
+    pub near: Option<f64>,
+    /// Shown infeasible (for a larger set).
+    pub infeasible: Option<f64>,
+    /// Shown feasible (for a smaller set).
+    pub feasible: Option<f64>,
+}
+
 /// Mission times in ticks of [`GRID`].
 type Ticks = i64;
 
@@ -58,8 +69,8 @@ struct Search<'e, 'a> {
 }
 
 impl<'a> Engine<'a> {
-    /// The shortest mission time for a set, searched from `guess` (s).
-    pub fn shortest(&mut self, set: &PlanningSet, guess: f64, pool: &mut Pool) -> Result<Shortest, NoTime> {
+    /// The shortest mission time for a set.
+    pub fn shortest(&mut self, set: &PlanningSet, hint: Hint, pool: &mut Pool) -> Result<Shortest, NoTime> {
         let samples = self.model.plan.samples;
         if let Some(total) = determined(self.mission) {
             return match self.decide(total, samples, set, pool) {
@@ -76,8 +87,18 @@ impl<'a> Engine<'a> {
         let floor = (earliest(self.mission) / GRID).floor() as Ticks;
         let floor = floor - floor.rem_euclid(STEP);
         let mut search = Search { engine: self, set, pool, floor };
-        let rough = search.rough(guess)?;
-        let mut found = search.exact(rough, samples)?;
+        let ticks = |t: Option<f64>| t.map(|t| (t / GRID).round() as Ticks);
+        let (low, high) = (ticks(hint.infeasible), ticks(hint.feasible));
+        // Just above a time known infeasible is where nearly equal sets end.
+        let start = match (low, high) {
+            (Some(l), _) => l + STEP,
+            (None, Some(h)) => h - STEP,
+            (None, None) => {
+                let guess = hint.near.unwrap_or_else(|| search.engine.guess());
+                search.rough(guess)?
+            }
+        };
+        let mut found = search.exact(start, low, high, samples)?;
         found.infeasible_above = search.scan_above(found.time);
         Ok(found)
     }
@@ -142,16 +163,29 @@ impl Search<'_, '_> {
         Ok(high)
     }
 
-    /// Brackets and bisects on the full grid, from a time thought just feasible.
-    fn exact(&mut self, start: Ticks, samples: usize) -> Result<Shortest, NoTime> {
+    /// Brackets and bisects on the full grid, from a time thought near the shortest; `low` is known infeasible and
+    /// `known_high` feasible.
+    fn exact(
+        &mut self,
+        start: Ticks,
+        low: Option<Ticks>,
+        known_high: Option<Ticks>,
+        samples: usize,
+    ) -> Result<Shortest, NoTime> {
         let mut high: Option<(Ticks, Planned)> = None;
-        let mut low: Option<Ticks> = None;
+        let mut low = low;
+        let mut first = true;
         let mut unknown: Vec<(Ticks, String)> = Vec::new();
         let mut stride = steps((start - self.floor) as f64 * 0.01);
         loop {
             let t: Ticks = match (low, &high) {
+                _ if first => start,
                 (None, None) => start,
-                (Some(l), None) => l + stride,
+                // A known end halves the interval from the first; it is planned itself only if all else fails.
+                (Some(l), None) => match known_high.filter(|h| *h > l) {
+                    Some(h) => (l + steps((h - l) as f64 / 2.0)).min(h),
+                    None => l + stride,
+                },
                 (None, Some((h, _))) => (h - stride).max(self.floor),
                 (Some(l), Some((h, _))) if h - l > STEP => match between(l, *h, &unknown) {
                     Some(t) => t,
@@ -159,6 +193,7 @@ impl Search<'_, '_> {
                 },
                 _ => break,
             };
+            first = false;
             match self.try_at(t, samples) {
                 Decision::Feasible(planned) => {
                     if high.is_some() && low.is_none() {

@@ -1,0 +1,401 @@
+//! Steps (a) to (f) of section 5.3: which planners are run at which time, and how each plan stands to each mode.
+
+use super::profile::determined;
+use super::rows::{Decision, Engine, Planned, Pool};
+use super::search::{Hint, NoTime, Shortest};
+use super::select::{PlanningSet, SetRow, row};
+use crate::admissible::AdmissibleSet;
+use crate::model::{Mission, MissionTime, Model, PlannerKind};
+use crate::solve::Effort;
+use crate::trajectory::Trajectory;
+use crate::trajectory::outside::{Outside, outside};
+use rayon::prelude::*;
+
+/// Each planner at its own shortest time, or all at one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Run {
+    Own,
+    Common,
+}
+
+/// What a planner's run ended in.
+#[derive(Debug, Clone)]
+pub enum Ending {
+    Solved(Box<Solved>),
+    /// No plan at the time in question, or at no time at all.
+    Infeasible { at: f64 },
+    Inconclusive { at: f64, status: String },
+}
+
+/// A plan with what is reported of it.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    pub time: f64,
+    pub trajectory: Trajectory,
+    /// Value of (48).
+    pub objective: f64,
+    /// Facet rows in the last program (of rows times nodes).
+    pub rows: usize,
+    /// Against every mode of the comparison, in their order.
+    pub outside: Vec<Outside>,
+    /// For an own shortest time: the shorter time shown infeasible.
+    pub infeasible_at: Option<f64>,
+    /// Longer times found infeasible on a coarse grid.
+    pub infeasible_above: Vec<f64>,
+}
+
+#[derive(Debug, Clone)]
+pub struct PlannerRun {
+    pub planner: PlannerKind,
+    /// Mode names; empty for RIP.
+    pub against: Vec<String>,
+    pub run: Run,
+    pub ending: Ending,
+    /// Rows of the planning set at each node.
+    pub set_rows: usize,
+}
+
+/// All runs of one spec.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    /// Names of the modes the plan must stand, in the order of `against`.
+    pub modes: Vec<String>,
+    pub runs: Vec<PlannerRun>,
+    /// T_d, s: the spec's time, else the joint RCP's shortest, else the largest single-mode one.
+    pub common_time: Option<f64>,
+    /// Facets (of `against` modes) that the RIP plan violates at T_d, as rows.
+    pub selected: Vec<SetRow>,
+    pub effort: Effort,
+}
+
+/// Which runs are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// Only what the spec's planner needs for its one trajectory.
+    Plan,
+    /// RIP, RCP per mode, RCP jointly and RSP, at their own times and at T_d.
+    Everything,
+}
+
+struct Setting<'a> {
+    model: &'a Model,
+    mission: &'a Mission,
+    /// Shrunk by the reserve, in the order of `against`.
+    sets: Vec<AdmissibleSet>,
+    healthy: AdmissibleSet,
+    /// The healthy set as planned against, and each mode's.
+    rip: PlanningSet,
+    singles: Vec<PlanningSet>,
+    joint: PlanningSet,
+    names: Vec<String>,
+    progress: Option<&'a (dyn Fn(&str, f64) + Sync)>,
+}
+
+/// A search's result with what later searches can use.
+struct Found {
+    result: Result<Shortest, NoTime>,
+    pool: Pool,
+    effort: Effort,
+}
+
+/// Runs the planners. Every mode in `against` must hold hover; see `crate::admissible::verdict`.
+///
+/// `progress` is told the planner's name and each mission time tried.
+pub fn compare(
+    model: &Model,
+    mission: &Mission,
+    scope: Scope,
+    progress: Option<&(dyn Fn(&str, f64) + Sync)>,
+) -> Comparison {
+    let setting = Setting::new(model, mission, progress);
+    match scope {
+        Scope::Plan => setting.plan(),
+        Scope::Everything => setting.everything(),
+    }
+}
+
+impl<'a> Setting<'a> {
+    fn new(model: &'a Model, mission: &'a Mission, progress: Option<&'a (dyn Fn(&str, f64) + Sync)>) -> Self {
+        let healthy = AdmissibleSet::healthy(model);
+        let reserve = model.plan.reserve;
+        let sets: Vec<AdmissibleSet> =
+            model.plan.against.iter().map(|&i| AdmissibleSet::of_mode(model, i).with_reserve(reserve)).collect();
+        let shrunk = healthy.with_reserve(reserve);
+        Setting {
+            model,
+            mission,
+            rip: PlanningSet::of(&[&shrunk], &healthy),
+            singles: sets.iter().map(|s| PlanningSet::of(&[s], &healthy)).collect(),
+            joint: match sets.is_empty() {
+                true => PlanningSet::of(&[&shrunk], &healthy),
+                false => PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy),
+            },
+            names: sets.iter().map(|s| s.name.clone()).collect(),
+            sets,
+            healthy,
+            progress,
+        }
+    }
+
+    /// The time that the spec asks for or determines.
+    fn fixed_time(&self) -> Option<f64> {
+        determined(self.mission).or(match self.model.plan.time {
+            MissionTime::Fixed(t) => Some(t),
+            MissionTime::Minimum => None,
+        })
+    }
+
+    fn with_engine<T>(&self, what: &str, work: impl FnOnce(&mut Engine) -> T) -> (T, Effort) {
+        let tell = |t: f64| {
+            if let Some(progress) = self.progress {
+                progress(what, t);
+            }
+        };
+        let mut engine = Engine::new(self.model, self.mission, &self.healthy);
+        engine.on_progress = Some(&tell);
+        let value = work(&mut engine);
+        let effort = engine.effort;
+        (value, effort)
+    }
+
+    fn search(&self, what: &str, set: &PlanningSet, hint: Hint, pool: Pool) -> Found {
+        let mut pool = pool;
+        let (result, effort) = self.with_engine(what, |e| e.shortest(set, hint, &mut pool));
+        Found { result, pool, effort }
+    }
+
+    fn at(&self, what: &str, set: &PlanningSet, time: f64, mut pool: Pool) -> (Decision, Effort) {
+        self.with_engine(what, |e| e.decide(time, self.model.plan.samples, set, &mut pool))
+    }
+
+    fn solved(&self, time: f64, planned: &Planned) -> Solved {
+        let trajectory = Trajectory::of(planned);
+        let outside = self
+            .singles
+            .iter()
+            .map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows))
+            .collect();
+        Solved {
+            time,
+            trajectory,
+            objective: planned.objective,
+            rows: planned.rows,
+            outside,
+            infeasible_at: None,
+            infeasible_above: Vec::new(),
+        }
+    }
+
+    fn own(&self, found: &Found) -> Ending {
+        match &found.result {
+            Ok(s) => Ending::Solved(Box::new(Solved {
+                infeasible_at: s.infeasible_at,
+                infeasible_above: s.infeasible_above.clone(),
+                ..self.solved(s.time, &s.planned)
+            })),
+            Err(NoTime::Infeasible { up_to }) => Ending::Infeasible { at: *up_to },
+            Err(NoTime::Inconclusive { at, status }) => Ending::Inconclusive { at: *at, status: status.clone() },
+        }
+    }
+
+    fn common(&self, time: f64, decision: &Decision) -> Ending {
+        match decision {
+            Decision::Feasible(planned) => Ending::Solved(Box::new(self.solved(time, planned))),
+            Decision::Infeasible => Ending::Infeasible { at: time },
+            Decision::Inconclusive(status) => Ending::Inconclusive { at: time, status: status.clone() },
+        }
+    }
+
+    fn run(&self, planner: PlannerKind, against: &[String], run: Run, ending: Ending, set: &PlanningSet) -> PlannerRun {
+        PlannerRun { planner, against: against.to_vec(), run, ending, set_rows: set.rows.len() }
+    }
+
+    /// Step (e): the facets of the modes' sets that a plan violates at some node.
+    fn violated(&self, planned: &Planned) -> Vec<SetRow> {
+        let solved = self.solved(planned.layout.profile.total, planned);
+        self.sets
+            .iter()
+            .zip(&self.singles)
+            .zip(&solved.outside)
+            .flat_map(|((_, set), out)| out.facets.iter().map(|&i| set.rows[i].clone()))
+            .collect()
+    }
+
+    /// Only the spec's own planner, at the spec's time or its shortest.
+    fn plan(&self) -> Comparison {
+        let mut out = Comparison {
+            modes: self.names.clone(),
+            runs: Vec::new(),
+            common_time: self.fixed_time(),
+            selected: Vec::new(),
+            effort: Effort::default(),
+        };
+        let kind = self.model.plan.planner;
+        let (set, name) = match kind {
+            PlannerKind::Rip => (self.rip.clone(), "RIP"),
+            PlannerKind::Rcp => (self.joint.clone(), "RCP"),
+            PlannerKind::Rsp => match self.rsp_set(&mut out) {
+                Ok(set) => (set, "RSP"),
+                Err(ending) => {
+                    let run = self.run(kind, &self.names, Run::Own, ending, &self.rip);
+                    out.runs.push(run);
+                    return out;
+                }
+            },
+        };
+        let against: &[String] = if kind == PlannerKind::Rip { &[] } else { &self.names };
+        let (run, ending, effort) = match self.fixed_time() {
+            Some(time) => {
+                let (decision, effort) = self.at(name, &set, time, Pool::default());
+                (Run::Common, self.common(time, &decision), effort)
+            }
+            None => {
+                let found = self.search(name, &set, self.after(&out), Pool::default());
+                (Run::Own, self.own(&found), found.effort)
+            }
+        };
+        out.effort += effort;
+        out.runs.push(self.run(kind, against, run, ending, &set));
+        out
+    }
+
+    /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates.
+    fn rsp_set(&self, out: &mut Comparison) -> Result<PlanningSet, Ending> {
+        let mut pool = Pool::default();
+        if out.common_time.is_none() {
+            let joint = self.search("RCP", &self.joint, Hint::default(), Pool::default());
+            out.effort += joint.effort;
+            out.common_time = match joint.result {
+                Ok(s) => Some(s.time),
+                Err(_) => {
+                    let singles: Vec<Found> = self.singles_own(Hint::default());
+                    singles.iter().for_each(|f| out.effort += f.effort);
+                    singles.iter().filter_map(|f| Some(f.result.as_ref().ok()?.time)).max_by(f64::total_cmp)
+                }
+            };
+            pool = Pool::default();
+        }
+        let Some(time) = out.common_time else {
+            let found = self.search("RIP", &self.rip, Hint::default(), pool);
+            out.effort += found.effort;
+            return Err(match self.own(&found) {
+                // RIP has a plan, but no mode does at any time: RSP has nothing to select at.
+                Ending::Solved(s) => Ending::Infeasible { at: s.time },
+                ending => ending,
+            });
+        };
+        let (decision, effort) = self.at("RIP", &self.rip, time, pool);
+        out.effort += effort;
+        match &decision {
+            Decision::Feasible(planned) => {
+                out.selected = self.violated(planned);
+                Ok(self.rip.with(out.selected.clone()))
+            }
+            _ => Err(self.common(time, &decision)),
+        }
+    }
+
+    /// What is known for the RSP search once T_d is.
+    fn after(&self, out: &Comparison) -> Hint {
+        Hint { near: out.common_time, ..Hint::default() }
+    }
+
+    /// Each mode's own shortest time, in parallel; results in the order of the modes.
+    fn singles_own(&self, hint: Hint) -> Vec<Found> {
+        let work = |(name, set): (&String, &PlanningSet)| {
+            self.search(&format!("RCP {name}"), set, hint.clone(), Pool::default())
+        };
+        self.names.par_iter().zip(self.singles.par_iter()).map(work).collect()
+    }
+
+    /// RIP, RCP per mode, RCP jointly and RSP, at their own shortest times and at T_d.
+    fn everything(&self) -> Comparison {
+        let several = self.names.len() > 1;
+        let rip = self.search("RIP", &self.rip, Hint::default(), Pool::default());
+        let mut effort = rip.effort;
+        // No set here is larger than the healthy one, so no time is shorter than RIP's.
+        let hint = match &rip.result {
+            Ok(s) => Hint { near: Some(s.time), infeasible: s.infeasible_at, feasible: None },
+            Err(_) => Hint::default(),
+        };
+        let joint = (several).then(|| self.search("RCP", &self.joint, hint.clone(), rip.pool.clone()));
+        let bounded = match joint.as_ref().map(|j| &j.result) {
+            // The joint set lies inside each single one.
+            Some(Ok(s)) => Hint { feasible: Some(s.time), ..hint.clone() },
+            _ => hint.clone(),
+        };
+        let singles = self.singles_own(bounded);
+        effort += joint.as_ref().map_or(Effort::default(), |j| j.effort);
+        singles.iter().for_each(|f| effort += f.effort);
+
+        let longest_single =
+            singles.iter().filter_map(|f| Some(f.result.as_ref().ok()?.time)).max_by(f64::total_cmp);
+        let joint_time = joint.as_ref().and_then(|j| Some(j.result.as_ref().ok()?.time));
+        let common_time = self.fixed_time().or(joint_time).or(longest_single);
+
+        let none: &[String] = &[];
+        let mut runs = vec![self.run(PlannerKind::Rip, none, Run::Own, self.own(&rip), &self.rip)];
+        for ((found, set), name) in singles.iter().zip(&self.singles).zip(&self.names) {
+            runs.push(self.run(PlannerKind::Rcp, std::slice::from_ref(name), Run::Own, self.own(found), set));
+        }
+        if let Some(joint) = &joint {
+            runs.push(self.run(PlannerKind::Rcp, &self.names, Run::Own, self.own(joint), &self.joint));
+        }
+
+        let mut selected = Vec::new();
+        if let Some(time) = common_time {
+            let (decision, spent) = self.at("RIP", &self.rip, time, Pool::default());
+            effort += spent;
+            let mut common = vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(time, &decision), &self.rip)];
+            if let Decision::Feasible(planned) = &decision {
+                selected = self.violated(planned);
+            }
+            let rsp_set = self.rip.with(selected.clone());
+            let mut jobs: Vec<(PlannerKind, Vec<String>, &PlanningSet)> = Vec::new();
+            for (name, set) in self.names.iter().zip(&self.singles) {
+                jobs.push((PlannerKind::Rcp, vec![name.clone()], set));
+            }
+            if several {
+                jobs.push((PlannerKind::Rcp, self.names.clone(), &self.joint));
+            }
+            jobs.push((PlannerKind::Rsp, self.names.clone(), &rsp_set));
+            let done: Vec<(PlannerRun, Effort)> = jobs
+                .into_par_iter()
+                .map(|(kind, against, set)| {
+                    let (decision, spent) = self.at(&label(kind, &against), set, time, Pool::default());
+                    (self.run(kind, &against, Run::Common, self.common(time, &decision), set), spent)
+                })
+                .collect();
+            for (run, spent) in done {
+                common.push(run);
+                effort += spent;
+            }
+            // RSP's own shortest time: not below RIP's, and not above T_d where it has a plan there.
+            let at_common = matches!(common.last().map(|r| &r.ending), Some(Ending::Solved(_)));
+            let rsp = if selected.is_empty() {
+                Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() }
+            } else {
+                let hint = Hint { feasible: at_common.then_some(time), ..hint.clone() };
+                self.search("RSP", &rsp_set, hint, rip.pool.clone())
+            };
+            effort += rsp.effort;
+            runs.push(self.run(PlannerKind::Rsp, &self.names, Run::Own, self.own(&rsp), &rsp_set));
+            runs.extend(common);
+        }
+        Comparison { modes: self.names.clone(), runs, common_time, selected, effort }
+    }
+}
+
+/// `RCP M1`, `RSP`.
+pub fn label(kind: PlannerKind, against: &[String]) -> String {
+    let name = kind.name().to_uppercase();
+    match (kind, against) {
+        (PlannerKind::Rcp, [one]) => format!("{name} {one}"),
+        _ => name,
+    }
+}
+
+/// The facets of a set as planning rows, one each, in the set's order.
+pub fn facet_rows(set: &AdmissibleSet, healthy: &AdmissibleSet) -> Vec<SetRow> {
+    set.polytope.facets.iter().map(|f| row(f, healthy, vec![f.origin])).collect()
+}
