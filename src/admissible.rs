@@ -1,5 +1,6 @@
 //! What each fault mode leaves: the exact set of wrenches, and what follows from it.
 
+pub mod allocation;
 pub mod verdict;
 
 use crate::actuation::{Actuation, Wrench};

@@ -1,0 +1,7 @@
+//! What was found, told: the record (`--report`), text for the terminal, and the trajectory table.
+
+pub mod number;
+pub mod record;
+pub mod table;
+pub mod terminal;
+pub mod trajectory_csv;

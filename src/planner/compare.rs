@@ -318,7 +318,7 @@ impl<'a> Setting<'a> {
             Ok(s) => Hint { near: Some(s.time), infeasible: s.infeasible_at, feasible: None },
             Err(_) => Hint::default(),
         };
-        let joint = (several).then(|| self.search("RCP", &self.joint, hint.clone(), rip.pool.clone()));
+        let joint = (several).then(|| self.search("RCP", &self.joint, hint.clone(), Pool::default()));
         let bounded = match joint.as_ref().map(|j| &j.result) {
             // The joint set lies inside each single one.
             Some(Ok(s)) => Hint { feasible: Some(s.time), ..hint.clone() },

@@ -35,7 +35,8 @@ pub struct Layout {
     pub yaw: YawPlan,
 }
 
-/// Facet rows found binding so far. They carry over to other mission times and grids.
+/// Facet rows of one planning set found binding so far. They carry over to other mission times and grids, and to
+/// sets that begin with the same rows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Pool {
     rows: BTreeSet<FacetAt>,

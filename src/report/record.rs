@@ -1,0 +1,122 @@
+//! The machine-readable report (`--report`), schema in `docs/schema/report.schema.json`.
+
+use crate::model::{Mission, Model};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
+use crate::planner::hover_model::YAW;
+use serde::Serialize;
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Record {
+    pub schema: u32,
+    /// Over all files of the spec.
+    pub spec_sha256: String,
+    pub reserve: f64,
+    pub planners: Vec<PlannerRecord>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PlannerRecord {
+    pub name: &'static str,
+    pub against: Vec<String>,
+    /// `own`: at its shortest time; `common`: at T_d or the spec's time.
+    pub run: &'static str,
+    pub time_s: Option<f64>,
+    pub status: &'static str,
+    /// Value of (48).
+    pub objective: Option<f64>,
+    /// (49)
+    pub position_error_m: Option<f64>,
+    /// (50)
+    pub yaw_error_rad: Option<f64>,
+    pub max_waypoint_error_m: Option<f64>,
+    /// Facet rows imposed: those of the planning set at every node.
+    pub rows: usize,
+    pub modes: Vec<ModeRecord>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ModeRecord {
+    pub name: String,
+    pub violated_facets: usize,
+    pub violated_rows: usize,
+    pub positions: usize,
+    pub max_violation: f64,
+    pub outside_s: f64,
+    pub last_outside_s: Option<f64>,
+}
+
+/// Waypoint errors of a plan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// (49): sum of distances, m.
+    pub position: f64,
+    /// (50): sum of |psi - psi_ref|, rad.
+    pub yaw: f64,
+    /// Largest distance, m.
+    pub largest: f64,
+}
+
+pub fn errors(mission: &Mission, solved: &Solved) -> Errors {
+    let mut e = Errors { position: 0.0, yaw: 0.0, largest: 0.0 };
+    for (w, &node) in mission.waypoints.iter().zip(&solved.trajectory.waypoint_nodes) {
+        let state = &solved.trajectory.nodes[node];
+        let distance = (0..3).map(|i| (state[i][0] - w.position[i]).powi(2)).sum::<f64>().sqrt();
+        e.position += distance;
+        e.largest = e.largest.max(distance);
+        e.yaw += (state[YAW][0] - w.yaw).abs();
+    }
+    e
+}
+
+impl Record {
+    pub fn new(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Self {
+        let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
+        Record { schema: 1, spec_sha256, reserve: model.plan.reserve, planners }
+    }
+}
+
+fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
+    let mut record = PlannerRecord {
+        name: run.planner.name(),
+        against: run.against.clone(),
+        run: match run.run {
+            Run::Own => "own",
+            Run::Common => "common",
+        },
+        time_s: None,
+        status: "solved",
+        objective: None,
+        position_error_m: None,
+        yaw_error_rad: None,
+        max_waypoint_error_m: None,
+        rows: run.set_rows * (model.plan.samples + 1),
+        modes: Vec::new(),
+    };
+    match &run.ending {
+        Ending::Infeasible { .. } => record.status = "infeasible",
+        Ending::Inconclusive { .. } => record.status = "inconclusive",
+        Ending::Solved(solved) => {
+            let e = errors(mission, solved);
+            record.time_s = Some(solved.time);
+            record.objective = Some(solved.objective);
+            record.position_error_m = Some(e.position);
+            record.yaw_error_rad = Some(e.yaw);
+            record.max_waypoint_error_m = Some(e.largest);
+            record.modes = comparison
+                .modes
+                .iter()
+                .zip(&solved.outside)
+                .map(|(name, out)| ModeRecord {
+                    name: name.clone(),
+                    violated_facets: out.facets.len(),
+                    violated_rows: out.rows,
+                    positions: out.positions,
+                    max_violation: out.max_violation,
+                    outside_s: out.seconds,
+                    last_outside_s: out.last,
+                })
+                .collect();
+        }
+    }
+    record
+}

@@ -1,0 +1,295 @@
+//! Reports for people.
+
+use super::number::{fixed, number, percent, significant};
+use super::record::errors;
+use super::table::Table;
+use crate::admissible::verdict::ModeAnalysis;
+use crate::model::{LimitKind, Mission, Model, PlannerKind};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
+use crate::trajectory::checks::{limit_excesses, stretch};
+
+/// `octo (PPNNPPNN, 8 rotors, 1.8 kg)`
+pub fn vehicle_line(model: &Model) -> String {
+    let v = &model.vehicle;
+    let layout = v.layout.as_ref().map_or(String::new(), |l| format!("{l}, "));
+    format!("{} ({layout}{} rotors, {} kg)", v.name, v.rotors.len(), number(v.mass))
+}
+
+fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+    let against = match comparison.modes.as_slice() {
+        [] => "no fault modes".to_string(),
+        modes => format!("fault modes {}", modes.join(", ")),
+    };
+    format!(
+        "Mission {} with {}\nagainst {against}; reserve {} of each set; {} samples\n",
+        mission.name,
+        vehicle_line(model),
+        percent(model.plan.reserve),
+        model.plan.samples
+    )
+}
+
+/// The report of `mavc plan`: the last run is the one written out.
+pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+    let mut out = head(model, mission, comparison);
+    if let Some(time) = comparison.common_time.filter(|_| model.plan.planner == PlannerKind::Rsp) {
+        out.push_str(&format!(
+            "RSP guards {} facets of the fault sets: those the RIP plan at {} s leaves\n",
+            comparison.selected.len(),
+            number(time)
+        ));
+    }
+    for run in &comparison.runs {
+        out.push('\n');
+        match &run.ending {
+            Ending::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved)),
+            ending => out.push_str(&format!("{}: {}\n", label(run.planner, &run.against), no_plan(run, ending))),
+        }
+    }
+    out
+}
+
+/// Why a run ended without a plan.
+pub fn no_plan(run: &PlannerRun, ending: &Ending) -> String {
+    match (ending, run.run) {
+        (Ending::Infeasible { at }, Run::Common) => {
+            format!("no plan meets every waypoint within its tolerance in {} s (proved)", number(*at))
+        }
+        (Ending::Infeasible { at }, Run::Own) => format!("no plan exists in any time up to {} s", number(*at)),
+        (Ending::Inconclusive { at, status }, _) => {
+            format!("the solver gave no verdict at {} s ({status})", number(*at))
+        }
+        (Ending::Solved(_), _) => "solved".into(),
+    }
+}
+
+fn solved_run(
+    model: &Model,
+    mission: &Mission,
+    comparison: &Comparison,
+    run: &PlannerRun,
+    solved: &Solved,
+) -> String {
+    let e = errors(mission, solved);
+    let mut out = format!("{}: {} s", label(run.planner, &run.against), number(solved.time));
+    match (run.run, solved.infeasible_at) {
+        (Run::Own, Some(t)) => out.push_str(&format!(", the shortest time ({} s is infeasible)\n", number(t))),
+        (Run::Own, None) => out.push_str(", the only time that the mission's fixed times allow\n"),
+        (Run::Common, _) => out.push('\n'),
+    }
+    let n = mission.waypoints.len();
+    out.push_str(&format!(
+        "  {n} waypoints met: largest error {} cm, sum {} m, yaw sum {} rad\n",
+        significant(100.0 * e.largest, 3),
+        significant(e.position, 4),
+        significant(e.yaw, 3)
+    ));
+    out.push_str(&format!("  objective {}\n", number(solved.objective)));
+    if !comparison.modes.is_empty() {
+        out.push_str("\n  If a fault strikes, when is the plan outside what is left?\n");
+        out.push_str(&mode_table(comparison, solved).render(2));
+    }
+    if !solved.infeasible_above.is_empty() {
+        let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();
+        out.push_str(&format!(
+            "\n  Longer is not always easier here: the fixed times make {} s infeasible (coarse grid).\n",
+            times.join(", ")
+        ));
+    }
+    for line in warnings(model, solved) {
+        out.push_str(&format!("\n  {line}\n"));
+    }
+    out
+}
+
+fn mode_table(comparison: &Comparison, solved: &Solved) -> Table {
+    let mut table = Table::new(&["mode", "facets", "positions", "worst", "outside", "last outside"]);
+    for (name, out) in comparison.modes.iter().zip(&solved.outside) {
+        if out.last.is_none() {
+            let dash = || "-".to_string();
+            table.row(vec![name.clone(), "0".into(), "0".into(), dash(), "never".into(), dash()]);
+            continue;
+        }
+        table.row(vec![
+            name.clone(),
+            out.facets.len().to_string(),
+            out.positions.to_string(),
+            percent(out.max_violation),
+            format!("{} s", fixed(out.seconds, 2)),
+            out.last.map_or("-".into(), |t| format!("{} s", fixed(t, 2))),
+        ]);
+    }
+    table
+}
+
+/// Where a plan is not what it seems: limits passed between nodes, the linear model out of its range.
+pub fn warnings(model: &Model, solved: &Solved) -> Vec<String> {
+    let mut lines = Vec::new();
+    let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
+    for e in limit_excesses(&solved.trajectory, model, 1e-6) {
+        let (name, unit, factor) = limit_words(limits[e.limit].kind);
+        lines.push(format!(
+            "Between samples the {name} limit is passed by {} {unit} at {} s; more samples make it less.",
+            significant(e.by * factor, 3),
+            fixed(e.at, 2)
+        ));
+    }
+    let s = stretch(&solved.trajectory, model);
+    if s.tilts_too_far() {
+        lines.push(format!(
+            "Past the linear model: the plan tilts to {} degrees at {} s, and small angles end at about 20. The real\n  wrench differs from the planned one there; fly slower or limit the tilt.",
+            fixed(s.tilt.value.to_degrees(), 1),
+            fixed(s.tilt.at, 2)
+        ));
+    }
+    if s.nearly_falls() {
+        lines.push(format!(
+            "Past the linear model: thrust falls to {} N at {} s, {} of full thrust. Without thrust there is no torque\n  from tilting it; limit the descent or the vertical acceleration.",
+            significant(s.least_thrust.value, 3),
+            fixed(s.least_thrust.at, 2),
+            percent(s.least_thrust.value / s.full_thrust)
+        ));
+    }
+    lines
+}
+
+/// Name, unit for people and factor from SI.
+fn limit_words(kind: LimitKind) -> (&'static str, &'static str, f64) {
+    let degrees = 180.0 / std::f64::consts::PI;
+    match kind {
+        LimitKind::X => ("x", "m", 1.0),
+        LimitKind::Y => ("y", "m", 1.0),
+        LimitKind::Z => ("altitude", "m", 1.0),
+        LimitKind::Yaw => ("yaw", "deg", degrees),
+        LimitKind::Speed => ("speed", "m/s", 1.0),
+        LimitKind::SpeedHorizontal => ("horizontal speed", "m/s", 1.0),
+        LimitKind::Climb => ("climb", "m/s", 1.0),
+        LimitKind::Descent => ("descent", "m/s", 1.0),
+        LimitKind::Acceleration => ("acceleration", "m/s^2", 1.0),
+        LimitKind::AccelerationHorizontal => ("horizontal acceleration", "m/s^2", 1.0),
+        LimitKind::Jerk => ("jerk", "m/s^3", 1.0),
+        LimitKind::YawRate => ("yaw rate", "deg/s", degrees),
+        LimitKind::YawAcceleration => ("yaw acceleration", "deg/s^2", degrees),
+        LimitKind::Tilt => ("tilt", "deg", degrees),
+    }
+}
+
+/// The tables of section 5.4 for any spec.
+pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+    let mut out = head(model, mission, comparison);
+    out.push_str("\nEach planner at its own shortest time (as Tables 8, 10, 12)\n");
+    out.push_str(&run_table(mission, comparison, Run::Own).render(2));
+    match comparison.common_time {
+        Some(t) => out.push_str(&format!("\nAll planners at T_d = {} s (as Tables 9, 11, 13)\n", number(t))),
+        None => out.push_str("\nNo mode has a plan at any time, so there is no common time T_d.\n"),
+    }
+    out.push_str(&run_table(mission, comparison, Run::Common).render(2));
+    if !comparison.modes.is_empty() {
+        for (run, title) in [(Run::Own, "at its own shortest time"), (Run::Common, "at T_d")] {
+            out.push_str(&format!("\nSeconds outside each mode's set, and the last instant outside, {title}\n"));
+            out.push_str(&outside_table(comparison, run).render(2));
+        }
+    }
+    out.push_str(&format!(
+        "\nRSP guards {} facets of the fault sets beside the healthy set's.\n",
+        comparison.selected.len()
+    ));
+    for run in comparison.runs.iter().filter(|r| r.planner == PlannerKind::Rsp && r.run == Run::Common) {
+        if let Ending::Infeasible { at } = run.ending {
+            out.push_str(&format!("RSP has no plan in {} s; its own shortest time is in the first table.\n", number(at)));
+        }
+    }
+    out
+}
+
+fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
+    let mut table =
+        Table::new(&["planner", "T [s]", "e_R [m]", "e_R/N [m]", "e_psi [rad]", "largest [cm]", "objective", "rows"]);
+    let n = mission.waypoints.len() as f64;
+    for run in comparison.runs.iter().filter(|r| r.run == which) {
+        let name = match (run.planner, run.against.len()) {
+            (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
+            _ => label(run.planner, &run.against),
+        };
+        let rows = run.set_rows.to_string();
+        match &run.ending {
+            Ending::Solved(s) => {
+                let e = errors(mission, s);
+                table.row(vec![
+                    name,
+                    number(s.time),
+                    significant(e.position, 4),
+                    significant(e.position / n, 3),
+                    significant(e.yaw, 3),
+                    significant(100.0 * e.largest, 3),
+                    number(s.objective),
+                    rows,
+                ]);
+            }
+            Ending::Infeasible { .. } => table.row(vec![name, "infeasible".into()]),
+            Ending::Inconclusive { .. } => table.row(vec![name, "no verdict".into()]),
+        }
+    }
+    table
+}
+
+fn outside_table(comparison: &Comparison, which: Run) -> Table {
+    let mut headings = vec!["planner"];
+    headings.extend(comparison.modes.iter().map(String::as_str));
+    let mut table = Table::new(&headings);
+    for run in comparison.runs.iter().filter(|r| r.run == which) {
+        let Ending::Solved(s) = &run.ending else { continue };
+        let name = match (run.planner, run.against.len()) {
+            (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
+            _ => label(run.planner, &run.against),
+        };
+        let mut cells = vec![name];
+        cells.extend(s.outside.iter().map(|o| match o.last {
+            None => "0".to_string(),
+            Some(last) => format!("{} ({})", fixed(o.seconds, 2), fixed(last, 2)),
+        }));
+        table.row(cells);
+    }
+    table
+}
+
+/// The table of `mavc analyze`.
+pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
+    let mut out = format!("{}\n\n", vehicle_line(model));
+    let mut table = Table::new(&[
+        "mode", "verdict", "hover", "margin", "yaw-free", "heaviest", "yaw-free", "facets", "rank", "|e_p|", "yaw-free",
+    ]);
+    let optional = |x: Option<f64>, digits: usize| x.map_or("flat".into(), |v| significant(v, digits));
+    let norm = |e: &[f64]| significant(e.iter().map(|v| v * v).sum::<f64>().sqrt(), 3);
+    for m in modes {
+        table.row(vec![
+            m.name.clone(),
+            m.verdict.name().into(),
+            match (m.interior, m.residual4.iter().all(|v| *v == 0.0), m.residual3.iter().all(|v| *v == 0.0)) {
+                (true, ..) => "inside".into(),
+                (false, true, _) | (false, _, true) => "on the edge".into(),
+                _ => "outside".into(),
+            },
+            optional(m.acai, 4),
+            optional(m.acai_yaw_free, 4),
+            m.critical_mass_kg.map_or("none".into(), |v| format!("{} kg", significant(v, 4))),
+            m.critical_mass_yaw_free_kg.map_or("none".into(), |v| format!("{} kg", significant(v, 4))),
+            m.facets.map_or("flat".into(), |f| f.to_string()),
+            m.rank.to_string(),
+            norm(&m.residual4),
+            norm(&m.residual3),
+        ]);
+    }
+    out.push_str(&table.render(0));
+    out.push_str("\nHeadroom from hover to the edge of what each mode can do, down/up\n");
+    let mut table = Table::new(&["mode", "thrust [N]", "tau_x [N m]", "tau_y [N m]", "tau_z [N m]"]);
+    for m in modes {
+        let both = |b: [f64; 2]| format!("{}/{}", significant(b[0], 3), significant(b[1], 3));
+        match &m.headroom {
+            Some(h) => table.row(vec![m.name.clone(), both(h.thrust), both(h.tau_x), both(h.tau_y), both(h.tau_z)]),
+            None => table.row(vec![m.name.clone(), "hover is out of reach".into()]),
+        }
+    }
+    out.push_str(&table.render(0));
+    out
+}
