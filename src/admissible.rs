@@ -1,6 +1,7 @@
 //! What each fault mode leaves: the exact set of wrenches, and what follows from it.
 
 pub mod allocation;
+pub mod diagnose;
 pub mod verdict;
 
 use crate::actuation::{Actuation, Wrench};

@@ -7,6 +7,8 @@ pub mod build;
 pub mod mps;
 
 use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt;
 
 /// Compressed sparse columns; row indices ascend within a column.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -122,18 +124,59 @@ pub enum RowOrigin {
     Overshoot,
 }
 
-/// The program, checked for finite data by [`build::Builder::finish`].
-#[derive(Debug, Clone, PartialEq)]
+/// The program; [`crate::solve::solve`] refuses data that is not finite.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct QuadraticProgram {
     /// Upper triangle.
+    #[serde(rename = "P")]
     pub p: Sparse,
     pub q: Vec<f64>,
     pub constant: f64,
+    #[serde(rename = "A")]
     pub a: Sparse,
     pub b: Vec<f64>,
     pub cones: Vec<Cone>,
     /// One per row of A.
     pub row_origin: Vec<RowOrigin>,
+}
+
+impl RowOrigin {
+    /// The kind of row in a word or two.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            RowOrigin::Dynamics { .. } => "dynamics",
+            RowOrigin::Rest { .. } => "rest",
+            RowOrigin::Facet { .. } => "facets",
+            RowOrigin::Limit { .. } => "limits",
+            RowOrigin::Waypoint { .. } => "waypoints",
+            RowOrigin::WaypointYaw { .. } => "waypoint yaw",
+            RowOrigin::Overshoot => "overshoot",
+        }
+    }
+}
+
+/// Sizes, and rows by origin.
+impl fmt::Display for QuadraticProgram {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "variables {}", self.variables())?;
+        writeln!(f, "rows {} with {} entries; P has {} entries", self.b.len(), self.a.nzval.len(), self.p.nzval.len())?;
+        let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
+        for origin in &self.row_origin {
+            *kinds.entry(origin.kind()).or_default() += 1;
+        }
+        for (kind, rows) in kinds {
+            writeln!(f, "  {kind}: {rows}")?;
+        }
+        let mut cones = [0; 3];
+        for cone in &self.cones {
+            match cone {
+                Cone::Zero(n) => cones[0] += n,
+                Cone::Nonnegative(n) => cones[1] += n,
+                Cone::SecondOrder(_) => cones[2] += 1,
+            }
+        }
+        writeln!(f, "equal {}, inequal {}, second-order cones {}", cones[0], cones[1], cones[2])
+    }
 }
 
 impl QuadraticProgram {

@@ -51,8 +51,8 @@ pub struct PlannerRun {
     pub against: Vec<String>,
     pub run: Run,
     pub ending: Ending,
-    /// Rows of the planning set at each node.
-    pub set_rows: usize,
+    /// What is imposed on the wrench at each node.
+    pub set: PlanningSet,
 }
 
 /// All runs of one spec.
@@ -207,7 +207,7 @@ impl<'a> Setting<'a> {
     }
 
     fn run(&self, planner: PlannerKind, against: &[String], run: Run, ending: Ending, set: &PlanningSet) -> PlannerRun {
-        PlannerRun { planner, against: against.to_vec(), run, ending, set_rows: set.rows.len() }
+        PlannerRun { planner, against: against.to_vec(), run, ending, set: set.clone() }
     }
 
     /// Step (e): the facets of the modes' sets that a plan violates at some node.

@@ -4,6 +4,7 @@
 use crate::actuation::Wrench;
 use crate::admissible::{AdmissibleSet, FacetOf, intersection};
 use crate::geometry::polytope::Facet;
+use std::fmt;
 
 /// A facet counts as violated when it is passed by more than this share of the healthy set's width along
 /// its normal.
@@ -69,5 +70,24 @@ impl PlanningSet {
             }
         }
         PlanningSet { rows }
+    }
+}
+
+/// One row a line, in widths of the healthy set: coefficients of [T, tau_x, tau_y, tau_z], the bound, and the
+/// facets it stands for as `mode.facet` (mode 0 is healthy, the others in the order declared).
+impl fmt::Display for PlanningSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{} rows at every node", self.rows.len())?;
+        for row in &self.rows {
+            for v in row.normal.iter() {
+                let v = if v.abs() < 5e-10 { 0.0 } else { *v };
+                write!(f, "  {v:>13.9}")?;
+            }
+            let relation = if row.equality { "= " } else { "<=" };
+            let offset = if row.offset.abs() < 5e-10 { 0.0 } else { row.offset };
+            let origin: Vec<String> = row.origin.iter().map(|o| format!("{}.{}", o.mode, o.facet)).collect();
+            writeln!(f, "  {relation} {offset:>12.9}   {}", origin.join(" "))?;
+        }
+        Ok(())
     }
 }

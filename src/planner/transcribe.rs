@@ -89,6 +89,14 @@ impl Transcription<'_> {
         sum
     }
 
+    /// The program with every facet row.
+    pub fn full_program(&self, purpose: Purpose) -> QuadraticProgram {
+        let facets = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality);
+        let all: Vec<FacetAt> =
+            facets.flat_map(|facet| (0..self.nodes()).map(move |node| FacetAt { facet, node })).collect();
+        self.program(purpose, &all)
+    }
+
     /// The program with facet rows only at `chosen`; equality rows of the set always stand.
     pub fn program(&self, purpose: Purpose, chosen: &[FacetAt]) -> QuadraticProgram {
         let sigma = self.variables();
@@ -185,7 +193,7 @@ impl Transcription<'_> {
         for (waypoint, (w, &node)) in
             self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes).enumerate()
         {
-            if self.plans(X) {
+            if self.plans(X) && w.within < UNBOUNDED {
                 let mut cone = vec![slack.clone().plus_constant(w.within)];
                 for (axis, target) in [X, Y, Z].into_iter().zip(w.position) {
                     cone.push(self.derivative(node, axis, 0).plus_constant(-target));
@@ -309,6 +317,9 @@ impl Transcription<'_> {
             .collect()
     }
 }
+
+/// A tolerance this wide binds nothing and gets no row, m.
+pub const UNBOUNDED: f64 = 1e3;
 
 /// Steps per unit of scaled time.
 const TAU_STEPS: f64 = 4.0;

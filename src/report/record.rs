@@ -75,6 +75,27 @@ impl Record {
     }
 }
 
+impl Record {
+    /// The report where some mode that the plan must stand cannot hover: nothing was planned.
+    pub fn refused(model: &Model, spec_sha256: String) -> Self {
+        let against = model.plan.against.iter().map(|&i| model.modes[i].name.clone()).collect();
+        let planner = PlannerRecord {
+            name: model.plan.planner.name(),
+            against,
+            run: "own",
+            time_s: None,
+            status: "infeasible",
+            objective: None,
+            position_error_m: None,
+            yaw_error_rad: None,
+            max_waypoint_error_m: None,
+            rows: 0,
+            modes: Vec::new(),
+        };
+        Record { schema: 1, spec_sha256, reserve: model.plan.reserve, planners: vec![planner] }
+    }
+}
+
 fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
     let mut record = PlannerRecord {
         name: run.planner.name(),
@@ -89,7 +110,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         position_error_m: None,
         yaw_error_rad: None,
         max_waypoint_error_m: None,
-        rows: run.set_rows * (model.plan.samples + 1),
+        rows: run.set.rows.len() * (model.plan.samples + 1),
         modes: Vec::new(),
     };
     match &run.ending {

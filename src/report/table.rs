@@ -17,6 +17,15 @@ impl Table {
 
     /// Lines with `indent` blanks before each.
     pub fn render(&self, indent: usize) -> String {
+        self.lines(indent, false)
+    }
+
+    /// The same with every column set left.
+    pub fn render_left(&self, indent: usize) -> String {
+        self.lines(indent, true)
+    }
+
+    fn lines(&self, indent: usize, left: bool) -> String {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
         let width = |c: usize| self.rows.iter().filter_map(|r| r.get(c)).map(|t| t.chars().count()).max().unwrap_or(0);
         let widths: Vec<usize> = (0..columns).map(width).collect();
@@ -27,6 +36,7 @@ impl Table {
                 let pad = " ".repeat(widths[c] - cell.chars().count());
                 match c {
                     0 => line.push_str(&format!("{cell}{pad}")),
+                    _ if left => line.push_str(&format!("  {cell}{pad}")),
                     _ => line.push_str(&format!("  {pad}{cell}")),
                 }
             }

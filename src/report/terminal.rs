@@ -211,7 +211,7 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
             (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
             _ => label(run.planner, &run.against),
         };
-        let rows = run.set_rows.to_string();
+        let rows = run.set.rows.len().to_string();
         match &run.ending {
             Ending::Solved(s) => {
                 let e = errors(mission, s);
