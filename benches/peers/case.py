@@ -1,6 +1,7 @@
 """A planning case as the peers read it: one vehicle, its fault modes, one mission with evenly timed waypoints."""
 
 import json
+import sys
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,6 +28,8 @@ class Vehicle:
     def __post_init__(self):
         if len(self.layout) < 4 or set(self.layout) - set("PN"):
             raise PeerError(f"layout {self.layout!r}: at least four letters, each P or N")
+        if len(self.inertia_kg_m2) != 3:
+            raise PeerError("inertia_kg_m2: three moments")
 
     def generators(self):
         """(4, n): the wrench [T, tau_x, tau_y, tau_z] of each rotor at full speed, N and N m."""
@@ -59,9 +62,13 @@ class Case:
     def __post_init__(self):
         if self.waypoints_m.ndim != 2 or self.waypoints_m.shape[1] != 3 or len(self.waypoints_m) < 2:
             raise PeerError("waypoints_m: at least two points of three coordinates")
+        if set(self.weights) != {"snap", "acceleration", "waypoint"}:
+            raise PeerError("weights: snap, acceleration and waypoint")
         legs = len(self.waypoints_m) - 1
         if self.samples < legs or self.samples % legs:
             raise PeerError(f"samples = {self.samples} is no multiple of the {legs} legs")
+        if not self.modes:
+            raise PeerError("modes: at least one fault mode")
         for name, lost in self.modes.items():
             if not lost or any(not 1 <= k <= len(self.vehicle.layout) for k in lost):
                 raise PeerError(f"mode {name}: rotors count from 1 to {len(self.vehicle.layout)}")
@@ -77,8 +84,10 @@ def load(path):
         return Case(**fields)
     except OSError as error:
         raise PeerError(f"cannot read {path}: {error.strerror}") from error
+    except PeerError as error:
+        raise PeerError(f"{path}: {error}") from error
     except (ValueError, TypeError, KeyError) as error:
-        raise PeerError(f"{path} is no planning case: {error}") from error
+        raise PeerError(f"{path} is no planning case: {error!r}") from error
 
 
 def main_with_errors(main):
@@ -86,4 +95,5 @@ def main_with_errors(main):
     try:
         raise SystemExit(main())
     except PeerError as error:
-        raise SystemExit(f"error: {error}") from None
+        print(f"error: {error}", file=sys.stderr)
+        raise SystemExit(2) from None

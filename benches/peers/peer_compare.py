@@ -74,7 +74,7 @@ class Planner:
     """The mission against one set (normals, offsets) in scaled wrenches, at any total time."""
 
     def __init__(self, case, facets, effort):
-        self.case, self.effort = case, effort
+        self.case, self.effort, self.plans = case, effort, {}
         k, vehicle = case.samples, case.vehicle
         stride = k // (len(case.waypoints_m) - 1)
         self.x, self.y = cp.Variable((SNAP + 1, k + 1)), cp.Variable((SNAP + 1, k + 1))
@@ -156,12 +156,15 @@ class Planner:
         return low, high
 
     def plan(self, total):
-        """The best plan at one total time, or None where there is none."""
-        value = self._solve(self.optimum, total)
-        if not math.isfinite(value):
-            return None
-        seconds = self.optimum.solver_stats.solve_time
-        return Plan(total, value, self.wrench.value.T, self.position.value.T, self.yaw.value[0], seconds)
+        """The best plan at one total time, or None where there is none; each time is solved once."""
+        if total not in self.plans:
+            self.plans[total] = None
+            value = self._solve(self.optimum, total)
+            if math.isfinite(value):
+                seconds = self.optimum.solver_stats.solve_time
+                found = (self.wrench.value.T, self.position.value.T, self.yaw.value[0], seconds)
+                self.plans[total] = Plan(total, value, *found)
+        return self.plans[total]
 
 
 def excess(plan, facets, healthy):
@@ -171,32 +174,37 @@ def excess(plan, facets, healthy):
     return (plan.wrench @ normals.T - offsets) / width
 
 
+def planning_sets(case):
+    """The healthy set, each mode's set by name, and the intersection of the modes' sets."""
+    hover = case.vehicle.hover() / wrench_scale(case.vehicle)
+    healthy = admissible_set(case.vehicle, reserve=case.reserve)
+    sets = {name: admissible_set(case.vehicle, lost, case.reserve) for name, lost in case.modes.items()}
+    for name, (normals, offsets) in sets.items():
+        if (normals @ hover >= offsets).any():
+            raise PeerError(f"mode {name} cannot hover")
+    return healthy, sets, intersection(list(sets.values()), hover)
+
+
 def compare(case):
     """Steps (a) to (f): a dictionary of shortest times, objectives, violations and effort."""
     begin = time.perf_counter()
     effort = Effort()
-    vehicle = case.vehicle
-    scale = wrench_scale(vehicle)
-    hover = vehicle.hover() / scale
-    generators = vehicle.generators() / scale[:, None]
-    healthy = admissible_set(vehicle, reserve=case.reserve)
-    sets = {name: admissible_set(vehicle, lost, case.reserve) for name, lost in case.modes.items()}
-    for name, (normals, offsets) in sets.items():
-        if (normals @ hover >= offsets).any():
-            raise PeerError(f"mode {name} cannot hover")
+    hover = case.vehicle.hover() / wrench_scale(case.vehicle)
+    generators = case.vehicle.generators() / wrench_scale(case.vehicle)[:, None]
+    healthy, sets, joint = planning_sets(case)
     planners = {"rip": Planner(case, healthy, effort)}
     planners |= {f"rcp {name}": Planner(case, facets, effort) for name, facets in sets.items()}
-    joint = f"rcp {next(iter(sets))}"
+    strictest = f"rcp {next(iter(sets))}"
     if len(sets) > 1:
-        joint = "rcp all"
-        planners[joint] = Planner(case, intersection(list(sets.values()), hover), effort)
+        strictest = "rcp all"
+        planners[strictest] = Planner(case, joint, effort)
 
     # (b), (c): every fault set lies inside the healthy one, so RIP's infeasible time bounds the others.
     times = {"rip": planners["rip"].shortest(0.0, 20.0)}
     for name in list(planners)[1:]:
         times[name] = planners[name].shortest(times["rip"][0], 1.25 * times["rip"][1])
     # (d), (e): the facets that the RIP plan violates at the common time.
-    common = times[joint][1]
+    common = times[strictest][1]
     plan = planners["rip"].plan(common)
     chosen = [
         (normals[beyond], offsets[beyond])

@@ -14,14 +14,14 @@ from scipy.spatial import ConvexHull, QhullError
 
 from case import PeerError, Vehicle, main_with_errors
 
-OCTOCOPTER = dict(
-    arm_m=0.211,
-    mass_kg=1.8,
-    inertia_kg_m2=[0.0429, 0.0429, 0.0748],
-    thrust_coefficient=8.5485e-6,
-    drag_coefficient=1.3678e-7,
-    max_speed_rad_s=874.0,
-)
+OCTOCOPTER = {
+    "arm_m": 0.211,
+    "mass_kg": 1.8,
+    "inertia_kg_m2": [0.0429, 0.0429, 0.0748],
+    "thrust_coefficient": 8.5485e-6,
+    "drag_coefficient": 1.3678e-7,
+    "max_speed_rad_s": 874.0,
+}
 
 
 def corners(generators):
