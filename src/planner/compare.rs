@@ -1,7 +1,7 @@
 //! Steps (a) to (f) of section 5.3: which planners are run at which time, and how each plan stands to each mode.
 
 use super::profile::determined;
-use super::rows::{Decision, Engine, Planned, Pool};
+use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
 use super::search::{Hint, NoTime, Shortest};
 use super::select::{PlanningSet, SetRow, row};
 use crate::admissible::AdmissibleSet;
@@ -268,7 +268,10 @@ impl<'a> Setting<'a> {
             out.common_time = match joint.result {
                 Ok(s) => Some(s.time),
                 Err(_) => {
-                    let singles: Vec<Found> = self.singles_own(Hint::default());
+                    let rip = self.search("RIP", &self.rip, Hint::default(), Pool::default());
+                    out.effort += rip.effort;
+                    let hint = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
+                    let singles: Vec<Found> = self.singles_own(&rip, hint);
                     singles.iter().for_each(|f| out.effort += f.effort);
                     singles.iter().filter_map(|f| Some(f.result.as_ref().ok()?.time)).max_by(f64::total_cmp)
                 }
@@ -301,89 +304,135 @@ impl<'a> Setting<'a> {
     }
 
     /// Each mode's own shortest time, in parallel; results in the order of the modes.
-    fn singles_own(&self, hint: Hint) -> Vec<Found> {
+    ///
+    /// No set here is larger than the healthy one, so no time is shorter than RIP's; and where RIP's plan stays
+    /// inside a mode's set, it is that mode's plan.
+    fn singles_own(&self, rip: &Found, hint: Hint) -> Vec<Found> {
         let work = |(name, set): (&String, &PlanningSet)| {
-            self.search(&format!("RCP {name}"), set, hint.clone(), Pool::default())
+            if let Ok(s) = &rip.result {
+                let trajectory = Trajectory::of(&s.planned);
+                let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
+                if out.max_violation <= ACCEPTED {
+                    return Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
+                }
+            }
+            let pool = rip.pool.translated(&self.rip, set);
+            self.search(&format!("RCP {name}"), set, hint.clone(), pool)
         };
         self.names.par_iter().zip(self.singles.par_iter()).map(work).collect()
     }
 
     /// RIP, RCP per mode, RCP jointly and RSP, at their own shortest times and at T_d.
     fn everything(&self) -> Comparison {
+        // RIP and the tightest RCP first, side by side: they bound all others.
         let several = self.names.len() > 1;
-        let rip = self.search("RIP", &self.rip, Hint::default(), Pool::default());
+        let (rip, tightest) = rayon::join(
+            || self.search("RIP", &self.rip, Hint::default(), Pool::default()),
+            || {
+                (!self.names.is_empty())
+                    .then(|| self.search("RCP", &self.joint, Hint::default(), Pool::default()))
+            },
+        );
         let mut effort = rip.effort;
-        // No set here is larger than the healthy one, so no time is shorter than RIP's.
-        let hint = match &rip.result {
-            Ok(s) => Hint { near: Some(s.time), infeasible: s.infeasible_at, feasible: None },
-            Err(_) => Hint::default(),
-        };
-        let joint = (several).then(|| self.search("RCP", &self.joint, hint.clone(), Pool::default()));
-        let bounded = match joint.as_ref().map(|j| &j.result) {
-            // The joint set lies inside each single one.
-            Some(Ok(s)) => Hint { feasible: Some(s.time), ..hint.clone() },
-            _ => hint.clone(),
-        };
-        let singles = self.singles_own(bounded);
-        effort += joint.as_ref().map_or(Effort::default(), |j| j.effort);
-        singles.iter().for_each(|f| effort += f.effort);
+        effort += tightest.as_ref().map_or(Effort::default(), |f| f.effort);
+        let above_rip = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
+        let mut singles: Vec<Found> = Vec::new();
+        if let Some(joint) = tightest.as_ref().filter(|_| several) {
+            singles = self.singles_own(&rip, Hint { feasible: time(joint), ..above_rip.clone() });
+            singles.iter().for_each(|f| effort += f.effort);
+        }
+        let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
+        let joint = tightest.as_ref().filter(|_| several);
 
-        let longest_single =
-            singles.iter().filter_map(|f| Some(f.result.as_ref().ok()?.time)).max_by(f64::total_cmp);
-        let joint_time = joint.as_ref().and_then(|j| Some(j.result.as_ref().ok()?.time));
-        let common_time = self.fixed_time().or(joint_time).or(longest_single);
+        let longest_single = singles.iter().filter_map(|f| time(f)).max_by(f64::total_cmp);
+        let common_time = self.fixed_time().or(joint.and_then(time)).or(longest_single);
 
         let none: &[String] = &[];
         let mut runs = vec![self.run(PlannerKind::Rip, none, Run::Own, self.own(&rip), &self.rip)];
-        for ((found, set), name) in singles.iter().zip(&self.singles).zip(&self.names) {
-            runs.push(self.run(PlannerKind::Rcp, std::slice::from_ref(name), Run::Own, self.own(found), set));
+        // Modes, set, and what its own search found.
+        let mut conservative: Vec<(&[String], &PlanningSet, &Found)> = Vec::new();
+        for ((&found, set), name) in singles.iter().zip(&self.singles).zip(&self.names) {
+            conservative.push((std::slice::from_ref(name), set, found));
         }
-        if let Some(joint) = &joint {
-            runs.push(self.run(PlannerKind::Rcp, &self.names, Run::Own, self.own(joint), &self.joint));
+        conservative.extend(joint.map(|j| (self.names.as_slice(), &self.joint, j)));
+        for (against, set, found) in &conservative {
+            runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
         }
-
         let mut selected = Vec::new();
-        if let Some(time) = common_time {
-            let (decision, spent) = self.at("RIP", &self.rip, time, Pool::default());
+        if let Some(at) = common_time {
+            let (decision, spent) = self.at_or_own("RIP", &self.rip, at, &rip);
             effort += spent;
-            let mut common = vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(time, &decision), &self.rip)];
             if let Decision::Feasible(planned) = &decision {
                 selected = self.violated(planned);
             }
             let rsp_set = self.rip.with(selected.clone());
-            let mut jobs: Vec<(PlannerKind, Vec<String>, &PlanningSet)> = Vec::new();
-            for (name, set) in self.names.iter().zip(&self.singles) {
-                jobs.push((PlannerKind::Rcp, vec![name.clone()], set));
-            }
-            if several {
-                jobs.push((PlannerKind::Rcp, self.names.clone(), &self.joint));
-            }
-            jobs.push((PlannerKind::Rsp, self.names.clone(), &rsp_set));
-            let done: Vec<(PlannerRun, Effort)> = jobs
-                .into_par_iter()
-                .map(|(kind, against, set)| {
-                    let (decision, spent) = self.at(&label(kind, &against), set, time, Pool::default());
-                    (self.run(kind, &against, Run::Common, self.common(time, &decision), set), spent)
-                })
-                .collect();
-            for (run, spent) in done {
+            let mut common =
+                vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.rip)];
+            let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
+                || self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), selected.is_empty()),
+                || {
+                    let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
+                        let label = label(PlannerKind::Rcp, against);
+                        let (decision, spent) = self.at_or_own(&label, set, at, found);
+                        let ending = self.common(at, &decision);
+                        (self.run(PlannerKind::Rcp, against, Run::Common, ending, set), spent)
+                    };
+                    conservative.par_iter().map(work).collect::<Vec<_>>()
+                },
+            );
+            effort += rsp_effort;
+            for (run, spent) in others {
                 common.push(run);
                 effort += spent;
             }
-            // RSP's own shortest time: not below RIP's, and not above T_d where it has a plan there.
-            let at_common = matches!(common.last().map(|r| &r.ending), Some(Ending::Solved(_)));
-            let rsp = if selected.is_empty() {
-                Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() }
-            } else {
-                let hint = Hint { feasible: at_common.then_some(time), ..hint.clone() };
-                self.search("RSP", &rsp_set, hint, rip.pool.clone())
-            };
-            effort += rsp.effort;
             runs.push(self.run(PlannerKind::Rsp, &self.names, Run::Own, self.own(&rsp), &rsp_set));
+            common.push(self.run(PlannerKind::Rsp, &self.names, Run::Common, rsp_common, &rsp_set));
             runs.extend(common);
         }
         Comparison { modes: self.names.clone(), runs, common_time, selected, effort }
     }
+
+    /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there.
+    fn rsp_own_and_common(
+        &self,
+        set: &PlanningSet,
+        at: f64,
+        rip: &Found,
+        above_rip: Hint,
+        same_as_rip: bool,
+    ) -> (Found, Ending, Effort) {
+        if same_as_rip {
+            let (decision, effort) = self.at_or_own("RSP", set, at, rip);
+            let own = Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
+            return (own, self.common(at, &decision), effort);
+        }
+        let (decision, mut effort) = self.at("RSP", set, at, rip.pool.clone());
+        let ending = self.common(at, &decision);
+        let hint = match decision {
+            Decision::Feasible(planned) => Hint { feasible: Some(at), planned: Some(planned), ..above_rip },
+            Decision::Infeasible if self.fixed_time().is_none() => Hint { infeasible: Some(at), near: Some(at), ..Hint::default() },
+            _ => above_rip,
+        };
+        let own = self.search("RSP", set, hint, rip.pool.clone());
+        effort += own.effort;
+        (own, ending, effort)
+    }
+
+    /// The plan at a time, taken from the own search where that ended at the same time.
+    fn at_or_own(&self, what: &str, set: &PlanningSet, at: f64, own: &Found) -> (Decision, Effort) {
+        match &own.result {
+            Ok(s) if s.time == at => (Decision::Feasible(Box::new(s.planned.clone())), Effort::default()),
+            _ => self.at(what, set, at, own.pool.clone()),
+        }
+    }
+}
+
+fn time(found: &Found) -> Option<f64> {
+    found.result.as_ref().ok().map(|s| s.time)
+}
+
+fn time_below(found: &Found) -> Option<f64> {
+    found.result.as_ref().ok()?.infeasible_at
 }
 
 /// `RCP M1`, `RSP`.

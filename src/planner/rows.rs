@@ -5,9 +5,10 @@
 
 use super::hover_model::{WrenchMap, YAW};
 use super::profile::{Profile, profile};
-use super::select::PlanningSet;
+use super::select::{PlanningSet, SetRow};
 use super::transcribe::{FacetAt, NodeState, Purpose, Transcription};
 use super::yaw::{YawPlan, plan_yaw};
+use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
 use crate::model::{Mission, Model};
 use crate::solve::{Effort, Outcome, solve};
@@ -17,7 +18,7 @@ use std::collections::BTreeSet;
 pub const FEASIBLE: f64 = 1e-6;
 
 /// Rows are added until none is passed by more than this share of the healthy set's width.
-const ACCEPTED: f64 = 1e-7;
+pub const ACCEPTED: f64 = 1e-7;
 
 /// Rows with more slack than this at a plan are not carried on to other mission times.
 const KEPT: f64 = 0.05;
@@ -27,6 +28,9 @@ const MOST_ROUNDS: usize = 30;
 
 /// The share of [`Purpose::Overshoot`]'s objective that the inputs' cost may take at most, m.
 const COST_SHARE: f64 = 1e-3;
+
+/// Directions in which the largest torque is looked for.
+const DIRECTIONS: usize = 64;
 
 /// A mission laid out in time, with yaw planned: all that does not depend on the planner.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +56,17 @@ impl Pool {
             self.rows = self.rows.iter().map(move_to).collect();
             self.nodes = nodes;
         }
+    }
+}
+
+impl Pool {
+    /// The rows of another set with the same normals.
+    pub fn translated(&self, from: &PlanningSet, to: &PlanningSet) -> Pool {
+        let same = |a: &SetRow, b: &SetRow| (a.normal - b.normal).amax() <= 1e-9 * a.normal.amax();
+        let image: Vec<Option<usize>> =
+            from.rows.iter().map(|a| to.rows.iter().position(|b| !b.equality && same(a, b))).collect();
+        let moved = |r: &FacetAt| Some(FacetAt { facet: image[r.facet]?, node: r.node });
+        Pool { rows: self.rows.iter().filter_map(moved).collect(), nodes: self.nodes }
     }
 }
 
@@ -119,6 +134,22 @@ impl<'a> Engine<'a> {
     /// Decides one mission time: plans it, or shows that no plan meets every waypoint within its tolerance plus
     /// [`FEASIBLE`].
     pub fn decide(&mut self, total: f64, samples: usize, set: &PlanningSet, pool: &mut Pool) -> Decision {
+        self.decide_with(total, samples, set, pool, false)
+    }
+
+    /// The same on the coarse grid, where a verdict is only a hint and none is sought at length.
+    pub(super) fn decide_roughly(&mut self, total: f64, set: &PlanningSet, pool: &mut Pool) -> Decision {
+        self.decide_with(total, self.coarse_samples(), set, pool, true)
+    }
+
+    fn decide_with(
+        &mut self,
+        total: f64,
+        samples: usize,
+        set: &PlanningSet,
+        pool: &mut Pool,
+        quickly: bool,
+    ) -> Decision {
         let layout = match self.layout(total, samples) {
             Ok(Some(layout)) => layout,
             Ok(None) | Err(Outcome::Infeasible { .. }) => return Decision::Infeasible,
@@ -141,16 +172,17 @@ impl<'a> Engine<'a> {
                 rows: attempt.rows,
             })),
             Outcome::Infeasible { .. } => Decision::Infeasible,
+            Outcome::Inconclusive { status, .. } if quickly => Decision::Inconclusive(status),
             Outcome::Inconclusive { status, .. } => self.decide_by_overshoot(&layout, set, pool, status),
         }
     }
 
     /// Where the plan's program gives no verdict: minimise sigma + epsilon J, which always has a solution. With
     /// J at most J_max on feasible plans, a lower bound above FEASIBLE + epsilon J_max shows that there is none.
-    fn decide_by_overshoot(&mut self, layout: &Layout, set: &PlanningSet, pool: &mut Pool, status: String) -> Decision {
+    fn decide_by_overshoot(&mut self, layout: &Layout, set: &PlanningSet, pool: &Pool, status: String) -> Decision {
         let Some(most) = self.largest_cost(layout) else { return Decision::Inconclusive(status) };
         let epsilon = COST_SHARE / most;
-        let attempt = self.generate(layout, set, Purpose::Overshoot { epsilon }, pool);
+        let attempt = self.generate(layout, set, Purpose::Overshoot { epsilon }, &mut pool.clone());
         match attempt.outcome {
             Outcome::Solved(solution) if solution.bound > FEASIBLE + COST_SHARE => Decision::Infeasible,
             Outcome::Infeasible { .. } => Decision::Infeasible,
@@ -163,20 +195,25 @@ impl<'a> Engine<'a> {
     fn largest_cost(&self, layout: &Layout) -> Option<f64> {
         let YawPlan::Free { .. } = layout.yaw else { return None };
         let zonotope = &self.healthy.zonotope;
-        let extent = |axis: usize| {
-            let mut n = crate::actuation::Wrench::zeros();
-            n[axis] = 1.0;
-            zonotope.support(&n).abs().max(zonotope.support(&-n).abs())
-        };
+        let reach = |n: Wrench| zonotope.support(&n).abs().max(zonotope.support(&-n).abs());
+        let extent = |axis: usize| reach(Wrench::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 }));
         let vehicle = &self.model.vehicle;
         let [ixx, iyy, izz] = vehicle.inertia;
-        // x^2 + y^2 does not depend on psi: it is (g tau_x / Ixx)^2 + (g tau_y / Iyy)^2.
-        let roll = extent(1) * self.model.gravity / ixx;
-        let pitch = extent(2) * self.model.gravity / iyy;
+        // x^2 + y^2 does not depend on psi: it is (g tau_x / Ixx)^2 + (g tau_y / Iyy)^2. Its root is at most
+        // the largest support over directions, and a circle about 2 n supporting lines is a little larger.
+        let (roll, pitch) = (self.model.gravity / ixx, self.model.gravity / iyy);
+        let slice = std::f64::consts::PI / DIRECTIONS as f64;
+        let widest = (0..DIRECTIONS)
+            .map(|i| {
+                let (sin, cos) = (slice * i as f64).sin_cos();
+                reach(Wrench::new(0.0, roll * cos, pitch * sin, 0.0))
+            })
+            .fold(0.0, f64::max);
+        let tilting = widest / (slice / 2.0).cos();
         let climb = (extent(0) / vehicle.mass - self.model.gravity).abs().max(self.model.gravity);
         let turn = extent(3) / izz;
         let plan = &self.model.plan;
-        let inputs = plan.snap_weight * (roll * roll + pitch * pitch)
+        let inputs = plan.snap_weight * tilting * tilting
             + plan.acceleration_weight * (climb * climb + turn * turn);
         let misses = self.mission.waypoints.iter().map(|w| {
             w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))

@@ -38,15 +38,17 @@ pub enum NoTime {
     Inconclusive { at: f64, status: String },
 }
 
-/// What is known before a search, s.
-#[derive(Debug, Clone, Default, PartialEq)]
+/// What is known before a search.
+#[derive(Debug, Clone, Default)]
 pub struct Hint {
-    /// Where to start looking.
+    /// Where to start looking, s.
     pub near: Option<f64>,
-    /// Shown infeasible (for a larger set).
+    /// A time shown infeasible (for a larger set), s.
     pub infeasible: Option<f64>,
-    /// Shown feasible (for a smaller set).
+    /// A time shown feasible (for a smaller set), s.
     pub feasible: Option<f64>,
+    /// A plan of this very set at `feasible`.
+    pub planned: Option<Box<Planned>>,
 }
 
 /// Mission times in ticks of [`GRID`].
@@ -58,6 +60,19 @@ const STEP: Ticks = 5;
 fn seconds(t: Ticks) -> f64 {
     // Divided, not multiplied, so that 1553 ticks print as 15.53.
     t as f64 / (1.0 / GRID).round()
+}
+
+/// Shortest times on the full grid are about this share of those on the coarse one.
+const FINE_TO_COARSE: f64 = 0.985;
+
+/// Times without a verdict after which a search gives up.
+const MOST_UNKNOWN: usize = 20;
+
+/// What a search on the full grid starts from.
+struct Known {
+    low: Option<Ticks>,
+    high: Option<Ticks>,
+    planned: Option<Box<Planned>>,
 }
 
 struct Search<'e, 'a> {
@@ -89,16 +104,18 @@ impl<'a> Engine<'a> {
         let mut search = Search { engine: self, set, pool, floor };
         let ticks = |t: Option<f64>| t.map(|t| (t / GRID).round() as Ticks);
         let (low, high) = (ticks(hint.infeasible), ticks(hint.feasible));
-        // Just above a time known infeasible is where nearly equal sets end.
         let start = match (low, high) {
-            (Some(l), _) => l + STEP,
-            (None, Some(h)) => h - STEP,
-            (None, None) => {
+            // A smaller set's shortest time is often this set's too.
+            (_, Some(h)) if hint.planned.is_some() => h - STEP,
+            _ => {
                 let guess = hint.near.unwrap_or_else(|| search.engine.guess());
-                search.rough(guess)?
+                let rough = search.rough(guess)?;
+                // The full grid does with a little less time than the coarse one.
+                let start = search.floor + steps((rough - search.floor) as f64 * FINE_TO_COARSE);
+                start.clamp(low.map_or(start, |l| l + STEP), high.map_or(start.max(low.unwrap_or(start) + STEP), |h| h))
             }
         };
-        let mut found = search.exact(start, low, high, samples)?;
+        let mut found = search.exact(start, Known { low, high, planned: hint.planned }, samples)?;
         found.infeasible_above = search.scan_above(found.time);
         Ok(found)
     }
@@ -126,16 +143,23 @@ impl Search<'_, '_> {
         self.engine.decide(seconds(t), samples, self.set, self.pool)
     }
 
-    /// A time feasible on a coarse grid, within 1 % of the shortest there. Claims nothing.
+    fn roughly_feasible(&mut self, t: Ticks) -> bool {
+        if t <= self.floor {
+            return false;
+        }
+        self.engine.progress(seconds(t));
+        matches!(self.engine.decide_roughly(seconds(t), self.set, self.pool), Decision::Feasible(_))
+    }
+
+    /// A time feasible on a coarse grid, within 0.5 % of the shortest there. Claims nothing.
     fn rough(&mut self, guess: f64) -> Result<Ticks, NoTime> {
-        let samples = self.engine.coarse_samples();
         let share = |t: Ticks, floor: Ticks, part: f64| steps((t - floor) as f64 * part);
         let mut high = self.floor + steps(guess / GRID - self.floor as f64);
         let mut low;
-        if matches!(self.try_at(high, samples), Decision::Feasible(_)) {
+        if self.roughly_feasible(high) {
             loop {
-                let t = high - share(high, self.floor, 0.25);
-                if !matches!(self.try_at(t, samples), Decision::Feasible(_)) {
+                let t = high - share(high, self.floor, 0.2);
+                if !self.roughly_feasible(t) {
                     low = t;
                     break;
                 }
@@ -148,90 +172,62 @@ impl Search<'_, '_> {
                 if seconds(high) > LONGEST {
                     return Err(NoTime::Infeasible { up_to: seconds(low) });
                 }
-                if matches!(self.try_at(high, samples), Decision::Feasible(_)) {
+                if self.roughly_feasible(high) {
                     break;
                 }
             }
         }
-        while (high - low) as f64 > 0.02 * (high - self.floor) as f64 && high - low > STEP {
+        while (high - low) as f64 > 0.005 * (high - self.floor) as f64 && high - low > STEP {
             let middle = low + (high - low) / (2 * STEP) * STEP;
-            match self.try_at(middle, samples) {
-                Decision::Feasible(_) => high = middle,
-                _ => low = middle,
+            if self.roughly_feasible(middle) {
+                high = middle;
+            } else {
+                low = middle;
             }
         }
         Ok(high)
     }
 
-    /// Brackets and bisects on the full grid, from a time thought near the shortest; `low` is known infeasible and
-    /// `known_high` feasible.
-    fn exact(
-        &mut self,
-        start: Ticks,
-        low: Option<Ticks>,
-        known_high: Option<Ticks>,
-        samples: usize,
-    ) -> Result<Shortest, NoTime> {
-        let mut high: Option<(Ticks, Planned)> = None;
-        let mut low = low;
-        let mut first = true;
+    /// Brackets and bisects on the full grid, from a time thought near the shortest.
+    fn exact(&mut self, start: Ticks, known: Known, samples: usize) -> Result<Shortest, NoTime> {
+        let mut high: Option<(Ticks, Planned)> = known.high.and_then(|h| Some((h, *known.planned?)));
+        let mut low = known.low;
+        // A lower end known beforehand may lie far off; one found here lies near, and halving pays.
+        let mut near = false;
         let mut unknown: Vec<(Ticks, String)> = Vec::new();
-        let mut stride = steps((start - self.floor) as f64 * 0.01);
-        loop {
-            let t: Ticks = match (low, &high) {
-                _ if first => start,
-                (None, None) => start,
-                // A known end halves the interval from the first; it is planned itself only if all else fails.
-                (Some(l), None) => match known_high.filter(|h| *h > l) {
-                    Some(h) => (l + steps((h - l) as f64 / 2.0)).min(h),
-                    None => l + stride,
-                },
-                (None, Some((h, _))) => (h - stride).max(self.floor),
-                (Some(l), Some((h, _))) if h - l > STEP => match between(l, *h, &unknown) {
-                    Some(t) => t,
-                    None => break,
-                },
-                _ => break,
-            };
-            first = false;
+        let mut stride = STEP;
+        let mut next = Some(start);
+        while let Some(t) = next {
             match self.try_at(t, samples) {
-                Decision::Feasible(planned) => {
-                    if high.is_some() && low.is_none() {
-                        stride *= 2;
-                    }
-                    high = Some((t, *planned));
-                }
-                Decision::Infeasible => {
-                    if low.is_some() && high.is_none() {
-                        stride *= 2;
-                    }
-                    low = Some(t);
-                }
-                Decision::Inconclusive(status) => {
-                    unknown.push((t, status));
-                    // Without a verdict here, look for one a little further on.
-                    match (low, &high) {
-                        (Some(_), Some(_)) => {}
-                        (_, None) => low = low.or(Some(t)),
-                        (None, Some(_)) => stride *= 2,
-                    }
-                    if unknown.len() > 20 {
-                        break;
-                    }
-                }
+                Decision::Feasible(planned) => high = Some((t, *planned)),
+                Decision::Infeasible => (low, near) = (Some(t), true),
+                Decision::Inconclusive(status) => unknown.push((t, status)),
             }
-            if low.is_some_and(|l| high.is_none() && seconds(l) > LONGEST) {
-                return Err(NoTime::Infeasible { up_to: LONGEST });
-            }
+            let highest = unknown.iter().map(|u| u.0).chain(low).max().unwrap_or(self.floor);
+            next = match (low, &high) {
+                _ if unknown.len() > MOST_UNKNOWN => None,
+                (_, None) if seconds(highest) > LONGEST => return Err(NoTime::Infeasible { up_to: LONGEST }),
+                (_, None) => {
+                    let up = highest + stride;
+                    stride *= 2;
+                    Some(known.high.filter(|h| *h > highest).map_or(up, |h| up.min(h)))
+                }
+                (Some(l), Some((h, _))) if h - l <= STEP => None,
+                (Some(l), Some((h, _))) if near || h - l <= 2 * stride => between(l, *h, &unknown),
+                (_, Some((h, _))) => {
+                    let lowest = unknown.iter().map(|u| u.0).chain([*h]).min().unwrap_or(*h);
+                    let down = lowest - stride;
+                    stride *= 2;
+                    Some(down.max(self.floor))
+                }
+            };
         }
         let inconclusive = |unknown: Vec<(Ticks, String)>| {
             let (at, status) = unknown.into_iter().next_back().unwrap_or((0, "no verdict".into()));
             NoTime::Inconclusive { at: seconds(at), status }
         };
         let Some((time, planned)) = high else { return Err(inconclusive(unknown)) };
-        let Some(low) = low.filter(|l| !unknown.iter().any(|(u, _)| u == l)) else {
-            return Err(inconclusive(unknown));
-        };
+        let Some(low) = low else { return Err(inconclusive(unknown)) };
         if seconds(time - low) > RESOLUTION + 1e-9 {
             return Err(inconclusive(unknown));
         }
@@ -245,12 +241,13 @@ impl Search<'_, '_> {
         if !self.engine.mission.waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some()) {
             return Vec::new();
         }
-        let samples = self.engine.coarse_samples();
         let first = (time / GRID).round() as Ticks;
         [1.05, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0]
             .iter()
             .map(|f| (first as f64 * f) as Ticks)
-            .filter(|&t| matches!(self.try_at(t, samples), Decision::Infeasible))
+            .filter(|&t| {
+                matches!(self.engine.decide_roughly(seconds(t), self.set, self.pool), Decision::Infeasible)
+            })
             .map(seconds)
             .collect()
     }
