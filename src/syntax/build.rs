@@ -5,6 +5,7 @@ mod expression;
 
 use super::ast::*;
 use super::layout::{Doc, Layout};
+use super::MAX_ERRORS;
 use super::mistake;
 use super::place::{Kind, Place};
 use crate::diagnostic::Diagnostic;
@@ -27,7 +28,15 @@ pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>)
     let Layout { text, docs, diagnostics, blocks_unsure, .. } = layout;
     let starts = diagnostics.iter().map(|d| d.span.start).collect();
     let mut builder =
-        Builder { file, text: &text, docs: docs.into_iter().peekable(), diagnostics, settled: starts, blocks_unsure };
+        Builder {
+            file,
+            text: &text,
+            docs: docs.into_iter().peekable(),
+            diagnostics,
+            settled: starts,
+            blocks_unsure,
+            late_brace: None,
+        };
     builder.settled.sort_unstable();
     let items = match Grammar::parse(Rule::file, &text) {
         Ok(mut pairs) => builder.file(pairs.next().expect("`file` gives one pair")),
@@ -53,6 +62,8 @@ struct Builder<'a> {
     /// Where the layout has reported errors, ascending: a statement around one needs no second error.
     settled: Vec<u32>,
     blocks_unsure: bool,
+    /// A brace on the line after its head, and the block it opens: the head's error covers both.
+    late_brace: Option<(usize, Place)>,
 }
 
 /// What a statement turns out to be before its place is looked at.
@@ -201,36 +212,44 @@ impl Builder<'_> {
     /// Something between separators that is no statement: reported once, then what it encloses is read.
     fn broken(&mut self, pair: Pair<Rule>, place: Place) -> Statement {
         let span = self.span(&pair);
-        let mut head = Span { end: span.start, ..span };
-        let mut has_body = false;
+        let (mut head, mut body) = ("", None);
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::broken_text => head = Span::new(self.file, span.start as usize, part.as_span().end()),
-                Rule::lbrace => has_body = true,
-                Rule::body => {
-                    self.explain(head, place, true);
-                    let word = self.text[head.start as usize..].split(|c: char| !c.is_ascii_alphanumeric()).next();
-                    let inside = word.and_then(Place::of_block).unwrap_or(Place::Unknown);
-                    self.body(part, inside);
-                }
+                Rule::broken_text => head = part.as_str().trim_end(),
+                Rule::body => body = Some(part),
                 _ => {}
             }
         }
-        if !has_body {
-            self.explain(head, place, false);
+        let start = span.start as usize;
+        let late = self.late_brace.take().filter(|(brace, _)| *brace == start);
+        if late.is_none() {
+            self.explain(head, start, place, body.is_some());
+        }
+        let word = head.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or(head);
+        let inside = late.map(|(_, inside)| inside).or(Place::of_head(word)).unwrap_or(Place::Unknown);
+        match body {
+            Some(body) => {
+                self.body(body, inside);
+            }
+            None => {
+                let end = start + head.len();
+                let rest = self.text[end..].trim_start();
+                self.late_brace = rest.starts_with('{').then_some((self.text.len() - rest.len(), inside));
+            }
         }
         Statement::Broken(span)
     }
 
-    fn explain(&mut self, head: Span, place: Place, has_body: bool) {
-        let text = self.text[head.start as usize..head.end as usize].trim_end();
-        let end = head.start as usize + text.len();
-        let first = self.settled.partition_point(|&s| s < head.start);
-        if self.settled.get(first).is_some_and(|&s| s as usize <= end.max(head.start as usize)) {
+    fn explain(&mut self, text: &str, start: usize, place: Place, has_body: bool) {
+        let first = self.settled.partition_point(|&s| (s as usize) < start);
+        if self.settled.get(first).is_some_and(|&s| (s as usize) < start + text.len()) {
+            return;
+        }
+        if self.diagnostics.len() > MAX_ERRORS {
             return;
         }
         let failure = expected::failure(text, place, has_body);
-        let statement = mistake::Broken { file: self.file, text, start: head.start as usize, place, has_body };
+        let statement = mistake::Broken { file: self.file, text, start, place, has_body };
         self.diagnostics.push(mistake::explain(&statement, &failure));
     }
 
@@ -282,9 +301,10 @@ impl Builder<'_> {
     }
 }
 
+/// Without the blanks that an absent optional part leaves at the end.
 fn span_of(file: FileId, pair: &Pair<Rule>) -> Span {
-    let span = pair.as_span();
-    Span::new(file, span.start(), span.end())
+    let start = pair.as_span().start();
+    Span::new(file, start, start + pair.as_str().trim_end().len())
 }
 
 /// The parts of one statement, taken in the order the grammar gives them.
