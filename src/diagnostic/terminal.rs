@@ -3,14 +3,23 @@
 use super::{Diagnostic, Label, Severity};
 use crate::source::{Source, SourceMap, Span};
 use miette::{
-    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan,
-    SpanContents,
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents,
+    SourceCode, SourceSpan, SpanContents,
 };
 use std::fmt;
 
 /// One report a problem, in the order given, a blank line between two. `width` is in columns.
-pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usize, color: bool) -> String {
-    let theme = if color { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
+pub fn render_human(
+    diagnostics: &[Diagnostic],
+    sources: &SourceMap,
+    width: usize,
+    color: bool,
+) -> String {
+    let theme = if color {
+        GraphicalTheme::unicode()
+    } else {
+        GraphicalTheme::unicode_nocolor()
+    };
     let handler = GraphicalReportHandler::new_themed(theme)
         .with_width(width)
         .with_links(false)
@@ -22,14 +31,18 @@ pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usiz
         let report = Report::new(diagnostic, sources);
         if handler.render_report(&mut text, &report).is_err() {
             // Only a span outside its file leads here; the facts still reach the reader.
-            text.push_str(&super::render_short(std::slice::from_ref(diagnostic), sources));
+            text.push_str(&super::render_short(
+                std::slice::from_ref(diagnostic),
+                sources,
+            ));
         }
         text.push('\n');
     }
     text
 }
 
-/// A diagnostic as miette wants it; labels in other files become reports beside it.
+/// A diagnostic as miette wants it; labels in other files, or far along a line, become
+/// reports beside it.
 struct Report<'a> {
     diagnostic: &'a Diagnostic,
     excerpt: Excerpt<'a>,
@@ -39,14 +52,35 @@ struct Report<'a> {
 
 impl<'a> Report<'a> {
     fn new(diagnostic: &'a Diagnostic, sources: &'a SourceMap) -> Self {
-        let file = diagnostic.span.file;
-        let source = sources.get(file);
-        let mut labels = vec![LabeledSpan::new_primary_with_span(worded(&diagnostic.label), place(diagnostic.span))];
-        let (here, other): (Vec<_>, Vec<_>) = diagnostic.labels.iter().partition(|l| l.span.file == file);
-        labels.extend(here.iter().map(|l| LabeledSpan::new_with_span(worded(&l.message), place(l.span))));
-        let elsewhere =
-            other.into_iter().map(|label| Elsewhere { label, excerpt: Excerpt(sources.get(label.span.file)) }).collect();
-        Report { diagnostic, excerpt: Excerpt(source), labels, elsewhere }
+        let own = diagnostic.span;
+        let source = sources.get(own.file);
+        let near = |span: Span| {
+            let beside =
+                source.place(span.start as usize).line == source.place(own.start as usize).line;
+            span.file == own.file && (!beside || span.start.abs_diff(own.start) as usize <= MARGIN)
+        };
+        let (here, apart): (Vec<_>, Vec<_>) = diagnostic.labels.iter().partition(|l| near(l.span));
+        let mut labels = vec![LabeledSpan::new_primary_with_span(
+            worded(&diagnostic.label),
+            place(source, own),
+        )];
+        labels.extend(
+            here.iter()
+                .map(|l| LabeledSpan::new_with_span(worded(&l.message), place(source, l.span))),
+        );
+        let elsewhere = apart
+            .into_iter()
+            .map(|label| Elsewhere {
+                label,
+                excerpt: Excerpt(sources.get(label.span.file)),
+            })
+            .collect();
+        Report {
+            diagnostic,
+            excerpt: Excerpt(source),
+            labels,
+            elsewhere,
+        }
     }
 }
 
@@ -54,8 +88,11 @@ fn worded(message: &str) -> Option<String> {
     (!message.is_empty()).then(|| message.to_string())
 }
 
-fn place(span: Span) -> SourceSpan {
-    ((span.start as usize), (span.end - span.start) as usize).into()
+/// Where a span is drawn: its beginning, where it is very long.
+fn place(source: &Source, span: Span) -> SourceSpan {
+    let (start, end) = (span.start as usize, span.end as usize);
+    let end = end.min(boundary(&source.text, start + MARGIN)).max(start);
+    (start, end - start).into()
 }
 
 impl fmt::Display for Report<'_> {
@@ -86,7 +123,10 @@ impl miette::Diagnostic for Report<'_> {
     }
 
     fn help<'b>(&'b self) -> Option<Box<dyn fmt::Display + 'b>> {
-        self.diagnostic.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
+        self.diagnostic
+            .help
+            .as_ref()
+            .map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -98,7 +138,9 @@ impl miette::Diagnostic for Report<'_> {
     }
 
     fn related<'b>(&'b self) -> Option<Box<dyn Iterator<Item = &'b dyn miette::Diagnostic> + 'b>> {
-        Some(Box::new(self.elsewhere.iter().map(|e| e as &dyn miette::Diagnostic)))
+        Some(Box::new(
+            self.elsewhere.iter().map(|e| e as &dyn miette::Diagnostic),
+        ))
     }
 }
 
@@ -132,7 +174,9 @@ impl miette::Diagnostic for Elsewhere<'_> {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        Some(Box::new(std::iter::once(LabeledSpan::new_primary_with_span(None, place(self.label.span)))))
+        Some(Box::new(std::iter::once(
+            LabeledSpan::new_primary_with_span(None, place(self.excerpt.0, self.label.span)),
+        )))
     }
 }
 
@@ -156,9 +200,17 @@ impl SourceCode for Excerpt<'_> {
         }
         let first = source.place(start).line.saturating_sub(before).max(1);
         let last = source.place(end.saturating_sub(1).max(start)).line + after;
-        let from = if before == 0 { start } else { source.line(first).start };
+        let from = if before == 0 {
+            start
+        } else {
+            source.line(first).start
+        };
         let from = from.max(boundary(text, start.saturating_sub(MARGIN)));
-        let to = source.line(last).end.min(boundary(text, end + MARGIN)).max(end);
+        let to = source
+            .line(last)
+            .end
+            .min(boundary(text, end + MARGIN))
+            .max(end);
         let place = source.place(from);
         let contents = MietteSpanContents::new_named(
             source.name.clone(),
@@ -174,5 +226,8 @@ impl SourceCode for Excerpt<'_> {
 
 /// The last place at or before `at` where a character begins.
 fn boundary(text: &str, at: usize) -> usize {
-    (0..=at.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0)
+    (0..=at.min(text.len()))
+        .rev()
+        .find(|i| text.is_char_boundary(*i))
+        .unwrap_or(0)
 }

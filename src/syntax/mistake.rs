@@ -51,6 +51,8 @@ pub(super) struct Broken<'a> {
     pub start: usize,
     pub place: Place,
     pub has_body: bool,
+    /// The next thing in the file is a `{`.
+    pub brace_below: bool,
 }
 
 impl Broken<'_> {
@@ -60,15 +62,23 @@ impl Broken<'_> {
 
     /// The statement's first word; empty where it begins with something else.
     fn word(&self) -> &str {
-        if self.text.starts_with(|c: char| c.is_ascii_digit()) { "" } else { token(self.text, 0, is_name) }
+        if self.text.starts_with(|c: char| c.is_ascii_digit()) {
+            ""
+        } else {
+            token(self.text, 0, is_name)
+        }
     }
 
     /// What stands at `at`: a word, a number, a text, or a run of marks that looks like one operator.
     fn found(&self, at: usize) -> &str {
         let rest = &self.text[at.min(self.text.len())..];
-        let Some(first) = rest.chars().next() else { return "" };
+        let Some(first) = rest.chars().next() else {
+            return "";
+        };
         match first {
-            c if is_name(c) => token(self.text, at, |c| is_name(c) || c == '.').trim_end_matches('.'),
+            c if is_name(c) => {
+                token(self.text, at, |c| is_name(c) || c == '.').trim_end_matches('.')
+            }
             '"' => rest[1..].find('"').map_or("\"", |i| &rest[..i + 2]),
             c if "=<>:!&|".contains(c) => token(self.text, at, |c| "=<>:!&|".contains(c)),
             '.' if rest.starts_with("..") => "..",
@@ -76,11 +86,20 @@ impl Broken<'_> {
         }
     }
 
-    /// The last word or mark before `at`, and where it starts.
+    /// The last word, text or mark before `at`, and where it starts.
     fn before(&self, at: usize) -> (usize, &str) {
         let text = self.text[..at].trim_end();
-        let word = text.rfind(|c: char| !is_name(c)).map_or(0, |i| i + text[i..].chars().next().map_or(1, char::len_utf8));
-        let start = if word < text.len() { word } else { text.char_indices().next_back().map_or(0, |(i, _)| i) };
+        if let Some(quote) = text.strip_suffix('"').and_then(|t| t.rfind('"')) {
+            return (quote, &text[quote..]);
+        }
+        let word = text.rfind(|c: char| !is_name(c)).map_or(0, |i| {
+            i + text[i..].chars().next().map_or(1, char::len_utf8)
+        });
+        let start = if word < text.len() {
+            word
+        } else {
+            text.char_indices().next_back().map_or(0, |(i, _)| i)
+        };
         (start, &text[start..])
     }
 }
@@ -92,11 +111,20 @@ pub(super) fn explain(statement: &Broken, failure: &Failure) -> Diagnostic {
         .unwrap_or_else(|| general(statement, failure))
 }
 
+/// One error for a value that stands alone.
+pub(super) fn explain_value(value: &Broken, failure: &Failure) -> Diagnostic {
+    habit::recognise_in_value(value, failure).unwrap_or_else(|| general(value, failure))
+}
+
 /// By what was expected and what was found.
 fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
     let found = statement.found(failure.at);
     let (_, before) = statement.before(failure.at);
-    let after = if before.is_empty() { String::new() } else { format!(" after `{}`", cut(before)) };
+    let after = if before.is_empty() {
+        String::new()
+    } else {
+        format!(" after `{}`", cut(before))
+    };
     let wanted = list(&failure.expected, statement.has_body);
     if found.is_empty() {
         let at = statement.text.len();
@@ -106,27 +134,50 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
             false => ("mavc::syntax::unexpected", wanted),
         };
         // The end of a line shows better under its last character than beyond it.
-        let from = statement.text.char_indices().next_back().map_or(0, |(i, _)| i);
-        let diagnostic = Diagnostic::error(code, statement.span(from, at), format!("{wanted} is missing{after}"))
-            .here(format!("{wanted} must follow"));
+        let from = statement
+            .text
+            .char_indices()
+            .next_back()
+            .map_or(0, |(i, _)| i);
+        let diagnostic = Diagnostic::error(
+            code,
+            statement.span(from, at),
+            format!("{wanted} is missing{after}"),
+        )
+        .here(format!("{wanted} must follow"));
         return with_form(diagnostic, statement);
     }
     let span = statement.span(failure.at, failure.at + found.len());
     let message = format!("expected {wanted}{after}, found `{}`", cut(found));
-    let only_end = failure.expected.iter().all(|e| matches!(e, Expected::End | Expected::Operator | Expected::Unit));
-    let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, message).here("this does not fit here");
+    let only_end = failure
+        .expected
+        .iter()
+        .all(|e| matches!(e, Expected::End | Expected::Operator | Expected::Unit));
+    let diagnostic =
+        Diagnostic::error("mavc::syntax::unexpected", span, message).here("this does not fit here");
     if only_end && !statement.has_body {
-        return diagnostic.help("one statement stands on a line: begin a new line or write `;` between two");
+        return diagnostic
+            .help("one statement stands on a line: begin a new line or write `;` between two");
     }
     with_form(diagnostic, statement)
 }
 
 fn with_form(diagnostic: Diagnostic, statement: &Broken) -> Diagnostic {
-    match form(statement.word(), statement.place) {
+    let form = match form(statement.word(), statement.place) {
+        Some(FAULT) if statement.text.contains("reduced") => Some("rotor 3 reduced to 60 %"),
+        Some(FAULT) if statement.text.contains("stuck") => Some("rotor 2 stuck at 50 %"),
+        form => form,
+    };
+    match form {
         Some(form) => diagnostic.help(format!("write it like `{form}`")),
+        None if diagnostic.code == "mavc::syntax::missing_value" => {
+            diagnostic.help("write the value, or remove the rest")
+        }
         None => diagnostic,
     }
 }
+
+const FAULT: &str = "rotors [1, 6] lost";
 
 /// An example of the statement that begins with `word`.
 fn form(word: &str, place: Place) -> Option<&'static str> {
@@ -145,8 +196,10 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
         "waypoint" => "waypoint tower at [12, 3, 18] m  within 10 cm",
         "waypoints" => "waypoints from \"survey.csv\"",
         "hold" => "hold 4 s",
-        "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => "rotor at [0.2, 0.15, 0] m  spin P",
-        "rotor" | "rotors" => "rotors [1, 6] lost",
+        "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => {
+            "rotor at [0.2, 0.15, 0] m  spin P"
+        }
+        "rotor" | "rotors" => FAULT,
         _ if place == Place::Limits => "speed <= 8 m/s",
         _ => return None,
     })
@@ -154,10 +207,22 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
 
 /// "`=`, a name or the end of the statement".
 fn list(expected: &[Expected], has_body: bool) -> String {
-    // Where a value may begin, or go on, that says enough.
+    // That a value may also be a text, or go on, is worth saying only where nothing else is due.
+    let due = |e: &Expected| {
+        matches!(
+            e,
+            Expected::Word(_)
+                | Expected::Effect
+                | Expected::Clause
+                | Expected::Comma
+                | Expected::Closing(_)
+        )
+    };
+    let more_is_due = expected.iter().any(due);
     let mut words: Vec<String> = expected
         .iter()
         .filter(|e| !(matches!(e, Expected::Text) && expected.contains(&Expected::Value)))
+        .filter(|e| !(matches!(e, Expected::Unit | Expected::Operator) && more_is_due))
         .map(|e| phrase(*e, has_body))
         .collect();
     words.dedup();

@@ -1,3 +1,5 @@
 //! The integration tests, one binary.
+mod codes;
 mod errors;
+mod hostile;
 mod syntax;
