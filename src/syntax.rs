@@ -14,10 +14,11 @@ mod build;
 mod layout;
 mod mistake;
 mod place;
+mod print;
 
 use crate::diagnostic::{Checked, Diagnostic};
-use crate::source::{FileId, Source, Span};
-use ast::SpecFile;
+use crate::source::{FileId, NotUtf8, Source, Span};
+use ast::{FieldValue, SpecFile};
 
 /// Largest file, in bytes: 1 MiB.
 pub const MAX_FILE_BYTES: usize = 1 << 20;
@@ -37,14 +38,24 @@ pub const MAX_ERRORS: usize = 200;
 pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
     let bytes = source.text.len();
     if bytes > MAX_FILE_BYTES {
-        let message = format!("`{}` has {bytes} bytes; a spec has at most {MAX_FILE_BYTES}", source.name);
-        let diagnostic = Diagnostic::error("mavc::syntax::file_size", Span::new(file, 0, 0), message)
-            .help("spread the spec over several files and bring them together with `use`");
-        return Checked { value: None, diagnostics: vec![diagnostic] };
+        let message = format!(
+            "`{}` has {bytes} bytes; a spec has at most {MAX_FILE_BYTES}",
+            source.name
+        );
+        let diagnostic =
+            Diagnostic::error("mavc::syntax::file_size", Span::new(file, 0, 0), message)
+                .help("spread the spec over several files and bring them together with `use`");
+        return Checked {
+            value: None,
+            diagnostics: vec![diagnostic],
+        };
     }
     let layout = layout::lay_out(file, &source.text);
     if layout.too_much {
-        return Checked { value: None, diagnostics: layout.diagnostics };
+        return Checked {
+            value: None,
+            diagnostics: layout.diagnostics,
+        };
     }
     let (value, mut diagnostics) = build::build(file, layout);
     crate::diagnostic::sort(&mut diagnostics);
@@ -54,8 +65,56 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
         diagnostics.push(Diagnostic::error(
             "mavc::syntax::too_many",
             end,
-            format!("`{}` has more than {MAX_ERRORS} errors; the others are not shown", source.name),
+            format!(
+                "`{}` has more than {MAX_ERRORS} errors; the others are not shown",
+                source.name
+            ),
         ));
     }
-    Checked { value: Some(value), diagnostics }
+    Checked {
+        value: Some(value),
+        diagnostics,
+    }
+}
+
+/// The diagnostic for a file that is not text; `file` is where [`NotUtf8::source`] was added.
+pub fn not_utf8(file: FileId, error: &NotUtf8) -> Diagnostic {
+    let end = error.source.text[error.offset..]
+        .chars()
+        .next()
+        .map_or(0, char::len_utf8);
+    let message = format!(
+        "`{}` is no UTF-8 text: byte {} is {:#04x}",
+        error.source.name,
+        error.offset + 1,
+        error.byte
+    );
+    Diagnostic::error(
+        "mavc::syntax::encoding",
+        Span::new(file, error.offset, error.offset + end),
+        message,
+    )
+    .here("the text breaks off here")
+    .help("save the file as UTF-8")
+}
+
+/// Reads the value of one field, as it would stand after `name =`: for values that come from elsewhere than a file.
+pub fn parse_value(file: FileId, source: &Source) -> Checked<FieldValue> {
+    let layout = layout::lay_out(file, &source.text);
+    let mut diagnostics = layout.diagnostics;
+    if diagnostics.is_empty() {
+        match build::value(file, &layout.text) {
+            Ok(value) => {
+                return Checked {
+                    value: Some(value),
+                    diagnostics,
+                };
+            }
+            Err(diagnostic) => diagnostics.push(*diagnostic),
+        }
+    }
+    Checked {
+        value: None,
+        diagnostics,
+    }
 }

@@ -3,6 +3,7 @@
 mod expected;
 mod expression;
 
+use super::MAX_ERRORS;
 use super::ast::*;
 use super::layout::{Doc, Layout};
 use super::mistake;
@@ -24,24 +25,71 @@ const MAX_CALLS: usize = 200_000_000;
 
 pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>) {
     pest::set_call_limit(std::num::NonZeroUsize::new(MAX_CALLS));
-    let Layout { text, docs, diagnostics, blocks_unsure, .. } = layout;
+    let Layout {
+        text,
+        docs,
+        diagnostics,
+        blocks_unsure,
+        ..
+    } = layout;
     let starts = diagnostics.iter().map(|d| d.span.start).collect();
-    let mut builder =
-        Builder { file, text: &text, docs: docs.into_iter().peekable(), diagnostics, settled: starts, blocks_unsure };
+    let mut builder = Builder {
+        file,
+        text: &text,
+        docs: docs.into_iter().peekable(),
+        diagnostics,
+        settled: starts,
+        blocks_unsure,
+        late_brace: None,
+    };
     builder.settled.sort_unstable();
     let items = match Grammar::parse(Rule::file, &text) {
         Ok(mut pairs) => builder.file(pairs.next().expect("`file` gives one pair")),
         Err(error) => {
             let at = Span::new(file, expected::position(&error), text.len());
             builder.diagnostics.push(
-                Diagnostic::error("mavc::syntax::unexpected", at, "the text cannot be read from here on")
-                    .here("here")
-                    .help("split the statement"),
+                Diagnostic::error(
+                    "mavc::syntax::unexpected",
+                    at,
+                    "the text cannot be read from here on",
+                )
+                .here("here")
+                .help("split the statement"),
             );
             vec![Item::Broken(at)]
         }
     };
     (SpecFile { file, items }, builder.diagnostics)
+}
+
+/// The value of a field, alone.
+pub(super) fn value(file: FileId, text: &str) -> Built<FieldValue> {
+    let text = text.trim_end();
+    let Ok(mut pairs) = Grammar::parse(Rule::strict_value, text) else {
+        let failure = expected::failure_of(Rule::strict_value, text);
+        let place = Place::Unknown;
+        let statement = mistake::Broken {
+            file,
+            text,
+            start: 0,
+            place,
+            has_body: false,
+            brace_below: false,
+        };
+        return Err(Box::new(mistake::explain_value(&statement, &failure)));
+    };
+    let pair = pairs
+        .next()
+        .and_then(|p| p.into_inner().next())
+        .expect("a value has one part");
+    match pair.as_rule() {
+        Rule::filter => Parts {
+            file,
+            pairs: pair.into_inner(),
+        }
+        .filter(),
+        _ => expression::expr(file, pair).map(FieldValue::Expr),
+    }
 }
 
 struct Builder<'a> {
@@ -53,6 +101,8 @@ struct Builder<'a> {
     /// Where the layout has reported errors, ascending: a statement around one needs no second error.
     settled: Vec<u32>,
     blocks_unsure: bool,
+    /// A brace on the line after its head, and the block it opens: the head's error covers both.
+    late_brace: Option<(usize, Place)>,
 }
 
 /// What a statement turns out to be before its place is looked at.
@@ -87,20 +137,28 @@ impl Builder<'_> {
     }
 
     /// Every statement of a body, each wrapped for the list it goes into.
-    fn statements<T>(&mut self, body: Pair<Rule>, place: Place, wrap: fn(Any, Span) -> T) -> Vec<T> {
+    fn statements<T>(
+        &mut self,
+        body: Pair<Rule>,
+        place: Place,
+        wrap: fn(Any, Span) -> T,
+    ) -> Vec<T> {
         let mut end_of_block = None;
         let mut list = Vec::new();
         for pair in body.into_inner() {
             let span = self.span(&pair);
             if let Some(end) = end_of_block {
-                self.expect_separator(end, span.start as usize);
+                self.expect_separator(end, span);
             }
-            end_of_block = matches!(pair.as_rule(), Rule::block | Rule::broken).then_some(span.end as usize);
+            end_of_block =
+                matches!(pair.as_rule(), Rule::block | Rule::broken).then_some(span.end as usize);
             let doc = self.doc(span.start);
-            let any = self.statement(pair, place, doc).unwrap_or_else(|diagnostic| {
-                self.diagnostics.push(*diagnostic);
-                Any::Statement(Statement::Broken(span))
-            });
+            let any = self
+                .statement(pair, place, doc)
+                .unwrap_or_else(|diagnostic| {
+                    self.diagnostics.push(*diagnostic);
+                    Any::Statement(Statement::Broken(span))
+                });
             list.push(wrap(any, span));
         }
         list
@@ -121,7 +179,10 @@ impl Builder<'_> {
     fn simple(&self, pair: Pair<Rule>, doc: Option<String>) -> Built<(Any, Kind)> {
         let span = self.span(&pair);
         let rule = pair.as_rule();
-        let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
+        let mut parts = Parts {
+            file: self.file,
+            pairs: pair.into_inner(),
+        };
         let (statement, kind) = match rule {
             Rule::import => {
                 parts.skip(Rule::kw_use);
@@ -141,12 +202,24 @@ impl Builder<'_> {
             Rule::moving => (parts.moving(span), Kind::Flight),
             Rule::hold => {
                 parts.skip(Rule::kw_hold);
-                (Statement::Hold { duration: parts.expr()?, span }, Kind::Flight)
+                (
+                    Statement::Hold {
+                        duration: parts.expr()?,
+                        span,
+                    },
+                    Kind::Flight,
+                )
             }
             _ => {
                 parts.skip(Rule::kw_waypoints);
                 parts.skip(Rule::kw_from);
-                (Statement::WaypointsFrom { path: parts.text(), span }, Kind::Flight)
+                (
+                    Statement::WaypointsFrom {
+                        path: parts.text(),
+                        span,
+                    },
+                    Kind::Flight,
+                )
             }
         };
         Ok((Any::Statement(statement), kind))
@@ -156,9 +229,14 @@ impl Builder<'_> {
         let span = self.span(&pair);
         let mut inner = pair.into_inner();
         let head = inner.next().expect("a block has a head");
-        let body = inner.find(|p| p.as_rule() == Rule::body).expect("a block has a body");
+        let body = inner
+            .find(|p| p.as_rule() == Rule::body)
+            .expect("a block has a body");
         let rule = head.as_rule();
-        let mut parts = Parts { file: self.file, pairs: head.clone().into_inner() };
+        let mut parts = Parts {
+            file: self.file,
+            pairs: head.clone().into_inner(),
+        };
         let (kind, around) = match rule {
             Rule::every_head => (Kind::Every, Place::Every),
             Rule::curve_head => (Kind::Curve, Place::Curve),
@@ -173,14 +251,18 @@ impl Builder<'_> {
         let made = match rule {
             Rule::every_head => parts.every(span, doc),
             Rule::curve_head => parts.curve(span, doc),
-            _ => parts.block(span, doc).and_then(|block| mistake::check_head(block, around)),
+            _ => parts
+                .block(span, doc)
+                .and_then(|block| mistake::check_head(block, around)),
         };
         let fits = self.check_place(kind, place, &head);
         let statements = self.body(body, around);
         fits?;
         let mut statement = made?;
         match &mut statement {
-            Statement::Block(Block { body, .. }) | Statement::Every { body, .. } | Statement::Curve { body, .. } => {
+            Statement::Block(Block { body, .. })
+            | Statement::Every { body, .. }
+            | Statement::Curve { body, .. } => {
                 *body = statements;
             }
             _ => {}
@@ -190,9 +272,14 @@ impl Builder<'_> {
 
     /// The block that a head opens; one that is misspelt is reported and taken as the one meant.
     fn block_kind(&mut self, head: &Pair<Rule>, place: Place) -> Option<Place> {
-        let keyword = head.clone().into_inner().next().expect("a head has a keyword");
+        let keyword = head
+            .clone()
+            .into_inner()
+            .next()
+            .expect("a head has a keyword");
         Place::of_block(keyword.as_str()).or_else(|| {
-            let (diagnostic, meant) = mistake::unknown_block(keyword.as_str(), self.span(&keyword), place);
+            let (diagnostic, meant) =
+                mistake::unknown_block(keyword.as_str(), self.span(&keyword), place);
             self.diagnostics.push(diagnostic);
             meant
         })
@@ -201,37 +288,56 @@ impl Builder<'_> {
     /// Something between separators that is no statement: reported once, then what it encloses is read.
     fn broken(&mut self, pair: Pair<Rule>, place: Place) -> Statement {
         let span = self.span(&pair);
-        let mut head = Span { end: span.start, ..span };
-        let mut has_body = false;
+        let (mut head, mut body) = ("", None);
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::broken_text => head = Span::new(self.file, span.start as usize, part.as_span().end()),
-                Rule::lbrace => has_body = true,
-                Rule::body => {
-                    self.explain(head, place, true);
-                    let word = self.text[head.start as usize..].split(|c: char| !c.is_ascii_alphanumeric()).next();
-                    let inside = word.and_then(Place::of_block).unwrap_or(Place::Unknown);
-                    self.body(part, inside);
-                }
+                Rule::broken_text => head = part.as_str().trim_end(),
+                Rule::body => body = Some(part),
                 _ => {}
             }
         }
+        let start = span.start as usize;
+        let late = self.late_brace.take().filter(|(brace, _)| *brace == start);
+        let word = head
+            .split(|c: char| !c.is_ascii_alphanumeric())
+            .next()
+            .unwrap_or(head);
+        let inside = late
+            .map(|(_, inside)| inside)
+            .or(Place::of_head(word))
+            .unwrap_or(Place::Unknown);
+        let has_body = body.is_some();
         if !has_body {
-            self.explain(head, place, false);
+            let rest = self.text[start + head.len()..].trim_start();
+            self.late_brace = rest
+                .starts_with('{')
+                .then_some((self.text.len() - rest.len(), inside));
+        }
+        if late.is_none() {
+            let brace_below = self.late_brace.is_some();
+            self.explain(mistake::Broken {
+                file: self.file,
+                text: head,
+                start,
+                place,
+                has_body,
+                brace_below,
+            });
+        }
+        if let Some(body) = body {
+            self.body(body, inside);
         }
         Statement::Broken(span)
     }
 
-    fn explain(&mut self, head: Span, place: Place, has_body: bool) {
-        let text = self.text[head.start as usize..head.end as usize].trim_end();
-        let end = head.start as usize + text.len();
-        let first = self.settled.partition_point(|&s| s < head.start);
-        if self.settled.get(first).is_some_and(|&s| s as usize <= end.max(head.start as usize)) {
+    fn explain(&mut self, statement: mistake::Broken) {
+        let (start, end) = (statement.start, statement.start + statement.text.len());
+        if self.is_settled(start, end) || self.diagnostics.len() > MAX_ERRORS {
             return;
         }
-        let failure = expected::failure(text, place, has_body);
-        let statement = mistake::Broken { file: self.file, text, start: head.start as usize, place, has_body };
-        self.diagnostics.push(mistake::explain(&statement, &failure));
+        let failure = expected::failure(statement.text, statement.place, statement.has_body);
+        self.diagnostics
+            .push(mistake::explain(&statement, &failure));
     }
 
     fn check_place(&self, kind: Kind, place: Place, pair: &Pair<Rule>) -> Built<()> {
@@ -240,21 +346,44 @@ impl Builder<'_> {
         }
         let span = self.span(pair);
         let text = pair.as_str().trim_end();
-        let word = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).next().unwrap_or(text);
-        let span = Span { end: span.start + word.len() as u32, ..span };
+        let word = text
+            .split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+            .next()
+            .unwrap_or(text);
+        let span = Span {
+            end: span.start + word.len() as u32,
+            ..span
+        };
         Err(Box::new(mistake::misplaced(kind, place, word, span)))
     }
 
-    fn expect_separator(&mut self, end: usize, start: usize) {
-        if !self.text[end..start].contains(['\n', ';', '\u{4}']) {
-            let span = Span::new(self.file, start, start + 1);
-            self.diagnostics.push(
-                Diagnostic::error("mavc::syntax::separator", span, "a new line or `;` must follow a block's `}`")
-                    .here("the next statement begins on the same line")
-                    .help("start a new line here")
-                    .fix(Span { end: span.start, ..span }, "\n"),
-            );
+    /// A block's end and the statement that starts at `next` need a new line or `;` between them.
+    fn expect_separator(&mut self, end: usize, next: Span) {
+        let start = next.start as usize;
+        if self.text[end..start].contains(['\n', ';', '\u{4}'])
+            || self.is_settled(start, next.end as usize)
+        {
+            return;
         }
+        let length = self.text[start..].chars().next().map_or(0, char::len_utf8);
+        self.diagnostics.push(
+            Diagnostic::error(
+                "mavc::syntax::separator",
+                Span::new(self.file, start, start + length),
+                "a new line or `;` must follow a block's `}`",
+            )
+            .here("the next statement begins on the same line")
+            .help("start a new line here")
+            .fix(Span::new(self.file, start, start), "\n"),
+        );
+        let at = self.settled.partition_point(|&s| s < next.start);
+        self.settled.insert(at, next.start);
+    }
+
+    /// Whether an error has been reported for the statement from `start` to `end`.
+    fn is_settled(&self, start: usize, end: usize) -> bool {
+        let first = self.settled.partition_point(|&s| (s as usize) < start);
+        self.settled.get(first).is_some_and(|&s| (s as usize) < end)
     }
 
     /// The `///` lines before a statement, joined.
@@ -270,9 +399,13 @@ impl Builder<'_> {
     fn drop_docs(&mut self, end: usize) {
         while let Some(doc) = self.docs.next_if(|d| (d.span.start as usize) < end) {
             self.diagnostics.push(
-                Diagnostic::warning("mavc::syntax::dangling_doc", doc.span, "this `///` comment documents nothing")
-                    .here("no statement follows it")
-                    .help("write `//` for a comment that belongs to no statement"),
+                Diagnostic::warning(
+                    "mavc::syntax::dangling_doc",
+                    doc.span,
+                    "this `///` comment documents nothing",
+                )
+                .here("no statement follows it")
+                .help("write `//` for a comment that belongs to no statement"),
             );
         }
     }
@@ -282,9 +415,10 @@ impl Builder<'_> {
     }
 }
 
+/// Without the blanks that an absent optional part leaves at the end.
 fn span_of(file: FileId, pair: &Pair<Rule>) -> Span {
-    let span = pair.as_span();
-    Span::new(file, span.start(), span.end())
+    let start = pair.as_span().start();
+    Span::new(file, start, start + pair.as_str().trim_end().len())
 }
 
 /// The parts of one statement, taken in the order the grammar gives them.
@@ -295,12 +429,18 @@ struct Parts<'i> {
 
 impl<'i> Parts<'i> {
     fn next(&mut self) -> Pair<'i, Rule> {
-        self.pairs.next().expect("the grammar gives every part of a statement")
+        self.pairs
+            .next()
+            .expect("the grammar gives every part of a statement")
     }
 
     /// Takes the next pair if it is of this rule.
     fn take(&mut self, rule: Rule) -> Option<Pair<'i, Rule>> {
-        if self.pairs.peek().is_some_and(|p| p.as_rule() == rule) { self.pairs.next() } else { None }
+        if self.pairs.peek().is_some_and(|p| p.as_rule() == rule) {
+            self.pairs.next()
+        } else {
+            None
+        }
     }
 
     fn skip(&mut self, rule: Rule) {
@@ -325,10 +465,19 @@ impl<'i> Parts<'i> {
         let name = self.name();
         self.skip(Rule::equals);
         let value = match self.take(Rule::filter) {
-            Some(filter) => Parts { file: self.file, pairs: filter.into_inner() }.filter()?,
+            Some(filter) => Parts {
+                file: self.file,
+                pairs: filter.into_inner(),
+            }
+            .filter()?,
             None => FieldValue::Expr(self.expr()?),
         };
-        Ok(Field { name, value, doc, span })
+        Ok(Field {
+            name,
+            value,
+            doc,
+            span,
+        })
     }
 
     fn filter(&mut self) -> Built<FieldValue> {
@@ -343,7 +492,11 @@ impl<'i> Parts<'i> {
             _ => Relation::Equal,
         };
         let relation = Spanned::new(meaning, span_of(self.file, &relation));
-        Ok(FieldValue::Where { field, relation, value: self.expr()? })
+        Ok(FieldValue::Where {
+            field,
+            relation,
+            value: self.expr()?,
+        })
     }
 
     fn limit(&mut self, span: Span) -> Built<Statement> {
@@ -353,12 +506,20 @@ impl<'i> Parts<'i> {
             Rule::at_least => LimitRelation::AtLeast(self.expr()?),
             _ => LimitRelation::In(self.expr()?),
         };
-        Ok(Statement::Limit { name, relation, span })
+        Ok(Statement::Limit {
+            name,
+            relation,
+            span,
+        })
     }
 
     fn fault(&mut self, span: Span) -> Built<Statement> {
         self.next();
-        Ok(Statement::Fault { rotors: self.expr()?, effect: self.effect()?, span })
+        Ok(Statement::Fault {
+            rotors: self.expr()?,
+            effect: self.effect()?,
+            span,
+        })
     }
 
     fn effect(&mut self) -> Built<Effect> {
@@ -367,9 +528,16 @@ impl<'i> Parts<'i> {
         if rule == Rule::kw_lost {
             return Ok(Effect::Lost(span_of(self.file, &pair)));
         }
-        let value = pair.into_inner().find(|p| p.as_rule() == Rule::expr).expect("`to` and `at` have values");
+        let value = pair
+            .into_inner()
+            .find(|p| p.as_rule() == Rule::expr)
+            .expect("`to` and `at` have values");
         let value = expression::expr(self.file, value)?;
-        Ok(if rule == Rule::reduced { Effect::Reduced(value) } else { Effect::Stuck(value) })
+        Ok(if rule == Rule::reduced {
+            Effect::Reduced(value)
+        } else {
+            Effect::Stuck(value)
+        })
     }
 
     fn every(&mut self, span: Span, doc: Option<String>) -> Built<Statement> {
@@ -378,7 +546,14 @@ impl<'i> Parts<'i> {
         self.next();
         let effect = self.effect()?;
         self.skip(Rule::kw_as);
-        Ok(Statement::Every { count, effect, prefix: self.name(), body: Vec::new(), doc, span })
+        Ok(Statement::Every {
+            count,
+            effect,
+            prefix: self.name(),
+            body: Vec::new(),
+            doc,
+            span,
+        })
     }
 
     fn curve(&mut self, span: Span, doc: Option<String>) -> Built<Statement> {
@@ -390,28 +565,65 @@ impl<'i> Parts<'i> {
         while let Some(pair) = self.pairs.next() {
             if pair.as_rule() == Rule::field {
                 let span = span_of(self.file, &pair);
-                options.push(Parts { file: self.file, pairs: pair.into_inner() }.field(span, None)?);
+                options.push(
+                    Parts {
+                        file: self.file,
+                        pairs: pair.into_inner(),
+                    }
+                    .field(span, None)?,
+                );
             }
         }
-        Ok(Statement::Curve { parameter, range, options, body: Vec::new(), doc, span })
+        Ok(Statement::Curve {
+            parameter,
+            range,
+            options,
+            body: Vec::new(),
+            doc,
+            span,
+        })
     }
 
     fn block(&mut self, span: Span, doc: Option<String>) -> Built<Block> {
         let keyword = self.name();
-        let name = self.take(Rule::name).map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
-        let title = self.take(Rule::text).map(|p| Spanned::new(unquote(p.as_str()), span_of(self.file, &p)));
-        Ok(Block { keyword, name, title, body: Vec::new(), doc, span })
+        let name = self
+            .take(Rule::name)
+            .map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
+        let title = self
+            .take(Rule::text)
+            .map(|p| Spanned::new(unquote(p.as_str()), span_of(self.file, &p)));
+        Ok(Block {
+            keyword,
+            name,
+            title,
+            body: Vec::new(),
+            doc,
+            span,
+        })
     }
 
     fn clauses(&mut self, span: Span, doc: Option<String>) -> Built<Clauses> {
         self.next();
-        let name = self.take(Rule::name).map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
+        let name = self
+            .take(Rule::name)
+            .map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
         let mut clauses = Vec::new();
         while let Some(pair) = self.pairs.next() {
-            let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
-            clauses.push(Clause { word: parts.name(), value: parts.expr()? });
+            let mut parts = Parts {
+                file: self.file,
+                pairs: pair.into_inner(),
+            };
+            clauses.push(Clause {
+                word: parts.name(),
+                value: parts.expr()?,
+            });
         }
-        Ok(Clauses { name, clauses, doc, span })
+        Ok(Clauses {
+            name,
+            clauses,
+            doc,
+            span,
+        })
     }
 
     fn moving(&mut self, span: Span) -> Statement {

@@ -54,18 +54,46 @@ const BLOCKS: &[(&str, Place, bool, Place)] = &[
 
 /// The words that begin a statement in each place, fields aside.
 const OPENERS: &[(Place, &[&str])] = &[
-    (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan"]),
+    (
+        Place::Top,
+        &["use", "let", "vehicle", "faults", "mission", "plan"],
+    ),
     (Place::Vehicle, &["rotor", "rotors"]),
     (Place::Rotors, &["rotor"]),
     (Place::Faults, &["every", "mode"]),
     (Place::Mode, &["rotor", "rotors"]),
-    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits"]),
+    (
+        Place::Mission,
+        &[
+            "curve",
+            "start",
+            "end",
+            "waypoint",
+            "waypoints",
+            "hold",
+            "limits",
+        ],
+    ),
 ];
 
 impl Place {
     /// The block that `keyword` opens.
     pub fn of_block(keyword: &str) -> Option<Place> {
         BLOCKS.iter().find(|b| b.0 == keyword).map(|b| b.1)
+    }
+
+    /// The block that a broken head was probably to open.
+    pub fn of_head(word: &str) -> Option<Place> {
+        match word {
+            "curve" => Some(Place::Curve),
+            "every" => Some(Place::Every),
+            _ => Place::of_block(word),
+        }
+    }
+
+    /// The keyword that opens this block, where it has a plain head.
+    pub fn keyword(self) -> Option<&'static str> {
+        BLOCKS.iter().find(|b| b.1 == self).map(|b| b.0)
     }
 
     /// Whether the block has a name of its own.
@@ -119,6 +147,10 @@ impl Kind {
     }
 
     pub fn fits(self, place: Place) -> bool {
-        place == Place::Unknown || self.home().is_none_or(|home| home == place)
+        match self {
+            _ if place == Place::Unknown => true,
+            Kind::Field => !matches!(place, Place::Limits | Place::Rotors),
+            _ => self.home() == Some(place),
+        }
     }
 }

@@ -1,5 +1,8 @@
 //! One integration binary: every test of the compiler through its public interface.
 
+mod codes;
 mod controllability;
+mod errors;
+mod hostile;
 mod syntax;
 mod vehicles;
