@@ -1,0 +1,212 @@
+//! The command line: arguments, files, exit codes. No logic of the field.
+
+mod analyze;
+mod check;
+mod emit;
+mod explain;
+mod files;
+mod new;
+mod plan;
+mod progress;
+mod spec;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Done; `analyze` ends so whatever its verdicts.
+pub const FINE: u8 = 0;
+/// The spec has errors.
+pub const SPEC_ERRORS: u8 = 1;
+/// Wrong usage, or a file that cannot be read or written.
+pub const USAGE: u8 = 2;
+/// No plan exists, or a mode that the plan must stand cannot hover.
+pub const NO_PLAN: u8 = 3;
+/// The solver gave no verdict.
+pub const INCONCLUSIVE: u8 = 4;
+
+#[derive(Parser)]
+#[command(
+    name = "mavc",
+    version,
+    about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
+    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict. SPEC may be `-` for standard input."
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    /// Print results and errors only: no progress, no notes
+    #[arg(long, global = true)]
+    quiet: bool,
+    /// Print what each stage took, on standard error
+    #[arg(long, global = true)]
+    timings: bool,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Find every mistake in a spec, and the fault modes that the plan must stand but cannot
+    Check(CheckArgs),
+    /// Say for every fault mode what is left: verdict, margins, critical mass, headroom
+    Analyze(AnalyzeArgs),
+    /// Plan the mission and write the trajectory
+    Plan(PlanArgs),
+    /// Run RIP, RCP and RSP side by side
+    Compare(CompareArgs),
+    /// Print what one stage of the compiler makes of the spec
+    Emit(EmitArgs),
+    /// Write a commented spec that plans as it stands
+    New {
+        /// The file to write; it must not exist
+        file: PathBuf,
+    },
+    /// Explain a diagnostic's code
+    Explain {
+        /// Such as mavc::unit::mismatch; without one, all codes are listed
+        code: Option<String>,
+    },
+}
+
+#[derive(Args)]
+pub(crate) struct SpecArgs {
+    /// The spec, or `-` for standard input
+    spec: String,
+    /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.against=[M1]
+    #[arg(long = "set", value_name = "FIELD=VALUE")]
+    set: Vec<String>,
+}
+
+#[derive(Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    spec: SpecArgs,
+    /// How problems are printed
+    #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
+    format: CheckFormat,
+    /// Treat warnings as errors
+    #[arg(long, value_name = "warnings", value_enum)]
+    deny: Option<Deny>,
+    /// Print every default that filled in for something not written
+    #[arg(long)]
+    explain_defaults: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum CheckFormat {
+    Human,
+    Short,
+    Json,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum Deny {
+    Warnings,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum Format {
+    Human,
+    Json,
+}
+
+#[derive(Args)]
+pub(crate) struct AnalyzeArgs {
+    #[command(flatten)]
+    spec: SpecArgs,
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Vary a field and print where verdicts flip: mass=1.5..2.5kg
+    #[arg(long, value_name = "FIELD=LOW..HIGH")]
+    sweep: Option<String>,
+}
+
+#[derive(Args)]
+pub(crate) struct PlanArgs {
+    #[command(flatten)]
+    spec: SpecArgs,
+    /// Where the trajectory goes (CSV); `-` for standard output
+    #[arg(short, long, value_name = "TRAJ.CSV")]
+    output: Option<String>,
+    /// Where the report goes (JSON)
+    #[arg(long, value_name = "REPORT.JSON")]
+    report: Option<PathBuf>,
+    /// Resample the trajectory, such as 100Hz; waypoints keep their rows
+    #[arg(long, value_name = "RATE")]
+    rate: Option<String>,
+}
+
+#[derive(Args)]
+pub(crate) struct CompareArgs {
+    #[command(flatten)]
+    spec: SpecArgs,
+    /// Where the report goes (JSON)
+    #[arg(long, value_name = "REPORT.JSON")]
+    report: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(crate) struct EmitArgs {
+    #[arg(value_enum)]
+    stage: Stage,
+    #[command(flatten)]
+    spec: SpecArgs,
+    /// For `qp`: text, json (P, q, A, b, cones, row origins) or free MPS
+    #[arg(long, value_enum, default_value_t = EmitFormat::Text)]
+    format: EmitFormat,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum EmitFormat {
+    Text,
+    Json,
+    Mps,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum Stage {
+    /// The parsed text
+    Ast,
+    /// The spec in SI units
+    Model,
+    /// The actuation matrix
+    Actuation,
+    /// The admissible set of every mode
+    Sets,
+    /// The rows the planner imposes on the wrench
+    Constraints,
+    /// The convex program
+    Qp,
+}
+
+/// What every subcommand is told.
+pub(crate) struct Options {
+    pub quiet: bool,
+    pub timings: bool,
+}
+
+/// Parses the arguments, does what they say and returns the exit code.
+pub fn run() -> u8 {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) => {
+            let _ = e.print();
+            return if e.use_stderr() { USAGE } else { FINE };
+        }
+    };
+    let options = Options { quiet: cli.quiet, timings: cli.timings };
+    let result = match &cli.command {
+        Command::Check(args) => check::run(args, &options),
+        Command::Analyze(args) => analyze::run(args, &options),
+        Command::Plan(args) => plan::plan(args, &options),
+        Command::Compare(args) => plan::compare(args, &options),
+        Command::Emit(args) => emit::run(args, &options),
+        Command::New { file } => new::run(file, &options),
+        Command::Explain { code } => explain::run(code.as_deref()),
+    };
+    result.unwrap_or_else(|problem| {
+        anstream::eprintln!("mavc: {problem}");
+        USAGE
+    })
+}
+
+/// A problem with usage or files, told on one line.
+pub(crate) type Problem = String;

@@ -1,4 +1,5 @@
-//! mavc: from a one-page spec to a plan that can be flown.
+#![doc = include_str!("ARCHITECTURE.md")]
+
 pub mod actuation;
 pub mod admissible;
 pub mod cli;

@@ -1,0 +1,54 @@
+use super::spec::{self, colored};
+use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, files};
+use crate::admissible::diagnose::diagnose;
+use crate::diagnostic::{Severity, sort};
+use crate::report::table::Table;
+
+/// `mavc check`
+pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
+    let mut loaded = spec::read(&args.spec, options)?;
+    let mut code = if loaded.has_errors() { SPEC_ERRORS } else { FINE };
+    if let Some(model) = &loaded.model {
+        let answers = diagnose(model);
+        if answers.iter().any(|d| d.severity == Severity::Error) {
+            code = NO_PLAN;
+        }
+        loaded.diagnostics.extend(answers);
+        sort(&mut loaded.diagnostics);
+    }
+    let count = |s: Severity| loaded.diagnostics.iter().filter(|d| d.severity == s).count();
+    let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+    if args.deny == Some(Deny::Warnings) && warnings > 0 && code == FINE {
+        code = SPEC_ERRORS;
+    }
+    match args.format {
+        CheckFormat::Json => files::print(&loaded.json()),
+        CheckFormat::Short => files::print(&loaded.short()),
+        CheckFormat::Human => {
+            files::print(&loaded.human(colored(&std::io::stdout())));
+            if !options.quiet {
+                files::print(&format!("{}: {}\n", args.spec.spec, verdict(errors, warnings)));
+            }
+        }
+    }
+    if args.explain_defaults {
+        if let Some(model) = &loaded.model {
+            let mut table = Table::new(&["field", "default", "why"]);
+            for d in &model.defaults {
+                table.row(vec![d.field.clone(), d.value.clone(), d.reason.clone()]);
+            }
+            files::print(&table.render_left(0));
+        }
+    }
+    Ok(code)
+}
+
+fn verdict(errors: usize, warnings: usize) -> String {
+    let plural = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
+    match (errors, warnings) {
+        (0, 0) => "no problems".into(),
+        (0, w) => plural(w, "warning"),
+        (e, 0) => plural(e, "error"),
+        (e, w) => format!("{}, {}", plural(e, "error"), plural(w, "warning")),
+    }
+}

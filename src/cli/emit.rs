@@ -1,0 +1,119 @@
+use super::spec::{self, Loaded};
+use super::{EmitArgs, EmitFormat, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
+use crate::actuation::Actuation;
+use crate::admissible::AdmissibleSet;
+use crate::admissible::diagnose::diagnose;
+use crate::diagnostic::{Severity, sort};
+use crate::model::{Mission, Model};
+use crate::planner::compare::{Ending, PlannerRun, Scope, compare};
+use crate::planner::rows::{Engine, FEASIBLE};
+use crate::planner::transcribe::{Purpose, Transcription};
+use crate::qp::{QuadraticProgram, mps};
+use serde::Serialize;
+
+/// MPS cannot say a second-order cone.
+pub const NO_CONES_IN_MPS: &str = "mavc::emit::cones";
+
+/// `mavc emit`
+pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
+    if args.stage != Stage::Qp && args.format != EmitFormat::Text {
+        return Err("--format json and mps are for the stage qp".into());
+    }
+    let mut loaded = spec::read(&args.spec, options)?;
+    if args.stage == Stage::Ast {
+        loaded.tell(options);
+        for file in &loaded.files.files {
+            let name = &loaded.files.sources.get(file.file).name;
+            files::print(&format!("// {name}\n{file}"));
+        }
+        return Ok(if loaded.has_errors() { SPEC_ERRORS } else { FINE });
+    }
+    let Some(model) = loaded.model.clone() else {
+        loaded.tell(options);
+        return Ok(SPEC_ERRORS);
+    };
+    match args.stage {
+        Stage::Ast => {}
+        Stage::Model => files::print(&model.to_string()),
+        Stage::Actuation => files::print(&Actuation::of(&model.vehicle).to_string()),
+        Stage::Sets => {
+            let sets: Vec<String> = AdmissibleSet::all(&model).iter().map(|s| s.to_string()).collect();
+            files::print(&sets.join("\n"));
+        }
+        Stage::Constraints | Stage::Qp => return planned(args, &mut loaded, &model, options),
+    }
+    loaded.tell(options);
+    Ok(FINE)
+}
+
+/// The stages that need the planner's choice of rows and a mission time.
+fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Options) -> Result<u8, Problem> {
+    loaded.diagnostics.extend(diagnose(model));
+    sort(&mut loaded.diagnostics);
+    loaded.tell(options);
+    if loaded.diagnostics.iter().any(|d| d.severity == Severity::Error) {
+        return Ok(NO_PLAN);
+    }
+    let Some(mission) = &model.mission else {
+        return Err("this spec has no mission, so there is nothing to plan".into());
+    };
+    let comparison = compare(model, mission, Scope::Plan, None);
+    let Some(run) = comparison.runs.last() else { return Ok(INCONCLUSIVE) };
+    if args.stage == Stage::Constraints {
+        files::print(&run.set.to_string());
+        return Ok(FINE);
+    }
+    let time = match &run.ending {
+        Ending::Solved(s) => s.time,
+        Ending::Infeasible { at } | Ending::Inconclusive { at, .. } => *at,
+    };
+    let Some(program) = program(model, mission, run, time) else {
+        return Err(format!("the mission cannot be laid out over {time} s"));
+    };
+    match args.format {
+        EmitFormat::Text => files::print(&summary(&program, time)),
+        EmitFormat::Json => {
+            let text = serde_json::to_string(&Exported::of(&program, time)).map_err(|e| e.to_string())?;
+            files::print(&(text + "\n"));
+        }
+        EmitFormat::Mps => match mps::render(&program, "mavc") {
+            Some(text) => files::print(&text),
+            None => {
+                eprintln!(
+                    "error[{NO_CONES_IN_MPS}]: this program has second-order cones, and MPS cannot say them\n  help: use `--format json`; without waypoint tolerances (`--set plan.within=1km`) and without limits on\n        norms there are none"
+                );
+                return Ok(USAGE);
+            }
+        },
+    }
+    Ok(FINE)
+}
+
+/// The full-row program of a run at a mission time.
+fn program(model: &Model, mission: &Mission, run: &PlannerRun, time: f64) -> Option<QuadraticProgram> {
+    let healthy = AdmissibleSet::healthy(model);
+    let mut engine = Engine::new(model, mission, &healthy);
+    let layout = engine.layout(time, model.plan.samples).ok()??;
+    let maps = layout.yaw.maps(model, layout.profile.nodes());
+    let transcription = Transcription { model, mission, profile: &layout.profile, set: &run.set, maps: &maps, axes: layout.yaw.axes() };
+    Some(transcription.full_program(Purpose::Plan { slack: FEASIBLE }))
+}
+
+/// The program as exported: minimise 1/2 x'P x + q'x + constant subject to A x + s = b, s in the cones.
+#[derive(Serialize)]
+struct Exported<'a> {
+    schema: u32,
+    time_s: f64,
+    #[serde(flatten)]
+    program: &'a QuadraticProgram,
+}
+
+impl<'a> Exported<'a> {
+    fn of(program: &'a QuadraticProgram, time_s: f64) -> Self {
+        Exported { schema: 1, time_s, program }
+    }
+}
+
+fn summary(program: &QuadraticProgram, time: f64) -> String {
+    format!("mission time {time} s\n{program}")
+}

@@ -1,0 +1,98 @@
+//! From a file name to a model, with every diagnostic on the way.
+
+use super::{Options, Problem, SpecArgs, files};
+use crate::diagnostic::{Diagnostic, Severity, render_human, render_short, sort, to_json_line};
+use crate::model::load::{FileSet, MAX_TABLE_BYTES, load};
+use crate::model::overrides::parse_override;
+use crate::model::{Model, elaborate};
+use sha2::{Digest, Sha256};
+use std::io::IsTerminal;
+use std::time::Instant;
+
+/// A spec as far as it could be understood.
+pub struct Loaded {
+    pub files: FileSet,
+    /// `None` where an error stands in the way.
+    pub model: Option<Model>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads, parses and elaborates.
+pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
+    let begin = Instant::now();
+    let bytes = files::read_spec(&args.spec, crate::syntax::MAX_FILE_BYTES)?;
+    let name = if args.spec == "-" { "<stdin>" } else { &args.spec };
+    let reader = |path: &std::path::Path| {
+        use std::io::Read;
+        let mut bytes = Vec::new();
+        let limit = MAX_TABLE_BYTES as u64 + 1;
+        std::fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    let (mut files, mut diagnostics) = load(name, &bytes, &reader);
+    let mut overrides = Vec::new();
+    for text in &args.set {
+        match parse_override(text, &mut files) {
+            Ok(o) => overrides.push(o),
+            Err(d) => diagnostics.push(*d),
+        }
+    }
+    timing(options, "parse", begin);
+    let begin = Instant::now();
+    let checked = elaborate(&files, &overrides);
+    let broken = diagnostics.iter().any(|d| d.severity == Severity::Error) || checked.has_errors();
+    let model = checked.value.filter(|_| !broken);
+    diagnostics.extend(checked.diagnostics);
+    sort(&mut diagnostics);
+    timing(options, "model", begin);
+    Ok(Loaded { files, model, diagnostics })
+}
+
+impl Loaded {
+    /// Hash of all files that were read, each with its length, in the order they were named.
+    pub fn sha256(&self) -> String {
+        let mut hash = Sha256::new();
+        for (_, source) in self.files.sources.iter() {
+            hash.update((source.text.len() as u64).to_le_bytes());
+            hash.update(source.text.as_bytes());
+        }
+        hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
+    }
+
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+    }
+
+    pub fn human(&self, color: bool) -> String {
+        let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100);
+        render_human(&self.diagnostics, &self.files.sources, width, color)
+    }
+
+    pub fn short(&self) -> String {
+        render_short(&self.diagnostics, &self.files.sources)
+    }
+
+    pub fn json(&self) -> String {
+        self.diagnostics.iter().map(|d| to_json_line(d, &self.files.sources) + "\n").collect()
+    }
+
+    /// Tells errors, and unless quiet all else, on standard error.
+    pub fn tell(&mut self, options: &Options) {
+        if options.quiet {
+            self.diagnostics.retain(|d| d.severity == Severity::Error);
+        }
+        let text = self.human(colored(&std::io::stderr()));
+        eprint!("{text}");
+    }
+}
+
+/// Colour where the stream is a terminal and NO_COLOR is not set.
+pub fn colored(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
+}
+
+pub fn timing(options: &Options, stage: &str, begin: Instant) {
+    if options.timings {
+        eprintln!("{stage:<10} {:>9.2} ms", begin.elapsed().as_secs_f64() * 1e3);
+    }
+}
