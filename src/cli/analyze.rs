@@ -2,9 +2,7 @@ use super::spec::{self, timing};
 use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files};
 use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_all};
-use crate::model::load::FileSet;
-use crate::model::overrides::parse_override;
-use crate::model::{Model, elaborate};
+use crate::model::{FileSet, Model, elaborate, parse_override};
 use crate::report::number::significant;
 use crate::report::terminal;
 use serde::Serialize;
@@ -135,7 +133,7 @@ fn verdicts(
     let mut files = files.clone();
     let mut overrides = Vec::new();
     for text in set.iter().cloned().chain([format!("{path}={value}{unit}")]) {
-        overrides.push(parse_override(&text, &mut files).map_err(|d| d.message)?);
+        overrides.push(parse_override(&text, &mut files.sources).map_err(|d| d.message)?);
     }
     let checked = elaborate(&files, &overrides);
     let first = checked.diagnostics.iter().find(|d| d.severity == crate::diagnostic::Severity::Error);

@@ -2,9 +2,7 @@
 
 use super::{Options, Problem, SpecArgs, files};
 use crate::diagnostic::{Diagnostic, Severity, render_human, render_short, sort, to_json_line};
-use crate::model::load::{FileSet, MAX_TABLE_BYTES, load};
-use crate::model::overrides::parse_override;
-use crate::model::{Model, elaborate};
+use crate::model::{FileSet, MAX_TABLE_BYTES, Model, elaborate, load, parse_override};
 use sha2::{Digest, Sha256};
 use std::io::IsTerminal;
 use std::time::Instant;
@@ -32,9 +30,9 @@ pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
     let (mut files, mut diagnostics) = load(name, &bytes, &reader);
     let mut overrides = Vec::new();
     for text in &args.set {
-        match parse_override(text, &mut files) {
+        match parse_override(text, &mut files.sources) {
             Ok(o) => overrides.push(o),
-            Err(d) => diagnostics.push(*d),
+            Err(d) => diagnostics.push(d),
         }
     }
     timing(options, "parse", begin);
