@@ -2,7 +2,11 @@
 //!
 //! Stages up to the model return [`Checked`]: a value if one could be built, and every diagnostic.
 
-use crate::source::Span;
+mod nearest;
+
+pub use nearest::nearest;
+
+use crate::source::{FileId, Span};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
@@ -110,4 +114,13 @@ impl<T> Checked<T> {
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
+}
+
+/// Puts diagnostics in the order they are shown: by file, place and severity; exact repetitions go.
+pub fn sort(diagnostics: &mut Vec<Diagnostic>) {
+    fn key(d: &Diagnostic) -> (FileId, u32, Severity, u32, &str, &str) {
+        (d.span.file, d.span.start, d.severity, d.span.end, d.code, &d.message)
+    }
+    diagnostics.sort_by(|a, b| key(a).cmp(&key(b)));
+    diagnostics.dedup();
 }

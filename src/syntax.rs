@@ -1,2 +1,61 @@
 //! Text to tree.
+//!
+//! # Steps
+//! 1. `layout` looks at the whole text once: comments become blanks, lines inside brackets are joined, brackets
+//!    and braces are matched, limits are kept.
+//! 2. The grammar (`grammar/mav.pest`) splits the result into statements; `build` makes the tree ([`ast`]).
+//! 3. A statement that fits none is read again alone, and `mistake` says what is wrong with it.
+//! 4. `place` knows which statement stands in which block.
+//!
+//! Nothing is understood here: names, units and meanings belong to the model.
+
 pub mod ast;
+mod build;
+mod layout;
+mod mistake;
+mod place;
+
+use crate::diagnostic::{Checked, Diagnostic};
+use crate::source::{FileId, Source, Span};
+use ast::SpecFile;
+
+/// Largest file, in bytes: 1 MiB.
+pub const MAX_FILE_BYTES: usize = 1 << 20;
+/// How deep brackets and blocks nest.
+pub const MAX_DEPTH: usize = 64;
+/// Statements in one file.
+pub const MAX_STATEMENTS: usize = 10_000;
+/// Words, numbers, texts and marks in one file.
+pub const MAX_TOKENS: usize = 200_000;
+/// Height of one expression's tree: operators that wait for one another.
+pub const MAX_EXPRESSION_DEPTH: usize = 256;
+/// Errors shown for one file.
+pub const MAX_ERRORS: usize = 200;
+
+/// Reads one file. The tree holds every statement that could be read, whatever is wrong with the others; it is
+/// missing only where the text passes a limit.
+pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
+    let bytes = source.text.len();
+    if bytes > MAX_FILE_BYTES {
+        let message = format!("`{}` has {bytes} bytes; a spec has at most {MAX_FILE_BYTES}", source.name);
+        let diagnostic = Diagnostic::error("mavc::syntax::file_size", Span::new(file, 0, 0), message)
+            .help("spread the spec over several files and bring them together with `use`");
+        return Checked { value: None, diagnostics: vec![diagnostic] };
+    }
+    let layout = layout::lay_out(file, &source.text);
+    if layout.too_much {
+        return Checked { value: None, diagnostics: layout.diagnostics };
+    }
+    let (value, mut diagnostics) = build::build(file, layout);
+    crate::diagnostic::sort(&mut diagnostics);
+    if diagnostics.len() > MAX_ERRORS {
+        diagnostics.truncate(MAX_ERRORS);
+        let end = Span::new(file, bytes, bytes);
+        diagnostics.push(Diagnostic::error(
+            "mavc::syntax::too_many",
+            end,
+            format!("`{}` has more than {MAX_ERRORS} errors; the others are not shown", source.name),
+        ));
+    }
+    Checked { value: Some(value), diagnostics }
+}

@@ -20,6 +20,9 @@ pub enum Item {
     /// A top-level assignment such as `gravity = 9.80665 m/s^2`.
     Field(Field),
     Block(Block),
+    /// A statement with an error in it, reported already. What it would have said is unknown, so its absence
+    /// elsewhere proves nothing.
+    Broken(Span),
 }
 
 /// `name = value`, with the `///` text before it.
@@ -86,6 +89,8 @@ pub enum Statement {
     WaypointsFrom { path: Spanned<String>, span: Span },
     /// In `limits`: `speed <= 8 m/s`, `altitude in 1 m .. 30 m`.
     Limit { name: Name, relation: LimitRelation, span: Span },
+    /// As [`Item::Broken`]: a block that holds one may lack what it seems to lack.
+    Broken(Span),
 }
 
 /// A statement made of an optional name and `word value` clauses in any order.
@@ -139,7 +144,7 @@ pub enum ExprKind {
     Call { function: Name, arguments: Vec<Expr> },
     Negate(Box<Expr>),
     Binary { operator: Spanned<Operator>, left: Box<Expr>, right: Box<Expr> },
-    /// `(a + b) m`: the unit applies to what stands inside.
+    /// `(a + b) m`: the unit applies to what stands inside. A call with a unit, `cos(s) m`, is one of these too.
     Paren { inner: Box<Expr>, unit: Option<UnitText> },
     /// `[a, b, c] m`
     List { elements: Vec<Expr>, unit: Option<UnitText> },

@@ -1,0 +1,79 @@
+//! Where a broken statement fails, and what could have stood there, in people's words.
+
+use super::{Grammar, Rule};
+use crate::syntax::mistake::{Expected, Failure};
+use crate::syntax::place::Place;
+use pest::Parser;
+use pest::error::{Error, ErrorVariant, InputLocation};
+
+pub(super) fn position(error: &Error<Rule>) -> usize {
+    match error.location {
+        InputLocation::Pos(at) => at,
+        InputLocation::Span((at, _)) => at,
+    }
+}
+
+/// Reads one statement alone, by the rule it was probably meant to follow.
+pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Failure {
+    let Err(error) = Grammar::parse(strict_rule(text, place, has_body), text) else {
+        return Failure { at: text.len(), expected: vec![Expected::End] };
+    };
+    let mut expected: Vec<Expected> = match &error.variant {
+        ErrorVariant::ParsingError { positives, .. } => positives.iter().filter_map(|r| meaning(*r)).collect(),
+        ErrorVariant::CustomError { .. } => Vec::new(),
+    };
+    expected.sort();
+    expected.dedup();
+    Failure { at: position(&error), expected }
+}
+
+/// The rule for a statement's first word, here.
+fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
+    let word_end = text.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(text.len());
+    let rest = text[word_end..].trim_start();
+    let is_field = rest.starts_with(['=', ':']);
+    match &text[..word_end] {
+        "every" if !is_field => Rule::strict_every,
+        "curve" if !is_field => Rule::strict_curve,
+        _ if has_body => Rule::strict_block,
+        _ if is_field => Rule::strict_field,
+        "use" => Rule::strict_import,
+        "let" => Rule::strict_binding,
+        "hold" => Rule::strict_hold,
+        "start" => Rule::strict_moving,
+        "end" => Rule::strict_end,
+        "waypoint" => Rule::strict_waypoint,
+        "waypoints" => Rule::strict_survey,
+        "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => Rule::strict_rotor,
+        "rotor" | "rotors" => Rule::strict_fault,
+        _ if place == Place::Limits => Rule::strict_limit,
+        _ => Rule::strict_field,
+    }
+}
+
+fn meaning(rule: Rule) -> Option<Expected> {
+    Some(match rule {
+        Rule::number | Rule::quantity | Rule::reference | Rule::call | Rule::paren | Rule::list | Rule::minus
+        | Rule::lparen | Rule::lbracket | Rule::expr | Rule::filter | Rule::kw_where => Expected::Value,
+        Rule::plus | Rule::dash | Rule::times | Rule::over | Rule::power | Rule::dots => Expected::Operator,
+        Rule::unit => Expected::Unit,
+        Rule::equals => Expected::Equals,
+        Rule::name => Expected::Name,
+        Rule::text => Expected::Text,
+        Rule::at_most | Rule::at_least | Rule::less | Rule::greater => Expected::Relation,
+        Rule::comma => Expected::Comma,
+        Rule::rparen => Expected::Closing(')'),
+        Rule::rbracket => Expected::Closing(']'),
+        Rule::clause | Rule::clause_word => Expected::Clause,
+        Rule::kw_lost | Rule::reduced | Rule::stuck => Expected::Effect,
+        Rule::kw_as => Expected::Word("as"),
+        Rule::kw_at => Expected::Word("at"),
+        Rule::kw_from => Expected::Word("from"),
+        Rule::kw_in => Expected::Word("in"),
+        Rule::kw_moving => Expected::Word("moving"),
+        Rule::kw_rotor | Rule::kw_rotors => Expected::Word("rotors"),
+        Rule::kw_to => Expected::Word("to"),
+        Rule::EOI => Expected::End,
+        _ => return None,
+    })
+}

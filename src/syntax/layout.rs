@@ -1,0 +1,311 @@
+//! What is settled before the grammar: comments, line joining, and whether brackets and braces match.
+//!
+//! [`lay_out`] gives back a text of the same length in which every byte that is left stands where it stood, so
+//! places need no translation. Comments are blanks, and so are newlines inside `( )` and `[ ]`. A bracket left open
+//! ends where the next statement plainly begins, a block left open ends where the next top-level block begins
+//! ([`CUT`] stands there); both are reported here, where the whole text is in view, and never again. One pass.
+
+mod block;
+mod bracket;
+mod character;
+
+use super::{MAX_DEPTH, MAX_ERRORS, MAX_STATEMENTS, MAX_TOKENS};
+use crate::diagnostic::Diagnostic;
+use crate::source::{FileId, Span};
+use block::OpenBlock;
+
+/// Stands for a newline that also ends every open block.
+const CUT: u8 = 4;
+
+/// A text ready for the grammar.
+pub(super) struct Layout {
+    pub text: String,
+    /// In the order written.
+    pub docs: Vec<Doc>,
+    pub diagnostics: Vec<Diagnostic>,
+    /// A limit was passed: the text is not to be parsed.
+    pub too_much: bool,
+    /// Blocks may end elsewhere than their author meant.
+    pub blocks_unsure: bool,
+}
+
+/// One `///` line.
+pub(super) struct Doc {
+    pub span: Span,
+    pub text: String,
+}
+
+pub(super) fn lay_out(file: FileId, text: &str) -> Layout {
+    let mut scanner = Scanner {
+        file,
+        text,
+        out: text.as_bytes().to_vec(),
+        at: 0,
+        brackets: Vec::new(),
+        blocks: Vec::new(),
+        left_open: None,
+        last_close: None,
+        line_start: 0,
+        line_indent: 0,
+        statement: None,
+        quiet: false,
+        comment_ends: true,
+        tokens: 0,
+        statements: 0,
+        layout: Layout {
+            text: String::new(),
+            docs: Vec::new(),
+            diagnostics: Vec::new(),
+            too_much: false,
+            blocks_unsure: false,
+        },
+    };
+    scanner.run();
+    let mut layout = scanner.layout;
+    // Only whole characters are overwritten, and only by ASCII, so the bytes stay UTF-8.
+    layout.text = String::from_utf8(scanner.out).unwrap_or_default();
+    layout
+}
+
+struct Scanner<'a> {
+    file: FileId,
+    text: &'a str,
+    out: Vec<u8>,
+    /// Byte offset of the next character.
+    at: usize,
+    /// Offsets of the open `(` and `[` of this statement.
+    brackets: Vec<usize>,
+    blocks: Vec<OpenBlock>,
+    /// An inner block whose `}` seems to be missing, going by indentation.
+    left_open: Option<OpenBlock>,
+    /// The last top-level block and its closing brace.
+    last_close: Option<(OpenBlock, usize)>,
+    /// Where the current line starts, and how many blanks it starts with.
+    line_start: usize,
+    line_indent: usize,
+    /// Where the current statement began.
+    statement: Option<usize>,
+    /// This statement's odd characters have been spoken of.
+    quiet: bool,
+    /// False once no `*/` follows.
+    comment_ends: bool,
+    tokens: usize,
+    statements: usize,
+    layout: Layout,
+}
+
+impl Scanner<'_> {
+    fn run(&mut self) {
+        if self.text.starts_with('\u{feff}') {
+            self.blank(0, 3);
+            self.at = 3;
+        }
+        self.begin_line();
+        while self.at < self.text.len() && !self.layout.too_much {
+            self.step();
+        }
+        if !self.layout.too_much {
+            self.close_brackets(self.text.len());
+            self.close_blocks(self.text.len());
+        }
+    }
+
+    fn step(&mut self) {
+        let (start, rest) = (self.at, &self.text.as_bytes()[self.at..]);
+        match rest[0] {
+            b' ' | b'\t' => self.at += 1,
+            b'\r' if rest.get(1) == Some(&b'\n') => {
+                self.blank(start, start + 1);
+                self.at += 1;
+            }
+            b'\n' => self.newline(),
+            b'/' if rest.starts_with(b"//") => self.comment(),
+            b'/' if rest.starts_with(b"/*") => self.foreign_comment(),
+            b'#' => self.hash(),
+            _ => self.token(),
+        }
+    }
+
+    /// Anything that belongs to a statement.
+    fn token(&mut self) {
+        let start = self.at;
+        let byte = self.text.as_bytes()[start];
+        if self.statement.is_none() && !matches!(byte, b'}' | b';') {
+            self.statement = Some(start);
+            self.statements += 1;
+        }
+        self.tokens += 1;
+        self.at += 1;
+        match byte {
+            b'"' => self.quoted(start),
+            b'(' | b'[' => self.open_bracket(start),
+            b')' | b']' => self.close_bracket(start),
+            b'{' => self.open_block(start),
+            b'}' => self.close_block(start),
+            b';' => {
+                self.close_brackets(start);
+                self.end_statement();
+            }
+            b if is_name_byte(b) => self.at = self.skip_while(start, is_name_byte),
+            0..=31 | 127.. | b'\'' => self.odd_character(start),
+            _ => {}
+        }
+        if self.tokens > MAX_TOKENS {
+            self.limit("mavc::syntax::tokens", start, format!("a file holds at most {MAX_TOKENS} words and marks"));
+        } else if self.statements > MAX_STATEMENTS {
+            self.limit("mavc::syntax::statements", start, format!("a file holds at most {MAX_STATEMENTS} statements"));
+        } else if self.brackets.len() + self.blocks.len() > MAX_DEPTH {
+            self.limit(
+                "mavc::syntax::depth",
+                start,
+                format!("brackets and blocks nest at most {MAX_DEPTH} deep"),
+            );
+        }
+    }
+
+    fn limit(&mut self, code: &'static str, at: usize, message: String) {
+        let length = self.text[at..].chars().next().map_or(0, char::len_utf8);
+        let diagnostic = Diagnostic::error(code, self.span(at, at + length), message).here("the limit is passed here");
+        let help = match code {
+            "mavc::syntax::depth" => "take a part out into a `let`",
+            _ => "spread the spec over several files and bring them together with `use`",
+        };
+        self.report(diagnostic.help(help));
+        self.layout.too_much = true;
+    }
+
+    /// A newline ends the statement unless a bracket is open that may still be closed.
+    fn newline(&mut self) {
+        let start = self.at;
+        self.at += 1;
+        self.begin_line();
+        if !self.brackets.is_empty() && !self.statement_begins(self.at) {
+            self.out[start] = b' ';
+            return;
+        }
+        self.close_brackets(start);
+        self.end_statement();
+        if !self.blocks.is_empty() && self.top_level_begins(self.at) {
+            self.close_blocks(self.skip_while(self.at, is_blank));
+            self.out[start] = CUT;
+        }
+    }
+
+    fn begin_line(&mut self) {
+        self.line_start = self.at;
+        self.line_indent = self.skip_while(self.at, is_blank) - self.at;
+    }
+
+    fn end_statement(&mut self) {
+        self.statement = None;
+        self.quiet = false;
+    }
+
+    fn comment(&mut self) {
+        let (start, end) = (self.at, self.line_end(self.at));
+        let text = &self.text[start..end];
+        if text.starts_with("///") && !text.starts_with("////") && self.statement.is_none() {
+            let span = self.span(start, end);
+            self.layout.docs.push(Doc { span, text: text[3..].trim().to_string() });
+        }
+        self.blank(start, end);
+        self.at = end;
+    }
+
+    fn hash(&mut self) {
+        let (start, end) = (self.at, self.line_end(self.at));
+        let mark = self.span(start, start + 1);
+        self.report(
+            Diagnostic::error("mavc::syntax::comment", mark, "comments begin with `//`, not `#`")
+                .here("`#` starts no comment")
+                .help("write `//`")
+                .fix(mark, "//"),
+        );
+        self.blank(start, end);
+        self.at = end;
+    }
+
+    /// `/* .. */` of other languages: passed over as if it were a comment.
+    fn foreign_comment(&mut self) {
+        let start = self.at;
+        let close = if self.comment_ends { self.text[start + 2..].find("*/") } else { None };
+        self.comment_ends = close.is_some();
+        let end = close.map_or(self.line_end(start), |i| start + 2 + i + 2);
+        self.report(
+            Diagnostic::error(
+                "mavc::syntax::comment",
+                self.span(start, start + 2),
+                "comments begin with `//` and end with the line",
+            )
+            .here("`/*` starts no comment")
+            .help("write `//` before each line of the comment"),
+        );
+        self.blank(start, end);
+        self.at = end;
+    }
+
+    /// A text between double quotes, all on one line.
+    fn quoted(&mut self, start: usize) {
+        let rest = &self.text[start + 1..];
+        if let Some(length) = rest.find(['"', '\n']).filter(|&i| rest.as_bytes()[i] == b'"') {
+            self.at = start + 1 + length + 1;
+            return;
+        }
+        let end = self.line_end(start);
+        let content = start + self.text[start..end].trim_end().len();
+        self.report(
+            Diagnostic::error("mavc::syntax::unclosed_text", self.span(start, content), "this text is never closed")
+                .here("no `\"` follows on this line")
+                .help("close it with `\"`")
+                .fix(self.span(content, content), "\""),
+        );
+        self.blank(start + 1, end);
+        self.at = end;
+    }
+
+    /// Keeps a diagnostic, up to the number that is shown.
+    fn report(&mut self, diagnostic: Diagnostic) {
+        if self.layout.diagnostics.len() <= MAX_ERRORS {
+            self.layout.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// Overwrites all but newlines with blanks.
+    fn blank(&mut self, start: usize, end: usize) {
+        for byte in self.out[start..end].iter_mut().filter(|b| **b != b'\n') {
+            *byte = b' ';
+        }
+    }
+
+    fn span(&self, start: usize, end: usize) -> Span {
+        Span::new(self.file, start, end)
+    }
+
+    /// Where the line ends, before `\r\n` or `\n`.
+    fn line_end(&self, from: usize) -> usize {
+        let end = self.text[from..].find('\n').map_or(self.text.len(), |i| from + i);
+        if end > from && self.text.as_bytes()[end - 1] == b'\r' { end - 1 } else { end }
+    }
+
+    fn skip_while(&self, from: usize, accept: fn(u8) -> bool) -> usize {
+        let rest = &self.text.as_bytes()[from..];
+        from + rest.iter().position(|b| !accept(*b)).unwrap_or(rest.len())
+    }
+
+    /// The name that starts at `at` (empty where none does) and the offset of what follows it after blanks.
+    fn name_at(&self, at: usize) -> (&str, usize) {
+        let start = self.skip_while(at, is_blank);
+        let end = self.skip_while(start, is_name_byte);
+        let name = &self.text[start..end];
+        let name = if name.starts_with(|c: char| c.is_ascii_digit()) { "" } else { name };
+        (name, self.skip_while(end, is_blank))
+    }
+}
+
+fn is_name_byte(b: u8) -> bool {
+    b.is_ascii_alphanumeric() || b == b'_'
+}
+
+fn is_blank(b: u8) -> bool {
+    matches!(b, b' ' | b'\t')
+}

@@ -1,0 +1,105 @@
+//! `{ }`: which block was left open, and which brace closes nothing.
+
+use super::{Scanner, is_blank};
+use crate::diagnostic::Diagnostic;
+
+/// A block whose closing brace has not been met.
+#[derive(Clone, Copy)]
+pub(super) struct OpenBlock {
+    /// Offset of the block's first word.
+    head: usize,
+    brace: usize,
+    /// Start and indentation of the line with the head.
+    line: usize,
+    indent: usize,
+}
+
+impl Scanner<'_> {
+    pub(super) fn open_block(&mut self, brace: usize) {
+        self.close_brackets(brace);
+        let head = self.statement.unwrap_or(brace);
+        self.blocks.push(OpenBlock { head, brace, line: self.line_start, indent: self.line_indent });
+        self.end_statement();
+    }
+
+    pub(super) fn close_block(&mut self, at: usize) {
+        self.close_brackets(at);
+        self.end_statement();
+        let Some(block) = self.blocks.pop() else {
+            self.report_stray(at);
+            return;
+        };
+        if self.left_open.is_none() && self.seems_meant_for_outer(at, block) {
+            self.left_open = Some(block);
+        }
+        if self.blocks.is_empty() {
+            self.left_open = None;
+            self.last_close = Some((block, at));
+        }
+    }
+
+    /// The blocks open at `at` end there, and one of them should have ended before.
+    pub(super) fn close_blocks(&mut self, at: usize) {
+        let open = std::mem::take(&mut self.blocks);
+        let culprit = self.left_open.take().or(open.last().copied());
+        let Some(block) = culprit.filter(|_| !open.is_empty()) else { return };
+        let name = self.head_text(block);
+        let mut diagnostic = Diagnostic::error(
+            "mavc::syntax::unclosed_block",
+            self.span(block.brace, block.brace + 1),
+            format!("the block `{name}` is never closed"),
+        )
+        .here("opened here")
+        .help("write `}` where it should end");
+        let (word, _) = self.name_at(at);
+        if !word.is_empty() {
+            let start = self.skip_while(at, is_blank);
+            let message = format!("`{word}` stands at the top level, but a block is still open here");
+            diagnostic = diagnostic.also(self.span(start, start + word.len()), message);
+        }
+        self.report(diagnostic);
+        self.layout.blocks_unsure = true;
+    }
+
+    fn report_stray(&mut self, at: usize) {
+        let span = self.span(at, at + 1);
+        let mut diagnostic = Diagnostic::error("mavc::syntax::stray_brace", span, "`}` closes nothing")
+            .here("no block is open here");
+        if let Some((block, close)) = self.last_close {
+            let message = format!("`{}` was closed here", self.head_text(block));
+            diagnostic = diagnostic.also(self.span(close, close + 1), message);
+        }
+        self.report(diagnostic.help("remove the brace that is one too many"));
+        self.layout.blocks_unsure = true;
+        self.out[at] = b' ';
+    }
+
+    /// A brace that begins its line and lines up with an outer block rather than with the one it closes.
+    fn seems_meant_for_outer(&self, at: usize, block: OpenBlock) -> bool {
+        let column = self.line_indent;
+        self.line_start + column == at
+            && self.line_start != block.line
+            && block.indent != column
+            && self.blocks.iter().any(|outer| outer.indent == column)
+    }
+
+    /// The block's head as written, cut short where it is long.
+    fn head_text(&self, block: OpenBlock) -> String {
+        let head = self.text[block.head..block.brace].trim_end();
+        match head.char_indices().nth(40) {
+            Some((end, _)) => format!("{}..", &head[..end]),
+            None if head.is_empty() => "{".to_string(),
+            None => head.to_string(),
+        }
+    }
+
+    /// Whether a block that only stands at the top level begins at `at`.
+    pub(super) fn top_level_begins(&self, at: usize) -> bool {
+        let (word, next) = self.name_at(at);
+        match word {
+            "vehicle" | "mission" => !self.name_at(next).0.is_empty(),
+            "plan" | "faults" => self.text[next..].starts_with('{'),
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! `( )` and `[ ]`: one statement must close what it opens.
+
+use super::Scanner;
+use crate::diagnostic::Diagnostic;
+
+impl Scanner<'_> {
+    pub(super) fn open_bracket(&mut self, at: usize) {
+        self.brackets.push(at);
+    }
+
+    /// A bracket of the wrong kind is read as the right one, one that closes nothing is passed over.
+    pub(super) fn close_bracket(&mut self, at: usize) {
+        let closer = self.text.as_bytes()[at];
+        let span = self.span(at, at + 1);
+        let found = closer as char;
+        let Some(opener) = self.brackets.pop() else {
+            let diagnostic = Diagnostic::error(
+                "mavc::syntax::stray_bracket",
+                span,
+                format!("`{found}` closes nothing"),
+            );
+            self.report(diagnostic.here("nothing is open here").help("remove it").fix(span, ""));
+            self.out[at] = b' ';
+            return;
+        };
+        let wanted = self.closer_of(opener);
+        if wanted == closer {
+            return;
+        }
+        let encloses = self.brackets.last().is_some_and(|&outer| self.closer_of(outer) == closer);
+        if encloses {
+            self.report_unclosed(&[opener], at);
+            self.brackets.pop();
+            return;
+        }
+        let opened = self.text.as_bytes()[opener] as char;
+        self.report(
+            Diagnostic::error("mavc::syntax::stray_bracket", span, format!("`{opened}` is closed by `{found}`"))
+                .here(format!("expected `{}`", wanted as char))
+                .also(self.span(opener, opener + 1), "opened here")
+                .help(format!("write `{}`", wanted as char))
+                .fix(span, (wanted as char).to_string()),
+        );
+        self.out[at] = wanted;
+    }
+
+    /// The statement is over at `at`: whatever it left open is reported, once.
+    pub(super) fn close_brackets(&mut self, at: usize) {
+        let open = std::mem::take(&mut self.brackets);
+        self.report_unclosed(&open, at);
+    }
+
+    fn report_unclosed(&mut self, open: &[usize], end: usize) {
+        let Some((&last, others)) = open.split_last() else { return };
+        let opened = self.text.as_bytes()[last] as char;
+        let closers: String = open.iter().rev().map(|&o| self.closer_of(o) as char).collect();
+        let kept = self.out[..end].iter().rposition(|b| !b.is_ascii_whitespace()).map_or(end, |i| i + 1);
+        let mut diagnostic = Diagnostic::error(
+            "mavc::syntax::unclosed_bracket",
+            self.span(last, last + 1),
+            format!("`{opened}` is never closed"),
+        )
+        .here("opened here")
+        .help(format!("write `{closers}` where it should end"))
+        .fix(self.span(kept, kept), closers);
+        for &other in others.iter().rev().take(3) {
+            diagnostic = diagnostic.also(self.span(other, other + 1), "neither is this one");
+        }
+        self.report(diagnostic);
+    }
+
+    fn closer_of(&self, opener: usize) -> u8 {
+        if self.text.as_bytes()[opener] == b'(' { b')' } else { b']' }
+    }
+
+    /// Whether the line at `at` cannot go on inside a bracket: `name =`, `name <=`, `name value` and `}` never
+    /// stand in an expression.
+    pub(super) fn statement_begins(&self, at: usize) -> bool {
+        let (name, next) = self.name_at(at);
+        let rest = &self.text.as_bytes()[next..];
+        match rest.first() {
+            _ if name.is_empty() => rest.first() == Some(&b'}'),
+            Some(b'=' | b'<' | b'>' | b'"' | b'[' | b'{') => true,
+            Some(b) => b.is_ascii_alphanumeric() || *b == b'_',
+            None => false,
+        }
+    }
+}

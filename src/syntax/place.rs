@@ -1,0 +1,124 @@
+//! Which statement stands in which block.
+
+use crate::diagnostic::nearest;
+
+/// Where a statement stands: the top level, or the block around it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Place {
+    Top,
+    Vehicle,
+    /// `rotor { }` in a vehicle.
+    Rotor,
+    /// `rotors { }` in a vehicle.
+    Rotors,
+    Faults,
+    /// `mode` in `faults`.
+    Mode,
+    /// `every` in `faults`.
+    Every,
+    Mission,
+    Curve,
+    Limits,
+    Plan,
+    /// A block that could not be made out: anything may stand in it.
+    Unknown,
+}
+
+/// What a statement is, as far as its place is concerned.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Use,
+    Let,
+    Field,
+    Block(Place),
+    Every,
+    Fault,
+    RotorAt,
+    Curve,
+    /// `start`, `end`, `waypoint`, `waypoints`, `hold`
+    Flight,
+    Limit,
+}
+
+/// The braced blocks: keyword, whether it has a name, the block around it.
+const BLOCKS: &[(&str, Place, bool, Place)] = &[
+    ("vehicle", Place::Vehicle, true, Place::Top),
+    ("faults", Place::Faults, false, Place::Top),
+    ("mission", Place::Mission, true, Place::Top),
+    ("plan", Place::Plan, false, Place::Top),
+    ("rotor", Place::Rotor, false, Place::Vehicle),
+    ("rotors", Place::Rotors, false, Place::Vehicle),
+    ("mode", Place::Mode, true, Place::Faults),
+    ("limits", Place::Limits, false, Place::Mission),
+];
+
+/// The words that begin a statement in each place, fields aside.
+const OPENERS: &[(Place, &[&str])] = &[
+    (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan"]),
+    (Place::Vehicle, &["rotor", "rotors"]),
+    (Place::Rotors, &["rotor"]),
+    (Place::Faults, &["every", "mode"]),
+    (Place::Mode, &["rotor", "rotors"]),
+    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits"]),
+];
+
+impl Place {
+    /// The block that `keyword` opens.
+    pub fn of_block(keyword: &str) -> Option<Place> {
+        BLOCKS.iter().find(|b| b.0 == keyword).map(|b| b.1)
+    }
+
+    /// Whether the block has a name of its own.
+    pub fn is_named(self) -> bool {
+        BLOCKS.iter().any(|b| b.1 == self && b.2)
+    }
+
+    /// As one says it: "in a `mission`".
+    pub fn phrase(self) -> &'static str {
+        match self {
+            Place::Top => "at the top level",
+            Place::Vehicle => "in a `vehicle`",
+            Place::Rotor => "in a `rotor` block",
+            Place::Rotors => "in a `rotors` block",
+            Place::Faults => "in `faults`",
+            Place::Mode => "in a `mode`",
+            Place::Every => "in an `every` block",
+            Place::Mission => "in a `mission`",
+            Place::Curve => "in a `curve`",
+            Place::Limits => "in `limits`",
+            Place::Plan => "in a `plan`",
+            Place::Unknown => "in this block",
+        }
+    }
+
+    /// The words that may begin a statement here.
+    pub fn openers(self) -> &'static [&'static str] {
+        OPENERS.iter().find(|o| o.0 == self).map_or(&[], |o| o.1)
+    }
+
+    /// The opening word that `word` was probably meant to be: one that fits here if any does.
+    pub fn meant(self, word: &str) -> Option<&'static str> {
+        let all = || OPENERS.iter().flat_map(|o| o.1.iter().copied());
+        nearest(word, self.openers().iter().copied()).or_else(|| nearest(word, all()))
+    }
+}
+
+impl Kind {
+    /// Where such a statement belongs; `None` where the place decides nothing.
+    pub fn home(self) -> Option<Place> {
+        match self {
+            Kind::Field => None,
+            Kind::Use | Kind::Let => Some(Place::Top),
+            Kind::Block(block) => BLOCKS.iter().find(|b| b.1 == block).map(|b| b.3),
+            Kind::Every => Some(Place::Faults),
+            Kind::Fault => Some(Place::Mode),
+            Kind::RotorAt => Some(Place::Rotors),
+            Kind::Curve | Kind::Flight => Some(Place::Mission),
+            Kind::Limit => Some(Place::Limits),
+        }
+    }
+
+    pub fn fits(self, place: Place) -> bool {
+        place == Place::Unknown || self.home().is_none_or(|home| home == place)
+    }
+}
