@@ -37,14 +37,24 @@ pub const MAX_ERRORS: usize = 200;
 pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
     let bytes = source.text.len();
     if bytes > MAX_FILE_BYTES {
-        let message = format!("`{}` has {bytes} bytes; a spec has at most {MAX_FILE_BYTES}", source.name);
-        let diagnostic = Diagnostic::error("mavc::syntax::file_size", Span::new(file, 0, 0), message)
-            .help("spread the spec over several files and bring them together with `use`");
-        return Checked { value: None, diagnostics: vec![diagnostic] };
+        let message = format!(
+            "`{}` has {bytes} bytes; a spec has at most {MAX_FILE_BYTES}",
+            source.name
+        );
+        let diagnostic =
+            Diagnostic::error("mavc::syntax::file_size", Span::new(file, 0, 0), message)
+                .help("spread the spec over several files and bring them together with `use`");
+        return Checked {
+            value: None,
+            diagnostics: vec![diagnostic],
+        };
     }
     let layout = layout::lay_out(file, &source.text);
     if layout.too_much {
-        return Checked { value: None, diagnostics: layout.diagnostics };
+        return Checked {
+            value: None,
+            diagnostics: layout.diagnostics,
+        };
     }
     let (value, mut diagnostics) = build::build(file, layout);
     crate::diagnostic::sort(&mut diagnostics);
@@ -54,8 +64,14 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
         diagnostics.push(Diagnostic::error(
             "mavc::syntax::too_many",
             end,
-            format!("`{}` has more than {MAX_ERRORS} errors; the others are not shown", source.name),
+            format!(
+                "`{}` has more than {MAX_ERRORS} errors; the others are not shown",
+                source.name
+            ),
         ));
     }
-    Checked { value: Some(value), diagnostics }
+    Checked {
+        value: Some(value),
+        diagnostics,
+    }
 }

@@ -7,7 +7,11 @@ pub fn number(x: f64) -> String {
         return "NaN".into();
     }
     if x.is_infinite() {
-        return if x > 0.0 { "infinity".into() } else { "-infinity".into() };
+        return if x > 0.0 {
+            "infinity".into()
+        } else {
+            "-infinity".into()
+        };
     }
     if x == 0.0 {
         return "0".into();
@@ -24,7 +28,11 @@ pub fn number(x: f64) -> String {
 }
 
 fn trim(digits: &str) -> &str {
-    if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits }
+    if digits.contains('.') {
+        digits.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        digits
+    }
 }
 
 #[cfg(test)]

@@ -38,7 +38,11 @@ pub struct Field {
 pub enum FieldValue {
     Expr(Expr),
     /// `where rpn >= 100` (in `against`)
-    Where { field: Name, relation: Spanned<Relation>, value: Expr },
+    Where {
+        field: Name,
+        relation: Spanned<Relation>,
+        value: Expr,
+    },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,25 +74,56 @@ pub enum Statement {
     /// A nested block: `rotor { }`, `rotors { }`, `limits { }`, `mode M "title" { }`.
     Block(Block),
     /// `every 2 rotors lost as M { .. }`
-    Every { count: Expr, effect: Effect, prefix: Name, body: Vec<Statement>, doc: Option<String>, span: Span },
+    Every {
+        count: Expr,
+        effect: Effect,
+        prefix: Name,
+        body: Vec<Statement>,
+        doc: Option<String>,
+        span: Span,
+    },
     /// In a mode: `rotors [1, 6] lost`, `rotor 3 reduced to 60 %`, `rotor 2 stuck at 50 %`.
-    Fault { rotors: Expr, effect: Effect, span: Span },
+    Fault {
+        rotors: Expr,
+        effect: Effect,
+        span: Span,
+    },
     /// In a vehicle's `rotors` block: `rotor at [..] m spin P max_speed 700 rad/s`.
     Rotor(Clauses),
     /// `curve s in 0 .. 4*pi, points = 21 { x = .. }`
-    Curve { parameter: Name, range: Expr, options: Vec<Field>, body: Vec<Statement>, doc: Option<String>, span: Span },
+    Curve {
+        parameter: Name,
+        range: Expr,
+        options: Vec<Field>,
+        body: Vec<Statement>,
+        doc: Option<String>,
+        span: Span,
+    },
     /// `start at [..] m yaw 90 deg`
     Start(Clauses),
     /// `waypoint tower at [..] m yaw 45 deg within 10 cm weight 2 time 30 s`
     Waypoint(Clauses),
     /// `start moving` / `end moving`
-    Moving { end: Spanned<bool>, span: Span },
+    Moving {
+        end: Spanned<bool>,
+        span: Span,
+    },
     /// `hold 4 s`
-    Hold { duration: Expr, span: Span },
+    Hold {
+        duration: Expr,
+        span: Span,
+    },
     /// `waypoints from "survey.csv"`
-    WaypointsFrom { path: Spanned<String>, span: Span },
+    WaypointsFrom {
+        path: Spanned<String>,
+        span: Span,
+    },
     /// In `limits`: `speed <= 8 m/s`, `altitude in 1 m .. 30 m`.
-    Limit { name: Name, relation: LimitRelation, span: Span },
+    Limit {
+        name: Name,
+        relation: LimitRelation,
+        span: Span,
+    },
     /// As [`Item::Broken`]: a block that holds one may lack what it seems to lack.
     Broken(Span),
 }
@@ -137,19 +172,39 @@ pub type UnitText = Spanned<String>;
 #[derive(Debug, Clone, PartialEq)]
 pub enum ExprKind {
     /// A finite number and the unit that follows it. The text is kept for printing back.
-    Number { value: f64, text: String, unit: Option<UnitText> },
+    Number {
+        value: f64,
+        text: String,
+        unit: Option<UnitText>,
+    },
     Text(String),
     Name(String),
     /// `f(a, b)`
-    Call { function: Name, arguments: Vec<Expr> },
+    Call {
+        function: Name,
+        arguments: Vec<Expr>,
+    },
     Negate(Box<Expr>),
-    Binary { operator: Spanned<Operator>, left: Box<Expr>, right: Box<Expr> },
+    Binary {
+        operator: Spanned<Operator>,
+        left: Box<Expr>,
+        right: Box<Expr>,
+    },
     /// `(a + b) m`: the unit applies to what stands inside. A call with a unit, `cos(s) m`, is one of these too.
-    Paren { inner: Box<Expr>, unit: Option<UnitText> },
+    Paren {
+        inner: Box<Expr>,
+        unit: Option<UnitText>,
+    },
     /// `[a, b, c] m`
-    List { elements: Vec<Expr>, unit: Option<UnitText> },
+    List {
+        elements: Vec<Expr>,
+        unit: Option<UnitText>,
+    },
     /// `a .. b`
-    Range { low: Box<Expr>, high: Box<Expr> },
+    Range {
+        low: Box<Expr>,
+        high: Box<Expr>,
+    },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -24,19 +24,35 @@ const MAX_CALLS: usize = 200_000_000;
 
 pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>) {
     pest::set_call_limit(std::num::NonZeroUsize::new(MAX_CALLS));
-    let Layout { text, docs, diagnostics, blocks_unsure, .. } = layout;
+    let Layout {
+        text,
+        docs,
+        diagnostics,
+        blocks_unsure,
+        ..
+    } = layout;
     let starts = diagnostics.iter().map(|d| d.span.start).collect();
-    let mut builder =
-        Builder { file, text: &text, docs: docs.into_iter().peekable(), diagnostics, settled: starts, blocks_unsure };
+    let mut builder = Builder {
+        file,
+        text: &text,
+        docs: docs.into_iter().peekable(),
+        diagnostics,
+        settled: starts,
+        blocks_unsure,
+    };
     builder.settled.sort_unstable();
     let items = match Grammar::parse(Rule::file, &text) {
         Ok(mut pairs) => builder.file(pairs.next().expect("`file` gives one pair")),
         Err(error) => {
             let at = Span::new(file, expected::position(&error), text.len());
             builder.diagnostics.push(
-                Diagnostic::error("mavc::syntax::unexpected", at, "the text cannot be read from here on")
-                    .here("here")
-                    .help("split the statement"),
+                Diagnostic::error(
+                    "mavc::syntax::unexpected",
+                    at,
+                    "the text cannot be read from here on",
+                )
+                .here("here")
+                .help("split the statement"),
             );
             vec![Item::Broken(at)]
         }
@@ -87,7 +103,12 @@ impl Builder<'_> {
     }
 
     /// Every statement of a body, each wrapped for the list it goes into.
-    fn statements<T>(&mut self, body: Pair<Rule>, place: Place, wrap: fn(Any, Span) -> T) -> Vec<T> {
+    fn statements<T>(
+        &mut self,
+        body: Pair<Rule>,
+        place: Place,
+        wrap: fn(Any, Span) -> T,
+    ) -> Vec<T> {
         let mut end_of_block = None;
         let mut list = Vec::new();
         for pair in body.into_inner() {
@@ -95,12 +116,15 @@ impl Builder<'_> {
             if let Some(end) = end_of_block {
                 self.expect_separator(end, span.start as usize);
             }
-            end_of_block = matches!(pair.as_rule(), Rule::block | Rule::broken).then_some(span.end as usize);
+            end_of_block =
+                matches!(pair.as_rule(), Rule::block | Rule::broken).then_some(span.end as usize);
             let doc = self.doc(span.start);
-            let any = self.statement(pair, place, doc).unwrap_or_else(|diagnostic| {
-                self.diagnostics.push(*diagnostic);
-                Any::Statement(Statement::Broken(span))
-            });
+            let any = self
+                .statement(pair, place, doc)
+                .unwrap_or_else(|diagnostic| {
+                    self.diagnostics.push(*diagnostic);
+                    Any::Statement(Statement::Broken(span))
+                });
             list.push(wrap(any, span));
         }
         list
@@ -121,7 +145,10 @@ impl Builder<'_> {
     fn simple(&self, pair: Pair<Rule>, doc: Option<String>) -> Built<(Any, Kind)> {
         let span = self.span(&pair);
         let rule = pair.as_rule();
-        let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
+        let mut parts = Parts {
+            file: self.file,
+            pairs: pair.into_inner(),
+        };
         let (statement, kind) = match rule {
             Rule::import => {
                 parts.skip(Rule::kw_use);
@@ -141,12 +168,24 @@ impl Builder<'_> {
             Rule::moving => (parts.moving(span), Kind::Flight),
             Rule::hold => {
                 parts.skip(Rule::kw_hold);
-                (Statement::Hold { duration: parts.expr()?, span }, Kind::Flight)
+                (
+                    Statement::Hold {
+                        duration: parts.expr()?,
+                        span,
+                    },
+                    Kind::Flight,
+                )
             }
             _ => {
                 parts.skip(Rule::kw_waypoints);
                 parts.skip(Rule::kw_from);
-                (Statement::WaypointsFrom { path: parts.text(), span }, Kind::Flight)
+                (
+                    Statement::WaypointsFrom {
+                        path: parts.text(),
+                        span,
+                    },
+                    Kind::Flight,
+                )
             }
         };
         Ok((Any::Statement(statement), kind))
@@ -156,9 +195,14 @@ impl Builder<'_> {
         let span = self.span(&pair);
         let mut inner = pair.into_inner();
         let head = inner.next().expect("a block has a head");
-        let body = inner.find(|p| p.as_rule() == Rule::body).expect("a block has a body");
+        let body = inner
+            .find(|p| p.as_rule() == Rule::body)
+            .expect("a block has a body");
         let rule = head.as_rule();
-        let mut parts = Parts { file: self.file, pairs: head.clone().into_inner() };
+        let mut parts = Parts {
+            file: self.file,
+            pairs: head.clone().into_inner(),
+        };
         let (kind, around) = match rule {
             Rule::every_head => (Kind::Every, Place::Every),
             Rule::curve_head => (Kind::Curve, Place::Curve),
@@ -173,14 +217,18 @@ impl Builder<'_> {
         let made = match rule {
             Rule::every_head => parts.every(span, doc),
             Rule::curve_head => parts.curve(span, doc),
-            _ => parts.block(span, doc).and_then(|block| mistake::check_head(block, around)),
+            _ => parts
+                .block(span, doc)
+                .and_then(|block| mistake::check_head(block, around)),
         };
         let fits = self.check_place(kind, place, &head);
         let statements = self.body(body, around);
         fits?;
         let mut statement = made?;
         match &mut statement {
-            Statement::Block(Block { body, .. }) | Statement::Every { body, .. } | Statement::Curve { body, .. } => {
+            Statement::Block(Block { body, .. })
+            | Statement::Every { body, .. }
+            | Statement::Curve { body, .. } => {
                 *body = statements;
             }
             _ => {}
@@ -190,9 +238,14 @@ impl Builder<'_> {
 
     /// The block that a head opens; one that is misspelt is reported and taken as the one meant.
     fn block_kind(&mut self, head: &Pair<Rule>, place: Place) -> Option<Place> {
-        let keyword = head.clone().into_inner().next().expect("a head has a keyword");
+        let keyword = head
+            .clone()
+            .into_inner()
+            .next()
+            .expect("a head has a keyword");
         Place::of_block(keyword.as_str()).or_else(|| {
-            let (diagnostic, meant) = mistake::unknown_block(keyword.as_str(), self.span(&keyword), place);
+            let (diagnostic, meant) =
+                mistake::unknown_block(keyword.as_str(), self.span(&keyword), place);
             self.diagnostics.push(diagnostic);
             meant
         })
@@ -201,15 +254,22 @@ impl Builder<'_> {
     /// Something between separators that is no statement: reported once, then what it encloses is read.
     fn broken(&mut self, pair: Pair<Rule>, place: Place) -> Statement {
         let span = self.span(&pair);
-        let mut head = Span { end: span.start, ..span };
+        let mut head = Span {
+            end: span.start,
+            ..span
+        };
         let mut has_body = false;
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::broken_text => head = Span::new(self.file, span.start as usize, part.as_span().end()),
+                Rule::broken_text => {
+                    head = Span::new(self.file, span.start as usize, part.as_span().end())
+                }
                 Rule::lbrace => has_body = true,
                 Rule::body => {
                     self.explain(head, place, true);
-                    let word = self.text[head.start as usize..].split(|c: char| !c.is_ascii_alphanumeric()).next();
+                    let word = self.text[head.start as usize..]
+                        .split(|c: char| !c.is_ascii_alphanumeric())
+                        .next();
                     let inside = word.and_then(Place::of_block).unwrap_or(Place::Unknown);
                     self.body(part, inside);
                 }
@@ -226,12 +286,23 @@ impl Builder<'_> {
         let text = self.text[head.start as usize..head.end as usize].trim_end();
         let end = head.start as usize + text.len();
         let first = self.settled.partition_point(|&s| s < head.start);
-        if self.settled.get(first).is_some_and(|&s| s as usize <= end.max(head.start as usize)) {
+        if self
+            .settled
+            .get(first)
+            .is_some_and(|&s| s as usize <= end.max(head.start as usize))
+        {
             return;
         }
         let failure = expected::failure(text, place, has_body);
-        let statement = mistake::Broken { file: self.file, text, start: head.start as usize, place, has_body };
-        self.diagnostics.push(mistake::explain(&statement, &failure));
+        let statement = mistake::Broken {
+            file: self.file,
+            text,
+            start: head.start as usize,
+            place,
+            has_body,
+        };
+        self.diagnostics
+            .push(mistake::explain(&statement, &failure));
     }
 
     fn check_place(&self, kind: Kind, place: Place, pair: &Pair<Rule>) -> Built<()> {
@@ -240,8 +311,14 @@ impl Builder<'_> {
         }
         let span = self.span(pair);
         let text = pair.as_str().trim_end();
-        let word = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).next().unwrap_or(text);
-        let span = Span { end: span.start + word.len() as u32, ..span };
+        let word = text
+            .split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+            .next()
+            .unwrap_or(text);
+        let span = Span {
+            end: span.start + word.len() as u32,
+            ..span
+        };
         Err(Box::new(mistake::misplaced(kind, place, word, span)))
     }
 
@@ -249,10 +326,20 @@ impl Builder<'_> {
         if !self.text[end..start].contains(['\n', ';', '\u{4}']) {
             let span = Span::new(self.file, start, start + 1);
             self.diagnostics.push(
-                Diagnostic::error("mavc::syntax::separator", span, "a new line or `;` must follow a block's `}`")
-                    .here("the next statement begins on the same line")
-                    .help("start a new line here")
-                    .fix(Span { end: span.start, ..span }, "\n"),
+                Diagnostic::error(
+                    "mavc::syntax::separator",
+                    span,
+                    "a new line or `;` must follow a block's `}`",
+                )
+                .here("the next statement begins on the same line")
+                .help("start a new line here")
+                .fix(
+                    Span {
+                        end: span.start,
+                        ..span
+                    },
+                    "\n",
+                ),
             );
         }
     }
@@ -270,9 +357,13 @@ impl Builder<'_> {
     fn drop_docs(&mut self, end: usize) {
         while let Some(doc) = self.docs.next_if(|d| (d.span.start as usize) < end) {
             self.diagnostics.push(
-                Diagnostic::warning("mavc::syntax::dangling_doc", doc.span, "this `///` comment documents nothing")
-                    .here("no statement follows it")
-                    .help("write `//` for a comment that belongs to no statement"),
+                Diagnostic::warning(
+                    "mavc::syntax::dangling_doc",
+                    doc.span,
+                    "this `///` comment documents nothing",
+                )
+                .here("no statement follows it")
+                .help("write `//` for a comment that belongs to no statement"),
             );
         }
     }
@@ -295,12 +386,18 @@ struct Parts<'i> {
 
 impl<'i> Parts<'i> {
     fn next(&mut self) -> Pair<'i, Rule> {
-        self.pairs.next().expect("the grammar gives every part of a statement")
+        self.pairs
+            .next()
+            .expect("the grammar gives every part of a statement")
     }
 
     /// Takes the next pair if it is of this rule.
     fn take(&mut self, rule: Rule) -> Option<Pair<'i, Rule>> {
-        if self.pairs.peek().is_some_and(|p| p.as_rule() == rule) { self.pairs.next() } else { None }
+        if self.pairs.peek().is_some_and(|p| p.as_rule() == rule) {
+            self.pairs.next()
+        } else {
+            None
+        }
     }
 
     fn skip(&mut self, rule: Rule) {
@@ -325,10 +422,19 @@ impl<'i> Parts<'i> {
         let name = self.name();
         self.skip(Rule::equals);
         let value = match self.take(Rule::filter) {
-            Some(filter) => Parts { file: self.file, pairs: filter.into_inner() }.filter()?,
+            Some(filter) => Parts {
+                file: self.file,
+                pairs: filter.into_inner(),
+            }
+            .filter()?,
             None => FieldValue::Expr(self.expr()?),
         };
-        Ok(Field { name, value, doc, span })
+        Ok(Field {
+            name,
+            value,
+            doc,
+            span,
+        })
     }
 
     fn filter(&mut self) -> Built<FieldValue> {
@@ -343,7 +449,11 @@ impl<'i> Parts<'i> {
             _ => Relation::Equal,
         };
         let relation = Spanned::new(meaning, span_of(self.file, &relation));
-        Ok(FieldValue::Where { field, relation, value: self.expr()? })
+        Ok(FieldValue::Where {
+            field,
+            relation,
+            value: self.expr()?,
+        })
     }
 
     fn limit(&mut self, span: Span) -> Built<Statement> {
@@ -353,12 +463,20 @@ impl<'i> Parts<'i> {
             Rule::at_least => LimitRelation::AtLeast(self.expr()?),
             _ => LimitRelation::In(self.expr()?),
         };
-        Ok(Statement::Limit { name, relation, span })
+        Ok(Statement::Limit {
+            name,
+            relation,
+            span,
+        })
     }
 
     fn fault(&mut self, span: Span) -> Built<Statement> {
         self.next();
-        Ok(Statement::Fault { rotors: self.expr()?, effect: self.effect()?, span })
+        Ok(Statement::Fault {
+            rotors: self.expr()?,
+            effect: self.effect()?,
+            span,
+        })
     }
 
     fn effect(&mut self) -> Built<Effect> {
@@ -367,9 +485,16 @@ impl<'i> Parts<'i> {
         if rule == Rule::kw_lost {
             return Ok(Effect::Lost(span_of(self.file, &pair)));
         }
-        let value = pair.into_inner().find(|p| p.as_rule() == Rule::expr).expect("`to` and `at` have values");
+        let value = pair
+            .into_inner()
+            .find(|p| p.as_rule() == Rule::expr)
+            .expect("`to` and `at` have values");
         let value = expression::expr(self.file, value)?;
-        Ok(if rule == Rule::reduced { Effect::Reduced(value) } else { Effect::Stuck(value) })
+        Ok(if rule == Rule::reduced {
+            Effect::Reduced(value)
+        } else {
+            Effect::Stuck(value)
+        })
     }
 
     fn every(&mut self, span: Span, doc: Option<String>) -> Built<Statement> {
@@ -378,7 +503,14 @@ impl<'i> Parts<'i> {
         self.next();
         let effect = self.effect()?;
         self.skip(Rule::kw_as);
-        Ok(Statement::Every { count, effect, prefix: self.name(), body: Vec::new(), doc, span })
+        Ok(Statement::Every {
+            count,
+            effect,
+            prefix: self.name(),
+            body: Vec::new(),
+            doc,
+            span,
+        })
     }
 
     fn curve(&mut self, span: Span, doc: Option<String>) -> Built<Statement> {
@@ -390,28 +522,65 @@ impl<'i> Parts<'i> {
         while let Some(pair) = self.pairs.next() {
             if pair.as_rule() == Rule::field {
                 let span = span_of(self.file, &pair);
-                options.push(Parts { file: self.file, pairs: pair.into_inner() }.field(span, None)?);
+                options.push(
+                    Parts {
+                        file: self.file,
+                        pairs: pair.into_inner(),
+                    }
+                    .field(span, None)?,
+                );
             }
         }
-        Ok(Statement::Curve { parameter, range, options, body: Vec::new(), doc, span })
+        Ok(Statement::Curve {
+            parameter,
+            range,
+            options,
+            body: Vec::new(),
+            doc,
+            span,
+        })
     }
 
     fn block(&mut self, span: Span, doc: Option<String>) -> Built<Block> {
         let keyword = self.name();
-        let name = self.take(Rule::name).map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
-        let title = self.take(Rule::text).map(|p| Spanned::new(unquote(p.as_str()), span_of(self.file, &p)));
-        Ok(Block { keyword, name, title, body: Vec::new(), doc, span })
+        let name = self
+            .take(Rule::name)
+            .map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
+        let title = self
+            .take(Rule::text)
+            .map(|p| Spanned::new(unquote(p.as_str()), span_of(self.file, &p)));
+        Ok(Block {
+            keyword,
+            name,
+            title,
+            body: Vec::new(),
+            doc,
+            span,
+        })
     }
 
     fn clauses(&mut self, span: Span, doc: Option<String>) -> Built<Clauses> {
         self.next();
-        let name = self.take(Rule::name).map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
+        let name = self
+            .take(Rule::name)
+            .map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
         let mut clauses = Vec::new();
         while let Some(pair) = self.pairs.next() {
-            let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
-            clauses.push(Clause { word: parts.name(), value: parts.expr()? });
+            let mut parts = Parts {
+                file: self.file,
+                pairs: pair.into_inner(),
+            };
+            clauses.push(Clause {
+                word: parts.name(),
+                value: parts.expr()?,
+            });
         }
-        Ok(Clauses { name, clauses, doc, span })
+        Ok(Clauses {
+            name,
+            clauses,
+            doc,
+            span,
+        })
     }
 
     fn moving(&mut self, span: Span) -> Statement {

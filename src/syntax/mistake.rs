@@ -43,13 +43,20 @@ pub(super) struct Broken<'a> {
 pub(super) fn explain(statement: &Broken, failure: &Failure) -> Diagnostic {
     let at = statement.start + failure.at;
     let span = Span::new(statement.file, at, at + 1);
-    Diagnostic::error("mavc::syntax::unexpected", span, format!("expected {:?}", failure.expected))
+    Diagnostic::error(
+        "mavc::syntax::unexpected",
+        span,
+        format!("expected {:?}", failure.expected),
+    )
 }
 
 pub(super) fn unknown_block(word: &str, span: Span, place: Place) -> (Diagnostic, Option<Place>) {
     let meant = place.meant(word);
-    let diagnostic =
-        Diagnostic::error("mavc::syntax::unknown_statement", span, format!("no block is called `{word}`"));
+    let diagnostic = Diagnostic::error(
+        "mavc::syntax::unknown_statement",
+        span,
+        format!("no block is called `{word}`"),
+    );
     (diagnostic, meant.and_then(Place::of_block))
 }
 
@@ -60,5 +67,9 @@ pub(super) fn check_head(block: Block, kind: Place) -> Result<Statement, Box<Dia
 
 pub(super) fn misplaced(kind: Kind, place: Place, word: &str, span: Span) -> Diagnostic {
     let home = kind.home().map_or("elsewhere", Place::phrase);
-    Diagnostic::error("mavc::syntax::misplaced", span, format!("`{word}` stands {home}, not {}", place.phrase()))
+    Diagnostic::error(
+        "mavc::syntax::misplaced",
+        span,
+        format!("`{word}` stands {home}, not {}", place.phrase()),
+    )
 }

@@ -21,27 +21,54 @@ pub struct Mismatch {
 /// ```
 pub fn mismatch(expected: Dimension, found: Dimension) -> Mismatch {
     let missing = expected.over(found).unwrap_or(Dimension::PLAIN);
-    let rows = [("expected", expected), ("   found", found), (" missing", missing)];
-    let used: Vec<Base> =
-        Base::ALL.into_iter().filter(|&b| rows.iter().any(|(_, d)| !d.exponent(b).is_zero())).collect();
-    let width = |base: Base| rows.iter().map(|(_, d)| cell(*d, base).len()).max().unwrap_or(0);
+    let rows = [
+        ("expected", expected),
+        ("   found", found),
+        (" missing", missing),
+    ];
+    let used: Vec<Base> = Base::ALL
+        .into_iter()
+        .filter(|&b| rows.iter().any(|(_, d)| !d.exponent(b).is_zero()))
+        .collect();
+    let width = |base: Base| {
+        rows.iter()
+            .map(|(_, d)| cell(*d, base).len())
+            .max()
+            .unwrap_or(0)
+    };
     let line = |(name, dimension): &(&str, Dimension)| {
-        let cells: String = used.iter().map(|&b| format!("  {:<w$}", cell(*dimension, b), w = width(b))).collect();
-        let cells = if dimension.is_plain() { "  a plain number".to_string() } else { cells };
+        let cells: String = used
+            .iter()
+            .map(|&b| format!("  {:<w$}", cell(*dimension, b), w = width(b)))
+            .collect();
+        let cells = if dimension.is_plain() {
+            "  a plain number".to_string()
+        } else {
+            cells
+        };
         format!("{name}{}", cells.trim_end())
     };
     let table = rows.iter().map(line).collect::<Vec<_>>().join("\n");
-    Mismatch { table, action: action(missing) }
+    Mismatch {
+        table,
+        action: action(missing),
+    }
 }
 
 fn cell(dimension: Dimension, base: Base) -> String {
     let exponent = dimension.exponent(base);
-    if exponent.is_zero() { String::new() } else { power(base, exponent) }
+    if exponent.is_zero() {
+        String::new()
+    } else {
+        power(base, exponent)
+    }
 }
 
 fn action(missing: Dimension) -> String {
     let inverse = Dimension::PLAIN.over(missing).unwrap_or(missing);
-    let positive = Base::ALL.into_iter().any(|b| !missing.exponent(b).is_zero() && !missing.exponent(b).is_negative());
+    let positive = Base::ALL
+        .into_iter()
+        .any(|b| !missing.exponent(b).is_zero() && !missing.exponent(b).is_negative());
     match (missing.named(), inverse.named()) {
         (Some(_), _) if positive => format!("multiply by {}", missing.describe()),
         (_, Some(_)) => format!("divide by {}", inverse.describe()),
@@ -56,10 +83,16 @@ mod tests {
 
     #[test]
     fn factors_stand_under_each_other() {
-        let inertia = Dimension::MASS.times(Dimension::LENGTH).and_then(|d| d.times(Dimension::LENGTH)).unwrap();
+        let inertia = Dimension::MASS
+            .times(Dimension::LENGTH)
+            .and_then(|d| d.times(Dimension::LENGTH))
+            .unwrap();
         let found = Dimension::MASS.times(Dimension::LENGTH).unwrap();
         let told = mismatch(inertia, found);
-        assert_eq!(told.table, "expected  kg  m^2\n   found  kg  m\n missing      m");
+        assert_eq!(
+            told.table,
+            "expected  kg  m^2\n   found  kg  m\n missing      m"
+        );
         assert_eq!(told.action, "multiply by a length (m)");
         assert_eq!(mismatch(found, inertia).action, "divide by a length (m)");
     }

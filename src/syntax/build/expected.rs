@@ -16,20 +16,30 @@ pub(super) fn position(error: &Error<Rule>) -> usize {
 /// Reads one statement alone, by the rule it was probably meant to follow.
 pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Failure {
     let Err(error) = Grammar::parse(strict_rule(text, place, has_body), text) else {
-        return Failure { at: text.len(), expected: vec![Expected::End] };
+        return Failure {
+            at: text.len(),
+            expected: vec![Expected::End],
+        };
     };
     let mut expected: Vec<Expected> = match &error.variant {
-        ErrorVariant::ParsingError { positives, .. } => positives.iter().filter_map(|r| meaning(*r)).collect(),
+        ErrorVariant::ParsingError { positives, .. } => {
+            positives.iter().filter_map(|r| meaning(*r)).collect()
+        }
         ErrorVariant::CustomError { .. } => Vec::new(),
     };
     expected.sort();
     expected.dedup();
-    Failure { at: position(&error), expected }
+    Failure {
+        at: position(&error),
+        expected,
+    }
 }
 
 /// The rule for a statement's first word, here.
 fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
-    let word_end = text.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(text.len());
+    let word_end = text
+        .find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+        .unwrap_or(text.len());
     let rest = text[word_end..].trim_start();
     let is_field = rest.starts_with(['=', ':']);
     match &text[..word_end] {
@@ -53,9 +63,21 @@ fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
 
 fn meaning(rule: Rule) -> Option<Expected> {
     Some(match rule {
-        Rule::number | Rule::quantity | Rule::reference | Rule::call | Rule::paren | Rule::list | Rule::minus
-        | Rule::lparen | Rule::lbracket | Rule::expr | Rule::filter | Rule::kw_where => Expected::Value,
-        Rule::plus | Rule::dash | Rule::times | Rule::over | Rule::power | Rule::dots => Expected::Operator,
+        Rule::number
+        | Rule::quantity
+        | Rule::reference
+        | Rule::call
+        | Rule::paren
+        | Rule::list
+        | Rule::minus
+        | Rule::lparen
+        | Rule::lbracket
+        | Rule::expr
+        | Rule::filter
+        | Rule::kw_where => Expected::Value,
+        Rule::plus | Rule::dash | Rule::times | Rule::over | Rule::power | Rule::dots => {
+            Expected::Operator
+        }
         Rule::unit => Expected::Unit,
         Rule::equals => Expected::Equals,
         Rule::name => Expected::Name,

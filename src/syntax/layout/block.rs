@@ -18,7 +18,12 @@ impl Scanner<'_> {
     pub(super) fn open_block(&mut self, brace: usize) {
         self.close_brackets(brace);
         let head = self.statement.unwrap_or(brace);
-        self.blocks.push(OpenBlock { head, brace, line: self.line_start, indent: self.line_indent });
+        self.blocks.push(OpenBlock {
+            head,
+            brace,
+            line: self.line_start,
+            indent: self.line_indent,
+        });
         self.end_statement();
     }
 
@@ -42,7 +47,9 @@ impl Scanner<'_> {
     pub(super) fn close_blocks(&mut self, at: usize) {
         let open = std::mem::take(&mut self.blocks);
         let culprit = self.left_open.take().or(open.last().copied());
-        let Some(block) = culprit.filter(|_| !open.is_empty()) else { return };
+        let Some(block) = culprit.filter(|_| !open.is_empty()) else {
+            return;
+        };
         let name = self.head_text(block);
         let mut diagnostic = Diagnostic::error(
             "mavc::syntax::unclosed_block",
@@ -54,7 +61,8 @@ impl Scanner<'_> {
         let (word, _) = self.name_at(at);
         if !word.is_empty() {
             let start = self.skip_while(at, is_blank);
-            let message = format!("`{word}` stands at the top level, but a block is still open here");
+            let message =
+                format!("`{word}` stands at the top level, but a block is still open here");
             diagnostic = diagnostic.also(self.span(start, start + word.len()), message);
         }
         self.report(diagnostic);
@@ -63,8 +71,9 @@ impl Scanner<'_> {
 
     fn report_stray(&mut self, at: usize) {
         let span = self.span(at, at + 1);
-        let mut diagnostic = Diagnostic::error("mavc::syntax::stray_brace", span, "`}` closes nothing")
-            .here("no block is open here");
+        let mut diagnostic =
+            Diagnostic::error("mavc::syntax::stray_brace", span, "`}` closes nothing")
+                .here("no block is open here");
         if let Some((block, close)) = self.last_close {
             let message = format!("`{}` was closed here", self.head_text(block));
             diagnostic = diagnostic.also(self.span(close, close + 1), message);
