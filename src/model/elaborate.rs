@@ -163,6 +163,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
         .unwrap_or_default();
     let incomplete = modes.incomplete || vehicle.is_none();
     let flown = mission.and_then(|m| m.mission.as_ref());
+    let names_modes = draft.names_modes();
     let (plan, plan_defaults) = draft.finish(cx, &modes.modes, incomplete, flown, fallback);
     let plan_written = !blocks.plans.is_empty();
     if plan_written || mission.is_some() {
@@ -173,7 +174,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
         debug_assert!(!mission.name.is_empty());
         return None;
     }
-    if plan_written {
+    if names_modes {
         warn_unused_modes(cx, &modes, &plan.against);
     }
     Some(Model {

@@ -108,6 +108,12 @@ impl<'a> Draft<'a> {
         value
     }
 
+    /// Whether `against` names its modes one by one, so that those left out are left out by oversight, maybe.
+    pub fn names_modes(&self) -> bool {
+        self.against
+            .is_some_and(|field| matches!(field.value, FieldValue::Expr(_)))
+    }
+
     /// The name given for `vehicle` or `mission`.
     pub fn chosen(&self, cx: &mut Context<'a>, what: &str) -> Option<Spanned<&'a str>> {
         let expr = self.get(what)?;
