@@ -22,7 +22,12 @@ fn parse(text: &str) -> Vec<Diagnostic> {
                 "{d:?} splits a character"
             );
         }
-        assert!(!d.message.is_empty() && d.message.len() < 300, "{d:?}");
+        let texts = [&d.message, &d.label, d.help.as_ref().unwrap_or(&d.label)];
+        assert!(
+            !d.message.is_empty() && texts.iter().all(|t| t.len() < 300),
+            "{}",
+            d.code
+        );
         serde_json::from_str::<serde_json::Value>(&to_json_line(d, &sources)).unwrap();
     }
     assert_eq!(
