@@ -1,7 +1,7 @@
 //! Hostile texts: an error with a code, in bounded time and memory, never a panic.
 
 use mavc::diagnostic::{Diagnostic, render_human, render_short, to_json_line};
-use mavc::source::{Source, SourceMap};
+use mavc::source::{FileId, Source, SourceMap};
 use mavc::syntax::{MAX_ERRORS, MAX_FILE_BYTES, MAX_STATEMENTS, MAX_TOKENS};
 use proptest::prelude::*;
 
@@ -324,6 +324,12 @@ proptest! {
     #[test]
     fn mutated_specs_never_panic(text in mutated()) {
         parse(&text);
+        let read = |text: &str| mavc::syntax::parse(FileId(0), &Source::new("t.mav", text));
+        let checked = read(&text);
+        if !checked.has_errors() {
+            let printed = checked.value.unwrap().to_string();
+            prop_assert!(!read(&printed).has_errors(), "{}", printed);
+        }
     }
 
     #[test]

@@ -2,4 +2,5 @@
 mod codes;
 mod errors;
 mod hostile;
+mod render;
 mod syntax;
