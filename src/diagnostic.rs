@@ -2,9 +2,16 @@
 //!
 //! Stages up to the model return [`Checked`]: a value if one could be built, and every diagnostic.
 
+pub mod codes;
+mod json;
 mod nearest;
+mod short;
+mod terminal;
 
+pub use json::to_json_line;
 pub use nearest::nearest;
+pub use short::render_short;
+pub use terminal::render_human;
 
 use crate::source::{FileId, Span};
 

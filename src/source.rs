@@ -65,6 +65,17 @@ pub struct Source {
     line_starts: Vec<u32>,
 }
 
+/// A file that is not UTF-8 text.
+#[derive(Debug, Clone)]
+pub struct NotUtf8 {
+    /// The text up to a little past the break, U+FFFD in place of what is no UTF-8.
+    pub source: Source,
+    /// Bytes before the break (after a byte order mark).
+    pub offset: usize,
+    /// The byte that breaks it.
+    pub byte: u8,
+}
+
 /// A place as people count: 1-based line, 1-based column in Unicode scalars.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Place {
@@ -88,6 +99,37 @@ impl Source {
             text,
             line_starts,
         }
+    }
+
+    /// Reads a file's bytes as UTF-8; a byte order mark at the start is dropped.
+    ///
+    /// # Errors
+    /// [`NotUtf8`] says where the text breaks off and holds what can be shown of it.
+    pub fn from_bytes(name: impl Into<String>, bytes: &[u8]) -> Result<Self, NotUtf8> {
+        let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Ok(Source::new(name, text)),
+            Err(error) => {
+                let offset = error.valid_up_to();
+                let text = String::from_utf8_lossy(&bytes[..bytes.len().min(offset + 80)]);
+                Err(NotUtf8 {
+                    source: Source::new(name, text),
+                    offset,
+                    byte: bytes[offset],
+                })
+            }
+        }
+    }
+
+    /// Bytes of a 1-based line without its newline; beyond the last line, the empty end.
+    pub fn line(&self, line: usize) -> std::ops::Range<usize> {
+        let start = |l: usize| {
+            self.line_starts
+                .get(l)
+                .map_or(self.text.len(), |s| *s as usize)
+        };
+        let (from, to) = (start(line - 1), start(line));
+        from..from + self.text[from..to].trim_end_matches(['\r', '\n']).len()
     }
 
     /// 0-based line that holds byte `offset` (clamped to the text).
@@ -169,5 +211,31 @@ mod tests {
         assert_eq!(s.place(x), Place { line: 2, column: 3 });
         assert_eq!(s.place_utf16(x), (1, 3));
         assert_eq!(s.place(s.text.len()), Place { line: 3, column: 1 });
+    }
+
+    #[test]
+    fn bytes_are_utf8_or_say_where_they_are_not() {
+        assert_eq!(
+            Source::from_bytes("t", b"\xef\xbb\xbfplan").unwrap().text,
+            "plan"
+        );
+        let error = Source::from_bytes("t", b"let a\n = \xff\xfe 4").unwrap_err();
+        assert_eq!((error.offset, error.byte), (9, 0xff));
+        assert_eq!(
+            error.source.place(error.offset),
+            Place { line: 2, column: 4 }
+        );
+        // A character cut off at the end of the file.
+        assert_eq!(
+            Source::from_bytes("t", b"a \xe2\x82").unwrap_err().offset,
+            2
+        );
+    }
+
+    #[test]
+    fn lines_leave_out_their_end() {
+        let s = Source::new("t", "ab\r\ncd\n");
+        let text = |l| &s.text[s.line(l)];
+        assert_eq!((text(1), text(2), text(3), text(9)), ("ab", "cd", "", ""));
     }
 }

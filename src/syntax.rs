@@ -14,10 +14,11 @@ mod build;
 mod layout;
 mod mistake;
 mod place;
+mod print;
 
 use crate::diagnostic::{Checked, Diagnostic};
-use crate::source::{FileId, Source, Span};
-use ast::SpecFile;
+use crate::source::{FileId, NotUtf8, Source, Span};
+use ast::{FieldValue, SpecFile};
 
 /// Largest file, in bytes: 1 MiB.
 pub const MAX_FILE_BYTES: usize = 1 << 20;
@@ -73,5 +74,55 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
     Checked {
         value: Some(value),
         diagnostics,
+    }
+}
+
+/// The diagnostic for a file that is not text; `file` is where [`NotUtf8::source`] was added.
+pub fn not_utf8(file: FileId, error: &NotUtf8) -> Diagnostic {
+    let end = error.source.text[error.offset..]
+        .chars()
+        .next()
+        .map_or(0, char::len_utf8);
+    let message = format!(
+        "`{}` is no UTF-8 text: byte {} is {:#04x}",
+        error.source.name,
+        error.offset + 1,
+        error.byte
+    );
+    Diagnostic::error(
+        "mavc::syntax::encoding",
+        Span::new(file, error.offset, error.offset + end),
+        message,
+    )
+    .here("the text breaks off here")
+    .help("save the file as UTF-8")
+}
+
+/// Reads the value of one field, as it would stand after `name =`: for values that come from elsewhere than a file.
+pub fn parse_value(file: FileId, source: &Source) -> Checked<FieldValue> {
+    let layout = layout::lay_out(file, &source.text);
+    let mut diagnostics = layout.diagnostics;
+    if diagnostics.is_empty() {
+        match build::value(file, &layout.text) {
+            Ok(value) => {
+                return Checked {
+                    value: Some(value),
+                    diagnostics,
+                };
+            }
+            Err(diagnostic) => diagnostics.push(*diagnostic),
+        }
+    }
+    Checked {
+        value: None,
+        diagnostics,
+    }
+}
+
+/// Long words are cut where a message quotes them.
+fn cut(word: &str) -> String {
+    match word.char_indices().nth(40) {
+        Some((end, _)) => format!("{}..", &word[..end]),
+        None => word.to_string(),
     }
 }

@@ -2,7 +2,9 @@
 
 mod expected;
 mod expression;
+mod statement;
 
+use super::MAX_ERRORS;
 use super::ast::*;
 use super::layout::{Doc, Layout};
 use super::mistake;
@@ -10,7 +12,8 @@ use super::place::{Kind, Place};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span, Spanned};
 use pest::Parser;
-use pest::iterators::{Pair, Pairs};
+use pest::iterators::Pair;
+use statement::Parts;
 
 #[derive(pest_derive::Parser)]
 #[grammar = "grammar/mav.pest"]
@@ -39,6 +42,7 @@ pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>)
         diagnostics,
         settled: starts,
         blocks_unsure,
+        late_brace: None,
     };
     builder.settled.sort_unstable();
     let items = match Grammar::parse(Rule::file, &text) {
@@ -60,6 +64,36 @@ pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>)
     (SpecFile { file, items }, builder.diagnostics)
 }
 
+/// The value of a field, alone.
+pub(super) fn value(file: FileId, text: &str) -> Built<FieldValue> {
+    let text = text.trim_end();
+    let Ok(mut pairs) = Grammar::parse(Rule::strict_value, text) else {
+        let failure = expected::failure_of(Rule::strict_value, text);
+        let place = Place::Unknown;
+        let statement = mistake::Broken {
+            file,
+            text,
+            start: 0,
+            place,
+            has_body: false,
+            brace_below: false,
+        };
+        return Err(Box::new(mistake::explain_value(&statement, &failure)));
+    };
+    let pair = pairs
+        .next()
+        .and_then(|p| p.into_inner().next())
+        .expect("a value has one part");
+    match pair.as_rule() {
+        Rule::filter => Parts {
+            file,
+            pairs: pair.into_inner(),
+        }
+        .filter(),
+        _ => expression::expr(file, pair).map(FieldValue::Expr),
+    }
+}
+
 struct Builder<'a> {
     file: FileId,
     /// The laid-out text.
@@ -69,6 +103,8 @@ struct Builder<'a> {
     /// Where the layout has reported errors, ascending: a statement around one needs no second error.
     settled: Vec<u32>,
     blocks_unsure: bool,
+    /// A brace on the line after its head, and the block it opens: the head's error covers both.
+    late_brace: Option<(usize, Place)>,
 }
 
 /// What a statement turns out to be before its place is looked at.
@@ -114,7 +150,7 @@ impl Builder<'_> {
         for pair in body.into_inner() {
             let span = self.span(&pair);
             if let Some(end) = end_of_block {
-                self.expect_separator(end, span.start as usize);
+                self.expect_separator(end, span);
             }
             end_of_block =
                 matches!(pair.as_rule(), Rule::block | Rule::broken).then_some(span.end as usize);
@@ -254,53 +290,54 @@ impl Builder<'_> {
     /// Something between separators that is no statement: reported once, then what it encloses is read.
     fn broken(&mut self, pair: Pair<Rule>, place: Place) -> Statement {
         let span = self.span(&pair);
-        let mut head = Span {
-            end: span.start,
-            ..span
-        };
-        let mut has_body = false;
+        let (mut head, mut body) = ("", None);
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::broken_text => {
-                    head = Span::new(self.file, span.start as usize, part.as_span().end())
-                }
-                Rule::lbrace => has_body = true,
-                Rule::body => {
-                    self.explain(head, place, true);
-                    let word = self.text[head.start as usize..]
-                        .split(|c: char| !c.is_ascii_alphanumeric())
-                        .next();
-                    let inside = word.and_then(Place::of_block).unwrap_or(Place::Unknown);
-                    self.body(part, inside);
-                }
+                Rule::broken_text => head = part.as_str().trim_end(),
+                Rule::body => body = Some(part),
                 _ => {}
             }
         }
+        let start = span.start as usize;
+        let late = self.late_brace.take().filter(|(brace, _)| *brace == start);
+        let word = head
+            .split(|c: char| !c.is_ascii_alphanumeric())
+            .next()
+            .unwrap_or(head);
+        let inside = late
+            .map(|(_, inside)| inside)
+            .or(Place::of_head(word))
+            .unwrap_or(Place::Unknown);
+        let has_body = body.is_some();
         if !has_body {
-            self.explain(head, place, false);
+            let rest = self.text[start + head.len()..].trim_start();
+            self.late_brace = rest
+                .starts_with('{')
+                .then_some((self.text.len() - rest.len(), inside));
+        }
+        if late.is_none() {
+            let brace_below = self.late_brace.is_some();
+            self.explain(mistake::Broken {
+                file: self.file,
+                text: head,
+                start,
+                place,
+                has_body,
+                brace_below,
+            });
+        }
+        if let Some(body) = body {
+            self.body(body, inside);
         }
         Statement::Broken(span)
     }
 
-    fn explain(&mut self, head: Span, place: Place, has_body: bool) {
-        let text = self.text[head.start as usize..head.end as usize].trim_end();
-        let end = head.start as usize + text.len();
-        let first = self.settled.partition_point(|&s| s < head.start);
-        if self
-            .settled
-            .get(first)
-            .is_some_and(|&s| s as usize <= end.max(head.start as usize))
-        {
+    fn explain(&mut self, statement: mistake::Broken) {
+        let (start, end) = (statement.start, statement.start + statement.text.len());
+        if self.is_settled(start, end) || self.diagnostics.len() > MAX_ERRORS {
             return;
         }
-        let failure = expected::failure(text, place, has_body);
-        let statement = mistake::Broken {
-            file: self.file,
-            text,
-            start: head.start as usize,
-            place,
-            has_body,
-        };
+        let failure = expected::failure(statement.text, statement.place, statement.has_body);
         self.diagnostics
             .push(mistake::explain(&statement, &failure));
     }
@@ -322,26 +359,33 @@ impl Builder<'_> {
         Err(Box::new(mistake::misplaced(kind, place, word, span)))
     }
 
-    fn expect_separator(&mut self, end: usize, start: usize) {
-        if !self.text[end..start].contains(['\n', ';', '\u{4}']) {
-            let span = Span::new(self.file, start, start + 1);
-            self.diagnostics.push(
-                Diagnostic::error(
-                    "mavc::syntax::separator",
-                    span,
-                    "a new line or `;` must follow a block's `}`",
-                )
-                .here("the next statement begins on the same line")
-                .help("start a new line here")
-                .fix(
-                    Span {
-                        end: span.start,
-                        ..span
-                    },
-                    "\n",
-                ),
-            );
+    /// A block's end and the statement that starts at `next` need a new line or `;` between them.
+    fn expect_separator(&mut self, end: usize, next: Span) {
+        let start = next.start as usize;
+        if self.text[end..start].contains(['\n', ';', '\u{4}'])
+            || self.is_settled(start, next.end as usize)
+        {
+            return;
         }
+        let length = self.text[start..].chars().next().map_or(0, char::len_utf8);
+        self.diagnostics.push(
+            Diagnostic::error(
+                "mavc::syntax::separator",
+                Span::new(self.file, start, start + length),
+                "a new line or `;` must follow a block's `}`",
+            )
+            .here("the next statement begins on the same line")
+            .help("start a new line here")
+            .fix(Span::new(self.file, start, start), "\n"),
+        );
+        let at = self.settled.partition_point(|&s| s < next.start);
+        self.settled.insert(at, next.start);
+    }
+
+    /// Whether an error has been reported for the statement from `start` to `end`.
+    fn is_settled(&self, start: usize, end: usize) -> bool {
+        let first = self.settled.partition_point(|&s| (s as usize) < start);
+        self.settled.get(first).is_some_and(|&s| (s as usize) < end)
     }
 
     /// The `///` lines before a statement, joined.
@@ -373,221 +417,10 @@ impl Builder<'_> {
     }
 }
 
+/// Without the blanks that an absent optional part leaves at the end.
 fn span_of(file: FileId, pair: &Pair<Rule>) -> Span {
-    let span = pair.as_span();
-    Span::new(file, span.start(), span.end())
-}
-
-/// The parts of one statement, taken in the order the grammar gives them.
-struct Parts<'i> {
-    file: FileId,
-    pairs: Pairs<'i, Rule>,
-}
-
-impl<'i> Parts<'i> {
-    fn next(&mut self) -> Pair<'i, Rule> {
-        self.pairs
-            .next()
-            .expect("the grammar gives every part of a statement")
-    }
-
-    /// Takes the next pair if it is of this rule.
-    fn take(&mut self, rule: Rule) -> Option<Pair<'i, Rule>> {
-        if self.pairs.peek().is_some_and(|p| p.as_rule() == rule) {
-            self.pairs.next()
-        } else {
-            None
-        }
-    }
-
-    fn skip(&mut self, rule: Rule) {
-        self.take(rule);
-    }
-
-    fn name(&mut self) -> Name {
-        let pair = self.next();
-        Spanned::new(pair.as_str().to_string(), span_of(self.file, &pair))
-    }
-
-    fn text(&mut self) -> Spanned<String> {
-        let pair = self.next();
-        Spanned::new(unquote(pair.as_str()), span_of(self.file, &pair))
-    }
-
-    fn expr(&mut self) -> Built<Expr> {
-        expression::expr(self.file, self.next())
-    }
-
-    fn field(&mut self, span: Span, doc: Option<String>) -> Built<Field> {
-        let name = self.name();
-        self.skip(Rule::equals);
-        let value = match self.take(Rule::filter) {
-            Some(filter) => Parts {
-                file: self.file,
-                pairs: filter.into_inner(),
-            }
-            .filter()?,
-            None => FieldValue::Expr(self.expr()?),
-        };
-        Ok(Field {
-            name,
-            value,
-            doc,
-            span,
-        })
-    }
-
-    fn filter(&mut self) -> Built<FieldValue> {
-        self.skip(Rule::kw_where);
-        let field = self.name();
-        let relation = self.next();
-        let meaning = match relation.as_rule() {
-            Rule::less => Relation::Less,
-            Rule::at_most => Relation::LessEqual,
-            Rule::greater => Relation::Greater,
-            Rule::at_least => Relation::GreaterEqual,
-            _ => Relation::Equal,
-        };
-        let relation = Spanned::new(meaning, span_of(self.file, &relation));
-        Ok(FieldValue::Where {
-            field,
-            relation,
-            value: self.expr()?,
-        })
-    }
-
-    fn limit(&mut self, span: Span) -> Built<Statement> {
-        let name = self.name();
-        let relation = match self.next().as_rule() {
-            Rule::at_most => LimitRelation::AtMost(self.expr()?),
-            Rule::at_least => LimitRelation::AtLeast(self.expr()?),
-            _ => LimitRelation::In(self.expr()?),
-        };
-        Ok(Statement::Limit {
-            name,
-            relation,
-            span,
-        })
-    }
-
-    fn fault(&mut self, span: Span) -> Built<Statement> {
-        self.next();
-        Ok(Statement::Fault {
-            rotors: self.expr()?,
-            effect: self.effect()?,
-            span,
-        })
-    }
-
-    fn effect(&mut self) -> Built<Effect> {
-        let pair = self.next();
-        let rule = pair.as_rule();
-        if rule == Rule::kw_lost {
-            return Ok(Effect::Lost(span_of(self.file, &pair)));
-        }
-        let value = pair
-            .into_inner()
-            .find(|p| p.as_rule() == Rule::expr)
-            .expect("`to` and `at` have values");
-        let value = expression::expr(self.file, value)?;
-        Ok(if rule == Rule::reduced {
-            Effect::Reduced(value)
-        } else {
-            Effect::Stuck(value)
-        })
-    }
-
-    fn every(&mut self, span: Span, doc: Option<String>) -> Built<Statement> {
-        self.skip(Rule::kw_every);
-        let count = self.expr()?;
-        self.next();
-        let effect = self.effect()?;
-        self.skip(Rule::kw_as);
-        Ok(Statement::Every {
-            count,
-            effect,
-            prefix: self.name(),
-            body: Vec::new(),
-            doc,
-            span,
-        })
-    }
-
-    fn curve(&mut self, span: Span, doc: Option<String>) -> Built<Statement> {
-        self.skip(Rule::kw_curve);
-        let parameter = self.name();
-        self.skip(Rule::kw_in);
-        let range = self.expr()?;
-        let mut options = Vec::new();
-        while let Some(pair) = self.pairs.next() {
-            if pair.as_rule() == Rule::field {
-                let span = span_of(self.file, &pair);
-                options.push(
-                    Parts {
-                        file: self.file,
-                        pairs: pair.into_inner(),
-                    }
-                    .field(span, None)?,
-                );
-            }
-        }
-        Ok(Statement::Curve {
-            parameter,
-            range,
-            options,
-            body: Vec::new(),
-            doc,
-            span,
-        })
-    }
-
-    fn block(&mut self, span: Span, doc: Option<String>) -> Built<Block> {
-        let keyword = self.name();
-        let name = self
-            .take(Rule::name)
-            .map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
-        let title = self
-            .take(Rule::text)
-            .map(|p| Spanned::new(unquote(p.as_str()), span_of(self.file, &p)));
-        Ok(Block {
-            keyword,
-            name,
-            title,
-            body: Vec::new(),
-            doc,
-            span,
-        })
-    }
-
-    fn clauses(&mut self, span: Span, doc: Option<String>) -> Built<Clauses> {
-        self.next();
-        let name = self
-            .take(Rule::name)
-            .map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
-        let mut clauses = Vec::new();
-        while let Some(pair) = self.pairs.next() {
-            let mut parts = Parts {
-                file: self.file,
-                pairs: pair.into_inner(),
-            };
-            clauses.push(Clause {
-                word: parts.name(),
-                value: parts.expr()?,
-            });
-        }
-        Ok(Clauses {
-            name,
-            clauses,
-            doc,
-            span,
-        })
-    }
-
-    fn moving(&mut self, span: Span) -> Statement {
-        let word = self.next();
-        let end = Spanned::new(word.as_rule() == Rule::kw_end, span_of(self.file, &word));
-        Statement::Moving { end, span }
-    }
+    let start = pair.as_span().start();
+    Span::new(file, start, start + pair.as_str().trim_end().len())
 }
 
 fn unquote(text: &str) -> String {

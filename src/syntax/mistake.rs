@@ -1,11 +1,19 @@
 //! What is wrong with a statement that cannot be read, said in its author's terms.
+//!
+//! [`explain`] asks first whether the mistake is one that people often make (`habit`: other languages' marks, blanks
+//! in units, misspelt words); what is left is told by what was expected and what was found.
 
-use super::ast::{Block, Statement};
-use super::place::{Kind, Place};
+mod block;
+mod habit;
+
+pub(super) use block::{check_head, misplaced, unknown_block};
+
+use super::cut;
+use super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
 
-/// What could have stood where a statement fails.
+/// What could have stood where a statement fails, in the order it is told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Expected {
     Equals,
@@ -16,10 +24,10 @@ pub(super) enum Expected {
     Word(&'static str),
     Effect,
     Clause,
-    Closing(char),
-    Comma,
     Unit,
     Operator,
+    Comma,
+    Closing(char),
     End,
 }
 
@@ -27,6 +35,12 @@ pub(super) enum Expected {
 pub(super) struct Failure {
     pub at: usize,
     pub expected: Vec<Expected>,
+}
+
+impl Failure {
+    fn expects(&self, expected: Expected) -> bool {
+        self.expected.contains(&expected)
+    }
 }
 
 /// A statement that cannot be read.
@@ -38,38 +52,213 @@ pub(super) struct Broken<'a> {
     pub start: usize,
     pub place: Place,
     pub has_body: bool,
+    /// The next thing in the file is a `{`.
+    pub brace_below: bool,
 }
 
+impl Broken<'_> {
+    fn span(&self, from: usize, to: usize) -> Span {
+        Span::new(self.file, self.start + from, self.start + to)
+    }
+
+    /// The statement's first word; empty where it begins with something else.
+    fn word(&self) -> &str {
+        if self.text.starts_with(|c: char| c.is_ascii_digit()) {
+            ""
+        } else {
+            token(self.text, 0, is_name)
+        }
+    }
+
+    /// What stands at `at`: a word, a number, a text, or a run of marks that looks like one operator.
+    fn found(&self, at: usize) -> &str {
+        let rest = &self.text[at.min(self.text.len())..];
+        let Some(first) = rest.chars().next() else {
+            return "";
+        };
+        match first {
+            c if is_name(c) => {
+                token(self.text, at, |c| is_name(c) || c == '.').trim_end_matches('.')
+            }
+            '"' => rest[1..].find('"').map_or("\"", |i| &rest[..i + 2]),
+            c if "=<>:!&|".contains(c) => token(self.text, at, |c| "=<>:!&|".contains(c)),
+            '.' if rest.starts_with("..") => "..",
+            c => &rest[..c.len_utf8()],
+        }
+    }
+
+    /// The last word, text or mark before `at`, and where it starts.
+    fn before(&self, at: usize) -> (usize, &str) {
+        let text = self.text[..at].trim_end();
+        if let Some(quote) = text.strip_suffix('"').and_then(|t| t.rfind('"')) {
+            return (quote, &text[quote..]);
+        }
+        let word = text.rfind(|c: char| !is_name(c)).map_or(0, |i| {
+            i + text[i..].chars().next().map_or(1, char::len_utf8)
+        });
+        let start = if word < text.len() {
+            word
+        } else {
+            text.char_indices().next_back().map_or(0, |(i, _)| i)
+        };
+        (start, &text[start..])
+    }
+}
+
+/// One error for the statement.
 pub(super) fn explain(statement: &Broken, failure: &Failure) -> Diagnostic {
-    let at = statement.start + failure.at;
-    let span = Span::new(statement.file, at, at + 1);
-    Diagnostic::error(
-        "mavc::syntax::unexpected",
-        span,
-        format!("expected {:?}", failure.expected),
-    )
+    block::headless(statement)
+        .or_else(|| habit::recognise(statement, failure))
+        .unwrap_or_else(|| general(statement, failure))
 }
 
-pub(super) fn unknown_block(word: &str, span: Span, place: Place) -> (Diagnostic, Option<Place>) {
-    let meant = place.meant(word);
-    let diagnostic = Diagnostic::error(
-        "mavc::syntax::unknown_statement",
-        span,
-        format!("no block is called `{word}`"),
-    );
-    (diagnostic, meant.and_then(Place::of_block))
+/// One error for a value that stands alone.
+pub(super) fn explain_value(value: &Broken, failure: &Failure) -> Diagnostic {
+    habit::recognise_in_value(value, failure).unwrap_or_else(|| general(value, failure))
 }
 
-pub(super) fn check_head(block: Block, kind: Place) -> Result<Statement, Box<Diagnostic>> {
-    let _ = kind;
-    Ok(Statement::Block(block))
+/// By what was expected and what was found.
+fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
+    let found = statement.found(failure.at);
+    let (_, before) = statement.before(failure.at);
+    let after = if before.is_empty() {
+        String::new()
+    } else {
+        format!(" after `{}`", cut(before))
+    };
+    let wanted = list(&failure.expected, statement.has_body);
+    if found.is_empty() {
+        let at = statement.text.len();
+        let value_only = failure.expects(Expected::Value);
+        let (code, wanted) = match value_only {
+            true => ("mavc::syntax::missing_value", "a value".to_string()),
+            false => ("mavc::syntax::unexpected", wanted),
+        };
+        // The end of a line shows better under its last character than beyond it.
+        let from = statement
+            .text
+            .char_indices()
+            .next_back()
+            .map_or(0, |(i, _)| i);
+        let diagnostic = Diagnostic::error(
+            code,
+            statement.span(from, at),
+            format!("{wanted} is missing{after}"),
+        )
+        .here(format!("{wanted} must follow"));
+        return with_form(diagnostic, statement);
+    }
+    let span = statement.span(failure.at, failure.at + found.len());
+    let message = format!("expected {wanted}{after}, found `{}`", cut(found));
+    let only_end = failure
+        .expected
+        .iter()
+        .all(|e| matches!(e, Expected::End | Expected::Operator | Expected::Unit));
+    let diagnostic =
+        Diagnostic::error("mavc::syntax::unexpected", span, message).here("this does not fit here");
+    if only_end && !statement.has_body {
+        return diagnostic
+            .help("one statement stands on a line: begin a new line or write `;` between two");
+    }
+    with_form(diagnostic, statement)
 }
 
-pub(super) fn misplaced(kind: Kind, place: Place, word: &str, span: Span) -> Diagnostic {
-    let home = kind.home().map_or("elsewhere", Place::phrase);
-    Diagnostic::error(
-        "mavc::syntax::misplaced",
-        span,
-        format!("`{word}` stands {home}, not {}", place.phrase()),
-    )
+fn with_form(diagnostic: Diagnostic, statement: &Broken) -> Diagnostic {
+    let form = match form(statement.word(), statement.place) {
+        Some(FAULT) if statement.text.contains("reduced") => Some("rotor 3 reduced to 60 %"),
+        Some(FAULT) if statement.text.contains("stuck") => Some("rotor 2 stuck at 50 %"),
+        form => form,
+    };
+    match form {
+        Some(form) => diagnostic.help(format!("write it like `{form}`")),
+        None if diagnostic.code == "mavc::syntax::missing_value" => {
+            diagnostic.help("write the value, or remove the rest")
+        }
+        None => diagnostic,
+    }
+}
+
+const FAULT: &str = "rotors [1, 6] lost";
+
+/// An example of the statement that begins with `word`.
+fn form(word: &str, place: Place) -> Option<&'static str> {
+    Some(match word {
+        "use" => "use \"vehicles/octo.mav\"",
+        "let" => "let a = 4 m",
+        "vehicle" => "vehicle octo { .. }",
+        "mission" => "mission survey { .. }",
+        "faults" => "faults { .. }",
+        "plan" => "plan { .. }",
+        "every" => "every 1 rotor lost as M",
+        "mode" => "mode M1_6 \"left and right-rear\" { rotors [1, 6] lost }",
+        "curve" => "curve s in 0 .. 2*pi, points = 21 { .. }",
+        "start" => "start at [0, 0, 2] m  yaw 90 deg",
+        "end" => "end moving",
+        "waypoint" => "waypoint tower at [12, 3, 18] m  within 10 cm",
+        "waypoints" => "waypoints from \"survey.csv\"",
+        "hold" => "hold 4 s",
+        "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => {
+            "rotor at [0.2, 0.15, 0] m  spin P"
+        }
+        "rotor" | "rotors" => FAULT,
+        _ if place == Place::Limits => "speed <= 8 m/s",
+        _ => return None,
+    })
+}
+
+/// "`=`, a name or the end of the statement".
+fn list(expected: &[Expected], has_body: bool) -> String {
+    // That a value may also be a text, or go on, is worth saying only where nothing else is due.
+    let due = |e: &Expected| {
+        matches!(
+            e,
+            Expected::Word(_)
+                | Expected::Effect
+                | Expected::Clause
+                | Expected::Comma
+                | Expected::Closing(_)
+        )
+    };
+    let more_is_due = expected.iter().any(due);
+    let mut words: Vec<String> = expected
+        .iter()
+        .filter(|e| !(matches!(e, Expected::Text) && expected.contains(&Expected::Value)))
+        .filter(|e| !(matches!(e, Expected::Unit | Expected::Operator) && more_is_due))
+        .map(|e| phrase(*e, has_body))
+        .collect();
+    words.dedup();
+    match words.split_last() {
+        None => "something else".to_string(),
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+    }
+}
+
+fn phrase(expected: Expected, has_body: bool) -> String {
+    match expected {
+        Expected::Equals => "`=`".into(),
+        Expected::Relation => "`<=` or `>=`".into(),
+        Expected::Name => "a name".into(),
+        Expected::Text => "a text in double quotes".into(),
+        Expected::Value => "a value".into(),
+        Expected::Word(word) => format!("`{word}`"),
+        Expected::Effect => "`lost`, `reduced to` or `stuck at`".into(),
+        Expected::Clause => "a clause such as `at [0, 0, 2] m`".into(),
+        Expected::Unit => "a unit".into(),
+        Expected::Operator => "an operator".into(),
+        Expected::Comma => "`,`".into(),
+        Expected::Closing(bracket) => format!("`{bracket}`"),
+        Expected::End if has_body => "`{`".into(),
+        Expected::End => "the end of the statement".into(),
+    }
+}
+
+fn is_name(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}
+
+/// The run of accepted characters that starts at `at`.
+fn token(text: &str, at: usize, accept: impl Fn(char) -> bool) -> &str {
+    let rest = &text[at..];
+    &rest[..rest.find(|c: char| !accept(c)).unwrap_or(rest.len())]
 }

@@ -82,6 +82,20 @@ impl Place {
         BLOCKS.iter().find(|b| b.0 == keyword).map(|b| b.1)
     }
 
+    /// The block that a broken head was probably to open.
+    pub fn of_head(word: &str) -> Option<Place> {
+        match word {
+            "curve" => Some(Place::Curve),
+            "every" => Some(Place::Every),
+            _ => Place::of_block(word),
+        }
+    }
+
+    /// The keyword that opens this block, where it has a plain head.
+    pub fn keyword(self) -> Option<&'static str> {
+        BLOCKS.iter().find(|b| b.1 == self).map(|b| b.0)
+    }
+
     /// Whether the block has a name of its own.
     pub fn is_named(self) -> bool {
         BLOCKS.iter().any(|b| b.1 == self && b.2)
@@ -133,6 +147,10 @@ impl Kind {
     }
 
     pub fn fits(self, place: Place) -> bool {
-        place == Place::Unknown || self.home().is_none_or(|home| home == place)
+        match self {
+            _ if place == Place::Unknown => true,
+            Kind::Field => !matches!(place, Place::Limits | Place::Rotors),
+            _ => self.home() == Some(place),
+        }
     }
 }

@@ -15,7 +15,12 @@ pub(super) fn position(error: &Error<Rule>) -> usize {
 
 /// Reads one statement alone, by the rule it was probably meant to follow.
 pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Failure {
-    let Err(error) = Grammar::parse(strict_rule(text, place, has_body), text) else {
+    failure_of(strict_rule(text, place, has_body), text)
+}
+
+/// Where `text` fails to follow `rule`, which is a strict one.
+pub(super) fn failure_of(rule: Rule, text: &str) -> Failure {
+    let Err(error) = Grammar::parse(rule, text) else {
         return Failure {
             at: text.len(),
             expected: vec![Expected::End],
@@ -46,6 +51,7 @@ fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
         "every" if !is_field => Rule::strict_every,
         "curve" if !is_field => Rule::strict_curve,
         _ if has_body => Rule::strict_block,
+        _ if place == Place::Limits => Rule::strict_limit,
         _ if is_field => Rule::strict_field,
         "use" => Rule::strict_import,
         "let" => Rule::strict_binding,
@@ -56,7 +62,6 @@ fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
         "waypoints" => Rule::strict_survey,
         "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => Rule::strict_rotor,
         "rotor" | "rotors" => Rule::strict_fault,
-        _ if place == Place::Limits => Rule::strict_limit,
         _ => Rule::strict_field,
     }
 }

@@ -29,24 +29,24 @@ pub(super) fn expr(file: FileId, pair: Pair<Rule>) -> Built<Expr> {
 }
 
 fn tree(file: FileId, pair: Pair<Rule>) -> Built<Tree> {
-    let span = span_of(file, &pair);
     let pairs = pair.into_inner();
     // These are the ones that the precedence parser recurses on.
-    let nested = pairs
+    let mut nested = pairs
         .clone()
-        .filter(|p| matches!(p.as_rule(), Rule::minus | Rule::power))
-        .count();
-    if nested > MAX_EXPRESSION_DEPTH {
-        return Err(too_high(span));
+        .filter(|p| matches!(p.as_rule(), Rule::minus | Rule::power));
+    if let Some(one_too_many) = nested.nth(MAX_EXPRESSION_DEPTH) {
+        return Err(too_high(span_of(file, &one_too_many)));
     }
     PRECEDENCE
         .map_primary(|operand| self::operand(file, operand))
         .map_prefix(|sign, operand| {
             let operand = operand?;
-            let span = span_of(file, &sign).to(operand.expr.span);
+            let sign = span_of(file, &sign);
+            let span = sign.to(operand.expr.span);
             grow(
                 ExprKind::Negate(Box::new(operand.expr)),
                 span,
+                sign,
                 operand.height,
             )
         })
@@ -78,7 +78,7 @@ fn binary(left: Tree, place: Span, rule: Rule, right: Tree) -> Built<Tree> {
                 low: Box::new(left.expr),
                 high: Box::new(right.expr),
             };
-            return grow(kind, span, height);
+            return grow(kind, span, place, height);
         }
     };
     let operator = Spanned::new(operator, place);
@@ -89,6 +89,7 @@ fn binary(left: Tree, place: Span, rule: Rule, right: Tree) -> Built<Tree> {
             right: Box::new(right.expr),
         },
         span,
+        place,
         height,
     )
 }
@@ -111,6 +112,10 @@ fn operand(file: FileId, pair: Pair<Rule>) -> Built<Tree> {
 
 /// A call, a bracketed expression or a list, with the unit after it.
 fn compound(file: FileId, span: Span, rule: Rule, pair: Pair<Rule>) -> Built<Tree> {
+    let at = Span {
+        end: span.start + 1,
+        ..span
+    };
     let (mut function, mut inside, mut unit, mut height, mut close) =
         (None, Vec::new(), None, 0, span.end);
     for part in pair.into_inner() {
@@ -145,6 +150,7 @@ fn compound(file: FileId, span: Span, rule: Rule, pair: Pair<Rule>) -> Built<Tre
                     arguments: inside,
                 },
                 call_span,
+                at,
                 height,
             )?;
             match unit {
@@ -155,13 +161,14 @@ fn compound(file: FileId, span: Span, rule: Rule, pair: Pair<Rule>) -> Built<Tre
                         unit,
                     },
                     span,
+                    at,
                     call.height,
                 ),
             }
         }
         (Rule::paren, _) => {
             let inner = Box::new(inside.pop().expect("brackets hold an expression"));
-            grow(ExprKind::Paren { inner, unit }, span, height)
+            grow(ExprKind::Paren { inner, unit }, span, at, height)
         }
         _ => grow(
             ExprKind::List {
@@ -169,6 +176,7 @@ fn compound(file: FileId, span: Span, rule: Rule, pair: Pair<Rule>) -> Built<Tre
                 unit,
             },
             span,
+            at,
             height,
         ),
     }
@@ -206,9 +214,10 @@ fn quantity(file: FileId, pair: Pair<Rule>) -> Built<ExprKind> {
     ))
 }
 
-fn grow(kind: ExprKind, span: Span, height: usize) -> Built<Tree> {
+/// One level more; `at` is where a limit passed is shown.
+fn grow(kind: ExprKind, span: Span, at: Span, height: usize) -> Built<Tree> {
     if height >= MAX_EXPRESSION_DEPTH {
-        return Err(too_high(span));
+        return Err(too_high(at));
     }
     Ok(Tree {
         expr: Expr { kind, span },
@@ -216,11 +225,11 @@ fn grow(kind: ExprKind, span: Span, height: usize) -> Built<Tree> {
     })
 }
 
-fn too_high(span: Span) -> Box<Diagnostic> {
+fn too_high(at: Span) -> Box<Diagnostic> {
     let message = format!("an expression may chain at most {MAX_EXPRESSION_DEPTH} operations");
     Box::new(
-        Diagnostic::error("mavc::syntax::expression", span, message)
-            .here("too many to hold at once")
+        Diagnostic::error("mavc::syntax::expression", at, message)
+            .here("one too many")
             .help("take a part out into a `let`"),
     )
 }

@@ -2,6 +2,7 @@
 
 use super::{Scanner, is_name_byte};
 use crate::diagnostic::Diagnostic;
+use crate::syntax::cut;
 
 /// A character, its name, and the ASCII to write instead.
 const LOOK_ALIKES: &[(&str, &str, &str)] = &[
@@ -39,16 +40,14 @@ const LOOK_ALIKES: &[(&str, &str, &str)] = &[
     ("\u{ff0c}\u{3001}", "a wide comma", ","),
     ("\u{ff1b}", "a wide semicolon", ";"),
     (
-        "\u{a0}\u{2000}\u{2002}\u{2003}\u{2007}\u{2009}\u{200a}\u{202f}\u{3000}",
-        "a special space",
-        " ",
-    ),
-    (
         "\u{ad}\u{200b}\u{200c}\u{200d}\u{2060}\u{feff}",
         "an invisible character",
         "",
     ),
 ];
+
+/// Any blank that is not the plain one.
+const SPECIAL_SPACE: (&str, &str, &str) = ("", "a special space", " ");
 
 impl Scanner<'_> {
     /// At most one message a statement; special spaces are then read as blanks.
@@ -57,7 +56,11 @@ impl Scanner<'_> {
             return;
         };
         self.at = start + c.len_utf8();
-        let look_alike = LOOK_ALIKES.iter().find(|(set, ..)| set.contains(c));
+        let special_space = c.is_whitespace() && !c.is_control();
+        let look_alike = match special_space {
+            true => Some(&SPECIAL_SPACE),
+            false => LOOK_ALIKES.iter().find(|(set, ..)| set.contains(c)),
+        };
         let diagnostic = match look_alike {
             Some((_, name, instead)) => self.look_alike(start, c, name, instead),
             None if c == '\'' => self.single_quote(start),
@@ -113,7 +116,7 @@ impl Scanner<'_> {
             Some(c) => {
                 let text = &self.text[start + 1..c];
                 diagnostic
-                    .help(format!("write `\"{text}\"`"))
+                    .help(format!("write `\"{}\"`", cut(text)))
                     .fix(span, format!("\"{text}\""))
             }
             None => diagnostic.help("write `\"`"),
@@ -132,7 +135,7 @@ impl Scanner<'_> {
             .find(|c: char| !(c.is_alphanumeric() || c == '_'))
             .map_or(self.text.len(), |i| start + i);
         self.at = after.max(self.at);
-        let word = &self.text[start - before..after];
+        let word = cut(&self.text[start - before..after]);
         Diagnostic::error(
             "mavc::syntax::character",
             self.span(start - before, after),

@@ -1,0 +1,73 @@
+//! The table of codes. Its pages are the ones in `docs/diagnostics/`, so the documentation and `mavc explain` are one.
+
+use std::sync::LazyLock;
+
+/// A code and its page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CodePage {
+    /// `mavc::unit::mismatch`
+    pub code: &'static str,
+    /// One sentence.
+    pub title: &'static str,
+    /// What it means, an example, how to mend it; Markdown, the title included, the heading not.
+    pub page: &'static str,
+}
+
+const BOOKS: [&str; 3] = [
+    include_str!("../../docs/diagnostics/syntax.md"),
+    include_str!("../../docs/diagnostics/model.md"),
+    include_str!("../../docs/diagnostics/analysis.md"),
+];
+
+static PAGES: LazyLock<Vec<CodePage>> =
+    LazyLock::new(|| BOOKS.into_iter().flat_map(pages).collect());
+
+/// Every code, in the order of the documentation.
+pub fn all() -> &'static [CodePage] {
+    &PAGES
+}
+
+/// The page of a code; `syntax::depth` finds `mavc::syntax::depth`.
+pub fn lookup(code: &str) -> Option<&'static CodePage> {
+    let wanted = code.strip_prefix("mavc::").unwrap_or(code);
+    PAGES
+        .iter()
+        .find(|p| p.code.strip_prefix("mavc::") == Some(wanted))
+}
+
+/// The sections of one book that begin with `## mavc::..`.
+fn pages(book: &'static str) -> impl Iterator<Item = CodePage> {
+    book.split("\n## ").skip(1).filter_map(|section| {
+        let (code, page) = section.split_once('\n')?;
+        let page = page.trim();
+        let title = page.lines().next()?;
+        code.starts_with("mavc::").then_some(CodePage {
+            code: code.trim(),
+            title,
+            page,
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pages_are_found_by_full_and_short_code() {
+        let page = lookup("mavc::syntax::depth").unwrap();
+        assert_eq!(lookup("syntax::depth"), Some(page));
+        assert!(page.page.starts_with(page.title));
+        assert_eq!(lookup("mavc::syntax::nothing"), None);
+        assert_eq!(lookup(""), None);
+    }
+
+    #[test]
+    fn no_code_has_two_pages() {
+        let mut codes: Vec<_> = all().iter().map(|p| p.code).collect();
+        codes.sort_unstable();
+        let count = codes.len();
+        codes.dedup();
+        assert_eq!(codes.len(), count);
+    }
+}

@@ -1,0 +1,22 @@
+//! Diagnostics for editors and `grep`: one line each.
+
+use super::Diagnostic;
+use crate::source::SourceMap;
+use std::fmt::Write;
+
+/// `file:line:column: error[code]: message`, a newline after each.
+pub fn render_short(diagnostics: &[Diagnostic], sources: &SourceMap) -> String {
+    let mut text = String::new();
+    for d in diagnostics {
+        let source = sources.get(d.span.file);
+        let place = source.place(d.span.start as usize);
+        let (severity, message) = (d.severity.name(), d.message.replace('\n', " "));
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{}:{}:{}: {severity}[{}]: {message}",
+            source.name, place.line, place.column, d.code
+        );
+    }
+    text
+}

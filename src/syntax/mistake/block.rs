@@ -1,0 +1,179 @@
+//! Mistakes about blocks: unknown, unnamed, headless, and statements in the wrong one.
+
+use super::{Broken, form};
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+use crate::syntax::ast::{Block, Statement};
+use crate::syntax::cut;
+use crate::syntax::place::{Kind, Place};
+
+/// A block whose keyword is unknown, and the block that was probably meant.
+pub(in crate::syntax) fn unknown_block(
+    word: &str,
+    span: Span,
+    place: Place,
+) -> (Diagnostic, Option<Place>) {
+    let meant = place.meant(word);
+    let shown = cut(word);
+    let diagnostic = Diagnostic::error(
+        "mavc::syntax::unknown_statement",
+        span,
+        format!("there is no block called `{shown}`"),
+    );
+    let diagnostic = match meant {
+        Some(meant) => diagnostic
+            .here(format!("did you mean `{meant}`?"))
+            .help(format!("write `{meant}`"))
+            .fix(span, meant),
+        None => diagnostic.here("unknown here").help(openers(place)),
+    };
+    (diagnostic, meant.and_then(Place::of_block))
+}
+
+/// A keyword's block has a name, or it has none.
+pub(in crate::syntax) fn check_head(
+    mut block: Block,
+    kind: Place,
+) -> Result<Statement, Box<Diagnostic>> {
+    let keyword = kind.keyword().unwrap_or(&block.keyword.value).to_string();
+    let code = "mavc::syntax::block_head";
+    let form = form(&keyword, Place::Unknown).unwrap_or("limits { .. }");
+    if let Some(name) = block.name.as_ref().filter(|_| !kind.is_named()) {
+        let message = format!("`{keyword}` takes no name");
+        return Err(Box::new(
+            Diagnostic::error(code, name.span, message)
+                .here("not expected")
+                .help("remove the name"),
+        ));
+    }
+    if block.name.is_none() && kind.is_named() {
+        let message = format!("this `{keyword}` has no name");
+        let diagnostic =
+            Diagnostic::error(code, block.keyword.span, message).here("a name must follow");
+        return Err(Box::new(diagnostic.help(format!("write it like `{form}`"))));
+    }
+    if let Some(title) = block.title.as_ref().filter(|_| kind != Place::Mode) {
+        let message = format!("`{keyword}` takes no title");
+        let diagnostic =
+            Diagnostic::error(code, title.span, message).here("only a `mode` has a title");
+        return Err(Box::new(
+            diagnostic.help("write it as a `///` comment above the block"),
+        ));
+    }
+    block.keyword.value = keyword;
+    Ok(Statement::Block(block))
+}
+
+/// A statement that belongs elsewhere.
+pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, word: &str, span: Span) -> Diagnostic {
+    if kind == Kind::Field && place == Place::Limits {
+        return Diagnostic::error(
+            "mavc::syntax::relation",
+            span,
+            format!("the limit `{word}` is set with `=`"),
+        )
+        .here("a limit is no single value")
+        .help(format!(
+            "write `{word} <= VALUE` or `{word} in LOW .. HIGH`"
+        ));
+    }
+    let what = match kind {
+        Kind::RotorAt => "`rotor at`".to_string(),
+        Kind::Fault => "a rotor's fault".to_string(),
+        _ => format!("`{}`", cut(word)),
+    };
+    let Some(home) = kind.home() else {
+        return Diagnostic::error(
+            "mavc::syntax::misplaced",
+            span,
+            format!("no field stands {}", place.phrase()),
+        )
+        .here("does not belong here")
+        .help(openers(place));
+    };
+    let help = match home {
+        Place::Top => "move it out of the block",
+        Place::Vehicle => "move it into a `vehicle`",
+        Place::Rotors => "put it into `rotors { .. }` in the vehicle",
+        Place::Faults => "move it into `faults { .. }`",
+        Place::Mode => "name the fault in `faults`: `mode NAME { .. }`",
+        Place::Limits => "put it into `limits { .. }` in the mission",
+        _ => "move it into a `mission`",
+    };
+    let message = format!("{what} belongs {}, not {}", home.phrase(), place.phrase());
+    Diagnostic::error("mavc::syntax::misplaced", span, message)
+        .here("does not belong here")
+        .help(help)
+}
+
+/// Braces without a keyword, and keywords without braces.
+pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
+    if statement.text.is_empty() {
+        let message = "a block begins with a keyword";
+        return Some(
+            Diagnostic::error("mavc::syntax::block_head", statement.span(0, 1), message)
+                .here("no keyword stands before this brace")
+                .help(openers(statement.place)),
+        );
+    }
+    let word = statement.word();
+    let rest = statement.text[word.len()..].trim_start();
+    if !statement.has_body && opens_block(word, rest) {
+        let message = format!("`{}` has no `{{` on its line", cut(statement.text));
+        let end = statement.text.len();
+        let diagnostic = Diagnostic::error(
+            "mavc::syntax::missing_brace",
+            statement.span(0, end),
+            message,
+        )
+        .here("a block must open on this line");
+        return Some(match statement.brace_below {
+            true => diagnostic.help("move the `{` below to the end of this line"),
+            false => diagnostic
+                .help("write `{` at the end of this line")
+                .fix(statement.span(end, end), " {"),
+        });
+    }
+    let equals = rest.trim_end_matches([' ', '=', ':']).is_empty() && !rest.is_empty();
+    (statement.has_body && equals).then(|| {
+        let at = statement.text.len() - rest.len();
+        let span = statement.span(at, statement.text.len());
+        let message = format!("the block `{}` takes no `{rest}`", cut(word));
+        Diagnostic::error("mavc::syntax::block_head", span, message)
+            .here("not expected before `{`")
+            .help("remove it")
+            .fix(span, "")
+    })
+}
+
+/// Whether a word and what follows it are the head of a block and nothing else.
+fn opens_block(word: &str, rest: &str) -> bool {
+    let title_or_nothing = rest.is_empty() || rest.starts_with('"');
+    match word {
+        "vehicle" | "mission" | "mode" => {
+            title_or_nothing
+                || rest
+                    .trim_start_matches(super::is_name)
+                    .trim_start()
+                    .chars()
+                    .all(|c| c == '"')
+        }
+        "faults" | "plan" | "limits" | "rotor" | "rotors" => title_or_nothing,
+        "curve" => rest.contains(".."),
+        _ => false,
+    }
+}
+
+/// What begins a statement here.
+fn openers(place: Place) -> String {
+    let words: Vec<String> = place.openers().iter().map(|w| format!("`{w}`")).collect();
+    match words.split_last() {
+        _ if place == Place::Limits => "a limit is written like `speed <= 8 m/s`".to_string(),
+        Some((last, [])) => format!("write {last}, or a field like `name = value`"),
+        Some((last, others)) => format!(
+            "write {} or {last}, or a field like `name = value`",
+            others.join(", ")
+        ),
+        None => format!("only fields like `name = value` stand {}", place.phrase()),
+    }
+}

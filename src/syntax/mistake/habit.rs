@@ -1,0 +1,394 @@
+//! Mistakes that people often make, each recognised by where a statement fails and what stands there.
+
+use super::{Broken, Expected, Failure, is_name, token};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::syntax::cut;
+use crate::syntax::place::Place;
+
+/// The first that fits, from the surest to the least sure.
+const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
+    misspelt_statement,
+    assignment,
+    relation,
+    decimal_comma,
+    number_point,
+    double_star,
+    misspelt_word,
+    spaced_unit,
+    unit_after_name,
+    list_comma,
+    wrong_start,
+];
+
+const CLAUSES: [&str; 13] = [
+    "at",
+    "yaw",
+    "yaw_within",
+    "within",
+    "weight",
+    "time",
+    "spin",
+    "max_speed",
+    "max_thrust",
+    "time_constant",
+    "thrust_coefficient",
+    "drag_coefficient",
+    "torque_per_thrust",
+];
+
+pub(super) fn recognise(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    HABITS.iter().find_map(|habit| habit(statement, failure))
+}
+
+/// Without those that look at the statement's first word.
+pub(super) fn recognise_in_value(value: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let habits = [
+        decimal_comma,
+        number_point,
+        double_star,
+        spaced_unit,
+        unit_after_name,
+        list_comma,
+    ];
+    habits.iter().find_map(|habit| habit(value, failure))
+}
+
+/// `waypont at [0, 0, 2] m`
+fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    let word = statement.word();
+    let rest = statement.text[word.len()..].trim_start();
+    if word.is_empty() || rest.starts_with(['=', ':', '<', '>', ',', '(']) {
+        return None;
+    }
+    let all = [Place::Top, Place::Vehicle, Place::Faults, Place::Mission];
+    if all.iter().any(|p| p.openers().contains(&word)) {
+        return None;
+    }
+    let meant = statement.place.meant(word)?;
+    let span = statement.span(0, word.len());
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::unknown_statement",
+            span,
+            format!("no statement begins with `{}`", cut(word)),
+        )
+        .here(format!("did you mean `{meant}`?"))
+        .help(format!("write `{meant}`"))
+        .fix(span, meant),
+    )
+}
+
+/// `mass: 1.8 kg`, `mass == 1.8 kg`, `mass 1.8 kg`
+fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    if !failure.expects(Expected::Equals)
+        || failure.expects(Expected::Relation)
+        || statement.has_body
+    {
+        return None;
+    }
+    let found = statement.found(failure.at);
+    let (start, name) = statement.before(failure.at);
+    let name_span = statement.span(start, start + name.len());
+    let name = cut(name);
+    if found.is_empty() {
+        let message = format!("`{name}` has no value");
+        let diagnostic = Diagnostic::error("mavc::syntax::missing_value", name_span, message);
+        return Some(
+            diagnostic
+                .here("`=` and a value must follow")
+                .help(format!("write `{name} = ..`")),
+        );
+    }
+    let span = statement.span(failure.at, failure.at + found.len());
+    if found.starts_with([':', '=', '<', '>', '!']) {
+        let message = format!("`{name}` is set with `=`, not `{found}`");
+        return Some(
+            Diagnostic::error("mavc::syntax::assignment", span, message)
+                .here("expected `=`")
+                .help("write `=`")
+                .fix(span, "="),
+        );
+    }
+    let begins_value = found.starts_with(|c: char| is_name(c) || "\"([-.".contains(c));
+    begins_value.then(|| {
+        let at = statement.span(failure.at, failure.at);
+        Diagnostic::error(
+            "mavc::syntax::assignment",
+            span,
+            format!("`{name}` has no `=` before its value"),
+        )
+        .here("expected `=` before this")
+        .help(format!(
+            "write `{name} = {}`",
+            cut(&statement.text[failure.at..])
+        ))
+        .fix(at, "= ")
+    })
+}
+
+/// `speed =< 8 m/s`, `speed < 8 m/s`, `where rpn => 100`
+fn relation(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    if !failure.expects(Expected::Relation) {
+        return None;
+    }
+    let found = statement.found(failure.at);
+    let instead = match found {
+        "=<" | "<" | "<==" | "=" | ":" => "<=",
+        "=>" | ">" | ">==" => ">=",
+        "==" if failure.expects(Expected::Equals) => "=",
+        "==" => "<=",
+        _ => return None,
+    };
+    let span = statement.span(failure.at, failure.at + found.len());
+    let what = if statement.place == Place::Limits {
+        "a limit"
+    } else {
+        "a condition"
+    };
+    let message = format!("{what} is not written with `{found}`");
+    Some(
+        Diagnostic::error("mavc::syntax::relation", span, message)
+            .here(format!("expected `{instead}`"))
+            .help(format!("write `{instead}`"))
+            .fix(span, instead),
+    )
+}
+
+/// `arm = 0,211 m`
+fn decimal_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let bytes = statement.text.as_bytes();
+    let at = failure.at;
+    let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);
+    if bytes.get(at) != Some(&b',') || at == 0 || !digit(at - 1) || !digit(at + 1) {
+        return None;
+    }
+    let start = statement.text[..at]
+        .rfind(|c: char| !c.is_ascii_digit())
+        .map_or(0, |i| i + 1);
+    let end = at
+        + 1
+        + bytes[at + 1..]
+            .iter()
+            .take_while(|b| b.is_ascii_digit())
+            .count();
+    let number = cut(&statement.text[start..end]);
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::number",
+            statement.span(start, end),
+            "a number has a decimal point, no comma",
+        )
+        .here("a comma separates the elements of a list")
+        .help(format!("write `{}`", number.replace(',', ".")))
+        .fix(statement.span(at, at + 1), "."),
+    )
+}
+
+/// `.5`, `5.`, `1.2.3`
+fn number_point(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let bytes = statement.text.as_bytes();
+    let at = failure.at;
+    if bytes.get(at) != Some(&b'.') || bytes.get(at + 1) == Some(&b'.') {
+        return None;
+    }
+    let digit = |b: Option<&u8>| b.is_some_and(u8::is_ascii_digit);
+    let (before, after) = (at > 0 && digit(bytes.get(at - 1)), digit(bytes.get(at + 1)));
+    let start = statement.text[..at]
+        .rfind(|c: char| !(c.is_ascii_digit() || c == '.'))
+        .map_or(0, |i| i + 1);
+    let end = at
+        + statement.text[at..]
+            .find(|c: char| !(c.is_ascii_digit() || c == '.'))
+            .unwrap_or(bytes.len() - at);
+    let span = statement.span(start, end);
+    let error = |message: &str| Diagnostic::error("mavc::syntax::number", span, message);
+    let number = cut(&statement.text[start..end]);
+    Some(match (before, after) {
+        (false, true) => error("a number begins with a digit")
+            .here("no digit before the point")
+            .help(format!("write `0{number}`"))
+            .fix(statement.span(at, at), "0"),
+        (true, false) => error("a number ends with a digit")
+            .here("no digit after the point")
+            .help(format!("write `{number}0`"))
+            .fix(statement.span(at + 1, at + 1), "0"),
+        (true, true) => error("a number has one point")
+            .here("more than one point")
+            .help("remove all but one"),
+        (false, false) => return None,
+    })
+}
+
+/// `s**2`
+fn double_star(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let at = failure.at;
+    if at == 0 || !statement.text[at - 1..].starts_with("**") {
+        return None;
+    }
+    let span = statement.span(at - 1, at + 1);
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::power",
+            span,
+            "powers are written with `^`, not `**`",
+        )
+        .here("expected `^`")
+        .help("write `^`")
+        .fix(span, "^"),
+    )
+}
+
+/// `0.5 N m`: a unit is one run without blanks.
+fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    if !failure.expects(Expected::Operator) || !(found.starts_with(is_name) || found == "%") {
+        return None;
+    }
+    if found.starts_with(|c: char| c.is_ascii_digit()) || CLAUSES.contains(&found) {
+        return None;
+    }
+    let before = statement.text[..failure.at].trim_end();
+    let start = before
+        .rfind(|c: char| !(is_name(c) || "*/^%".contains(c)))
+        .map_or(0, |i| i + 1);
+    let unit = &before[start..];
+    let follows_operand = before[..start]
+        .trim_end()
+        .ends_with(|c: char| c.is_ascii_digit() || c == ')' || c == ']');
+    if !follows_operand || !unit.starts_with(|c: char| c.is_ascii_alphabetic() || c == '%') {
+        return None;
+    }
+    let found = token(statement.text, failure.at, |c| {
+        is_name(c) || "*/^%".contains(c)
+    });
+    let span = statement.span(start, failure.at + found.len());
+    let (unit, found) = (cut(unit), cut(found));
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::unit_blank",
+            span,
+            format!("the unit `{unit} {found}` has a blank in it"),
+        )
+        .here("a unit is one run without blanks")
+        .help(format!(
+            "write `{unit}*{found}` for a product, `{unit}/{found}` for a quotient"
+        ))
+        .fix(span, format!("{unit}*{found}")),
+    )
+}
+
+/// `a m` with a name: only numbers and brackets take a unit.
+fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let (start, name) = statement.before(failure.at);
+    let word = |w: &str| w.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+    if !failure.expects(Expected::Operator) || !word(name) || !(word(found) || found == "%") {
+        return None;
+    }
+    let span = statement.span(failure.at, failure.at + found.len());
+    let (name, found) = (cut(name), cut(found));
+    let help = match found.as_str() {
+        "%" => format!("write `({name}) %`"),
+        _ => format!(
+            "write `{name}*{found}` to multiply, or `({name}) {found}` if `{found}` is a unit"
+        ),
+    };
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::unexpected",
+            span,
+            format!("`{found}` cannot follow the name `{name}`"),
+        )
+        .here("an operator must stand before this")
+        .also(
+            statement.span(start, start + name.len()),
+            "a unit follows a number, `)` or `]`, never a name",
+        )
+        .help(help),
+    )
+}
+
+/// `[1 2 3]`
+fn list_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    if !failure.expects(Expected::Comma)
+        || !found.starts_with(|c: char| is_name(c) || "\"([".contains(c))
+    {
+        return None;
+    }
+    if !failure.expects(Expected::Closing(']')) && !failure.expects(Expected::Closing(')')) {
+        return None;
+    }
+    let span = statement.span(failure.at, failure.at + found.len());
+    let at = statement.span(failure.at, failure.at);
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::unexpected",
+            span,
+            "a comma is missing between two elements",
+        )
+        .here("expected `,` before this")
+        .help("write `,` between them")
+        .fix(at, ", "),
+    )
+}
+
+/// A misspelt word inside a statement: `rotor 3 reduce to 60 %`, `witin 10 cm`.
+fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let mut words: Vec<&str> = Vec::new();
+    for expected in &failure.expected {
+        match expected {
+            Expected::Word(word) => words.push(word),
+            Expected::Effect => words.extend(["lost", "reduced", "stuck"]),
+            Expected::Clause => words.extend(CLAUSES),
+            _ => {}
+        }
+    }
+    // The word before may be the culprit: after a number any word looks like a unit.
+    let found = statement.found(failure.at);
+    let before = statement.before(failure.at);
+    let after_number = failure.expects(Expected::Effect) && !words.contains(&before.1);
+    let candidates = [
+        (failure.at, found),
+        if after_number {
+            before
+        } else {
+            (failure.at, "")
+        },
+    ];
+    let (at, word, meant) = candidates.into_iter().find_map(|(at, word)| {
+        let is_word = word.starts_with(|c: char| c.is_ascii_alphabetic());
+        nearest(word, words.iter().copied())
+            .filter(|_| is_word)
+            .map(|meant| (at, word, meant))
+    })?;
+    let span = statement.span(at, at + word.len());
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::unexpected",
+            span,
+            format!("`{}` cannot stand here", cut(word)),
+        )
+        .here(format!("did you mean `{meant}`?"))
+        .help(format!("write `{meant}`"))
+        .fix(span, meant),
+    )
+}
+
+/// A statement that begins with a number or a mark.
+fn wrong_start(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    if !statement.word().is_empty() {
+        return None;
+    }
+    let found = statement.found(0);
+    let message = format!("a statement cannot begin with `{}`", cut(found));
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::unexpected",
+            statement.span(0, found.len()),
+            message,
+        )
+        .here("expected a name or a keyword")
+        .help("begin with a keyword, or with the name of a field: `name = value`"),
+    )
+}
