@@ -118,3 +118,11 @@ pub fn parse_value(file: FileId, source: &Source) -> Checked<FieldValue> {
         diagnostics,
     }
 }
+
+/// Long words are cut where a message quotes them.
+fn cut(word: &str) -> String {
+    match word.char_indices().nth(40) {
+        Some((end, _)) => format!("{}..", &word[..end]),
+        None => word.to_string(),
+    }
+}

@@ -36,6 +36,10 @@ pub fn render_human(
                 sources,
             ));
         }
+        for elsewhere in &report.elsewhere {
+            // As above; what matters has been said.
+            let _ = handler.render_report(&mut text, elsewhere);
+        }
         text.push('\n');
     }
     text
@@ -135,12 +139,6 @@ impl miette::Diagnostic for Report<'_> {
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         Some(Box::new(self.labels.iter().cloned()))
-    }
-
-    fn related<'b>(&'b self) -> Option<Box<dyn Iterator<Item = &'b dyn miette::Diagnostic> + 'b>> {
-        Some(Box::new(
-            self.elsewhere.iter().map(|e| e as &dyn miette::Diagnostic),
-        ))
     }
 }
 

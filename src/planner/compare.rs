@@ -40,7 +40,7 @@ pub struct Solved {
     pub outside: Vec<Outside>,
     /// For an own shortest time: the shorter time shown infeasible.
     pub infeasible_at: Option<f64>,
-    /// Longer times found infeasible on a coarse grid.
+    /// Longer times that were tried and found infeasible.
     pub infeasible_above: Vec<f64>,
 }
 

@@ -118,10 +118,10 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Intervals of the coarse grid that brackets: about five a leg, never more than the plan's.
+    /// Intervals of the coarse grid that brackets: about five a leg, at least 60, never more than the plan's.
     pub(super) fn coarse_samples(&self) -> usize {
         let segments = self.mission.legs.len() + self.mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
-        (5 * segments).min(self.model.plan.samples)
+        (5 * segments).max(60).min(self.model.plan.samples)
     }
 
     /// Lays the mission out; `Ok(None)` where the fixed times leave a leg no time.
@@ -256,13 +256,6 @@ impl<'a> Engine<'a> {
             };
             let mut states = transcription.states(x);
             pool.rows.extend(passed(&states, &maps, set));
-            if std::env::var_os("MAVC_DEBUG").is_some() {
-                eprintln!(
-                    "   round {round}: T={:.4} N={} rows={} -> {} {} iters={} {:?}",
-                    layout.profile.total, nodes - 1, chosen.len(), pool.rows.len(),
-                    match &outcome { Outcome::Solved(s) => format!("obj={:.6}", s.objective), _ => "?".into() }, spent.iterations, spent.time
-                );
-            }
             if pool.rows.len() == chosen.len() {
                 layout.yaw.fill(&mut states);
                 return Attempt { outcome, states, rows: chosen.len() };

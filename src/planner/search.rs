@@ -25,7 +25,7 @@ pub struct Shortest {
     /// A time shorter by at most [`RESOLUTION`] that was shown infeasible; `None` where fixed times and holds
     /// leave no shorter one.
     pub infeasible_at: Option<f64>,
-    /// Longer times that were tried on a coarse grid and found infeasible: feasibility is not monotone here.
+    /// Longer times that were tried and found infeasible: feasibility is not monotone here.
     pub infeasible_above: Vec<f64>,
 }
 
@@ -116,7 +116,7 @@ impl<'a> Engine<'a> {
             }
         };
         let mut found = search.exact(start, Known { low, high, planned: hint.planned }, samples)?;
-        found.infeasible_above = search.scan_above(found.time);
+        found.infeasible_above = search.scan_above(found.time, samples);
         Ok(found)
     }
 
@@ -236,20 +236,17 @@ impl Search<'_, '_> {
     }
 
     /// Without fixed times and holds a plan slowed down stays feasible (every wrench moves towards hover), so only
-    /// missions with them are scanned.
-    fn scan_above(&mut self, time: f64) -> Vec<f64> {
+    /// missions with them are scanned: on the coarse grid, and where that finds no plan on the full one.
+    fn scan_above(&mut self, time: f64, samples: usize) -> Vec<f64> {
         if !self.engine.mission.waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some()) {
             return Vec::new();
         }
-        let first = (time / GRID).round() as Ticks;
-        [1.05, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0]
-            .iter()
-            .map(|f| (first as f64 * f) as Ticks)
-            .filter(|&t| {
-                matches!(self.engine.decide_roughly(seconds(t), self.set, self.pool), Decision::Infeasible)
-            })
-            .map(seconds)
-            .collect()
+        let first = (time / GRID).round();
+        let longer = [1.05, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0].map(|f| steps(first * f));
+        let mut infeasible = |t: &Ticks| {
+            !self.roughly_feasible(*t) && matches!(self.try_at(*t, samples), Decision::Infeasible)
+        };
+        longer.into_iter().filter(&mut infeasible).map(seconds).collect()
     }
 }
 

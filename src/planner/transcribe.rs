@@ -160,11 +160,13 @@ impl Transcription<'_> {
         }
     }
 
-    /// Velocity, acceleration and (x, y) jerk vanish at rest; all inputs vanish while holding.
-    fn rest(&self, builder: &mut Builder) {
+    /// Derivatives that vanish, as (node, axis, order): velocity, acceleration and (x, y) jerk at rest; all inputs
+    /// while holding.
+    fn at_rest(&self) -> Vec<(usize, usize, usize)> {
         let last = self.nodes() - 1;
         let mut held: Vec<usize> = self.profile.held_nodes().collect();
         held.dedup();
+        let mut zero = Vec::new();
         for node in 0..=last {
             let holding = held.binary_search(&node).is_ok();
             let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
@@ -179,11 +181,16 @@ impl Transcription<'_> {
                     (false, true) => 1..=ORDER[axis],
                     (false, false) => 1..=ORDER[axis].min(3),
                 };
-                for derivative in orders {
-                    let row = Affine::term(self.var(node, axis, derivative), 1.0);
-                    builder.zero(row, RowOrigin::Rest { node, axis, derivative });
-                }
+                zero.extend(orders.map(|order| (node, axis, order)));
             }
+        }
+        zero
+    }
+
+    fn rest(&self, builder: &mut Builder) {
+        for (node, axis, derivative) in self.at_rest() {
+            let row = Affine::term(self.var(node, axis, derivative), 1.0);
+            builder.zero(row, RowOrigin::Rest { node, axis, derivative });
         }
     }
 
@@ -304,7 +311,7 @@ impl Transcription<'_> {
     /// The derivatives at every node, SI units; axes not planned here are left zero.
     pub fn states(&self, x: &[f64]) -> Vec<NodeState> {
         let tau = self.tau();
-        (0..self.nodes())
+        let mut states: Vec<NodeState> = (0..self.nodes())
             .map(|node| {
                 let mut state = NodeState::default();
                 for &axis in self.axes {
@@ -314,7 +321,12 @@ impl Transcription<'_> {
                 }
                 state
             })
-            .collect()
+            .collect();
+        // What the rows make zero is zero, without the solver's dust.
+        for (node, axis, order) in self.at_rest() {
+            states[node][axis][order] = 0.0;
+        }
+        states
     }
 }
 

@@ -92,7 +92,7 @@ fn solved_run(
     if !solved.infeasible_above.is_empty() {
         let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();
         out.push_str(&format!(
-            "\n  Longer is not always easier here: the fixed times make {} s infeasible (coarse grid).\n",
+            "\n  Longer is not always easier here: with these fixed times and holds, {} s is infeasible.\n",
             times.join(", ")
         ));
     }
@@ -143,11 +143,15 @@ pub fn warnings(model: &Model, solved: &Solved) -> Vec<String> {
         ));
     }
     if s.nearly_falls() {
+        let share = s.least_thrust.value / s.full_thrust;
+        let falls = match share {
+            x if x.abs() < 1e-6 => "to nothing".to_string(),
+            x if x < 0.0 => "below nothing".to_string(),
+            x => format!("to {} N, {} of full thrust,", significant(s.least_thrust.value, 3), percent(x)),
+        };
         lines.push(format!(
-            "Past the linear model: thrust falls to {} N at {} s, {} of full thrust. Without thrust there is no torque\n  from tilting it; limit the descent or the vertical acceleration.",
-            significant(s.least_thrust.value, 3),
-            fixed(s.least_thrust.at, 2),
-            percent(s.least_thrust.value / s.full_thrust)
+            "Past the linear model: thrust falls {falls} at {} s, and a vehicle without thrust cannot be\n  steered by tilting it; limit the descent or the vertical acceleration.",
+            fixed(s.least_thrust.at, 2)
         ));
     }
     lines

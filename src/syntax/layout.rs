@@ -250,7 +250,7 @@ impl Scanner<'_> {
             None
         };
         self.comment_ends = close.is_some();
-        let end = close.map_or(self.line_end(start), |i| start + 2 + i + 2);
+        let end = close.map_or_else(|| self.line_end(start), |i| start + 2 + i + 2);
         self.report(
             Diagnostic::error(
                 "mavc::syntax::comment",

@@ -8,6 +8,7 @@ mod habit;
 
 pub(super) use block::{check_head, misplaced, unknown_block};
 
+use super::cut;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
@@ -260,12 +261,4 @@ fn is_name(c: char) -> bool {
 fn token(text: &str, at: usize, accept: impl Fn(char) -> bool) -> &str {
     let rest = &text[at..];
     &rest[..rest.find(|c: char| !accept(c)).unwrap_or(rest.len())]
-}
-
-/// Long words are cut where a message quotes them.
-fn cut(word: &str) -> String {
-    match word.char_indices().nth(40) {
-        Some((end, _)) => format!("{}..", &word[..end]),
-        None => word.to_string(),
-    }
 }

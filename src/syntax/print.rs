@@ -92,14 +92,23 @@ fn print_statement(f: &mut Formatter<'_>, depth: usize, statement: &Statement) -
             body: statements,
             ..
         } => {
-            write!(f, "every {count} rotors {effect} as {}", prefix.value)?;
+            let one = matches!(&count.kind, ExprKind::Number { text, .. } if text == "1");
+            let rotors = if one { "rotor" } else { "rotors" };
+            write!(f, "every {count} {rotors} {effect} as {}", prefix.value)?;
             if statements.is_empty() {
                 writeln!(f)
             } else {
                 body(f, depth, statements)
             }
         }
-        Statement::Fault { rotors, effect, .. } => writeln!(f, "rotors {rotors} {effect}"),
+        Statement::Fault { rotors, effect, .. } => {
+            let several = matches!(rotors.kind, ExprKind::List { .. });
+            writeln!(
+                f,
+                "{} {rotors} {effect}",
+                if several { "rotors" } else { "rotor" }
+            )
+        }
         Statement::Rotor(clauses) => writeln!(f, "rotor{clauses}"),
         Statement::Curve {
             parameter,

@@ -1,7 +1,7 @@
 //! Hostile texts: an error with a code, in bounded time and memory, never a panic.
 
 use mavc::diagnostic::{Diagnostic, render_human, render_short, to_json_line};
-use mavc::source::{Source, SourceMap};
+use mavc::source::{FileId, Source, SourceMap};
 use mavc::syntax::{MAX_ERRORS, MAX_FILE_BYTES, MAX_STATEMENTS, MAX_TOKENS};
 use proptest::prelude::*;
 
@@ -22,7 +22,12 @@ fn parse(text: &str) -> Vec<Diagnostic> {
                 "{d:?} splits a character"
             );
         }
-        assert!(!d.message.is_empty() && d.message.len() < 300, "{d:?}");
+        let texts = [&d.message, &d.label, d.help.as_ref().unwrap_or(&d.label)];
+        assert!(
+            !d.message.is_empty() && texts.iter().all(|t| t.len() < 300),
+            "{}",
+            d.code
+        );
         serde_json::from_str::<serde_json::Value>(&to_json_line(d, &sources)).unwrap();
     }
     assert_eq!(
@@ -319,6 +324,12 @@ proptest! {
     #[test]
     fn mutated_specs_never_panic(text in mutated()) {
         parse(&text);
+        let read = |text: &str| mavc::syntax::parse(FileId(0), &Source::new("t.mav", text));
+        let checked = read(&text);
+        if !checked.has_errors() {
+            let printed = checked.value.unwrap().to_string();
+            prop_assert!(!read(&printed).has_errors(), "{}", printed);
+        }
     }
 
     #[test]

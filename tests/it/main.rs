@@ -4,5 +4,7 @@ mod codes;
 mod controllability;
 mod errors;
 mod hostile;
+mod model;
+mod render;
 mod syntax;
 mod vehicles;

@@ -2,6 +2,7 @@
 
 use super::{Scanner, is_blank};
 use crate::diagnostic::Diagnostic;
+use crate::syntax::cut;
 
 /// A block whose closing brace has not been met.
 #[derive(Clone, Copy)]
@@ -95,10 +96,10 @@ impl Scanner<'_> {
     /// The block's head as written, cut short where it is long.
     fn head_text(&self, block: OpenBlock) -> String {
         let head = self.text[block.head..block.brace].trim_end();
-        match head.char_indices().nth(40) {
-            Some((end, _)) => format!("{}..", &head[..end]),
-            None if head.is_empty() => "{".to_string(),
-            None => head.to_string(),
+        if head.is_empty() {
+            "{".to_string()
+        } else {
+            cut(head)
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::{Scanner, is_name_byte};
 use crate::diagnostic::Diagnostic;
+use crate::syntax::cut;
 
 /// A character, its name, and the ASCII to write instead.
 const LOOK_ALIKES: &[(&str, &str, &str)] = &[
@@ -115,7 +116,7 @@ impl Scanner<'_> {
             Some(c) => {
                 let text = &self.text[start + 1..c];
                 diagnostic
-                    .help(format!("write `\"{text}\"`"))
+                    .help(format!("write `\"{}\"`", cut(text)))
                     .fix(span, format!("\"{text}\""))
             }
             None => diagnostic.help("write `\"`"),
@@ -134,7 +135,7 @@ impl Scanner<'_> {
             .find(|c: char| !(c.is_alphanumeric() || c == '_'))
             .map_or(self.text.len(), |i| start + i);
         self.at = after.max(self.at);
-        let word = &self.text[start - before..after];
+        let word = cut(&self.text[start - before..after]);
         Diagnostic::error(
             "mavc::syntax::character",
             self.span(start - before, after),

@@ -1,9 +1,10 @@
 //! Mistakes about blocks: unknown, unnamed, headless, and statements in the wrong one.
 
-use super::{Broken, cut, form};
+use super::{Broken, form};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Statement};
+use crate::syntax::cut;
 use crate::syntax::place::{Kind, Place};
 
 /// A block whose keyword is unknown, and the block that was probably meant.

@@ -1,7 +1,8 @@
 //! Mistakes that people often make, each recognised by where a statement fails and what stands there.
 
-use super::{Broken, Expected, Failure, cut, is_name, token};
+use super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::syntax::cut;
 use crate::syntax::place::Place;
 
 /// The first that fits, from the surest to the least sure.
