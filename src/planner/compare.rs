@@ -250,7 +250,15 @@ impl<'a> Setting<'a> {
                 (Run::Common, self.common(time, &decision), effort)
             }
             None => {
-                let found = self.search(name, &set, self.after(&out), Pool::default());
+                let hint = match out.common_time {
+                    Some(at) => {
+                        let (decision, effort) = self.at(name, &set, at, Pool::default());
+                        out.effort += effort;
+                        hint_from(at, decision)
+                    }
+                    None => Hint::default(),
+                };
+                let found = self.search(name, &set, hint, Pool::default());
                 (Run::Own, self.own(&found), found.effort)
             }
         };
@@ -296,11 +304,6 @@ impl<'a> Setting<'a> {
             }
             _ => Err(self.common(time, &decision)),
         }
-    }
-
-    /// What is known for the RSP search once T_d is.
-    fn after(&self, out: &Comparison) -> Hint {
-        Hint { near: out.common_time, ..Hint::default() }
     }
 
     /// Each mode's own shortest time, in parallel; results in the order of the modes.
@@ -408,11 +411,7 @@ impl<'a> Setting<'a> {
         }
         let (decision, mut effort) = self.at("RSP", set, at, rip.pool.clone());
         let ending = self.common(at, &decision);
-        let hint = match decision {
-            Decision::Feasible(planned) => Hint { feasible: Some(at), planned: Some(planned), ..above_rip },
-            Decision::Infeasible if self.fixed_time().is_none() => Hint { infeasible: Some(at), near: Some(at), ..Hint::default() },
-            _ => above_rip,
-        };
+        let hint = Hint { infeasible: above_rip.infeasible, ..hint_from(at, decision) };
         let own = self.search("RSP", set, hint, rip.pool.clone());
         effort += own.effort;
         (own, ending, effort)
@@ -424,6 +423,14 @@ impl<'a> Setting<'a> {
             Ok(s) if s.time == at => (Decision::Feasible(Box::new(s.planned.clone())), Effort::default()),
             _ => self.at(what, set, at, own.pool.clone()),
         }
+    }
+}
+
+/// What a decision at T_d tells the search for the shortest time.
+fn hint_from(at: f64, decision: Decision) -> Hint {
+    match decision {
+        Decision::Feasible(planned) => Hint { feasible: Some(at), planned: Some(planned), ..Hint::default() },
+        _ => Hint { near: Some(at), ..Hint::default() },
     }
 }
 
