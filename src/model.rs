@@ -1,6 +1,29 @@
 //! The model: what the spec means, in SI units. After this stage no string is looked up, every number
 //! is a finite `f64`, and every list is complete.
 
+mod context;
+mod display;
+mod due;
+mod elaborate;
+mod expression;
+mod fault;
+mod fields;
+mod function;
+mod legs;
+mod limits;
+mod load;
+mod mission;
+mod overrides;
+mod plan;
+mod survey;
+mod vehicle;
+
+pub use elaborate::elaborate;
+pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
+pub use mission::MAX_WAYPOINTS;
+pub use overrides::{Override, parse_override};
+pub use plan::MAX_SAMPLES;
+
 use crate::source::Span;
 
 /// A checked spec.
@@ -97,7 +120,9 @@ pub struct FaultMode {
 impl FaultMode {
     /// Rotors with capacity 0, counted from 1.
     pub fn lost(&self) -> Vec<usize> {
-        (1..=self.capacity.len()).filter(|k| self.capacity[k - 1] == 0.0).collect()
+        (1..=self.capacity.len())
+            .filter(|k| self.capacity[k - 1] == 0.0)
+            .collect()
     }
 
     /// Risk priority number: severity x occurrence x detection, where all three are given.
@@ -138,7 +163,7 @@ pub struct Waypoint {
     pub time: Option<f64>,
     /// How long the vehicle stands still here after arriving, s; 0 where it flies on.
     pub hold: f64,
-    /// The statement that made it (the whole `curve` for its points).
+    /// The statement that made it: parameter and range of a `curve` for its points, the row of a table.
     pub span: Span,
     pub time_span: Option<Span>,
     pub hold_span: Option<Span>,

@@ -2,5 +2,6 @@
 mod codes;
 mod errors;
 mod hostile;
+mod model;
 mod render;
 mod syntax;

@@ -1,0 +1,216 @@
+//! What elaboration carries along: the diagnostics found so far, the `let`s, and how much work is left.
+
+use std::collections::BTreeMap;
+
+use super::expression::Value;
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::source::{SourceMap, Span};
+use crate::syntax::ast::{Field, FieldValue, Name};
+use crate::unit::{GRAVITY, Quantity};
+
+/// Steps of evaluation one spec may take; a guard against hostile input.
+pub(super) const MAX_STEPS: u32 = 20_000_000;
+/// How deep expressions may stand inside each other, through `let`s too.
+pub(super) const MAX_EVALUATION_DEPTH: u32 = 600;
+
+pub(super) const FUNCTIONS: [&str; 11] = [
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max",
+];
+pub(super) const CONSTANTS: [&str; 2] = ["pi", "g0"];
+
+pub(super) struct Context<'a> {
+    pub sources: &'a SourceMap,
+    pub diagnostics: Vec<Diagnostic>,
+    /// g, m/s^2.
+    pub gravity: f64,
+    /// A file could not be brought in: what seems to be missing may stand there.
+    pub incomplete: bool,
+    /// Statements that could not be read.
+    pub broken: Vec<Span>,
+    pub(super) lets: BTreeMap<&'a str, Let<'a>>,
+    /// The curve parameter and its value.
+    pub(super) parameter: Option<(&'a str, Quantity)>,
+    pub(super) depth: u32,
+    pub(super) steps: u32,
+}
+
+pub(super) struct Let<'a> {
+    pub field: &'a Field,
+    pub state: State,
+    pub used: bool,
+}
+
+/// How far a `let` has come; `Done(None)` is one whose error has been reported.
+#[derive(Clone)]
+pub(super) enum State {
+    Waiting,
+    Busy,
+    Done(Option<Value>),
+}
+
+impl<'a> Context<'a> {
+    pub fn new(sources: &'a SourceMap, incomplete: bool, broken: Vec<Span>) -> Self {
+        Context {
+            sources,
+            diagnostics: Vec::new(),
+            gravity: GRAVITY,
+            incomplete,
+            broken,
+            lets: BTreeMap::new(),
+            parameter: None,
+            depth: 0,
+            steps: 0,
+        }
+    }
+
+    pub fn report(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// Whether `name` may be declared in a place that could not be read.
+    pub fn may_exist(&self, name: &str) -> bool {
+        let word = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
+        self.incomplete
+            || self
+                .broken
+                .iter()
+                .any(|&span| self.sources.snippet(span).split(word).any(|w| w == name))
+    }
+
+    /// Takes up every `let`; a second one of a name, or a name of the language, is an error.
+    pub fn declare(&mut self, fields: impl Iterator<Item = &'a Field>) {
+        for field in fields {
+            let name = &field.name;
+            if CONSTANTS.contains(&name.value.as_str()) || FUNCTIONS.contains(&name.value.as_str())
+            {
+                let message = format!(
+                    "`{}` belongs to the language and cannot be a `let`",
+                    name.value
+                );
+                self.report(
+                    Diagnostic::error("mavc::name::reserved", name.span, message)
+                        .here("reserved")
+                        .help(format!("choose another name, such as `my_{}`", name.value)),
+                );
+            } else if let Some(first) = self.lets.get(name.value.as_str()) {
+                let first = first.field.name.span;
+                self.report(duplicate("`let`", name, first));
+            } else {
+                self.lets.insert(
+                    &name.value,
+                    Let {
+                        field,
+                        state: State::Waiting,
+                        used: false,
+                    },
+                );
+            }
+        }
+    }
+
+    /// Evaluates every `let`, so that mistakes in unused ones are found too.
+    pub fn settle(&mut self) {
+        let names: Vec<&'a str> = self.lets.keys().copied().collect();
+        for name in names {
+            self.settle_let(name);
+        }
+    }
+
+    /// The value of a declared `let`, evaluated on first use; `None` where it has an error.
+    pub(super) fn settle_let(&mut self, name: &'a str) -> Option<Value> {
+        let entry = self.lets.get_mut(name)?;
+        match entry.state.clone() {
+            State::Done(value) => value,
+            State::Busy => {
+                entry.state = State::Done(None);
+                let span = entry.field.name.span;
+                self.report(
+                    Diagnostic::error(
+                        "mavc::name::cycle",
+                        span,
+                        format!("`{name}` is defined by itself"),
+                    )
+                    .here("following this value leads back here")
+                    .help("give one `let` of the circle a value that needs none of the others"),
+                );
+                None
+            }
+            State::Waiting => {
+                entry.state = State::Busy;
+                let field = entry.field;
+                let value = match &field.value {
+                    FieldValue::Expr(expr) => self.evaluate(expr),
+                    FieldValue::Where { field, .. } => {
+                        let message = "`where` stands only in `against`";
+                        self.report(Diagnostic::error("mavc::plan::choice", field.span, message));
+                        None
+                    }
+                };
+                let entry = self.lets.get_mut(name)?;
+                // A cycle found on the way has settled this one already.
+                let value = if matches!(entry.state, State::Busy) {
+                    value
+                } else {
+                    None
+                };
+                entry.state = State::Done(value.clone());
+                value
+            }
+        }
+    }
+
+    /// Warns of every `let` that nothing has asked for.
+    pub fn warn_unused(&mut self) {
+        let unused: Vec<&Name> = self
+            .lets
+            .values()
+            .filter(|l| !l.used)
+            .map(|l| &l.field.name)
+            .collect();
+        for name in unused {
+            let message = format!("`{}` is never used", name.value);
+            let warning = Diagnostic::warning("mavc::name::unused", name.span, message)
+                .here("nothing refers to it");
+            self.report(warning.help("use it or take it out"));
+        }
+    }
+
+    /// Says that `name` is not known, unless it may stand where the text could not be read.
+    pub fn unknown(&mut self, what: &str, name: &str, span: Span, known: &[&str]) {
+        if self.may_exist(name) {
+            return;
+        }
+        let mut error = Diagnostic::error(
+            "mavc::name::unknown",
+            span,
+            format!("no {what} is called `{name}`"),
+        )
+        .here("not declared");
+        if let Some(near) = nearest(name, known.iter().copied()) {
+            error = error
+                .help(format!("did you mean `{near}`?"))
+                .fix(span, near);
+        } else if !known.is_empty() && known.len() <= 12 {
+            error = error.help(format!("there is {}", listed(known)));
+        }
+        self.report(error);
+    }
+}
+
+/// `name` is declared twice.
+pub(super) fn duplicate(what: &str, name: &Name, first: Span) -> Diagnostic {
+    let message = format!("a second {what} is called `{}`", name.value);
+    Diagnostic::error("mavc::name::duplicate", name.span, message)
+        .here("declared again")
+        .also(first, "first declared here")
+        .help("give one of them another name, or take one out")
+}
+
+/// `a`, `b` and `c`, each in backquotes.
+pub(super) fn listed(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => quoted.concat(),
+    }
+}

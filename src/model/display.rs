@@ -1,0 +1,212 @@
+//! The model as text: what `mavc emit model` prints.
+
+use std::f64::consts::PI;
+use std::fmt;
+
+use super::{FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Spin, Vehicle};
+use crate::report::number::number;
+
+/// Degrees of an angle in radians.
+fn degrees(angle: f64) -> String {
+    number(angle * 180.0 / PI)
+}
+
+fn list(values: &[f64]) -> String {
+    let shown: Vec<String> = values.iter().map(|x| number(*x)).collect();
+    format!("[{}]", shown.join(", "))
+}
+
+/// Coordinates, with a hair's breadth of rounding left out.
+fn place(position: &[f64; 3]) -> String {
+    list(&position.map(|x| if x.abs() < 1e-9 { 0.0 } else { x }))
+}
+
+/// As printed: lengths in m, masses in kg, times in s, angles in deg, speeds of rotors in rad/s.
+impl fmt::Display for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "gravity {} m/s^2", number(self.gravity))?;
+        vehicle(f, &self.vehicle)?;
+        if !self.modes.is_empty() {
+            writeln!(f, "fault modes")?;
+            self.modes.iter().try_for_each(|m| mode(f, m))?;
+        }
+        if let Some(m) = &self.mission {
+            mission(f, m)?;
+        }
+        plan(f, &self.plan, &self.modes)?;
+        if !self.defaults.is_empty() {
+            writeln!(f, "defaults")?;
+        }
+        for d in &self.defaults {
+            writeln!(f, "  {} = {} ({})", d.field, d.value, d.reason)?;
+        }
+        Ok(())
+    }
+}
+
+fn doc(f: &mut fmt::Formatter<'_>, text: &Option<String>) -> fmt::Result {
+    text.iter()
+        .flat_map(|text| text.lines())
+        .try_for_each(|line| writeln!(f, "  /// {line}"))
+}
+
+fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
+    writeln!(f, "vehicle {}", v.name)?;
+    doc(f, &v.doc)?;
+    if let Some(layout) = &v.layout {
+        writeln!(f, "  layout {layout}")?;
+    }
+    writeln!(f, "  mass {} kg", number(v.mass))?;
+    writeln!(f, "  inertia {} kg*m^2", list(&v.inertia))?;
+    for (k, r) in v.rotors.iter().enumerate() {
+        let spin = if r.spin == Spin::P { "P" } else { "N" };
+        write!(
+            f,
+            "  rotor {:>2} {spin} at {} m, b {} N*s^2/rad^2, d {} N*m*s^2/rad^2, up to {} rad/s, {} N",
+            k + 1,
+            place(&r.position),
+            number(r.thrust_coefficient),
+            number(r.drag_coefficient),
+            number(r.max_speed),
+            number(r.max_thrust())
+        )?;
+        match r.time_constant {
+            Some(time) => writeln!(f, ", time constant {} s", number(time))?,
+            None => writeln!(f)?,
+        }
+    }
+    Ok(())
+}
+
+fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
+    write!(f, "  {}", m.name)?;
+    if let Some(title) = &m.title {
+        write!(f, " \"{title}\"")?;
+    }
+    write!(f, ":")?;
+    let mut first = true;
+    for k in 0..m.capacity.len() {
+        let what = match (m.stuck[k], m.capacity[k]) {
+            (Some(at), _) => format!("stuck at {} %", number(at * 100.0)),
+            (None, 0.0) => "lost".into(),
+            (None, 1.0) => continue,
+            (None, theta) => format!("at {} %", number(theta * 100.0)),
+        };
+        write!(f, "{} rotor {} {what}", if first { "" } else { "," }, k + 1)?;
+        first = false;
+    }
+    let numbers = [
+        ("severity", m.severity),
+        ("occurrence", m.occurrence),
+        ("detection", m.detection),
+    ];
+    for (name, value) in numbers {
+        if let Some(value) = value {
+            write!(f, ", {name} {value}")?;
+        }
+    }
+    if let Some(rpn) = m.rpn() {
+        write!(f, ", rpn {rpn}")?;
+    }
+    if let Some(rate) = m.rate {
+        write!(f, ", rate {} 1/h", number(rate * 3600.0))?;
+    }
+    writeln!(f)?;
+    m.doc
+        .iter()
+        .flat_map(|text| text.lines())
+        .try_for_each(|line| writeln!(f, "    /// {line}"))
+}
+
+fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
+    writeln!(f, "mission {}", m.name)?;
+    doc(f, &m.doc)?;
+    let state = |rest: bool| if rest { "at rest" } else { "moving" };
+    writeln!(
+        f,
+        "  starts {}, ends {}",
+        state(m.start_at_rest),
+        state(m.end_at_rest)
+    )?;
+    for (i, w) in m.waypoints.iter().enumerate() {
+        write!(f, "  waypoint {}", i + 1)?;
+        if let Some(name) = &w.name {
+            write!(f, " {name}")?;
+        }
+        write!(
+            f,
+            " at {} m, yaw {} deg, within {} m and {} deg, weight {}",
+            place(&w.position),
+            degrees(w.yaw),
+            number(w.within),
+            degrees(w.yaw_within),
+            number(w.weight)
+        )?;
+        if let Some(time) = w.time {
+            write!(f, ", time {} s", number(time))?;
+        }
+        if w.hold > 0.0 {
+            write!(f, ", hold {} s", number(w.hold))?;
+        }
+        writeln!(f)?;
+        if let Some(leg) = m.legs.get(i) {
+            writeln!(
+                f,
+                "  leg {} has {} % of the free time",
+                i + 1,
+                number(leg.share * 100.0)
+            )?;
+        }
+    }
+    m.limits.iter().try_for_each(|l| limit(f, l))
+}
+
+fn limit(f: &mut fmt::Formatter<'_>, l: &Limit) -> fmt::Result {
+    let (name, unit, angle) = match l.kind {
+        LimitKind::X => ("x", "m", false),
+        LimitKind::Y => ("y", "m", false),
+        LimitKind::Z => ("z", "m", false),
+        LimitKind::Yaw => ("yaw", "deg", true),
+        LimitKind::Speed => ("speed", "m/s", false),
+        LimitKind::SpeedHorizontal => ("speed_horizontal", "m/s", false),
+        LimitKind::Climb => ("climb", "m/s", false),
+        LimitKind::Descent => ("descent", "m/s", false),
+        LimitKind::Acceleration => ("acceleration", "m/s^2", false),
+        LimitKind::AccelerationHorizontal => ("acceleration_horizontal", "m/s^2", false),
+        LimitKind::Jerk => ("jerk", "m/s^3", false),
+        LimitKind::YawRate => ("yaw_rate", "deg/s", true),
+        LimitKind::YawAcceleration => ("yaw_acceleration", "deg/s^2", true),
+        LimitKind::Tilt => ("tilt", "deg", true),
+    };
+    let shown = |x: f64| if angle { degrees(x) } else { number(x) };
+    match (l.lower, l.upper) {
+        (Some(low), Some(high)) => writeln!(
+            f,
+            "  limit {name} in {} .. {} {unit}",
+            shown(low),
+            shown(high)
+        ),
+        (Some(low), None) => writeln!(f, "  limit {name} >= {} {unit}", shown(low)),
+        (None, Some(high)) => writeln!(f, "  limit {name} <= {} {unit}", shown(high)),
+        (None, None) => Ok(()),
+    }
+}
+
+fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Result {
+    writeln!(f, "plan")?;
+    writeln!(f, "  planner {}", p.planner.name())?;
+    let names: Vec<&str> = p.against.iter().map(|&k| modes[k].name.as_str()).collect();
+    writeln!(f, "  against [{}]", names.join(", "))?;
+    match p.time {
+        MissionTime::Minimum => writeln!(f, "  time minimum")?,
+        MissionTime::Fixed(time) => writeln!(f, "  time {} s", number(time))?,
+    }
+    writeln!(f, "  samples {}", p.samples)?;
+    writeln!(f, "  reserve {} %", number(p.reserve * 100.0))?;
+    writeln!(
+        f,
+        "  snap {}, acceleration {}",
+        number(p.snap_weight),
+        number(p.acceleration_weight)
+    )
+}

@@ -1,0 +1,343 @@
+//! From the tree to the model: collect, evaluate, choose, check.
+
+use super::context::{Context, State, duplicate};
+use super::due::Due;
+use super::fault::Modes;
+use super::load::FileSet;
+use super::overrides::{Override, apply};
+use super::plan::Draft;
+use super::{DefaultUsed, Model, mission, vehicle};
+use crate::diagnostic::{Checked, Diagnostic, nearest, sort};
+use crate::report::number::number;
+use crate::source::{Span, Spanned};
+use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile, Statement};
+use crate::unit::GRAVITY;
+
+/// Gives a file set its meaning. Overrides replace or add fields before anything is understood, so they are checked
+/// like what they replace. The model is missing where there are errors; diagnostics of loading are not repeated.
+///
+/// # Steps
+/// 1. Collect the blocks of all files.
+/// 2. Evaluate gravity and every `let`.
+/// 3. Elaborate every vehicle, choose one, and give its faults and missions their numbers.
+/// 4. Settle the plan against modes and mission.
+pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
+    let mut trees = files.files.clone();
+    let mut diagnostics = apply(&mut trees, overrides);
+    let mut cx = Context::new(&files.sources, files.incomplete, broken(&trees));
+    let value = whole(&mut cx, &trees, files);
+    if !cx
+        .diagnostics
+        .iter()
+        .chain(&diagnostics)
+        .any(|d| d.severity == crate::diagnostic::Severity::Error)
+        && value.is_some()
+    {
+        cx.warn_unused();
+    }
+    diagnostics.append(&mut cx.diagnostics);
+    sort(&mut diagnostics);
+    let mut checked = Checked { value, diagnostics };
+    if checked.has_errors() {
+        checked.value = None;
+    }
+    checked
+}
+
+/// Every statement that could not be read.
+fn broken(trees: &[SpecFile]) -> Vec<Span> {
+    fn within(body: &[Statement], into: &mut Vec<Span>) {
+        for statement in body {
+            match statement {
+                Statement::Broken(span) => into.push(*span),
+                Statement::Block(block) => within(&block.body, into),
+                _ => {}
+            }
+        }
+    }
+    let mut spans = Vec::new();
+    for item in trees.iter().flat_map(|tree| &tree.items) {
+        match item {
+            Item::Broken(span) => spans.push(*span),
+            Item::Block(block) => within(&block.body, &mut spans),
+            _ => {}
+        }
+    }
+    spans
+}
+
+#[derive(Default)]
+struct Blocks<'a> {
+    vehicles: Vec<&'a Block>,
+    faults: Vec<&'a Block>,
+    missions: Vec<&'a Block>,
+    plans: Vec<&'a Block>,
+}
+
+fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) -> Option<Model> {
+    let items = || trees.iter().flat_map(|tree| &tree.items);
+    let mut blocks = Blocks::default();
+    let mut gravity: Option<&Field> = None;
+    for item in items() {
+        match item {
+            Item::Block(block) => match block.keyword.value.as_str() {
+                "vehicle" => blocks.vehicles.push(block),
+                "faults" => blocks.faults.push(block),
+                "mission" => blocks.missions.push(block),
+                "plan" => blocks.plans.push(block),
+                _ => {}
+            },
+            Item::Field(field) => top_field(cx, field, &mut gravity),
+            Item::Let(_) | Item::Use(_) | Item::Broken(_) => {}
+        }
+    }
+    no_second(cx, "vehicle", &blocks.vehicles);
+    no_second(cx, "mission", &blocks.missions);
+    if let [first, rest @ ..] = blocks.plans.as_slice() {
+        for block in rest {
+            let error = Diagnostic::error(
+                "mavc::name::duplicate",
+                block.keyword.span,
+                "a spec has one `plan` block",
+            );
+            cx.report(
+                error
+                    .here("a second one")
+                    .also(first.keyword.span, "the first")
+                    .help("join them"),
+            );
+        }
+    }
+    let mut defaults = Vec::new();
+    cx.declare(items().filter_map(|item| {
+        if let Item::Let(field) = item {
+            Some(field)
+        } else {
+            None
+        }
+    }));
+    settle_gravity(cx, gravity, &mut defaults);
+    cx.settle();
+
+    let vehicles: Vec<_> = blocks
+        .vehicles
+        .iter()
+        .map(|block| vehicle::elaborate(cx, block))
+        .collect();
+    let mut draft = Draft::read(cx, blocks.plans.first().copied());
+    let named: Vec<(&str, Span)> = vehicles.iter().map(|v| (v.name.as_str(), v.span)).collect();
+    let vehicle = choose(cx, &draft, "vehicle", &named).map(|index| &vehicles[index]);
+    if vehicles.is_empty() && !cx.may_exist("vehicle") {
+        let span = items().next().map_or(Span::default(), start_of);
+        let error = Diagnostic::error(
+            "mavc::name::no_vehicle",
+            span,
+            "the spec describes no vehicle",
+        );
+        cx.report(error.help("add a `vehicle` block, or bring one in with `use \"vehicles/...\"`"));
+    }
+
+    let mut modes = Modes::default();
+    for block in &blocks.faults {
+        modes.take(cx, block, vehicle.and_then(|v| v.rotors));
+    }
+    let (manner, manner_fine) = draft.manner(cx);
+    let missions: Vec<_> = blocks
+        .missions
+        .iter()
+        .map(|block| mission::elaborate(cx, block, manner, files))
+        .collect();
+    let named: Vec<(&str, Span)> = missions.iter().map(|m| (m.name.as_str(), m.span)).collect();
+    let mission = choose(cx, &draft, "mission", &named).map(|index| &missions[index]);
+    if let Some(mission) = mission.filter(|m| m.yaw_defaulted) {
+        defaults.push(DefaultUsed {
+            field: format!("mission.{}.yaw", mission.name),
+            value: "0 deg".into(),
+            reason: "the first waypoint says no yaw".into(),
+        });
+    }
+
+    let fallback = mission
+        .map(|m| m.span)
+        .or(vehicle.map(|v| v.span))
+        .unwrap_or_default();
+    let incomplete = modes.incomplete || vehicle.is_none();
+    let flown = mission.and_then(|m| m.mission.as_ref());
+    let names_modes = draft.names_modes();
+    let (plan, plan_defaults) = draft.finish(cx, &modes.modes, incomplete, flown, fallback);
+    let plan_written = !blocks.plans.is_empty();
+    if plan_written || mission.is_some() {
+        defaults.extend(plan_defaults);
+    }
+    let plan = plan.filter(|_| manner_fine)?;
+    if let (Some(mission), None) = (mission, flown) {
+        debug_assert!(!mission.name.is_empty());
+        return None;
+    }
+    if names_modes {
+        warn_unused_modes(cx, &modes, &plan.against);
+    }
+    Some(Model {
+        gravity: cx.gravity,
+        vehicle: vehicle?.vehicle.clone()?,
+        modes: modes.modes,
+        mission: flown.cloned(),
+        plan,
+        defaults,
+    })
+}
+
+fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'a Field>) {
+    let name = &field.name;
+    if name.value != "gravity" {
+        let message = format!("`{}` is not a field of the top level", name.value);
+        let error =
+            Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
+        let error = match nearest(&name.value, ["gravity"]) {
+            Some(near) => error
+                .help(format!("did you mean `{near}`?"))
+                .fix(name.span, near),
+            None => error.help(format!("to name a value, write `let {} = ...`", name.value)),
+        };
+        cx.report(error);
+    } else if let Some(first) = gravity {
+        cx.report(duplicate("field", name, first.name.span));
+    } else {
+        *gravity = Some(field);
+    }
+}
+
+fn settle_gravity<'a>(
+    cx: &mut Context<'a>,
+    field: Option<&'a Field>,
+    defaults: &mut Vec<DefaultUsed>,
+) {
+    match field.map(|f| &f.value) {
+        Some(FieldValue::Expr(expr)) => {
+            let given = cx.positive(
+                Due::new("gravity", "m/s^2"),
+                expr,
+                "mavc::vehicle::not_positive",
+            );
+            if let Some(given) = given.filter(|g| *g != GRAVITY) {
+                cx.gravity = given;
+                // What was evaluated on the way may have used the old value.
+                cx.lets.values_mut().for_each(|l| {
+                    if matches!(l.state, State::Done(Some(_))) {
+                        l.state = State::Waiting;
+                    }
+                });
+            }
+        }
+        Some(FieldValue::Where { field, .. }) => {
+            let error = Diagnostic::error(
+                "mavc::plan::choice",
+                field.span,
+                "`where` stands only in `against`",
+            );
+            cx.report(error.here("not a filter"));
+        }
+        None => defaults.push(DefaultUsed {
+            field: "gravity".into(),
+            value: format!("{} m/s^2", number(GRAVITY)),
+            reason: "standard gravity of the language".into(),
+        }),
+    }
+}
+
+/// Blocks of one kind have different names.
+fn no_second(cx: &mut Context, what: &str, blocks: &[&Block]) {
+    for (i, block) in blocks.iter().enumerate() {
+        let Some(name) = &block.name else { continue };
+        let first = blocks[..i]
+            .iter()
+            .filter_map(|b| b.name.as_ref())
+            .find(|n| n.value == name.value);
+        if let Some(first) = first {
+            let first = first.span;
+            cx.report(duplicate(what, name, first));
+        }
+    }
+}
+
+/// The vehicle or mission that is meant: the one `plan` names, or the only one.
+fn choose<'a>(
+    cx: &mut Context<'a>,
+    draft: &Draft<'a>,
+    what: &str,
+    named: &[(&str, Span)],
+) -> Option<usize> {
+    let names: Vec<&str> = named.iter().map(|n| n.0).collect();
+    if let Some(Spanned { value, span }) = draft.chosen(cx, what) {
+        let index = names.iter().position(|n| *n == value);
+        if index.is_none() {
+            cx.unknown(what, value, span, &names);
+        }
+        return index;
+    }
+    match named {
+        [] => None,
+        [_] => Some(0),
+        [first, second, ..] => {
+            let message = format!("the spec has {} {what}s, and none is chosen", named.len());
+            let place = draft.span.unwrap_or(second.1);
+            cx.report(
+                Diagnostic::error("mavc::name::ambiguous", place, message)
+                    .here("which one?")
+                    .also(first.1, "this one?")
+                    .also(second.1, "or this one?")
+                    .help(format!("write `{what} = {}` in `plan`", first.0)),
+            );
+            None
+        }
+    }
+}
+
+/// Warns once a statement whose modes no plan uses.
+fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize]) {
+    for statement in 0..modes.statements {
+        let of_statement = || {
+            modes
+                .origin
+                .iter()
+                .enumerate()
+                .filter(move |(_, o)| **o == statement)
+                .map(|(k, _)| k)
+        };
+        let Some(first) = of_statement().next() else {
+            continue;
+        };
+        if of_statement().any(|k| against.contains(&k)) {
+            continue;
+        }
+        let mode = &modes.modes[first];
+        let count = of_statement().count();
+        let message = match count {
+            1 => format!("the plan does not look at fault mode `{}`", mode.name),
+            n => format!("the plan looks at none of these {n} fault modes"),
+        };
+        let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message)
+            .here("not planned against");
+        cx.report(warning.help(format!(
+            "add it to `against`, as in `[{}]`, or take it out",
+            mode.name
+        )));
+    }
+}
+
+fn start_of(item: &Item) -> Span {
+    match item {
+        Item::Use(path) => path.span,
+        Item::Let(field) | Item::Field(field) => field.name.span,
+        Item::Block(block) => block.keyword.span,
+        Item::Broken(span) => *span,
+    }
+}
+
+/// The expression of a field, where it has one.
+pub(super) fn expr_of(field: &Field) -> Option<&Expr> {
+    match &field.value {
+        FieldValue::Expr(expr) => Some(expr),
+        FieldValue::Where { .. } => None,
+    }
+}

@@ -1,0 +1,495 @@
+//! Expressions to values: numbers with units, lists, ranges, names and calls.
+//!
+//! A `None` always means that an error has been reported, so whoever gets it stays silent.
+
+use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_STEPS};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::source::{Span, Spanned};
+use crate::syntax::ast::{Expr, ExprKind, Operator, UnitText};
+use crate::unit::{Dimension, Quantity, Unit, UnitError, mismatch, parse_unit, unit_names};
+
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Value {
+    Quantity(Quantity),
+    List(Vec<Quantity>),
+    /// Low and high.
+    Range(Quantity, Quantity),
+    Text(String),
+}
+
+impl Value {
+    /// What it is, with its article.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Value::Quantity(_) => "a number",
+            Value::List(_) => "a list",
+            Value::Range(..) => "a range",
+            Value::Text(_) => "a text",
+        }
+    }
+}
+
+impl<'a> Context<'a> {
+    /// The value of `expr`; `None` where it has an error, which has been reported.
+    pub fn evaluate(&mut self, expr: &'a Expr) -> Option<Value> {
+        self.steps = self.steps.saturating_add(1);
+        if self.depth >= MAX_EVALUATION_DEPTH || self.steps > MAX_STEPS {
+            self.report_too_much(expr.span);
+            return None;
+        }
+        self.depth += 1;
+        let value = self.evaluate_kind(expr);
+        self.depth -= 1;
+        value
+    }
+
+    /// The value of `expr`, which has to be a single number with or without a unit.
+    pub fn evaluate_quantity(&mut self, expr: &'a Expr) -> Option<Quantity> {
+        let value = self.evaluate(expr)?;
+        self.single(value, expr.span)
+    }
+
+    fn evaluate_kind(&mut self, expr: &'a Expr) -> Option<Value> {
+        match &expr.kind {
+            ExprKind::Number { value, unit, .. } => {
+                let unit = match unit {
+                    Some(unit) => self.unit(unit)?,
+                    None => return self.finite(Quantity::plain(*value), expr.span),
+                };
+                self.finite(Quantity::with_unit(*value, unit), expr.span)
+            }
+            ExprKind::Text(text) => Some(Value::Text(text.clone())),
+            ExprKind::Name(name) => self.named(name, expr.span),
+            ExprKind::Call {
+                function,
+                arguments,
+            } => self.call(function, arguments, expr.span),
+            ExprKind::Negate(inner) => match self.evaluate(inner)? {
+                Value::Quantity(q) => Some(Value::Quantity(q.negated())),
+                Value::List(list) => Some(Value::List(
+                    list.into_iter().map(Quantity::negated).collect(),
+                )),
+                other => self.wrong_kind(&other, "a number", inner.span),
+            },
+            ExprKind::Binary {
+                operator,
+                left,
+                right,
+            } => {
+                let (a, b) = (self.evaluate(left), self.evaluate(right));
+                self.binary(operator, (left.span, a?), (right.span, b?), expr.span)
+            }
+            ExprKind::Paren { inner, unit } => {
+                let value = self.evaluate(inner);
+                match unit {
+                    None => value,
+                    Some(text) => {
+                        let unit = self.unit(text);
+                        self.attach(value?, unit?, text, inner.span)
+                    }
+                }
+            }
+            ExprKind::List { elements, unit } => self.list(elements, unit.as_ref()),
+            ExprKind::Range { low, high } => self.range(low, high),
+        }
+    }
+
+    fn named(&mut self, name: &'a str, span: Span) -> Option<Value> {
+        if let Some((parameter, value)) = self.parameter
+            && parameter == name
+        {
+            return Some(Value::Quantity(value));
+        }
+        match name {
+            "pi" => return Some(Value::Quantity(Quantity::plain(std::f64::consts::PI))),
+            "g0" => {
+                let acceleration = Dimension::LENGTH
+                    .over(Dimension::TIME)
+                    .and_then(|d| d.over(Dimension::TIME))?;
+                return Some(Value::Quantity(Quantity::new(self.gravity, acceleration)));
+            }
+            _ => {}
+        }
+        if let Some(entry) = self.lets.get_mut(name) {
+            entry.used = true;
+            let value = self.settle_let(name);
+            if let Some(Value::List(list)) = &value {
+                self.steps = self.steps.saturating_add(list.len() as u32);
+            }
+            return value;
+        }
+        if FUNCTIONS.contains(&name) {
+            let message = format!("`{name}` is a function and needs its arguments in parentheses");
+            self.report(
+                Diagnostic::error("mavc::unit::argument", span, message)
+                    .here("no parentheses follow")
+                    .help(format!("write `{name}(...)`")),
+            );
+        } else if parse_unit(name, self.gravity).is_ok() && !self.may_exist(name) {
+            let message = format!("no `let` is called `{name}`, and a unit cannot stand alone");
+            self.report(
+                Diagnostic::error("mavc::name::unknown", span, message)
+                    .here("a unit stands directly after a number, `)` or `]`")
+                    .help(format!(
+                        "write `1 {name}`, or put the unit behind parentheses: `(...) {name}`"
+                    )),
+            );
+        } else {
+            let names: Vec<&str> = self.names_in_scope();
+            self.unknown("`let`", name, span, &names);
+        }
+        None
+    }
+
+    fn names_in_scope(&self) -> Vec<&'a str> {
+        let parameter = self.parameter.iter().map(|(name, _)| *name);
+        self.lets
+            .keys()
+            .copied()
+            .chain(parameter)
+            .chain(CONSTANTS)
+            .collect()
+    }
+
+    /// The unit behind a text, or an error that says what to write.
+    pub fn unit(&mut self, text: &UnitText) -> Option<Unit> {
+        let error = match parse_unit(&text.value, self.gravity) {
+            Ok(unit) => return Some(unit),
+            Err(error) => error,
+        };
+        let code = "mavc::unit::unknown";
+        let diagnostic = match error {
+            UnitError::Malformed => {
+                Diagnostic::error(code, text.span, format!("`{}` is no unit", text.value))
+                    .here("not a product of units with small whole exponents")
+                    .help("write it like `kg*m^2` or `m/s^2`, without spaces")
+            }
+            UnitError::Unknown { word, .. } if self.names_in_scope().contains(&word.as_str()) => {
+                Diagnostic::error(code, text.span, format!("`{word}` is a name, not a unit"))
+                    .here("a unit would stand here")
+                    .help(format!("to multiply, write `*{}`", text.value))
+                    .fix(text.span, format!("*{}", text.value))
+            }
+            UnitError::Unknown { word, meant } => {
+                let near = meant.or_else(|| nearest(&word, unit_names()).map(str::to_string));
+                let diagnostic =
+                    Diagnostic::error(code, text.span, format!("no unit is called `{word}`"));
+                match near {
+                    Some(near) => {
+                        let whole = text.value.replacen(&word, &near, 1);
+                        diagnostic
+                            .here("not a unit mavc knows")
+                            .help(format!("write `{whole}`"))
+                            .fix(text.span, whole)
+                    }
+                    None => diagnostic.here("not a unit mavc knows").help(
+                        "known are m g s rad N J W Hz with prefixes (mm, kg, us), and min h deg rev rpm ft inch lb \
+                         kgf gf %",
+                    ),
+                }
+            }
+        };
+        self.report(diagnostic);
+        None
+    }
+
+    /// `(...) m`: the unit applies to what stands inside, which has to be plain.
+    fn attach(&mut self, value: Value, unit: Unit, text: &UnitText, span: Span) -> Option<Value> {
+        match value {
+            Value::Quantity(q) => {
+                let q = self.attach_one(q, unit, text, span)?;
+                self.finite(q, span)
+            }
+            Value::Range(a, b) => {
+                let (a, b) = (
+                    self.attach_one(a, unit, text, span)?,
+                    self.attach_one(b, unit, text, span)?,
+                );
+                Some(Value::Range(a, b))
+            }
+            Value::List(list) => {
+                let spread = list
+                    .into_iter()
+                    .map(|q| self.attach_one(q, unit, text, span));
+                Some(Value::List(spread.collect::<Option<_>>()?))
+            }
+            other => self.wrong_kind(&other, "a number", span),
+        }
+    }
+
+    fn attach_one(
+        &mut self,
+        q: Quantity,
+        unit: Unit,
+        text: &UnitText,
+        span: Span,
+    ) -> Option<Quantity> {
+        if q.dimension.is_plain() {
+            return Some(Quantity::with_unit(q.value, unit));
+        }
+        let message = format!(
+            "`{}` follows what already is {}",
+            text.value,
+            q.dimension.describe()
+        );
+        self.report(
+            Diagnostic::error("mavc::unit::mismatch", text.span, message)
+                .here("a unit goes with a plain number")
+                .also(span, format!("this is {}", q.dimension.describe()))
+                .help("take the unit out here or inside"),
+        );
+        None
+    }
+
+    fn list(&mut self, elements: &'a [Expr], unit: Option<&UnitText>) -> Option<Value> {
+        let unit_known = unit.map(|text| self.unit(text));
+        let mut list = Some(Vec::with_capacity(elements.len()));
+        for element in elements {
+            let q = self
+                .evaluate_quantity(element)
+                .and_then(|q| match unit_known {
+                    Some(unit) if is_bare(q, element) => {
+                        unit.map(|unit| Quantity::with_unit(q.value, unit))
+                    }
+                    _ => Some(q),
+                });
+            match (&mut list, q) {
+                (Some(list), Some(q)) => list.push(q),
+                (list, _) => *list = None,
+            }
+        }
+        list.map(Value::List)
+    }
+
+    /// `a .. b`; a unit at the end applies to a bare start: `0 .. 30 m`.
+    fn range(&mut self, low: &'a Expr, high: &'a Expr) -> Option<Value> {
+        let (a, b) = (self.evaluate_quantity(low), self.evaluate_quantity(high));
+        let (mut a, b) = (a?, b?);
+        if is_bare(a, low)
+            && let Some(text) = trailing_unit(high)
+        {
+            let unit = self.unit(text)?;
+            if unit.dimension == b.dimension {
+                a = Quantity::with_unit(a.value, unit);
+            }
+        }
+        if a.dimension != b.dimension {
+            let message = format!(
+                "a range goes from {} to {}",
+                a.dimension.describe(),
+                b.dimension.describe()
+            );
+            let told = mismatch(a.dimension, b.dimension);
+            self.report(
+                Diagnostic::error("mavc::unit::mismatch", high.span, message)
+                    .here(format!("this is {}", b.dimension.describe()))
+                    .also(low.span, format!("this is {}", a.dimension.describe()))
+                    .help(told.table),
+            );
+            return None;
+        }
+        Some(Value::Range(a, b))
+    }
+
+    fn binary(
+        &mut self,
+        operator: &Spanned<Operator>,
+        (left_span, left): (Span, Value),
+        (right_span, right): (Span, Value),
+        span: Span,
+    ) -> Option<Value> {
+        use Value::{List, Quantity as One};
+        let both = (left_span, right_span);
+        match (left, right) {
+            (One(a), One(b)) => self
+                .combine(operator, a, b, both)
+                .and_then(|q| self.finite(q, span)),
+            (List(a), One(b))
+                if matches!(operator.value, Operator::Multiply | Operator::Divide) =>
+            {
+                let all = a
+                    .into_iter()
+                    .map(|a| self.combine(operator, a, b, both))
+                    .collect::<Option<Vec<_>>>()?;
+                self.finite_list(all, span)
+            }
+            (One(a), List(b)) if operator.value == Operator::Multiply => {
+                let all = b
+                    .into_iter()
+                    .map(|b| self.combine(operator, a, b, both))
+                    .collect::<Option<Vec<_>>>()?;
+                self.finite_list(all, span)
+            }
+            (List(a), List(b))
+                if a.len() == b.len()
+                    && matches!(operator.value, Operator::Add | Operator::Subtract) =>
+            {
+                let pairs = a.into_iter().zip(b);
+                let all = pairs
+                    .map(|(a, b)| self.combine(operator, a, b, both))
+                    .collect::<Option<Vec<_>>>()?;
+                self.finite_list(all, span)
+            }
+            (a, b) => {
+                let message = format!(
+                    "{} and {} cannot be combined by `{}`",
+                    a.kind(),
+                    b.kind(),
+                    symbol(operator)
+                );
+                self.report(
+                    Diagnostic::error("mavc::unit::kind", operator.span, message)
+                        .here("not defined for these")
+                        .help("lists of equal length add and subtract, and a list is scaled by a number"),
+                );
+                None
+            }
+        }
+    }
+
+    fn combine(
+        &mut self,
+        operator: &Spanned<Operator>,
+        a: Quantity,
+        b: Quantity,
+        (left, right): (Span, Span),
+    ) -> Option<Quantity> {
+        match operator.value {
+            Operator::Add | Operator::Subtract => {
+                let b_signed = if operator.value == Operator::Add {
+                    b
+                } else {
+                    b.negated()
+                };
+                a.plus(b_signed).or_else(|| {
+                    let sign = symbol(operator);
+                    let (x, y) = (a.dimension, b.dimension);
+                    let told = mismatch(x, y);
+                    let message = format!("`{sign}` joins {} and {}", x.describe(), y.describe());
+                    self.report(
+                        Diagnostic::error("mavc::unit::mismatch", operator.span, message)
+                            .here("both sides must measure the same")
+                            .also(left, format!("this is {}", x.describe()))
+                            .also(right, format!("this is {}", y.describe()))
+                            .help(format!("{}\n{} on the right", told.table, told.action)),
+                    );
+                    None
+                })
+            }
+            Operator::Multiply => a
+                .times(b)
+                .or_else(|| self.exponent_too_large(operator.span)),
+            Operator::Divide => a.over(b).or_else(|| self.exponent_too_large(operator.span)),
+            Operator::Power if !b.dimension.is_plain() => {
+                let message = format!(
+                    "the exponent is {}, not a plain number",
+                    b.dimension.describe()
+                );
+                let error = Diagnostic::error("mavc::unit::exponent", right, message);
+                self.report(
+                    error
+                        .here("has a unit")
+                        .help("divide it by its unit, or take the unit out"),
+                );
+                None
+            }
+            Operator::Power => a.power(b.value).or_else(|| self.exponent_too_large(right)),
+        }
+    }
+
+    fn exponent_too_large<T>(&mut self, span: Span) -> Option<T> {
+        let message = "the exponent of a unit has to be a small fraction";
+        let error = Diagnostic::error("mavc::unit::exponent", span, message);
+        self.report(error.here("this gives none").help(
+            "a quantity with a unit is raised to whole numbers or simple fractions such as `1/2`, up to 1000",
+        ));
+        None
+    }
+
+    pub(super) fn finite(&mut self, q: Quantity, span: Span) -> Option<Value> {
+        if q.value.is_finite() {
+            return Some(Value::Quantity(q));
+        }
+        self.report(
+            Diagnostic::error(
+                "mavc::unit::not_finite",
+                span,
+                "the value is not a finite number",
+            )
+            .here(if q.value.is_nan() {
+                "this is not a number"
+            } else {
+                "this is infinite"
+            })
+            .help("look for a division by zero, a root of a negative number or an overflow"),
+        );
+        None
+    }
+
+    fn finite_list(&mut self, list: Vec<Quantity>, span: Span) -> Option<Value> {
+        match list.iter().find(|q| !q.value.is_finite()) {
+            Some(&q) => self.finite(q, span),
+            None => Some(Value::List(list)),
+        }
+    }
+
+    pub(super) fn single(&mut self, value: Value, span: Span) -> Option<Quantity> {
+        match value {
+            Value::Quantity(q) => Some(q),
+            other => self.wrong_kind(&other, "a single number", span),
+        }
+    }
+
+    pub(super) fn wrong_kind<T>(&mut self, found: &Value, due: &str, span: Span) -> Option<T> {
+        let message = format!("{due} is due here, not {}", found.kind());
+        self.report(
+            Diagnostic::error("mavc::unit::kind", span, message)
+                .here(format!("this is {}", found.kind())),
+        );
+        None
+    }
+
+    /// Says once that evaluation has gone too far; later steps stay silent.
+    fn report_too_much(&mut self, span: Span) {
+        const CODE: &str = "mavc::unit::too_much";
+        if self.diagnostics.iter().any(|d| d.code == CODE) {
+            return;
+        }
+        let message = "evaluating this spec takes too much work";
+        self.report(
+            Diagnostic::error(CODE, span, message)
+                .here("the limit was passed here")
+                .help(format!(
+                    "expressions may stand {MAX_EVALUATION_DEPTH} deep, through `let`s too, and take {MAX_STEPS} steps \
+                     in all: use fewer points or shorter expressions"
+                )),
+        );
+    }
+}
+
+/// A plain number that is not written with a unit of its own.
+fn is_bare(q: Quantity, expr: &Expr) -> bool {
+    q.dimension.is_plain() && trailing_unit(expr).is_none()
+}
+
+/// The unit at the very end of an expression's text.
+fn trailing_unit(expr: &Expr) -> Option<&UnitText> {
+    match &expr.kind {
+        ExprKind::Number { unit, .. }
+        | ExprKind::Paren { unit, .. }
+        | ExprKind::List { unit, .. } => unit.as_ref(),
+        ExprKind::Negate(inner) => trailing_unit(inner),
+        ExprKind::Binary { right, .. } => trailing_unit(right),
+        _ => None,
+    }
+}
+
+fn symbol(operator: &Spanned<Operator>) -> &'static str {
+    match operator.value {
+        Operator::Add => "+",
+        Operator::Subtract => "-",
+        Operator::Multiply => "*",
+        Operator::Divide => "/",
+        Operator::Power => "^",
+    }
+}

@@ -1,0 +1,376 @@
+//! `faults` blocks: single modes and all combinations of k rotors.
+
+use std::collections::BTreeMap;
+
+use super::FaultMode;
+use super::context::{Context, duplicate};
+use super::due::Due;
+use super::expression::Value;
+use super::fields::Fields;
+use crate::diagnostic::Diagnostic;
+use crate::report::number::number;
+use crate::source::{Span, Spanned};
+use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
+
+/// Fault modes of one spec.
+pub const MAX_MODES: usize = 10_000;
+
+const FIELDS: [&str; 4] = ["rate", "severity", "occurrence", "detection"];
+const RESERVED: [&str; 2] = ["all", "healthy"];
+
+/// The modes and what else may be known about their names.
+#[derive(Default)]
+pub(super) struct Modes {
+    pub modes: Vec<FaultMode>,
+    /// The statement each came from, by its index.
+    pub origin: Vec<usize>,
+    pub statements: usize,
+    names: BTreeMap<String, Span>,
+    /// Some statement gave no modes for an error of its own: names may be missing.
+    pub incomplete: bool,
+}
+
+impl Modes {
+    /// Takes up one `faults` block. `rotors` is the vehicle's rotor count, if it is known.
+    pub fn take<'a>(&mut self, cx: &mut Context<'a>, block: &'a Block, rotors: Option<usize>) {
+        let owner = "`faults`".to_string();
+        Fields::of_block(cx, owner, block.keyword.span, &block.body, &[]);
+        for statement in &block.body {
+            match statement {
+                Statement::Block(mode) => self.single(cx, mode, rotors),
+                Statement::Every {
+                    count,
+                    effect,
+                    prefix,
+                    body,
+                    doc,
+                    span,
+                } => self.every(cx, count, effect, prefix, body, doc, *span, rotors),
+                Statement::Broken(_) => self.incomplete = true,
+                _ => continue,
+            }
+            self.statements += 1;
+        }
+    }
+
+    fn single<'a>(&mut self, cx: &mut Context<'a>, block: &'a Block, rotors: Option<usize>) {
+        let Some(name) = &block.name else { return };
+        let owner = format!("mode `{}`", name.value);
+        let effects = Effects::read(cx, block, &owner, rotors);
+        let numbers = Numbers::read(cx, owner, name.span, &block.body);
+        let known = self.admit(cx, name, &name.value);
+        let (Some(effects), Some(numbers), Some(rotors), true) = (effects, numbers, rotors, known)
+        else {
+            self.incomplete = true;
+            return;
+        };
+        let mut mode = numbers.mode(name.value.clone(), rotors, name.span);
+        mode.title = block.title.as_ref().map(|t| t.value.clone());
+        mode.doc = block.doc.clone();
+        effects
+            .iter()
+            .for_each(|(k, effect)| effect.apply(&mut mode, *k));
+        self.push(mode);
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn every<'a>(
+        &mut self,
+        cx: &mut Context<'a>,
+        count: &'a Expr,
+        effect: &'a Effect,
+        prefix: &'a Name,
+        body: &'a [Statement],
+        doc: &Option<String>,
+        span: Span,
+        rotors: Option<usize>,
+    ) {
+        let effect = Loss::read(cx, effect);
+        let numbers = Numbers::read(cx, format!("`every ... as {}`", prefix.value), span, body);
+        let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
+        let count = cx
+            .whole(
+                "the number of rotors",
+                count,
+                1..=most,
+                "mavc::fault::count",
+            )
+            .map(|k| (k, count.span));
+        let (Some(effect), Some(numbers), Some((k, at)), Some(n)) =
+            (effect, numbers, count, rotors)
+        else {
+            self.incomplete = true;
+            return;
+        };
+        let total = (0..k)
+            .fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
+            .round();
+        if total + self.modes.len() as f64 > MAX_MODES as f64 {
+            let message = format!(
+                "{k} of {n} rotors make {} combinations; a spec has at most {MAX_MODES} fault modes",
+                number(total)
+            );
+            let error = Diagnostic::error("mavc::fault::too_many", at, message);
+            cx.report(
+                error
+                    .here("too many combinations")
+                    .help("choose fewer rotors, or name the modes that matter"),
+            );
+            self.incomplete = true;
+            return;
+        }
+        for rotors in combinations(n, k) {
+            let numbers_text: Vec<String> = rotors.iter().map(usize::to_string).collect();
+            let name = format!("{}{}", prefix.value, numbers_text.join("_"));
+            if !self.admit(cx, prefix, &name) {
+                self.incomplete = true;
+                return;
+            }
+            let mut mode = numbers.mode(name, n, span);
+            mode.doc = doc.clone();
+            rotors
+                .iter()
+                .for_each(|&rotor| effect.apply(&mut mode, rotor));
+            self.push(mode);
+        }
+    }
+
+    fn push(&mut self, mode: FaultMode) {
+        self.modes.push(mode);
+        self.origin.push(self.statements);
+    }
+
+    /// Books a mode's name; `false` where it is reserved or taken.
+    fn admit(&mut self, cx: &mut Context, written: &Name, name: &str) -> bool {
+        if RESERVED.contains(&name) {
+            let message = format!("`{name}` belongs to the language and cannot name a fault mode");
+            let error = Diagnostic::error("mavc::name::reserved", written.span, message);
+            cx.report(error.here("reserved").help("choose another name"));
+            return false;
+        }
+        if let Some(&first) = self.names.get(name) {
+            let written = Spanned::new(name.to_string(), written.span);
+            cx.report(duplicate("fault mode", &written, first));
+            return false;
+        }
+        if self.modes.len() >= MAX_MODES {
+            let message = format!("a spec has at most {MAX_MODES} fault modes");
+            cx.report(
+                Diagnostic::error("mavc::fault::too_many", written.span, message)
+                    .here("one too many"),
+            );
+            return false;
+        }
+        self.names.insert(name.to_string(), written.span);
+        true
+    }
+}
+
+/// Every choice of `k` from 1..=n, ascending.
+fn combinations(n: usize, k: usize) -> impl Iterator<Item = Vec<usize>> {
+    let mut next = (k <= n).then(|| (1..=k).collect::<Vec<_>>());
+    std::iter::from_fn(move || {
+        let current = next.clone()?;
+        next = (0..k)
+            .rev()
+            .find(|&i| current[i] < n - (k - 1 - i))
+            .map(|i| {
+                let mut following = current.clone();
+                following[i] += 1;
+                (i + 1..k).for_each(|j| following[j] = following[j - 1] + 1);
+                following
+            });
+        Some(current)
+    })
+}
+
+#[derive(Clone, Copy)]
+enum Loss {
+    Capacity(f64),
+    Stuck(f64),
+}
+
+impl Loss {
+    fn read<'a>(cx: &mut Context<'a>, effect: &'a Effect) -> Option<Self> {
+        const CODE: &str = "mavc::fault::percent";
+        match effect {
+            Effect::Lost(_) => Some(Loss::Capacity(0.0)),
+            Effect::Reduced(to) => cx
+                .share("what is left of a rotor", to, CODE)
+                .map(Loss::Capacity),
+            Effect::Stuck(at) => cx
+                .share("the thrust a rotor is stuck at", at, CODE)
+                .map(Loss::Stuck),
+        }
+    }
+
+    /// Sets rotor `k`, counted from 1.
+    fn apply(self, mode: &mut FaultMode, k: usize) {
+        match self {
+            Loss::Capacity(share) => mode.capacity[k - 1] = share,
+            Loss::Stuck(share) => mode.stuck[k - 1] = Some(share),
+        }
+    }
+}
+
+/// The rotors a mode touches, each with what happens to it.
+struct Effects;
+
+impl Effects {
+    fn read<'a>(
+        cx: &mut Context<'a>,
+        block: &'a Block,
+        owner: &str,
+        rotors: Option<usize>,
+    ) -> Option<Vec<(usize, Loss)>> {
+        let mut all = Some(Vec::new());
+        let mut touched: BTreeMap<usize, Span> = BTreeMap::new();
+        let mut any = false;
+        for statement in &block.body {
+            let (list, effect) = match statement {
+                Statement::Fault { rotors, effect, .. } => (rotors, effect),
+                Statement::Broken(_) => {
+                    (any, all) = (true, None);
+                    continue;
+                }
+                _ => continue,
+            };
+            any = true;
+            let loss = Loss::read(cx, effect);
+            let indices = indices(cx, list, rotors);
+            for &(k, span) in indices.iter().flatten() {
+                if let Some(&first) = touched.get(&k) {
+                    let message = format!("rotor {k} is named twice in {owner}");
+                    let error = Diagnostic::error("mavc::fault::rotor_twice", span, message)
+                        .here("named again");
+                    cx.report(
+                        error
+                            .also(first, "first named here")
+                            .help("a rotor has one fault in a mode"),
+                    );
+                    all = None;
+                } else {
+                    touched.insert(k, span);
+                }
+            }
+            match (&mut all, indices, loss) {
+                (Some(list), Some(indices), Some(loss)) => {
+                    list.extend(indices.into_iter().map(|(k, _)| (k, loss)))
+                }
+                (list, ..) => *list = None,
+            }
+        }
+        if !any {
+            let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
+            let error = Diagnostic::error(
+                "mavc::fault::empty",
+                span,
+                format!("{owner} touches no rotor"),
+            );
+            cx.report(
+                error
+                    .here("nothing fails")
+                    .help("say what fails, such as `rotor 3 lost`"),
+            );
+            return None;
+        }
+        all
+    }
+}
+
+/// `3` or `[1, 6]` as rotor numbers with their places.
+fn indices<'a>(
+    cx: &mut Context<'a>,
+    expr: &'a Expr,
+    rotors: Option<usize>,
+) -> Option<Vec<(usize, Span)>> {
+    let values = match cx.evaluate(expr)? {
+        Value::Quantity(q) => vec![q],
+        Value::List(list) => list,
+        other => return cx.wrong_kind(&other, "a rotor number or a list of them", expr.span),
+    };
+    let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
+    let mut indices = Some(Vec::new());
+    for (i, q) in values.into_iter().enumerate() {
+        let place = match &expr.kind {
+            ExprKind::List { elements, .. } => elements.get(i).unwrap_or(expr),
+            _ => expr,
+        };
+        let index = cx
+            .lower(Due::new("rotor", "1"), q, place)
+            .and_then(|value| {
+                cx.whole_value(
+                    "a rotor number",
+                    value,
+                    place.span,
+                    1..=most,
+                    "mavc::fault::rotor_index",
+                )
+            });
+        match (&mut indices, index) {
+            (Some(list), Some(k)) => list.push((k, place.span)),
+            (list, _) => *list = None,
+        }
+    }
+    indices
+}
+
+/// Rate and FMEA numbers.
+struct Numbers {
+    rate: Option<f64>,
+    severity: Option<u8>,
+    occurrence: Option<u8>,
+    detection: Option<u8>,
+}
+
+impl Numbers {
+    fn read<'a>(
+        cx: &mut Context<'a>,
+        owner: String,
+        span: Span,
+        body: &'a [Statement],
+    ) -> Option<Self> {
+        let fields = Fields::of_block(cx, owner, span, body, &FIELDS);
+        let rate = fields
+            .get("rate")
+            .map(|e| cx.not_negative(Due::new("rate", "1/h"), e, "mavc::fault::rate"));
+        let mut fmea = |name: &str| {
+            fields.get(name).map(|e| {
+                cx.whole(&format!("`{name}`"), e, 1..=10, "mavc::fault::fmea")
+                    .map(|x| x as u8)
+            })
+        };
+        let (severity, occurrence, detection) =
+            (fmea("severity"), fmea("occurrence"), fmea("detection"));
+        Some(Numbers {
+            rate: settled(rate)?,
+            severity: settled(severity)?,
+            occurrence: settled(occurrence)?,
+            detection: settled(detection)?,
+        })
+    }
+
+    fn mode(&self, name: String, rotors: usize, span: Span) -> FaultMode {
+        FaultMode {
+            name,
+            title: None,
+            doc: None,
+            capacity: vec![1.0; rotors],
+            stuck: vec![None; rotors],
+            severity: self.severity,
+            occurrence: self.occurrence,
+            detection: self.detection,
+            rate: self.rate,
+            span,
+        }
+    }
+}
+
+/// Something not written is fine, something written with an error is not.
+fn settled<T>(given: Option<Option<T>>) -> Option<Option<T>> {
+    match given {
+        None => Some(None),
+        Some(None) => None,
+        Some(value) => Some(value),
+    }
+}

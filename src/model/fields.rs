@@ -1,0 +1,210 @@
+//! The `name = value` statements of a block: known names, no repetition, nothing due left out.
+
+use super::context::{Context, listed};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::source::Span;
+use crate::syntax::ast::{Clauses, Expr, Field, FieldValue, Name, Statement};
+
+/// Fields that belong elsewhere, and the word people use for what belongs there.
+const ELSEWHERE: &[(&str, &str)] = &[
+    ("gravity", "stands at the top level, outside all blocks"),
+    ("timing", "is a field of `plan`"),
+    (
+        "within",
+        "is a field of `plan`, of a `curve` and of a `waypoint`",
+    ),
+    (
+        "yaw_within",
+        "is a field of `plan`, of a `curve` and of a `waypoint`",
+    ),
+    ("samples", "is a field of `plan`"),
+    ("reserve", "is a field of `plan`"),
+    ("against", "is a field of `plan`"),
+    ("planner", "is a field of `plan`"),
+    ("mass", "is a field of `vehicle`"),
+    ("inertia", "is a field of `vehicle`"),
+    ("arm", "is a field of `vehicle`"),
+    ("layout", "is a field of `vehicle`"),
+    ("max_speed", "is a field of `rotor` in a `vehicle`"),
+    ("thrust_coefficient", "is a field of `rotor` in a `vehicle`"),
+    ("drag_coefficient", "is a field of `rotor` in a `vehicle`"),
+    ("time_constant", "is a field of `rotor` in a `vehicle`"),
+    ("points", "follows the range of a `curve`, after a comma"),
+    ("rate", "is a field of a fault mode"),
+    ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
+    ("tilt", "is a limit, written `tilt <= 35 deg` in `limits`"),
+    (
+        "heading",
+        "is written `yaw`, counter-clockwise from east: a compass heading h is `yaw = 90 deg - h`",
+    ),
+    (
+        "altitude",
+        "is a limit, written `altitude in 1 m .. 30 m` in `limits`",
+    ),
+    (
+        "name",
+        "is written after the block's keyword, as in `vehicle octo`",
+    ),
+];
+
+/// The fields or clauses of one block or statement, by name.
+pub(super) struct Fields<'a> {
+    /// As one says it: "vehicle `octo`".
+    pub owner: String,
+    /// Where a missing field is reported.
+    pub span: Span,
+    found: Vec<(&'a Name, &'a Expr, Span)>,
+    /// Known names that stand here in some unreadable or misspelled form, so that they are not missing.
+    accounted: Vec<&'static str>,
+    /// The block holds statements that could not be read: nothing is surely missing.
+    broken: bool,
+}
+
+impl<'a> Fields<'a> {
+    /// The fields among the statements of a block.
+    pub fn of_block(
+        cx: &mut Context<'a>,
+        owner: String,
+        span: Span,
+        body: &'a [Statement],
+        known: &[&'static str],
+    ) -> Self {
+        let broken = body.iter().any(|s| matches!(s, Statement::Broken(_)));
+        let mut fields = Fields {
+            owner,
+            span,
+            found: Vec::new(),
+            accounted: Vec::new(),
+            broken,
+        };
+        for statement in body {
+            if let Statement::Field(field) = statement {
+                fields.take_field(cx, field, known);
+            }
+        }
+        fields
+    }
+
+    /// The options behind a curve's range and the fields of its body are read by the same rules.
+    pub fn take_field(&mut self, cx: &mut Context<'a>, field: &'a Field, known: &[&'static str]) {
+        match &field.value {
+            FieldValue::Expr(expr) => self.take(cx, &field.name, expr, field.span, known),
+            FieldValue::Where { .. } => {
+                let message = "`where` stands only in `against`";
+                cx.report(
+                    Diagnostic::error("mavc::plan::choice", field.span, message)
+                        .here("not a filter"),
+                );
+                self.accounted
+                    .extend(known.iter().find(|k| **k == field.name.value));
+            }
+        }
+    }
+
+    /// The `word value` clauses of a statement.
+    pub fn of_clauses(
+        cx: &mut Context<'a>,
+        owner: String,
+        statement: &'a Clauses,
+        known: &[&'static str],
+    ) -> Self {
+        let mut fields = Fields {
+            owner,
+            span: statement.span,
+            found: Vec::new(),
+            accounted: Vec::new(),
+            broken: false,
+        };
+        for clause in &statement.clauses {
+            fields.take(cx, &clause.word, &clause.value, clause.value.span, known);
+        }
+        fields
+    }
+
+    fn take(
+        &mut self,
+        cx: &mut Context<'a>,
+        name: &'a Name,
+        value: &'a Expr,
+        span: Span,
+        known: &[&'static str],
+    ) {
+        if !known.contains(&name.value.as_str()) {
+            self.unknown(cx, name, known);
+        } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
+            let message = format!("`{}` is given twice in {}", name.value, self.owner);
+            cx.report(
+                Diagnostic::error("mavc::name::duplicate", name.span, message)
+                    .here("given again")
+                    .also(first.span, "first given here")
+                    .help("take one out"),
+            );
+        } else {
+            self.found.push((name, value, span));
+        }
+    }
+
+    fn unknown(&mut self, cx: &mut Context<'a>, name: &Name, known: &[&'static str]) {
+        let word = name.value.as_str();
+        let message = format!("{} has no field `{word}`", self.owner);
+        let mut error =
+            Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
+        let near = nearest(word, known.iter().copied());
+        if let Some((_, place)) = ELSEWHERE.iter().find(|(field, _)| *field == word) {
+            error = error.help(format!("`{word}` {place}"));
+        } else if let Some(near) = near {
+            error = error
+                .help(format!("did you mean `{near}`?"))
+                .fix(name.span, near);
+        } else {
+            error = error.help(format!("its fields are {}", listed(known)));
+        }
+        if word == "heading" {
+            self.accounted.push("yaw");
+        }
+        self.accounted
+            .extend(known.iter().find(|k| Some(**k) == near));
+        cx.report(error);
+    }
+
+    pub fn get(&self, name: &str) -> Option<&'a Expr> {
+        self.found
+            .iter()
+            .find(|(n, ..)| n.value == name)
+            .map(|(_, expr, _)| *expr)
+    }
+
+    /// The whole statement that gives `name`.
+    pub fn span_of(&self, name: &str) -> Option<Span> {
+        self.found
+            .iter()
+            .find(|(n, ..)| n.value == name)
+            .map(|(.., span)| *span)
+    }
+
+    /// Whether `name` is given, if only in a form that could not be read.
+    pub fn may_have(&self, name: &str) -> bool {
+        self.broken || self.accounted.contains(&name) || self.get(name).is_some()
+    }
+
+    /// The field `name`, or an error that it is missing, with an example of how to write it.
+    pub fn demand(&self, cx: &mut Context<'a>, name: &str, example: &str) -> Option<&'a Expr> {
+        let expr = self.get(name);
+        if expr.is_none() && !self.may_have(name) {
+            self.missing(cx, &format!("`{name}`"), example);
+        }
+        expr
+    }
+
+    pub fn missing(&self, cx: &mut Context<'a>, what: &str, example: &str) {
+        cx.report(
+            Diagnostic::error(
+                "mavc::name::missing_field",
+                self.span,
+                format!("{} has no {what}", self.owner),
+            )
+            .here("needed here")
+            .help(format!("add `{example}`")),
+        );
+    }
+}

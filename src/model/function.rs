@@ -1,0 +1,162 @@
+//! The functions of the language.
+
+use super::context::{Context, FUNCTIONS};
+use super::expression::Value;
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::source::Span;
+use crate::syntax::ast::{Expr, Name};
+use crate::unit::{Dimension, Quantity, mismatch};
+
+impl<'a> Context<'a> {
+    pub(super) fn call(
+        &mut self,
+        function: &'a Name,
+        arguments: &'a [Expr],
+        span: Span,
+    ) -> Option<Value> {
+        let name = function.value.as_str();
+        // Arguments are evaluated whatever the function, so that their own errors come out in the same run.
+        let values: Vec<Option<Quantity>> = arguments
+            .iter()
+            .map(|a| self.evaluate_quantity(a))
+            .collect();
+        let due = match name {
+            "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "sqrt" | "abs" => 1..=1,
+            "atan2" => 2..=2,
+            "min" | "max" => 2..=usize::MAX,
+            _ => {
+                let mut error = Diagnostic::error(
+                    "mavc::name::unknown",
+                    function.span,
+                    format!("no function is called `{name}`"),
+                );
+                error = match nearest(name, FUNCTIONS) {
+                    Some(near) => error
+                        .here("unknown")
+                        .help(format!("did you mean `{near}`?"))
+                        .fix(function.span, near),
+                    None => error
+                        .here("unknown")
+                        .help(format!("there are {}", FUNCTIONS.join(", "))),
+                };
+                self.report(error);
+                return None;
+            }
+        };
+        if !due.contains(&arguments.len()) {
+            let count = match name {
+                "atan2" => "two arguments, y and x",
+                "min" | "max" => "two or more arguments",
+                _ => "one argument",
+            };
+            let message = format!("`{name}` takes {count}, not {}", arguments.len());
+            self.report(
+                Diagnostic::error("mavc::unit::argument", span, message)
+                    .here("wrong number of arguments"),
+            );
+            return None;
+        }
+        let values: Vec<Quantity> = values.into_iter().collect::<Option<_>>()?;
+        let x = values[0];
+        let plain = |value: f64| Some(Quantity::plain(value));
+        let angle = |value: f64| Some(Quantity::new(value, Dimension::ANGLE));
+        let result = match name {
+            "sin" | "cos" | "tan" => {
+                if !x.dimension.is_plain() && x.dimension != Dimension::ANGLE {
+                    return self.wrong_argument(
+                        name,
+                        "an angle or a plain number",
+                        x,
+                        arguments[0].span,
+                    );
+                }
+                plain(match name {
+                    "sin" => x.value.sin(),
+                    "cos" => x.value.cos(),
+                    _ => x.value.tan(),
+                })
+            }
+            "asin" | "acos" | "atan" => {
+                if !x.dimension.is_plain() {
+                    return self.wrong_argument(name, "a plain number", x, arguments[0].span);
+                }
+                angle(match name {
+                    "asin" => x.value.asin(),
+                    "acos" => x.value.acos(),
+                    _ => x.value.atan(),
+                })
+            }
+            "sqrt" => x.power(0.5),
+            "abs" => Some(Quantity {
+                value: x.value.abs(),
+                ..x
+            }),
+            _ => {
+                let other = values
+                    .iter()
+                    .zip(arguments)
+                    .skip(1)
+                    .find(|(q, _)| q.dimension != x.dimension);
+                if let Some((q, argument)) = other {
+                    let told = mismatch(x.dimension, q.dimension);
+                    let message = format!(
+                        "`{name}` compares {} and {}",
+                        x.dimension.describe(),
+                        q.dimension.describe()
+                    );
+                    self.report(
+                        Diagnostic::error("mavc::unit::mismatch", argument.span, message)
+                            .here(format!("this is {}", q.dimension.describe()))
+                            .also(
+                                arguments[0].span,
+                                format!("this is {}", x.dimension.describe()),
+                            )
+                            .help(told.table),
+                    );
+                    return None;
+                }
+                match name {
+                    "atan2" => angle(x.value.atan2(values[1].value)),
+                    "min" => values
+                        .iter()
+                        .copied()
+                        .reduce(|a, b| if b.value < a.value { b } else { a }),
+                    _ => values
+                        .iter()
+                        .copied()
+                        .reduce(|a, b| if b.value > a.value { b } else { a }),
+                }
+            }
+        };
+        match result {
+            Some(q) => self.finite(q, span),
+            None => {
+                let message = "the root of this unit has no small exponent";
+                self.report(
+                    Diagnostic::error("mavc::unit::exponent", span, message)
+                        .here("cannot be rooted"),
+                );
+                None
+            }
+        }
+    }
+
+    fn wrong_argument(
+        &mut self,
+        function: &str,
+        due: &str,
+        found: Quantity,
+        span: Span,
+    ) -> Option<Value> {
+        let message = format!(
+            "`{function}` takes {due}, not {}",
+            found.dimension.describe()
+        );
+        self.report(
+            Diagnostic::error("mavc::unit::mismatch", span, message)
+                .here(format!("this is {}", found.dimension.describe()))
+                .help("divide by a quantity of the same kind to make it plain"),
+        );
+        None
+    }
+}

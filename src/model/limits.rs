@@ -1,0 +1,258 @@
+//! The `limits` block: a closed list of bounds.
+
+use super::context::{Context, listed};
+use super::due::Due;
+use super::{Limit, LimitKind, Waypoint};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::report::number::number;
+use crate::source::Span;
+use crate::syntax::ast::{Block, Expr, LimitRelation, Statement};
+
+/// Which forms a limit takes.
+#[derive(Clone, Copy, PartialEq)]
+enum Form {
+    /// `<=`, `>=` and `in`: a coordinate.
+    Coordinate,
+    /// `<=` alone: a norm, above zero.
+    Norm,
+    /// `<=` alone: a one-sided rate, zero or above.
+    OneSided,
+    /// `<=` for both ways, or `in` around zero.
+    Rate,
+}
+
+const LIMITS: [(&str, LimitKind, &str, Form); 15] = [
+    ("x", LimitKind::X, "m", Form::Coordinate),
+    ("y", LimitKind::Y, "m", Form::Coordinate),
+    ("z", LimitKind::Z, "m", Form::Coordinate),
+    ("altitude", LimitKind::Z, "m", Form::Coordinate),
+    ("yaw", LimitKind::Yaw, "deg", Form::Coordinate),
+    ("speed", LimitKind::Speed, "m/s", Form::Norm),
+    (
+        "speed_horizontal",
+        LimitKind::SpeedHorizontal,
+        "m/s",
+        Form::Norm,
+    ),
+    ("climb", LimitKind::Climb, "m/s", Form::OneSided),
+    ("descent", LimitKind::Descent, "m/s", Form::OneSided),
+    ("acceleration", LimitKind::Acceleration, "m/s^2", Form::Norm),
+    (
+        "acceleration_horizontal",
+        LimitKind::AccelerationHorizontal,
+        "m/s^2",
+        Form::Norm,
+    ),
+    ("jerk", LimitKind::Jerk, "m/s^3", Form::Norm),
+    ("yaw_rate", LimitKind::YawRate, "deg/s", Form::Rate),
+    (
+        "yaw_acceleration",
+        LimitKind::YawAcceleration,
+        "deg/s^2",
+        Form::Rate,
+    ),
+    ("tilt", LimitKind::Tilt, "deg", Form::Norm),
+];
+
+const FORM: &str = "mavc::mission::limit_form";
+const VALUE: &str = "mavc::mission::limit_value";
+
+/// Reads the block; `None` where a limit has an error.
+pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Limit>> {
+    let mut limits = Some(Vec::new());
+    // Name and side (lower, upper) of what has been given, with its place.
+    let mut given: Vec<(&str, bool, bool, Span)> = Vec::new();
+    for statement in &block.body {
+        let limit = match statement {
+            Statement::Limit {
+                name,
+                relation,
+                span,
+            } => {
+                let sides = match relation {
+                    LimitRelation::AtMost(_) => (false, true),
+                    LimitRelation::AtLeast(_) => (true, false),
+                    LimitRelation::In(_) => (true, true),
+                };
+                let earlier = given
+                    .iter()
+                    .find(|g| g.0 == name.value && ((g.1 && sides.0) || (g.2 && sides.1)));
+                if let Some(&(.., first)) = earlier {
+                    let message = format!("`{}` is limited twice", name.value);
+                    let error = Diagnostic::error("mavc::name::duplicate", *span, message)
+                        .here("limited again");
+                    cx.report(
+                        error
+                            .also(first, "first limited here")
+                            .help("keep one of the two"),
+                    );
+                }
+                given.push((&name.value, sides.0, sides.1, *span));
+                match LIMITS.iter().find(|row| row.0 == name.value) {
+                    Some(row) => one(cx, row, relation, *span),
+                    None => {
+                        unknown(cx, &name.value, name.span);
+                        None
+                    }
+                }
+            }
+            Statement::Field(field) => {
+                let name = &field.name.value;
+                match LIMITS.iter().find(|row| row.0 == name) {
+                    Some(_) => {
+                        let error = Diagnostic::error(
+                            FORM,
+                            field.span,
+                            format!("`{name}` is a limit, not a value"),
+                        );
+                        cx.report(
+                            error
+                                .here("`=` sets nothing here")
+                                .help(format!("write `{name} <= ...`")),
+                        );
+                    }
+                    None => unknown(cx, name, field.name.span),
+                }
+                None
+            }
+            _ => None,
+        };
+        match (&mut limits, limit) {
+            (Some(list), Some(limit)) => list.push(limit),
+            (list, _) => *list = None,
+        }
+    }
+    limits
+}
+
+fn unknown(cx: &mut Context, name: &str, span: Span) {
+    let names = LIMITS.map(|row| row.0);
+    let error = Diagnostic::error(
+        "mavc::name::unknown_field",
+        span,
+        format!("there is no limit `{name}`"),
+    );
+    let error = error.here("unknown limit");
+    cx.report(match nearest(name, names) {
+        Some(near) => error
+            .help(format!("did you mean `{near}`?"))
+            .fix(span, near),
+        None => error.help(format!("the limits are {}", listed(&names))),
+    });
+}
+
+fn one<'a>(
+    cx: &mut Context<'a>,
+    &(name, kind, unit, form): &(&'static str, LimitKind, &'static str, Form),
+    relation: &'a LimitRelation,
+    span: Span,
+) -> Option<Limit> {
+    let due = Due::new(name, unit);
+    let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
+        LimitRelation::AtMost(e) => {
+            let upper = cx.number(due, e)?;
+            (
+                if form == Form::Rate {
+                    Some(-upper)
+                } else {
+                    None
+                },
+                Some(upper),
+                e,
+            )
+        }
+        LimitRelation::AtLeast(e) => (Some(cx.number(due, e)?), None, e),
+        LimitRelation::In(e) => {
+            let (low, high) = cx.range_of(due, e)?;
+            (Some(low), Some(high), e)
+        }
+    };
+    let written = match relation {
+        LimitRelation::AtMost(_) => "<=",
+        LimitRelation::AtLeast(_) => ">=",
+        LimitRelation::In(_) => "in",
+    };
+    let allowed: &[&str] = match form {
+        Form::Coordinate => &["<=", ">=", "in"],
+        Form::Norm | Form::OneSided => &["<="],
+        Form::Rate => &["<=", "in"],
+    };
+    if !allowed.contains(&written) {
+        let error = Diagnostic::error(FORM, span, format!("`{name}` is bounded from above only"));
+        cx.report(
+            error
+                .here(format!("`{written}` does not fit"))
+                .help(format!("write `{name} <= ...`")),
+        );
+        return None;
+    }
+    if let (Some(low), Some(high)) = (lower, upper)
+        && low > high
+        && written == "in"
+    {
+        let message = format!("the lower bound of `{name}` exceeds the upper");
+        let error = Diagnostic::error("mavc::mission::limit_order", at.span, message);
+        cx.report(error.here("nothing lies between").help("swap the two ends"));
+        return None;
+    }
+    let wrong = match (form, upper) {
+        (Form::Norm, Some(upper)) if upper <= 0.0 => Some("has to be greater than zero"),
+        (Form::Norm, Some(upper))
+            if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 =>
+        {
+            Some("has to be below 90 deg, where thrust carries no weight")
+        }
+        (Form::OneSided, Some(upper)) if upper < 0.0 => Some("cannot be negative"),
+        (Form::Rate, Some(upper)) if upper < 0.0 || lower.is_some_and(|low| low > 0.0) => {
+            Some("has to allow zero, the rate at rest")
+        }
+        _ => None,
+    };
+    if let Some(wrong) = wrong {
+        let error = Diagnostic::error(VALUE, at.span, format!("`{name}` {wrong}"));
+        cx.report(error.here("outside what it may be"));
+        return None;
+    }
+    Some(Limit {
+        kind,
+        lower,
+        upper,
+        span,
+    })
+}
+
+/// Every waypoint lies within the limits on coordinates; told once a statement and limit.
+pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) {
+    for limit in limits {
+        let mut told: Vec<Span> = Vec::new();
+        for (i, waypoint) in waypoints.iter().enumerate() {
+            let (axis, value, unit, scale) = match limit.kind {
+                LimitKind::X => ("x", waypoint.position[0], "m", 1.0),
+                LimitKind::Y => ("y", waypoint.position[1], "m", 1.0),
+                LimitKind::Z => ("z", waypoint.position[2], "m", 1.0),
+                LimitKind::Yaw => ("yaw", waypoint.yaw, "deg", 180.0 / std::f64::consts::PI),
+                _ => continue,
+            };
+            let below = limit.lower.is_some_and(|low| value < low - 1e-9);
+            let above = limit.upper.is_some_and(|high| value > high + 1e-9);
+            if !(below || above) || told.last() == Some(&waypoint.span) {
+                continue;
+            }
+            told.push(waypoint.span);
+            let side = if below { "below" } else { "above" };
+            let message = format!(
+                "waypoint {} has {axis} = {} {unit}, {side} the limit",
+                i + 1,
+                number(value * scale)
+            );
+            let error = Diagnostic::error("mavc::mission::outside_limits", waypoint.span, message);
+            let help = "move the waypoint or widen the limit; waypoints count from 1, the start";
+            cx.report(
+                error
+                    .here("leaves the limits")
+                    .also(limit.span, "limited here")
+                    .help(help),
+            );
+        }
+    }
+}

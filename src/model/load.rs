@@ -1,0 +1,272 @@
+//! Bringing a file set together: `use` and tables, through a reader that the caller gives.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+use crate::diagnostic::{Diagnostic, sort};
+use crate::source::{FileId, Source, SourceMap, Span, Spanned};
+use crate::syntax::ast::{Item, SpecFile, Statement};
+use crate::syntax::{MAX_FILE_BYTES, parse};
+
+/// Files of one file set.
+pub const MAX_FILES: usize = 256;
+/// Largest table of waypoints, in bytes: 4 MiB.
+pub const MAX_TABLE_BYTES: usize = 4 << 20;
+
+/// Everything one compilation reads.
+#[derive(Debug, Clone, Default)]
+pub struct FileSet {
+    /// All texts, tables included, in the order they were first named.
+    pub sources: SourceMap,
+    /// The parsed files, the root first.
+    pub files: Vec<SpecFile>,
+    /// Tables that `waypoints from` names.
+    pub tables: Vec<Table>,
+    /// Some file could not be brought in, so what seems to be missing may stand there.
+    pub incomplete: bool,
+}
+
+/// A table as read.
+#[derive(Debug, Clone)]
+pub struct Table {
+    pub name: String,
+    pub bytes: Vec<u8>,
+    /// Its text among the sources.
+    pub file: FileId,
+}
+
+impl FileSet {
+    /// The table that `path`, written in `file`, leads to.
+    pub fn table(&self, file: FileId, path: &str) -> Option<&Table> {
+        let name = resolve(&self.sources.get(file).name, path)
+            .display()
+            .to_string();
+        self.tables.iter().find(|table| table.name == name)
+    }
+}
+
+/// Parses the root and whatever it uses, each file once. `read` gets paths relative as the root's name is.
+///
+/// Errors (missing files, cycles, limits, what the parser says) are listed beside what could be read.
+pub fn load(
+    root_name: &str,
+    root_bytes: &[u8],
+    read: &dyn Fn(&Path) -> io::Result<Vec<u8>>,
+) -> (FileSet, Vec<Diagnostic>) {
+    let mut loader = Loader {
+        set: FileSet::default(),
+        diagnostics: Vec::new(),
+        read,
+        seen: BTreeMap::new(),
+        open: Vec::new(),
+    };
+    loader.file(root_name.to_string(), root_bytes, None);
+    sort(&mut loader.diagnostics);
+    (loader.set, loader.diagnostics)
+}
+
+struct Loader<'r> {
+    set: FileSet,
+    diagnostics: Vec<Diagnostic>,
+    read: &'r dyn Fn(&Path) -> io::Result<Vec<u8>>,
+    seen: BTreeMap<PathBuf, ()>,
+    /// The files that are being brought in, the root first.
+    open: Vec<PathBuf>,
+}
+
+impl Loader<'_> {
+    /// Takes in one file and what it uses. `asked` is the `use` that named it.
+    fn file(&mut self, name: String, bytes: &[u8], asked: Option<Span>) {
+        let path = normal(Path::new(&name));
+        self.seen.insert(path.clone(), ());
+        let id = FileId(self.set.sources.iter().count() as u32);
+        let limit = bytes.len().min(MAX_FILE_BYTES + 1);
+        let text = match std::str::from_utf8(bytes) {
+            Ok(text) => text,
+            Err(error) if bytes.len() <= MAX_FILE_BYTES => {
+                let good = std::str::from_utf8(&bytes[..error.valid_up_to()]).unwrap_or("");
+                self.set.sources.add(Source::new(&name, good));
+                let at = Span::new(id, good.len(), good.len());
+                self.fail(
+                    Diagnostic::error(
+                        "mavc::file::encoding",
+                        at,
+                        format!("`{name}` is not UTF-8 text"),
+                    )
+                    .here(format!("byte {} cannot be read", error.valid_up_to()))
+                    .help("save the file as UTF-8"),
+                );
+                return;
+            }
+            // Too long anyway: the parser says so.
+            Err(_) => {
+                self.set.sources.add(Source::new(&name, ""));
+                let span = asked.unwrap_or(Span::new(id, 0, 0));
+                self.fail(too_large(&name, span, MAX_FILE_BYTES));
+                return;
+            }
+        };
+        if limit > MAX_FILE_BYTES {
+            self.set.sources.add(Source::new(&name, ""));
+            let span = asked.unwrap_or(Span::new(id, 0, 0));
+            self.fail(too_large(&name, span, MAX_FILE_BYTES));
+            return;
+        }
+        self.set.sources.add(Source::new(&name, text));
+        let checked = parse(id, self.set.sources.get(id));
+        self.diagnostics.extend(checked.diagnostics);
+        let Some(tree) = checked.value else {
+            self.set.incomplete = true;
+            return;
+        };
+        let wanted: Vec<Wanted> = tree.items.iter().flat_map(wanted).collect();
+        self.set.files.push(tree);
+        self.open.push(path);
+        for want in wanted {
+            match want {
+                Wanted::Spec(path) => self.bring(&name, &path),
+                Wanted::Table(path) => self.bring_table(&name, &path),
+            }
+        }
+        self.open.pop();
+    }
+
+    fn bring(&mut self, from: &str, path: &Spanned<String>) {
+        let target = resolve(from, &path.value);
+        if let Some(first) = self.open.iter().position(|open| *open == target) {
+            let circle: Vec<String> = self.open[first..]
+                .iter()
+                .chain([&target])
+                .map(|p| format!("`{}`", p.display()))
+                .collect();
+            let message = format!("`{}` uses itself", target.display());
+            let error = Diagnostic::error("mavc::file::cycle", path.span, message)
+                .here("leads back to a file that is being read")
+                .help(format!(
+                    "the circle is {}: take one `use` out",
+                    circle.join(" -> ")
+                ));
+            self.fail(error);
+            return;
+        }
+        if self.seen.contains_key(&target) {
+            return;
+        }
+        if self.seen.len() >= MAX_FILES {
+            if !self
+                .diagnostics
+                .iter()
+                .any(|d| d.code == "mavc::file::too_many")
+            {
+                let message = format!("a spec is spread over more than {MAX_FILES} files");
+                self.fail(
+                    Diagnostic::error("mavc::file::too_many", path.span, message)
+                        .here("one too many"),
+                );
+            }
+            return;
+        }
+        match (self.read)(&target) {
+            Ok(bytes) => self.file(target.display().to_string(), &bytes, Some(path.span)),
+            Err(error) => {
+                self.seen.insert(target.clone(), ());
+                self.fail(missing(&target, path, from, &error));
+            }
+        }
+    }
+
+    fn bring_table(&mut self, from: &str, path: &Spanned<String>) {
+        let target = resolve(from, &path.value);
+        let name = target.display().to_string();
+        if self.set.tables.iter().any(|table| table.name == name) {
+            return;
+        }
+        if self.set.tables.len() >= MAX_FILES {
+            let message = format!("a spec reads more than {MAX_FILES} tables");
+            self.fail(
+                Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many"),
+            );
+            return;
+        }
+        match (self.read)(&target) {
+            Ok(bytes) if bytes.len() > MAX_TABLE_BYTES => {
+                self.fail(too_large(&name, path.span, MAX_TABLE_BYTES))
+            }
+            Ok(bytes) => match String::from_utf8(bytes.clone()) {
+                Ok(text) => {
+                    let file = self.set.sources.add(Source::new(&name, text));
+                    self.set.tables.push(Table { name, bytes, file });
+                }
+                Err(_) => {
+                    let message = format!("`{name}` is not UTF-8 text");
+                    let error = Diagnostic::error("mavc::file::encoding", path.span, message);
+                    self.fail(error.here("named here").help("save the file as UTF-8"));
+                }
+            },
+            Err(error) => self.fail(missing(&target, path, from, &error)),
+        }
+    }
+
+    fn fail(&mut self, diagnostic: Diagnostic) {
+        self.set.incomplete = true;
+        self.diagnostics.push(diagnostic);
+    }
+}
+
+fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error) -> Diagnostic {
+    let message = match error.kind() {
+        io::ErrorKind::NotFound => format!("there is no file `{}`", target.display()),
+        _ => format!("`{}` cannot be read: {error}", target.display()),
+    };
+    Diagnostic::error("mavc::file::missing", path.span, message)
+        .here("named here")
+        .help(format!(
+            "paths count from the file that names them, here `{from}`"
+        ))
+}
+
+fn too_large(name: &str, span: Span, limit: usize) -> Diagnostic {
+    let message = format!("`{name}` is larger than {limit} bytes");
+    Diagnostic::error("mavc::file::too_large", span, message).help("spread it over several files")
+}
+
+enum Wanted {
+    Spec(Spanned<String>),
+    Table(Spanned<String>),
+}
+
+fn wanted(item: &Item) -> Vec<Wanted> {
+    match item {
+        Item::Use(path) => vec![Wanted::Spec(path.clone())],
+        Item::Block(block) => {
+            let tables = block.body.iter().filter_map(|statement| match statement {
+                Statement::WaypointsFrom { path, .. } => Some(Wanted::Table(path.clone())),
+                _ => None,
+            });
+            tables.collect()
+        }
+        _ => vec![],
+    }
+}
+
+/// `path` as seen from the file `from`, without `.` and resolvable `..`.
+fn resolve(from: &str, path: &str) -> PathBuf {
+    normal(&Path::new(from).parent().unwrap_or(Path::new("")).join(path))
+}
+
+fn normal(path: &Path) -> PathBuf {
+    let mut result = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir
+                if matches!(result.components().next_back(), Some(Component::Normal(_))) =>
+            {
+                result.pop();
+            }
+            part => result.push(part),
+        }
+    }
+    result
+}

@@ -1,0 +1,525 @@
+//! `mission` blocks: curves, waypoints, holds and tables become one list of waypoints and legs.
+
+use super::context::Context;
+use super::due::Due;
+use super::fields::Fields;
+use super::legs::{Timing, shares, unwrap_yaw};
+use super::load::FileSet;
+use super::{Mission, Waypoint, limits, survey};
+use crate::diagnostic::Diagnostic;
+use crate::report::number::number;
+use crate::source::Span;
+use crate::syntax::ast::{Block, Clauses, Expr, Field, Name, Statement};
+use crate::unit::Quantity;
+
+/// Waypoints of one mission.
+pub const MAX_WAYPOINTS: usize = 10_000;
+
+/// What a waypoint takes where it says nothing itself.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Manner {
+    /// m
+    pub within: f64,
+    /// rad
+    pub yaw_within: f64,
+    pub weight: f64,
+    pub timing: Option<Timing>,
+}
+
+pub(super) struct Outline {
+    pub name: String,
+    pub span: Span,
+    /// The mission, where it has no errors.
+    pub mission: Option<Mission>,
+    /// Whether the first waypoint leaves its yaw to the default.
+    pub yaw_defaulted: bool,
+}
+
+/// A waypoint before its yaw is settled.
+pub(super) struct Stop {
+    pub name: Option<String>,
+    pub position: [f64; 3],
+    pub yaw: Option<f64>,
+    pub within: f64,
+    pub yaw_within: f64,
+    pub weight: f64,
+    pub time: Option<(f64, Span)>,
+    pub span: Span,
+}
+
+/// The list under construction.
+pub(super) struct Route {
+    pub waypoints: Vec<Waypoint>,
+    pub yaws: Vec<Option<f64>>,
+    /// The curve that leg i (from waypoint i to i + 1) belongs to.
+    pub curves: Vec<Option<usize>>,
+    /// A statement had an error, so points may be missing.
+    pub broken: bool,
+    too_many: bool,
+}
+
+impl Route {
+    pub fn push(&mut self, cx: &mut Context, stop: Stop, curve: Option<usize>) {
+        if self.waypoints.len() >= MAX_WAYPOINTS {
+            if !self.too_many {
+                let message = format!("a mission has at most {MAX_WAYPOINTS} waypoints");
+                let error =
+                    Diagnostic::error("mavc::mission::too_many_waypoints", stop.span, message);
+                cx.report(error.here("the limit is passed here"));
+            }
+            (self.too_many, self.broken) = (true, true);
+            return;
+        }
+        if !self.waypoints.is_empty() {
+            self.curves.push(curve);
+        }
+        self.yaws.push(stop.yaw);
+        self.waypoints.push(Waypoint {
+            name: stop.name,
+            position: stop.position,
+            yaw: 0.0,
+            within: stop.within,
+            yaw_within: stop.yaw_within,
+            weight: stop.weight,
+            time: stop.time.map(|t| t.0),
+            hold: 0.0,
+            span: stop.span,
+            time_span: stop.time.map(|t| t.1),
+            hold_span: None,
+        });
+    }
+}
+
+pub(super) fn elaborate<'a>(
+    cx: &mut Context<'a>,
+    block: &'a Block,
+    manner: Manner,
+    files: &'a FileSet,
+) -> Outline {
+    let name = block
+        .name
+        .as_ref()
+        .map_or("mission", |n| &n.value)
+        .to_string();
+    let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
+    Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, &[]);
+    let mut route = Route {
+        waypoints: Vec::new(),
+        yaws: Vec::new(),
+        curves: Vec::new(),
+        broken: false,
+        too_many: false,
+    };
+    let (mut start_at_rest, mut end_at_rest) = (true, true);
+    let mut limit_block: Option<&Block> = None;
+    let mut limits = Some(Vec::new());
+    for (index, statement) in block.body.iter().enumerate() {
+        match statement {
+            Statement::Start(clauses) => {
+                if !route.waypoints.is_empty() {
+                    let message = "`start` comes before everything else that is flown";
+                    let error =
+                        Diagnostic::error("mavc::mission::start_first", clauses.span, message);
+                    cx.report(
+                        error
+                            .here("the mission has begun already")
+                            .help("move it up, or write `waypoint at`"),
+                    );
+                    route.broken = true;
+                }
+                waypoint(cx, clauses, "`start`", manner, &mut route);
+            }
+            Statement::Waypoint(clauses) => {
+                let owner = clauses
+                    .name
+                    .as_ref()
+                    .map_or("`waypoint`".into(), |n| format!("waypoint `{}`", n.value));
+                waypoint(cx, clauses, &owner, manner, &mut route);
+            }
+            Statement::Curve {
+                parameter,
+                range,
+                options,
+                body,
+                ..
+            } => {
+                let curve = Curve {
+                    index,
+                    parameter,
+                    range,
+                    options,
+                    body,
+                };
+                curve.fly(cx, manner, &mut route);
+            }
+            Statement::WaypointsFrom { path, .. } => {
+                match files.table(block.keyword.span.file, &path.value) {
+                    Some(table) => survey::read(cx, table, manner, &mut route),
+                    None => route.broken = true,
+                }
+            }
+            Statement::Hold { duration, span } => hold(cx, duration, *span, &mut route),
+            Statement::Moving { end, .. } => {
+                *if end.value {
+                    &mut end_at_rest
+                } else {
+                    &mut start_at_rest
+                } = false
+            }
+            Statement::Block(inner) => match limit_block {
+                Some(first) => {
+                    let error = Diagnostic::error(
+                        "mavc::name::duplicate",
+                        inner.keyword.span,
+                        "a mission has one `limits` block",
+                    );
+                    cx.report(
+                        error
+                            .here("a second one")
+                            .also(first.keyword.span, "the first")
+                            .help("join them"),
+                    );
+                }
+                None => {
+                    limit_block = Some(inner);
+                    limits = limits::read(cx, inner);
+                }
+            },
+            Statement::Broken(_) => route.broken = true,
+            _ => {}
+        }
+    }
+    if route.waypoints.len() < 2 && !route.broken {
+        let message = format!("mission `{name}` needs at least two waypoints");
+        let error = Diagnostic::error("mavc::mission::too_few_waypoints", span, message);
+        let count = if route.waypoints.is_empty() {
+            "nothing is flown"
+        } else {
+            "one point is no flight"
+        };
+        cx.report(
+            error
+                .here(count)
+                .help("add `waypoint at [10, 0, 5] m` or a `curve`"),
+        );
+        route.broken = true;
+    }
+    let yaw_defaulted = matches!(route.yaws.first(), Some(None));
+    unwrap_yaw(&mut route.waypoints, &route.yaws);
+    if !route.broken {
+        check_times(cx, &route.waypoints);
+        warn_close(cx, &route.waypoints);
+        if let Some(limits) = &limits {
+            limits::check(cx, limits, &route.waypoints);
+        }
+    }
+    let legs = shares(&route.waypoints, &route.curves, manner.timing);
+    let mission = match limits {
+        Some(limits) if !route.broken => Some(Mission {
+            name: name.clone(),
+            doc: block.doc.clone(),
+            waypoints: route.waypoints,
+            legs,
+            start_at_rest,
+            end_at_rest,
+            limits,
+            span,
+        }),
+        _ => None,
+    };
+    Outline {
+        name,
+        span,
+        mission,
+        yaw_defaulted,
+    }
+}
+
+const TOLERANCE: &str = "mavc::mission::tolerance";
+const WEIGHT: &str = "mavc::mission::weight";
+
+/// Reads `within`, `yaw_within` and `weight` where they are given.
+fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> Option<Manner> {
+    let within = match fields.get("within") {
+        Some(e) => cx.positive(Due::new("within", "m"), e, TOLERANCE),
+        None => Some(manner.within),
+    };
+    let yaw_within = match fields.get("yaw_within") {
+        Some(e) => cx.positive(Due::new("yaw_within", "deg"), e, TOLERANCE),
+        None => Some(manner.yaw_within),
+    };
+    let weight = match fields.get("weight") {
+        Some(e) => cx.not_negative(Due::new("weight", "1"), e, WEIGHT),
+        None => Some(manner.weight),
+    };
+    Some(Manner {
+        within: within?,
+        yaw_within: yaw_within?,
+        weight: weight?,
+        ..manner
+    })
+}
+
+fn waypoint<'a>(
+    cx: &mut Context<'a>,
+    clauses: &'a Clauses,
+    owner: &str,
+    manner: Manner,
+    route: &mut Route,
+) {
+    const KNOWN: [&str; 6] = ["at", "yaw", "within", "yaw_within", "weight", "time"];
+    let fields = Fields::of_clauses(cx, owner.to_string(), clauses, &KNOWN);
+    let position = fields
+        .demand(cx, "at", "at [10, 0, 5] m")
+        .and_then(|e| cx.triple(Due::new("at", "m"), e));
+    let yaw = fields
+        .get("yaw")
+        .map(|e| cx.number(Due::new("yaw", "deg"), e));
+    let manner = manner_of(cx, &fields, manner);
+    let time = fields.get("time").map(|e| {
+        cx.not_negative(Due::new("time", "s"), e, "mavc::mission::time_order")
+            .map(|t| (t, e.span))
+    });
+    let (Some(position), Some(manner), false, false) =
+        (position, manner, yaw == Some(None), time == Some(None))
+    else {
+        route.broken = true;
+        return;
+    };
+    let name = clauses.name.as_ref();
+    if let Some(name) = name
+        && let Some(first) = route
+            .waypoints
+            .iter()
+            .find(|w| w.name.as_deref() == Some(&name.value))
+    {
+        cx.report(super::context::duplicate("waypoint", name, first.span));
+    }
+    let stop = Stop {
+        name: name.map(|n| n.value.clone()),
+        position,
+        yaw: yaw.flatten(),
+        within: manner.within,
+        yaw_within: manner.yaw_within,
+        weight: manner.weight,
+        time: time.flatten(),
+        span: clauses.span,
+    };
+    route.push(cx, stop, None);
+}
+
+fn hold<'a>(cx: &mut Context<'a>, duration: &'a Expr, span: Span, route: &mut Route) {
+    let seconds = cx.positive(Due::new("hold", "s"), duration, "mavc::mission::duration");
+    match (route.waypoints.last_mut(), seconds) {
+        (Some(last), Some(seconds)) => {
+            last.hold += seconds;
+            last.hold_span.get_or_insert(span);
+        }
+        (None, _) if !route.broken => {
+            let message = "`hold` stands still at the waypoint before it, and there is none";
+            let error = Diagnostic::error("mavc::mission::hold_first", span, message);
+            cx.report(
+                error
+                    .here("nothing comes before")
+                    .help("put `start at [0, 0, 2] m` first"),
+            );
+            route.broken = true;
+        }
+        _ => route.broken = true,
+    }
+}
+
+/// `curve s in 0 .. 4*pi, points = 21 { .. }`
+struct Curve<'a> {
+    index: usize,
+    parameter: &'a Name,
+    range: &'a Expr,
+    options: &'a [Field],
+    body: &'a [Statement],
+}
+
+impl<'a> Curve<'a> {
+    fn fly(&self, cx: &mut Context<'a>, manner: Manner, route: &mut Route) {
+        const KNOWN: [&str; 7] = ["x", "y", "z", "yaw", "within", "yaw_within", "weight"];
+        let owner = "`curve`".to_string();
+        let head = self.parameter.span.to(self.range.span);
+        let fields = Fields::of_block(cx, owner.clone(), head, self.body, &KNOWN);
+        let mut options = Fields::of_block(cx, owner, head, &[], &[]);
+        self.options
+            .iter()
+            .for_each(|field| options.take_field(cx, field, &["points"]));
+        let points = options.demand(cx, "points", ", points = 21").and_then(|e| {
+            cx.whole(
+                "the number of points",
+                e,
+                2..=MAX_WAYPOINTS,
+                "mavc::mission::curve_points",
+            )
+        });
+        let range = self.read_range(cx);
+        let manner = manner_of(cx, &fields, manner);
+        let axis =
+            |cx: &mut Context<'a>, name: &str, example: &str| fields.demand(cx, name, example);
+        let x = axis(cx, "x", "x = 4 m * cos(s)");
+        let y = axis(cx, "y", "y = 4 m * sin(s)");
+        let z = axis(cx, "z", "z = 10 m");
+        let yaw = fields.get("yaw");
+        let (Some(points), Some((low, high)), Some(manner)) = (points, range, manner) else {
+            // The coordinates are looked at once all the same, so that their own mistakes are told.
+            if let Some((low, _)) = range {
+                self.at(cx, low, [x, y, z], yaw);
+            }
+            route.broken = true;
+            return;
+        };
+        for k in 0..points {
+            let t = k as f64 / (points - 1) as f64;
+            let value = low.value * (1.0 - t) + high.value * t;
+            let (position, yaw) = self.at(cx, Quantity::new(value, low.dimension), [x, y, z], yaw);
+            let (Some(position), Some(yaw)) = (position, yaw) else {
+                route.broken = true;
+                return;
+            };
+            if k == 0 && self.joins(route, position, yaw) {
+                continue;
+            }
+            let stop = Stop {
+                name: None,
+                position,
+                yaw,
+                within: manner.within,
+                yaw_within: manner.yaw_within,
+                weight: manner.weight,
+                time: None,
+                span: head,
+            };
+            let within_curve = (k > 0).then_some(self.index);
+            route.push(cx, stop, within_curve);
+            if route.broken {
+                return;
+            }
+        }
+    }
+
+    /// A curve that starts where the vehicle already is shares that waypoint.
+    fn joins(&self, route: &Route, position: [f64; 3], yaw: Option<f64>) -> bool {
+        let Some(last) = route.waypoints.last() else {
+            return false;
+        };
+        let before = route.yaws.iter().rev().find_map(|yaw| *yaw).unwrap_or(0.0);
+        let same_yaw = yaw.is_none_or(|yaw| (yaw - before).abs() < 1e-9);
+        super::legs::distance(last.position, position) < 1e-9 && same_yaw
+    }
+
+    fn read_range(&self, cx: &mut Context<'a>) -> Option<(Quantity, Quantity)> {
+        let value = cx.evaluate(self.range)?;
+        let super::expression::Value::Range(low, high) = value else {
+            return cx.wrong_kind(&value, "a range `a .. b`", self.range.span);
+        };
+        if low.value == high.value {
+            let message = format!("the range of `{}` has no length", self.parameter.value);
+            let error = Diagnostic::error("mavc::mission::curve_range", self.range.span, message);
+            cx.report(
+                error
+                    .here(format!("both ends are {}", number(low.value)))
+                    .help("write it like `0 .. 2*pi`"),
+            );
+            return None;
+        }
+        Some((low, high))
+    }
+
+    /// Position and yaw at one value of the parameter. Errors name the point they were found at.
+    #[allow(clippy::type_complexity)]
+    fn at(
+        &self,
+        cx: &mut Context<'a>,
+        value: Quantity,
+        axes: [Option<&'a Expr>; 3],
+        yaw: Option<&'a Expr>,
+    ) -> (Option<[f64; 3]>, Option<Option<f64>>) {
+        cx.parameter = Some((&self.parameter.value, value));
+        let [x, y, z] = axes;
+        let x = x.and_then(|e| cx.number(Due::new("x", "m"), e));
+        let y = y.and_then(|e| cx.number(Due::new("y", "m"), e));
+        let z = z.and_then(|e| cx.number(Due::new("z", "m"), e));
+        let yaw = match yaw {
+            Some(e) => cx.number(Due::new("yaw", "deg"), e).map(Some),
+            None => Some(None),
+        };
+        cx.parameter = None;
+        let position = match (x, y, z) {
+            (Some(x), Some(y), Some(z)) => Some([x, y, z]),
+            _ => None,
+        };
+        (position, yaw)
+    }
+}
+
+/// Fixed times rise, and leave room for the holds between them; the mission starts at zero.
+fn check_times(cx: &mut Context, waypoints: &[Waypoint]) {
+    const CODE: &str = "mavc::mission::time_order";
+    // The time at which the vehicle may leave the last waypoint with a fixed time, and where that was said.
+    let mut free_at = 0.0;
+    let mut said: Option<(f64, Span)> = None;
+    for (i, waypoint) in waypoints.iter().enumerate() {
+        if let (Some(time), Some(span)) = (waypoint.time, waypoint.time_span) {
+            if i == 0 && time != 0.0 {
+                let error = Diagnostic::error(CODE, span, "the mission starts at time zero");
+                cx.report(
+                    error
+                        .here(format!("this is {} s", number(time)))
+                        .help("take the time of the first waypoint out"),
+                );
+            } else if i > 0 && time <= free_at {
+                let message = match said {
+                    Some((before, _)) if before == time => {
+                        format!("two waypoints at one time, {} s", number(time))
+                    }
+                    _ => format!(
+                        "this waypoint is due at {} s, but the one before cannot be left before {} s",
+                        number(time),
+                        number(free_at)
+                    ),
+                };
+                let mut error = Diagnostic::error(CODE, span, message).here("too early");
+                if let Some((_, before)) = said {
+                    error = error.also(before, "counted from here, holds between them included");
+                }
+                cx.report(
+                    error.help("times count from the start of the mission and rise along it"),
+                );
+            }
+            free_at = time;
+            said = Some((time, span));
+        }
+        free_at += waypoint.hold;
+    }
+}
+
+/// Warns of waypoints that their successor makes idle, once a statement.
+fn warn_close(cx: &mut Context, waypoints: &[Waypoint]) {
+    let mut last: Option<Span> = None;
+    for pair in waypoints.windows(2) {
+        let distance = super::legs::distance(pair[0].position, pair[1].position);
+        let turns = (pair[1].yaw - pair[0].yaw).abs() > pair[0].yaw_within;
+        if distance < pair[0].within && !turns && pair[0].hold == 0.0 && last != Some(pair[0].span)
+        {
+            last = Some(pair[0].span);
+            let message = format!(
+                "a waypoint lies {} m from the next, closer than its tolerance of {} m",
+                number(distance),
+                number(pair[0].within)
+            );
+            let warning =
+                Diagnostic::warning("mavc::mission::close_waypoints", pair[0].span, message);
+            let warning = warning.here("one point may serve for both");
+            let warning = if pair[1].span == pair[0].span {
+                warning
+            } else {
+                warning.also(pair[1].span, "the next")
+            };
+            cx.report(warning.help("take one out, use fewer points, or lower `within`"));
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! `--set plan.time=20s`: one field replaced or added before the spec is understood.
+
+use super::elaborate::expr_of;
+use crate::diagnostic::Diagnostic;
+use crate::source::{Source, SourceMap, Span, Spanned};
+use crate::syntax::ast::{Block, ExprKind, Field, Item, LimitRelation, Name, SpecFile, Statement};
+use crate::syntax::parse;
+
+const CODE: &str = "mavc::name::override";
+
+/// One `--set`: where it goes and the field to put there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Override {
+    /// The blocks on the way, outermost first; empty for `gravity` and `let`s.
+    pub path: Vec<Name>,
+    pub field: Field,
+}
+
+/// Reads `plan.time=20s`, `vehicle.mass=2 kg`, `vehicle.rotor.max_speed=700rad/s`, `plan.against=[M1]`,
+/// `mission.limits.tilt=20deg`, `gravity=1.62 m/s^2`, or `a=5 m` for a `let`. The text joins `sources` under the
+/// name `--set`, so that its mistakes have places.
+///
+/// # Errors
+/// The first thing that cannot be read.
+pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, Diagnostic> {
+    let file = sources.add(Source::new("--set", text));
+    let whole = Span::new(file, 0, text.len());
+    let shape = |message: &str| {
+        Diagnostic::error(CODE, whole, message)
+            .help("write it like `plan.time=20s` or `vehicle.mass=2kg`")
+    };
+    let Some((path, _)) = text
+        .split_once('=')
+        .filter(|_| !text.contains(['\n', ';', '{']))
+    else {
+        return Err(shape("an override is a field, `=` and a value"));
+    };
+    let dot = path.rfind('.').map_or(0, |dot| dot + 1);
+    let mut names = Vec::new();
+    let mut at = 0;
+    for word in path[..dot].split_terminator('.') {
+        let name = word.trim();
+        if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
+            return Err(shape("the path of an override is made of names and dots"));
+        }
+        names.push(Spanned::new(
+            name.to_string(),
+            Span::new(file, at, at + word.len()),
+        ));
+        at += word.len() + 1;
+    }
+    // The path is blanked out, so that the field stands where it was written.
+    let field_alone = " ".repeat(dot) + &text[dot..];
+    let checked = parse(file, &Source::new("--set", field_alone));
+    if let Some(error) = checked.diagnostics.into_iter().next() {
+        return Err(error);
+    }
+    match checked.value.map(|tree| tree.items) {
+        Some(mut items) if items.len() == 1 => match items.remove(0) {
+            Item::Field(field) => Ok(Override { path: names, field }),
+            _ => Err(shape("an override is a field, `=` and a value")),
+        },
+        _ => Err(shape("an override is a field, `=` and a value")),
+    }
+}
+
+/// Puts every override in its place; what finds none is reported.
+pub(super) fn apply(trees: &mut Vec<SpecFile>, overrides: &[Override]) -> Vec<Diagnostic> {
+    let mut diagnostics = Vec::new();
+    // Those of the plan first: it says which vehicle and which mission are meant.
+    let (plan, other): (Vec<_>, Vec<_>) = overrides
+        .iter()
+        .partition(|o| o.path.first().is_some_and(|name| name.value == "plan"));
+    for item in plan.into_iter().chain(other) {
+        if let Err(diagnostic) = place(trees, item) {
+            diagnostics.push(diagnostic);
+        }
+    }
+    diagnostics
+}
+
+fn place(trees: &mut Vec<SpecFile>, item: &Override) -> Result<(), Diagnostic> {
+    let Some((outer, inner)) = item.path.split_first() else {
+        return place_top(trees, &item.field);
+    };
+    let keyword = outer.value.as_str();
+    if !matches!(keyword, "plan" | "vehicle" | "mission") {
+        let message = format!("`{keyword}` is not a block that can be set");
+        return Err(Diagnostic::error(CODE, outer.span, message)
+            .here("unknown block")
+            .help("paths begin with `plan`, `vehicle` or `mission`"));
+    }
+    let chosen = chosen(trees, keyword);
+    let mut blocks: Vec<&mut Block> = trees
+        .iter_mut()
+        .flat_map(|tree| &mut tree.items)
+        .filter_map(|i| {
+            if let Item::Block(block) = i {
+                Some(block)
+            } else {
+                None
+            }
+        })
+        .filter(|block| block.keyword.value == keyword)
+        .filter(|block| {
+            chosen.is_none() || block.name.as_ref().map(|n| &n.value) == chosen.as_ref()
+        })
+        .collect();
+    if blocks.is_empty() {
+        if keyword != "plan" || trees.is_empty() {
+            let message = format!("the spec has no `{keyword}` block to set a field of");
+            return Err(Diagnostic::error(CODE, outer.span, message).here("nothing to set"));
+        }
+        let mut block = empty(outer);
+        set(&mut block, inner, &item.field)?;
+        trees[0].items.push(Item::Block(block));
+        return Ok(());
+    }
+    blocks
+        .iter_mut()
+        .try_for_each(|block| set(block, inner, &item.field))
+}
+
+fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Diagnostic> {
+    let name = &field.name.value;
+    for item in trees.iter_mut().flat_map(|tree| &mut tree.items) {
+        match item {
+            Item::Let(old) | Item::Field(old) if old.name.value == *name => {
+                old.value = field.value.clone();
+                return Ok(());
+            }
+            _ => {}
+        }
+    }
+    if name == "gravity"
+        && let Some(tree) = trees.first_mut()
+    {
+        tree.items.push(Item::Field(field.clone()));
+        return Ok(());
+    }
+    Err(Diagnostic::error(
+        CODE,
+        field.name.span,
+        format!("no `let` is called `{name}`"),
+    )
+    .here("nothing to set")
+    .help("a field of a block is set by its path, such as `plan.time=20s`"))
+}
+
+/// The vehicle or mission that `plan` names.
+fn chosen(trees: &[SpecFile], keyword: &str) -> Option<String> {
+    let plans = trees
+        .iter()
+        .flat_map(|tree| &tree.items)
+        .filter_map(|item| match item {
+            Item::Block(block) if block.keyword.value == "plan" => Some(block),
+            _ => None,
+        });
+    let mut fields = plans
+        .flat_map(|plan| &plan.body)
+        .filter_map(|statement| match statement {
+            Statement::Field(field) if field.name.value == keyword => expr_of(field),
+            _ => None,
+        });
+    fields.find_map(|expr| {
+        if let ExprKind::Name(name) = &expr.kind {
+            Some(name.clone())
+        } else {
+            None
+        }
+    })
+}
+
+/// Sets a field of a block, going down `path` through the blocks inside it.
+fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Diagnostic> {
+    if let Some((next, rest)) = path.split_first() {
+        let inner = block.body.iter_mut().find_map(|statement| match statement {
+            Statement::Block(inner) if inner.keyword.value == next.value => Some(inner),
+            _ => None,
+        });
+        return match inner {
+            Some(inner) => set(inner, rest, field),
+            None if matches!(
+                (block.keyword.value.as_str(), next.value.as_str()),
+                ("vehicle", "rotor") | ("mission", "limits")
+            ) =>
+            {
+                let mut inner = empty(next);
+                set(&mut inner, rest, field)?;
+                block.body.push(Statement::Block(inner));
+                Ok(())
+            }
+            None => {
+                let message = format!("`{}` has no block `{}`", block.keyword.value, next.value);
+                let error = Diagnostic::error(CODE, next.span, message).here("unknown block");
+                Err(error.help("blocks inside are `vehicle.rotor` and `mission.limits`"))
+            }
+        };
+    }
+    let name = &field.name.value;
+    if block.keyword.value == "limits" {
+        let Some(expr) = expr_of(field).cloned() else {
+            return Err(Diagnostic::error(
+                CODE,
+                field.span,
+                "a limit takes a value or a range",
+            ));
+        };
+        let relation = match expr.kind {
+            ExprKind::Range { .. } => LimitRelation::In(expr),
+            _ => LimitRelation::AtMost(expr),
+        };
+        block
+            .body
+            .retain(|s| !matches!(s, Statement::Limit { name: old, .. } if old.value == *name));
+        block.body.push(Statement::Limit {
+            name: field.name.clone(),
+            relation,
+            span: field.span,
+        });
+        return Ok(());
+    }
+    block
+        .body
+        .retain(|s| !matches!(s, Statement::Field(old) if old.name.value == *name));
+    block.body.push(Statement::Field(field.clone()));
+    Ok(())
+}
+
+fn empty(keyword: &Name) -> Block {
+    Block {
+        keyword: keyword.clone(),
+        name: None,
+        title: None,
+        body: Vec::new(),
+        doc: None,
+        span: keyword.span,
+    }
+}

@@ -1,0 +1,546 @@
+//! The `plan` block and its defaults.
+
+use super::context::{Context, listed};
+use super::due::Due;
+use super::fields::Fields;
+use super::legs::Timing;
+use super::mission::Manner;
+use super::{DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlannerKind};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::report::number::number;
+use crate::source::{Span, Spanned};
+use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Relation, Statement};
+
+/// Most intervals of one plan.
+pub const MAX_SAMPLES: usize = 100_000;
+
+const CHOICE: &str = "mavc::plan::choice";
+const FIELDS: [&str; 13] = [
+    "planner",
+    "against",
+    "time",
+    "within",
+    "yaw_within",
+    "samples",
+    "reserve",
+    "snap",
+    "acceleration",
+    "weight",
+    "timing",
+    "vehicle",
+    "mission",
+];
+
+/// Defaults: value in SI, as written, why.
+const RESERVE: (f64, &str, &str) = (0.1, "10 %", "a share of each set stays free for feedback");
+const WITHIN: (f64, &str, &str) = (0.05, "5 cm", "how closely each waypoint is met");
+const YAW_WITHIN: (f64, &str, &str) = (
+    std::f64::consts::PI / 90.0,
+    "2 deg",
+    "how closely each yaw is met",
+);
+const SAMPLES: (usize, &str, &str) = (200, "200", "intervals of the whole mission");
+const WEIGHT: (f64, &str, &str) = (1.0, "1", "weight of the squared distance to each waypoint");
+const SNAP: (f64, &str, &str) = (1e-4, "1e-4", "weight of horizontal snap");
+const ACCELERATION: (f64, &str, &str) = (1e-4, "1e-4", "weight of vertical and yaw acceleration");
+
+/// A `plan` block before modes and mission are known.
+pub(super) struct Draft<'a> {
+    fields: Option<Fields<'a>>,
+    /// `against`, which may be a filter, is read by itself.
+    against: Option<&'a Field>,
+    /// Whether some statement of the block could not be read.
+    broken: bool,
+    pub span: Option<Span>,
+    pub defaults: Vec<DefaultUsed>,
+}
+
+impl<'a> Draft<'a> {
+    pub fn read(cx: &mut Context<'a>, block: Option<&'a Block>) -> Self {
+        let mut draft = Draft {
+            fields: None,
+            against: None,
+            broken: false,
+            span: None,
+            defaults: Vec::new(),
+        };
+        let Some(block) = block else { return draft };
+        draft.span = Some(block.keyword.span);
+        draft.broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
+        let mut fields = Fields::of_block(cx, "`plan`".into(), block.keyword.span, &[], &FIELDS);
+        for statement in &block.body {
+            let Statement::Field(field) = statement else {
+                continue;
+            };
+            if field.name.value != "against" {
+                fields.take_field(cx, field, &FIELDS);
+            } else if let Some(first) = draft.against {
+                let error = Diagnostic::error(
+                    "mavc::name::duplicate",
+                    field.name.span,
+                    "`against` is given twice in `plan`",
+                );
+                cx.report(
+                    error
+                        .here("given again")
+                        .also(first.name.span, "first given here")
+                        .help("take one out"),
+                );
+            } else {
+                draft.against = Some(field);
+            }
+        }
+        draft.fields = Some(fields);
+        draft
+    }
+
+    fn get(&self, name: &str) -> Option<&'a Expr> {
+        self.fields.as_ref().and_then(|f| f.get(name))
+    }
+
+    fn default<T>(&mut self, field: &str, (value, text, reason): (T, &str, &str)) -> T {
+        let (field, value_text) = (format!("plan.{field}"), text.to_string());
+        self.defaults.push(DefaultUsed {
+            field,
+            value: value_text,
+            reason: reason.to_string(),
+        });
+        value
+    }
+
+    /// Whether `against` names its modes one by one, so that those left out are left out by oversight, maybe.
+    pub fn names_modes(&self) -> bool {
+        self.against
+            .is_some_and(|field| matches!(field.value, FieldValue::Expr(_)))
+    }
+
+    /// The name given for `vehicle` or `mission`.
+    pub fn chosen(&self, cx: &mut Context<'a>, what: &str) -> Option<Spanned<&'a str>> {
+        let expr = self.get(what)?;
+        match &expr.kind {
+            ExprKind::Name(name) => Some(Spanned::new(name, expr.span)),
+            _ => {
+                let error = Diagnostic::error(
+                    CHOICE,
+                    expr.span,
+                    format!("`{what}` takes the name of a {what}"),
+                );
+                cx.report(error.here("not a name"));
+                None
+            }
+        }
+    }
+
+    /// What waypoints take where they say nothing; defaults stand in for values with errors.
+    pub fn manner(&mut self, cx: &mut Context<'a>) -> (Manner, bool) {
+        const TOLERANCE: &str = "mavc::mission::tolerance";
+        let mut fine = true;
+        let mut keep = |value: Option<f64>, instead: f64| {
+            fine &= value.is_some();
+            value.unwrap_or(instead)
+        };
+        let within = match self.get("within") {
+            Some(e) => keep(cx.positive(Due::new("within", "m"), e, TOLERANCE), WITHIN.0),
+            None => self.default("within", WITHIN),
+        };
+        let yaw_within = match self.get("yaw_within") {
+            Some(e) => keep(
+                cx.positive(Due::new("yaw_within", "deg"), e, TOLERANCE),
+                YAW_WITHIN.0,
+            ),
+            None => self.default("yaw_within", YAW_WITHIN),
+        };
+        let weight = match self.get("weight") {
+            Some(e) => keep(
+                cx.not_negative(Due::new("weight", "1"), e, "mavc::mission::weight"),
+                WEIGHT.0,
+            ),
+            None => self.default("weight", WEIGHT),
+        };
+        let timing = match self.word(cx, "timing", &["uniform", "distance"]) {
+            Some(Some("uniform")) => Some(Timing::Uniform),
+            Some(Some(_)) => Some(Timing::Distance),
+            Some(None) => {
+                fine = false;
+                None
+            }
+            None => {
+                let text = "uniform on curves, distance elsewhere";
+                self.default("timing", ((), text, "how legs share the time left free"));
+                None
+            }
+        };
+        (
+            Manner {
+                within,
+                yaw_within,
+                weight,
+                timing,
+            },
+            fine,
+        )
+    }
+
+    /// A field that takes one of a few words; `Some(None)` where something else stands there.
+    fn word(&self, cx: &mut Context<'a>, field: &str, words: &[&str]) -> Option<Option<&'a str>> {
+        let expr = self.get(field)?;
+        if let ExprKind::Name(name) = &expr.kind
+            && words.contains(&name.as_str())
+        {
+            return Some(Some(name));
+        }
+        let error = Diagnostic::error(
+            CHOICE,
+            expr.span,
+            format!("`{field}` is one of {}", listed(words)),
+        );
+        let error = error.here("none of them");
+        let near = match &expr.kind {
+            ExprKind::Name(name) => nearest(name, words.iter().copied()),
+            _ => None,
+        };
+        cx.report(match near {
+            Some(near) => error
+                .help(format!("did you mean `{near}`?"))
+                .fix(expr.span, near),
+            None => error,
+        });
+        Some(None)
+    }
+
+    /// The plan, once modes and mission are known; `None` where it has errors.
+    pub fn finish(
+        mut self,
+        cx: &mut Context<'a>,
+        modes: &[FaultMode],
+        modes_incomplete: bool,
+        mission: Option<&Mission>,
+        fallback: Span,
+    ) -> (Option<Plan>, Vec<DefaultUsed>) {
+        let span = self.span.unwrap_or(fallback);
+        let planner = match self.word(cx, "planner", &["rip", "rcp", "rsp"]) {
+            Some(word) => word.map(|w| match w {
+                "rip" => PlannerKind::Rip,
+                "rcp" => PlannerKind::Rcp,
+                _ => PlannerKind::Rsp,
+            }),
+            None => Some(self.default(
+                "planner",
+                (PlannerKind::Rsp, "rsp", "the risk-sensitive planner"),
+            )),
+        };
+        let against = self.against(cx, modes, modes_incomplete);
+        let time = self.time(cx);
+        let samples = match self.get("samples") {
+            Some(e) => cx.whole("`samples`", e, 1..=MAX_SAMPLES, "mavc::plan::samples"),
+            None => Some(self.default("samples", SAMPLES)),
+        };
+        let reserve = match self.get("reserve") {
+            Some(e) => self.reserve(cx, e),
+            None => Some(self.default("reserve", RESERVE)),
+        };
+        let mut weight = |name: &str, default: (f64, &str, &str)| match self.get(name) {
+            Some(e) => cx.not_negative(Due::new(name, "1"), e, "mavc::plan::weight"),
+            None => Some(self.default(name, default)),
+        };
+        let snap = weight("snap", SNAP);
+        let acceleration = weight("acceleration", ACCELERATION);
+        let place = |name: &str| {
+            self.fields
+                .as_ref()
+                .and_then(|f| f.span_of(name))
+                .unwrap_or(span)
+        };
+        let (time_span, samples_span, reserve_span) =
+            (place("time"), place("samples"), place("reserve"));
+        if let Some(mission) = mission {
+            if let Some(samples) = samples {
+                check_samples(cx, samples, samples_span, mission);
+            }
+            if let Some(MissionTime::Fixed(time)) = time {
+                check_time(cx, time, time_span, mission);
+            }
+        }
+        let plan = match (planner, against, time, samples, reserve, snap, acceleration) {
+            (
+                Some(planner),
+                Some(against),
+                Some(time),
+                Some(samples),
+                Some(reserve),
+                Some(snap_weight),
+                Some(acceleration_weight),
+            ) if !self.broken => Some(Plan {
+                planner,
+                against,
+                time,
+                samples,
+                reserve,
+                snap_weight,
+                acceleration_weight,
+                span,
+                against_span: self.against.map_or(span, |f| f.span),
+                time_span,
+                samples_span,
+                reserve_span,
+            }),
+            _ => None,
+        };
+        (plan, self.defaults)
+    }
+
+    fn time(&mut self, cx: &mut Context<'a>) -> Option<MissionTime> {
+        let Some(expr) = self.get("time") else {
+            return Some(self.default(
+                "time",
+                (
+                    MissionTime::Minimum,
+                    "minimum",
+                    "the shortest time that is feasible",
+                ),
+            ));
+        };
+        if matches!(&expr.kind, ExprKind::Name(name) if name == "minimum") {
+            return Some(MissionTime::Minimum);
+        }
+        if let ExprKind::Name(name) = &expr.kind
+            && nearest(name, ["minimum"]).is_some()
+        {
+            let error = Diagnostic::error(
+                CHOICE,
+                expr.span,
+                "`time` is `minimum` or a time such as `20 s`",
+            );
+            cx.report(
+                error
+                    .here("neither")
+                    .help("did you mean `minimum`?")
+                    .fix(expr.span, "minimum"),
+            );
+            return None;
+        }
+        cx.positive(Due::new("time", "s"), expr, "mavc::plan::time")
+            .map(MissionTime::Fixed)
+    }
+
+    fn reserve(&mut self, cx: &mut Context<'a>, expr: &'a Expr) -> Option<f64> {
+        const CODE: &str = "mavc::plan::reserve";
+        let reserve = cx.share("`reserve`", expr, CODE)?;
+        if reserve < 1.0 {
+            return Some(reserve);
+        }
+        let error = Diagnostic::error(
+            CODE,
+            expr.span,
+            "a reserve of 100 % leaves nothing to fly with",
+        );
+        cx.report(error.here("nothing is left").help("10 % is usual"));
+        None
+    }
+
+    fn against(
+        &mut self,
+        cx: &mut Context<'a>,
+        modes: &[FaultMode],
+        incomplete: bool,
+    ) -> Option<Vec<usize>> {
+        let Some(field) = self.against else {
+            let all = (0..modes.len()).collect();
+            return Some(self.default("against", (all, "all", "every declared fault mode")));
+        };
+        let expr = match &field.value {
+            FieldValue::Where {
+                field,
+                relation,
+                value,
+            } => {
+                return filter(cx, field, relation.value, value, modes, incomplete);
+            }
+            FieldValue::Expr(expr) => expr,
+        };
+        let one;
+        let elements: &[Expr] = match &expr.kind {
+            ExprKind::Name(name) if name == "all" => return Some((0..modes.len()).collect()),
+            ExprKind::Name(_) => {
+                one = std::slice::from_ref(expr);
+                one
+            }
+            ExprKind::List {
+                elements,
+                unit: None,
+            } => elements,
+            _ => {
+                let message =
+                    "`against` takes `all`, a list of fault modes, or `where` and a condition";
+                let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
+                cx.report(error.help("write `[M1, M2]`, or `where rpn >= 100`"));
+                return None;
+            }
+        };
+        let names: Vec<&str> = modes.iter().map(|m| m.name.as_str()).collect();
+        let mut chosen = Some(Vec::new());
+        for element in elements {
+            let index = match &element.kind {
+                ExprKind::Name(name) => match names.iter().position(|n| n == name) {
+                    Some(index) => Some(index),
+                    None if name == "healthy" || name == "all" => {
+                        let message = format!("`{name}` is not a fault mode");
+                        let error =
+                            Diagnostic::error(CHOICE, element.span, message).here("not a fault");
+                        cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
+                        None
+                    }
+                    None => {
+                        if !incomplete {
+                            cx.unknown("fault mode", name, element.span, &names);
+                        }
+                        None
+                    }
+                },
+                _ => {
+                    let error = Diagnostic::error(
+                        CHOICE,
+                        element.span,
+                        "`against` lists fault modes by name",
+                    );
+                    cx.report(error.here("not a name"));
+                    None
+                }
+            };
+            match (&mut chosen, index) {
+                (Some(list), Some(index)) if list.contains(&index) => {
+                    let message = format!("`{}` is listed twice", names[index]);
+                    let warning =
+                        Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
+                    cx.report(warning.here("listed already").help("take it out"));
+                }
+                (Some(list), Some(index)) => list.push(index),
+                (list, _) => *list = None,
+            }
+        }
+        chosen
+    }
+}
+
+/// `where rpn >= 100`: the modes that have the number and meet the condition.
+fn filter<'a>(
+    cx: &mut Context<'a>,
+    field: &'a Spanned<String>,
+    relation: Relation,
+    value: &'a Expr,
+    modes: &[FaultMode],
+    incomplete: bool,
+) -> Option<Vec<usize>> {
+    const KNOWN: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
+    let name = field.value.as_str();
+    if !KNOWN.contains(&name) {
+        let error = Diagnostic::error(
+            "mavc::name::unknown_field",
+            field.span,
+            format!("modes have no number `{name}`"),
+        );
+        let error = error.here("unknown here");
+        cx.report(match nearest(name, KNOWN) {
+            Some(near) => error
+                .help(format!("did you mean `{near}`?"))
+                .fix(field.span, near),
+            None => error.help(format!("`where` looks at {}", listed(&KNOWN))),
+        });
+        return None;
+    }
+    let bound = cx.number(
+        Due::new(name, if name == "rate" { "1/h" } else { "1" }),
+        value,
+    )?;
+    let number_of = |mode: &FaultMode| match name {
+        "rpn" => mode.rpn().map(f64::from),
+        "severity" => mode.severity.map(f64::from),
+        "occurrence" => mode.occurrence.map(f64::from),
+        "detection" => mode.detection.map(f64::from),
+        _ => mode.rate,
+    };
+    let holds = |x: f64| match relation {
+        Relation::Less => x < bound,
+        Relation::LessEqual => x <= bound,
+        Relation::Greater => x > bound,
+        Relation::GreaterEqual => x >= bound,
+        Relation::Equal => x == bound,
+    };
+    let chosen: Vec<usize> = (0..modes.len())
+        .filter(|&k| number_of(&modes[k]).is_some_and(holds))
+        .collect();
+    if chosen.is_empty() && !incomplete {
+        let without = modes.iter().filter(|m| number_of(m).is_none()).count();
+        let warning = Diagnostic::warning(
+            "mavc::plan::none_selected",
+            field.span,
+            "no fault mode meets this condition",
+        );
+        let help = format!(
+            "{without} of {} modes have no `{name}`; a mode without the number is never chosen",
+            modes.len()
+        );
+        cx.report(warning.here("selects nothing").help(help));
+    }
+    Some(chosen)
+}
+
+/// Every leg and every hold takes at least one interval.
+fn check_samples(cx: &mut Context, samples: usize, span: Span, mission: &Mission) {
+    let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+    let least = mission.legs.len() + holds;
+    if samples < least {
+        let message = format!(
+            "{samples} samples are fewer than the mission's {} legs and {holds} holds",
+            mission.legs.len()
+        );
+        let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
+        cx.report(
+            error
+                .also(mission.span, "this mission")
+                .help(format!("write `samples = {}` or more", least.max(200))),
+        );
+    }
+}
+
+/// A fixed mission time leaves room for holds and fixed waypoint times, and agrees with the last one.
+fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
+    const CODE: &str = "mavc::plan::time";
+    let mut free_at = 0.0;
+    let mut reason = mission.span;
+    for waypoint in &mission.waypoints {
+        if let Some(fixed) = waypoint.time {
+            free_at = fixed;
+            reason = waypoint.time_span.unwrap_or(waypoint.span);
+        }
+        if waypoint.hold > 0.0 {
+            free_at += waypoint.hold;
+            reason = waypoint.hold_span.unwrap_or(waypoint.span);
+        }
+    }
+    let last = mission.waypoints.last();
+    let ends_fixed = last.is_some_and(|w| w.time.is_some());
+    let fits = if ends_fixed {
+        (time - free_at).abs() <= 1e-9 * time
+    } else {
+        time > free_at
+    };
+    if !fits {
+        let ends = if ends_fixed {
+            "ends at"
+        } else {
+            "lasts longer than"
+        };
+        let message = format!(
+            "the mission {ends} {} s, which a total of {} s does not fit",
+            number(free_at),
+            number(time)
+        );
+        let error = Diagnostic::error(CODE, span, message).here("the total");
+        cx.report(
+            error
+                .also(reason, "fixed here")
+                .help("change the total or the waypoint's time, or write `time = minimum`"),
+        );
+    }
+}

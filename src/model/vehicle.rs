@@ -1,0 +1,583 @@
+//! `vehicle` blocks: rings and rotors one by one.
+
+use std::f64::consts::PI;
+
+use super::context::{Context, listed};
+use super::due::Due;
+use super::fields::Fields;
+use super::{Rotor, Spin, Vehicle};
+use crate::diagnostic::Diagnostic;
+use crate::report::number::number;
+use crate::source::Span;
+use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
+
+/// Fewest and most rotors.
+pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
+
+const POSITIVE: &str = "mavc::vehicle::not_positive";
+const VEHICLE_FIELDS: [&str; 5] = ["layout", "first", "arm", "mass", "inertia"];
+const ROTOR_FIELDS: [&str; 6] = [
+    "thrust_coefficient",
+    "max_thrust",
+    "drag_coefficient",
+    "torque_per_thrust",
+    "max_speed",
+    "time_constant",
+];
+const PLACED_FIELDS: [&str; 8] = [
+    "at",
+    "spin",
+    "thrust_coefficient",
+    "max_thrust",
+    "drag_coefficient",
+    "torque_per_thrust",
+    "max_speed",
+    "time_constant",
+];
+
+/// What can be said of a vehicle even where it has errors.
+pub(super) struct Outline {
+    pub name: String,
+    pub span: Span,
+    /// The number of rotors, where it can be known.
+    pub rotors: Option<usize>,
+    /// The vehicle, where it has no errors.
+    pub vehicle: Option<Vehicle>,
+}
+
+pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
+    let name = block
+        .name
+        .as_ref()
+        .map_or("vehicle", |n| &n.value)
+        .to_string();
+    let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
+    let owner = format!("vehicle `{name}`");
+    let fields = Fields::of_block(cx, owner.clone(), span, &block.body, &VEHICLE_FIELDS);
+    let (shared, placed) = blocks(cx, block);
+
+    let mass_expr = fields.demand(cx, "mass", "mass = 1.8 kg");
+    let mass = mass_expr.and_then(|e| cx.positive(Due::new("mass", "kg"), e, POSITIVE));
+    let inertia = fields
+        .demand(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2")
+        .and_then(|e| inertia(cx, e));
+    let rotor_fields = shared.map(|b| {
+        Fields::of_block(
+            cx,
+            format!("`rotor` of {owner}"),
+            b.keyword.span,
+            &b.body,
+            &ROTOR_FIELDS,
+        )
+    });
+
+    let (places, count) = match placed {
+        Some(placed) => {
+            for field in ["layout", "first", "arm"] {
+                if let Some(at) = fields.span_of(field) {
+                    let message = format!(
+                        "`{field}` describes a ring, but {owner} places its rotors one by one"
+                    );
+                    cx.report(
+                        Diagnostic::error("mavc::vehicle::conflict", at, message)
+                            .here("has no meaning beside `rotors`")
+                            .also(placed.keyword.span, "rotors are placed here")
+                            .help("keep one of the two forms"),
+                    );
+                }
+            }
+            one_by_one(cx, placed, &owner)
+        }
+        None => ring(cx, &fields),
+    };
+    let rotors = places.and_then(|places| give_rotors(cx, places, rotor_fields.as_ref(), &fields));
+    let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
+        (None, Some(ExprKind::Text(text))) => Some(text.clone()),
+        _ => None,
+    };
+    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
+    let vehicle = match (mass, inertia, rotors, mass_expr) {
+        (Some(mass), Some(inertia), Some(rotors), Some(mass_expr)) if !broken => Some(Vehicle {
+            name: name.clone(),
+            doc: block.doc.clone(),
+            layout,
+            mass,
+            inertia,
+            rotors,
+            span,
+            mass_span: mass_expr.span,
+        }),
+        _ => None,
+    };
+    if let Some(vehicle) = &vehicle {
+        check_whole(cx, vehicle);
+    }
+    Outline {
+        name,
+        span,
+        rotors: count,
+        vehicle,
+    }
+}
+
+/// The `rotor` and `rotors` blocks; a second one of either is an error.
+fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Option<&'a Block>) {
+    let (mut shared, mut placed): (Option<&Block>, Option<&Block>) = (None, None);
+    for statement in &block.body {
+        let Statement::Block(inner) = statement else {
+            continue;
+        };
+        let slot = if inner.keyword.value == "rotors" {
+            &mut placed
+        } else {
+            &mut shared
+        };
+        match slot {
+            Some(first) => {
+                let message = format!("a vehicle has one `{}` block", inner.keyword.value);
+                let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
+                cx.report(
+                    error
+                        .here("a second one")
+                        .also(first.keyword.span, "the first")
+                        .help("join them"),
+                );
+            }
+            None => *slot = Some(inner),
+        }
+    }
+    (shared, placed)
+}
+
+fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
+    let [x, y, z] = cx.triple(Due::new("inertia", "kg*m^2"), expr)?;
+    if let Some(bad) = [x, y, z].into_iter().find(|i| *i <= 0.0) {
+        let error = Diagnostic::error(
+            POSITIVE,
+            expr.span,
+            "`inertia` has to be greater than zero about every axis",
+        );
+        cx.report(error.here(format!("{} kg*m^2 is among them", number(bad))));
+        return None;
+    }
+    // Bodies of no thickness reach equality; a hair is left for rounding.
+    let (largest, sum) = (x.max(y).max(z), x + y + z);
+    if largest > (sum - largest) * (1.0 + 1e-9) {
+        let message = "no body has this inertia: one axis exceeds the sum of the other two";
+        cx.report(
+            Diagnostic::error("mavc::vehicle::inertia", expr.span, message)
+                .here(format!("{} > {}", number(largest), number(sum - largest)))
+                .help("check the three numbers and their unit; for a flat vehicle Izz is at most Ixx + Iyy"),
+        );
+        return None;
+    }
+    Some([x, y, z])
+}
+
+/// Where one rotor stands, which way it turns, and what it says of itself.
+struct Place<'a> {
+    position: [f64; 3],
+    spin: Spin,
+    own: Option<Fields<'a>>,
+}
+
+/// Rotors on a circle: rotor k at the angle `first + 2 pi (k-1)/n`, clockwise from +y.
+fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>>, Option<usize>) {
+    if !fields.may_have("layout") {
+        let example = "layout = \"PPNNPPNN\"` or `rotors { rotor at [0.2, 0.2, 0] m spin P ... }";
+        fields.missing(cx, "`layout`", example);
+    }
+    let layout = fields.get("layout").and_then(|e| spins(cx, e));
+    let count = layout.as_ref().map(Vec::len);
+    // A `layout` that is itself missing has said that a ring may not be meant.
+    let arm = match fields.get("layout") {
+        Some(_) => fields.demand(cx, "arm", "arm = 0.2 m"),
+        None => fields.get("arm"),
+    };
+    let arm = arm.and_then(|e| cx.positive(Due::new("arm", "m"), e, POSITIVE));
+    let first = match fields.get("first") {
+        Some(expr) => cx.number(Due::new("first", "deg"), expr),
+        None => Some(0.0),
+    };
+    let (Some(spins), Some(arm), Some(first)) = (layout, arm, first) else {
+        return (None, count);
+    };
+    let n = spins.len() as f64;
+    let places = spins.into_iter().enumerate().map(|(k, spin)| {
+        let (sin, cos) = exact_sin_cos(first + 2.0 * PI * k as f64 / n);
+        Place {
+            position: [arm * sin, arm * cos, 0.0],
+            spin,
+            own: None,
+        }
+    });
+    (Some(places.collect()), count)
+}
+
+/// Sine and cosine, exact at the quarter turns so that a ring is symmetric to the last digit.
+fn exact_sin_cos(angle: f64) -> (f64, f64) {
+    let quarters = angle / (PI / 2.0);
+    if (quarters - quarters.round()).abs() < 1e-12 {
+        return match quarters.round().rem_euclid(4.0) as u8 {
+            0 => (0.0, 1.0),
+            1 => (1.0, 0.0),
+            2 => (0.0, -1.0),
+            _ => (-1.0, 0.0),
+        };
+    }
+    angle.sin_cos()
+}
+
+fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
+    let ExprKind::Text(text) = &expr.kind else {
+        let error = Diagnostic::error(
+            "mavc::vehicle::layout",
+            expr.span,
+            "`layout` is a text of the letters P and N",
+        );
+        cx.report(error.here("not a text").help("write `layout = \"PNPN\"`"));
+        return None;
+    };
+    if let Some((at, letter)) = text.char_indices().find(|(_, c)| !matches!(c, 'P' | 'N')) {
+        let start = expr.span.start as usize + 1 + at;
+        let span = Span::new(expr.span.file, start, start + letter.len_utf8());
+        let message = format!("a layout is made of P and N, not `{letter}`");
+        let mut error =
+            Diagnostic::error("mavc::vehicle::layout", span, message).here("neither P nor N");
+        error = match letter.to_ascii_uppercase() {
+            upper @ ('P' | 'N') => error
+                .help(format!("write `{upper}`"))
+                .fix(span, upper.to_string()),
+            _ => error.help("P turns counter-clockwise seen from above, N clockwise"),
+        };
+        cx.report(error);
+        return None;
+    }
+    if !text.len().is_multiple_of(2) || !ROTORS.contains(&text.len()) {
+        let message = format!(
+            "a ring has an even number of rotors from 4 to 32, not {}",
+            text.len()
+        );
+        let error = Diagnostic::error("mavc::vehicle::rotor_count", expr.span, message);
+        cx.report(
+            error
+                .here(format!("{} letters", text.len()))
+                .help("for other arrangements, use `rotors { ... }`"),
+        );
+        return None;
+    }
+    Some(
+        text.chars()
+            .map(|c| if c == 'P' { Spin::P } else { Spin::N })
+            .collect(),
+    )
+}
+
+/// Rotors placed one by one; the second value is their number, errors or not.
+fn one_by_one<'a>(
+    cx: &mut Context<'a>,
+    block: &'a Block,
+    owner: &str,
+) -> (Option<Vec<Place<'a>>>, Option<usize>) {
+    let rotors: Vec<&'a Clauses> = block
+        .body
+        .iter()
+        .filter_map(|s| {
+            if let Statement::Rotor(r) = s {
+                Some(r)
+            } else {
+                None
+            }
+        })
+        .collect();
+    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
+    for statement in &block.body {
+        if let Statement::Field(field) = statement {
+            let message = format!("`rotors` of {owner} has no field `{}`", field.name.value);
+            let error = Diagnostic::error("mavc::name::unknown_field", field.name.span, message)
+                .here("unknown here");
+            cx.report(
+                error.help("what all rotors share stands in a `rotor { ... }` block beside it"),
+            );
+        }
+    }
+    if !broken && !ROTORS.contains(&rotors.len()) {
+        let message = format!("a vehicle has 4 to 32 rotors, not {}", rotors.len());
+        let error = Diagnostic::error("mavc::vehicle::rotor_count", block.keyword.span, message);
+        cx.report(error.here(format!("{} rotors follow", rotors.len())));
+        return (None, None);
+    }
+    let mut places = Some(Vec::new());
+    for (k, rotor) in rotors.iter().enumerate() {
+        let place = placed(cx, rotor, k + 1);
+        match (&mut places, place) {
+            (Some(list), Some(place)) => list.push(place),
+            (list, _) => *list = None,
+        }
+    }
+    (places, (!broken).then_some(rotors.len()))
+}
+
+fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Place<'a>> {
+    let own = Fields::of_clauses(cx, format!("rotor {k}"), rotor, &PLACED_FIELDS);
+    let position = own
+        .demand(cx, "at", "at [0.2, 0.15, 0] m")
+        .and_then(|e| cx.triple(Due::new("at", "m"), e));
+    let spin = own
+        .demand(cx, "spin", "spin P")
+        .and_then(|e| match &e.kind {
+            ExprKind::Name(name) if name == "P" => Some(Spin::P),
+            ExprKind::Name(name) if name == "N" => Some(Spin::N),
+            _ => {
+                let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` is P or N");
+                cx.report(
+                    error
+                        .here("neither")
+                        .help("P turns counter-clockwise seen from above, N clockwise"),
+                );
+                None
+            }
+        });
+    Some(Place {
+        position: position?,
+        spin: spin?,
+        own: Some(own),
+    })
+}
+
+/// Thrust, torque and speed of every rotor: its own clauses first, then what the `rotor` block says.
+fn give_rotors<'a>(
+    cx: &mut Context<'a>,
+    places: Vec<Place<'a>>,
+    shared: Option<&Fields<'a>>,
+    vehicle: &Fields<'a>,
+) -> Option<Vec<Rotor>> {
+    let needs_block = places.iter().any(|p| p.own.is_none());
+    if shared.is_none() && needs_block {
+        if !vehicle.may_have("rotor") {
+            let example =
+                "rotor { thrust_coefficient = ...; drag_coefficient = ...; max_speed = ... }";
+            vehicle.missing(cx, "`rotor` block", example);
+        }
+        return None;
+    }
+    let base = shared.map(|fields| Traits::read(cx, fields));
+    let mut rotors = Some(Vec::new());
+    let mut told = false;
+    for (k, place) in places.iter().enumerate() {
+        let own = place.own.as_ref().map(|fields| Traits::read(cx, fields));
+        let traits = match (&own, &base) {
+            (Some(own), Some(base)) => own.over(base),
+            (Some(own), None) => own.clone(),
+            (None, Some(base)) => base.clone(),
+            (None, None) => return None,
+        };
+        let owner = shared
+            .filter(|_| own.is_none())
+            .or(place.own.as_ref())
+            .or(shared);
+        match (&mut rotors, traits.rotor(cx, place, owner, &mut told, k)) {
+            (Some(list), Some(rotor)) => list.push(rotor),
+            (list, _) => *list = None,
+        }
+        if rotors.is_none() && place.own.is_none() {
+            return None;
+        }
+    }
+    rotors
+}
+
+/// What is written of a rotor's performance. `Some(None)` stands for something with an error in it.
+#[derive(Clone, Default)]
+struct Traits {
+    thrust_coefficient: Option<Option<f64>>,
+    max_thrust: Option<Option<f64>>,
+    drag_coefficient: Option<Option<f64>>,
+    torque_per_thrust: Option<Option<f64>>,
+    max_speed: Option<Option<f64>>,
+    time_constant: Option<Option<f64>>,
+}
+
+impl Traits {
+    fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Self {
+        let mut take = |what: &'static str, unit: &'static str, coefficient: bool| {
+            let due = Due {
+                what,
+                unit,
+                coefficient,
+            };
+            match fields.get(what) {
+                Some(expr) => Some(cx.positive(due, expr, POSITIVE)),
+                None => fields.may_have(what).then_some(None),
+            }
+        };
+        let traits = Traits {
+            thrust_coefficient: take("thrust_coefficient", "N*s^2/rad^2", true),
+            max_thrust: take("max_thrust", "N", false),
+            drag_coefficient: take("drag_coefficient", "N*m*s^2/rad^2", true),
+            torque_per_thrust: take("torque_per_thrust", "m", false),
+            max_speed: take("max_speed", "rad/s", false),
+            time_constant: take("time_constant", "s", false),
+        };
+        for (a, b) in [
+            ("thrust_coefficient", "max_thrust"),
+            ("drag_coefficient", "torque_per_thrust"),
+        ] {
+            if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
+                let message = format!("`{a}` and `{b}` say the same thing twice");
+                cx.report(
+                    Diagnostic::error("mavc::vehicle::conflict", second, message)
+                        .here("one of the two")
+                        .also(first, "the other")
+                        .help("keep the one you know"),
+                );
+            }
+        }
+        traits
+    }
+
+    /// What is said here goes before what is said for all; a thrust in one form replaces the other form.
+    fn over(&self, base: &Traits) -> Traits {
+        let thrust = self.thrust_coefficient.is_some() || self.max_thrust.is_some();
+        let torque = self.drag_coefficient.is_some() || self.torque_per_thrust.is_some();
+        Traits {
+            thrust_coefficient: if thrust {
+                self.thrust_coefficient
+            } else {
+                base.thrust_coefficient
+            },
+            max_thrust: if thrust {
+                self.max_thrust
+            } else {
+                base.max_thrust
+            },
+            drag_coefficient: if torque {
+                self.drag_coefficient
+            } else {
+                base.drag_coefficient
+            },
+            torque_per_thrust: if torque {
+                self.torque_per_thrust
+            } else {
+                base.torque_per_thrust
+            },
+            max_speed: self.max_speed.or(base.max_speed),
+            time_constant: self.time_constant.or(base.time_constant),
+        }
+    }
+
+    fn rotor<'a>(
+        &self,
+        cx: &mut Context<'a>,
+        place: &Place<'a>,
+        owner: Option<&Fields<'a>>,
+        told: &mut bool,
+        k: usize,
+    ) -> Option<Rotor> {
+        let mut missing = Vec::new();
+        if self.max_speed.is_none() {
+            missing.push(("`max_speed`", "max_speed = 800 rad/s"));
+        }
+        if self.thrust_coefficient.is_none() && self.max_thrust.is_none() {
+            missing.push((
+                "`thrust_coefficient` or `max_thrust`",
+                "thrust_coefficient = 9e-6 N*s^2/rad^2",
+            ));
+        }
+        if self.drag_coefficient.is_none() && self.torque_per_thrust.is_none() {
+            missing.push((
+                "`drag_coefficient` or `torque_per_thrust`",
+                "drag_coefficient = 1.5e-7 N*m*s^2/rad^2",
+            ));
+        }
+        let _ = k;
+        if !missing.is_empty() {
+            if let Some(owner) = owner.filter(|_| !*told) {
+                missing
+                    .iter()
+                    .for_each(|(what, example)| owner.missing(cx, what, example));
+                *told = true;
+            }
+            return None;
+        }
+        let max_speed = self.max_speed??;
+        let thrust_coefficient = match self.thrust_coefficient {
+            Some(b) => b?,
+            None => self.max_thrust?? / (max_speed * max_speed),
+        };
+        let drag_coefficient = match self.drag_coefficient {
+            Some(d) => d?,
+            None => self.torque_per_thrust?? * thrust_coefficient,
+        };
+        let time_constant = match self.time_constant {
+            Some(given) => Some(given?),
+            None => None,
+        };
+        Some(Rotor {
+            position: place.position,
+            spin: place.spin,
+            thrust_coefficient,
+            drag_coefficient,
+            max_speed,
+            time_constant,
+        })
+    }
+}
+
+/// What only the whole vehicle shows: its weight against its thrust, and whether it can hold its yaw.
+fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
+    let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
+    let weight = vehicle.mass * cx.gravity;
+    let finite = vehicle
+        .rotors
+        .iter()
+        .all(|r| r.max_thrust().is_finite() && r.drag_coefficient.is_finite());
+    if !finite || !thrust.is_finite() || !weight.is_finite() {
+        let error = Diagnostic::error(
+            "mavc::unit::not_finite",
+            vehicle.span,
+            "the rotors' thrust is not finite",
+        );
+        cx.report(
+            error
+                .here("these rotors")
+                .help("check the coefficients and speeds"),
+        );
+        return;
+    }
+    if thrust <= weight {
+        let message = format!(
+            "vehicle `{}` cannot hover: it weighs {} N and its rotors lift {} N at full thrust",
+            vehicle.name,
+            number(weight),
+            number(thrust)
+        );
+        cx.report(
+            Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
+                .here("too heavy for these rotors")
+                .also(vehicle.span, format!("{} rotors", vehicle.rotors.len()))
+                .help(format!(
+                    "at full thrust it could carry {} kg",
+                    number(thrust / cx.gravity)
+                )),
+        );
+    }
+    let same = vehicle
+        .rotors
+        .iter()
+        .all(|r| r.spin == vehicle.rotors[0].spin);
+    if same {
+        let message = format!(
+            "all rotors of vehicle `{}` turn the same way, so it cannot hold its yaw",
+            vehicle.name
+        );
+        cx.report(
+            Diagnostic::error("mavc::vehicle::spin_balance", vehicle.span, message)
+                .here("every drag torque points the same way")
+                .help(format!(
+                    "let some rotors turn the other way: {} are both needed",
+                    listed(&["P", "N"])
+                )),
+        );
+    }
+}

@@ -1,0 +1,99 @@
+//! How two dimensions differ, told so that the missing factor is seen at a glance.
+
+use super::dimension::power;
+use super::{Base, Dimension};
+
+/// A comparison of an expected and a found dimension.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mismatch {
+    /// Three aligned lines: expected, found, missing.
+    pub table: String,
+    /// One action: `multiply by a length (m)`.
+    pub action: String,
+}
+
+/// Compares factor by factor. The table has one column a base dimension, so that equal factors stand
+/// under each other:
+/// ```text
+/// expected  kg  m^2
+///    found  kg  m
+///  missing      m
+/// ```
+pub fn mismatch(expected: Dimension, found: Dimension) -> Mismatch {
+    let missing = expected.over(found).unwrap_or(Dimension::PLAIN);
+    let rows = [
+        ("expected", expected),
+        ("   found", found),
+        (" missing", missing),
+    ];
+    let used: Vec<Base> = Base::ALL
+        .into_iter()
+        .filter(|&b| rows.iter().any(|(_, d)| !d.exponent(b).is_zero()))
+        .collect();
+    let width = |base: Base| {
+        rows.iter()
+            .map(|(_, d)| cell(*d, base).len())
+            .max()
+            .unwrap_or(0)
+    };
+    let line = |(name, dimension): &(&str, Dimension)| {
+        let cells: String = used
+            .iter()
+            .map(|&b| format!("  {:<w$}", cell(*dimension, b), w = width(b)))
+            .collect();
+        let cells = if dimension.is_plain() {
+            "  a plain number".to_string()
+        } else {
+            cells
+        };
+        format!("{name}{}", cells.trim_end())
+    };
+    let table = rows.iter().map(line).collect::<Vec<_>>().join("\n");
+    Mismatch {
+        table,
+        action: action(missing),
+    }
+}
+
+fn cell(dimension: Dimension, base: Base) -> String {
+    let exponent = dimension.exponent(base);
+    if exponent.is_zero() {
+        String::new()
+    } else {
+        power(base, exponent)
+    }
+}
+
+fn action(missing: Dimension) -> String {
+    let inverse = Dimension::PLAIN.over(missing).unwrap_or(missing);
+    let positive = Base::ALL
+        .into_iter()
+        .any(|b| !missing.exponent(b).is_zero() && !missing.exponent(b).is_negative());
+    match (missing.named(), inverse.named()) {
+        (Some(_), _) if positive => format!("multiply by {}", missing.describe()),
+        (_, Some(_)) => format!("divide by {}", inverse.describe()),
+        _ if positive => format!("multiply by {}", missing.describe()),
+        _ => format!("divide by {}", inverse.describe()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn factors_stand_under_each_other() {
+        let inertia = Dimension::MASS
+            .times(Dimension::LENGTH)
+            .and_then(|d| d.times(Dimension::LENGTH))
+            .unwrap();
+        let found = Dimension::MASS.times(Dimension::LENGTH).unwrap();
+        let told = mismatch(inertia, found);
+        assert_eq!(
+            told.table,
+            "expected  kg  m^2\n   found  kg  m\n missing      m"
+        );
+        assert_eq!(told.action, "multiply by a length (m)");
+        assert_eq!(mismatch(found, inertia).action, "divide by a length (m)");
+    }
+}

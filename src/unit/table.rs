@@ -1,0 +1,303 @@
+//! Units and the reading of unit texts such as `N*s^2/rad^2`.
+
+use std::f64::consts::PI;
+
+use super::{Dimension, Exponent};
+
+/// A scale to SI, kept as a fraction so that `35 cm` is exactly 0.35 m, and a dimension.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    pub numerator: f64,
+    pub denominator: f64,
+    pub dimension: Dimension,
+}
+
+/// Why a text is no unit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum UnitError {
+    /// A word that is no unit, and what was probably meant.
+    Unknown { word: String, meant: Option<String> },
+    /// The run cannot be read as a product of powers, or an exponent is too large.
+    Malformed,
+}
+
+/// Symbol, numerator, denominator, base exponents (mass, length, time, angle), whether prefixes apply.
+type Row = (&'static str, f64, f64, [i64; 4], bool);
+
+const UNITS: &[Row] = &[
+    ("m", 1.0, 1.0, [0, 1, 0, 0], true),
+    ("g", 1.0, 1000.0, [1, 0, 0, 0], true),
+    ("s", 1.0, 1.0, [0, 0, 1, 0], true),
+    ("rad", 1.0, 1.0, [0, 0, 0, 1], true),
+    ("N", 1.0, 1.0, [1, 1, -2, 0], true),
+    ("J", 1.0, 1.0, [1, 2, -2, 0], true),
+    ("W", 1.0, 1.0, [1, 2, -3, 0], true),
+    ("Hz", 1.0, 1.0, [0, 0, -1, 0], true),
+    ("min", 60.0, 1.0, [0, 0, 1, 0], false),
+    ("h", 3600.0, 1.0, [0, 0, 1, 0], false),
+    ("deg", PI, 180.0, [0, 0, 0, 1], false),
+    ("rev", 2.0 * PI, 1.0, [0, 0, 0, 1], false),
+    ("rpm", 2.0 * PI, 60.0, [0, 0, -1, 1], false),
+    ("ft", 0.3048, 1.0, [0, 1, 0, 0], false),
+    ("inch", 0.0254, 1.0, [0, 1, 0, 0], false),
+    ("mi", 1609.344, 1.0, [0, 1, 0, 0], false),
+    ("mph", 1609.344, 3600.0, [0, 1, -1, 0], false),
+    ("kt", 1852.0, 3600.0, [0, 1, -1, 0], false),
+    ("lb", 0.45359237, 1.0, [1, 0, 0, 0], false),
+    ("oz", 0.028349523125, 1.0, [1, 0, 0, 0], false),
+    ("%", 1.0, 100.0, [0, 0, 0, 0], false),
+];
+
+/// Units of force by weight: mass in kilograms as a fraction; the scale carries the spec's gravity.
+const WEIGHTS: &[(&str, f64, f64)] = &[
+    ("kgf", 1.0, 1.0),
+    ("gf", 1.0, 1000.0),
+    ("lbf", 0.45359237, 1.0),
+];
+
+const PREFIXES: &[(&str, f64, f64)] = &[
+    ("G", 1e9, 1.0),
+    ("M", 1e6, 1.0),
+    ("k", 1e3, 1.0),
+    ("d", 1.0, 1e1),
+    ("c", 1.0, 1e2),
+    ("m", 1.0, 1e3),
+    ("u", 1.0, 1e6),
+    ("µ", 1.0, 1e6),
+    ("μ", 1.0, 1e6),
+    ("n", 1.0, 1e9),
+];
+
+/// Spellings people try, and what to write.
+const HABITS: &[(&str, &str)] = &[
+    ("sec", "s"),
+    ("secs", "s"),
+    ("second", "s"),
+    ("seconds", "s"),
+    ("hr", "h"),
+    ("hour", "h"),
+    ("hours", "h"),
+    ("minute", "min"),
+    ("minutes", "min"),
+    ("meter", "m"),
+    ("meters", "m"),
+    ("metre", "m"),
+    ("metres", "m"),
+    ("degree", "deg"),
+    ("degrees", "deg"),
+    ("°", "deg"),
+    ("radian", "rad"),
+    ("radians", "rad"),
+    ("newton", "N"),
+    ("newtons", "N"),
+    ("gram", "g"),
+    ("grams", "g"),
+    ("kilogram", "kg"),
+    ("kilograms", "kg"),
+    ("percent", "%"),
+    ("kph", "km/h"),
+    ("kmh", "km/h"),
+    ("kmph", "km/h"),
+    ("mps", "m/s"),
+    ("feet", "ft"),
+    ("foot", "ft"),
+    ("inches", "inch"),
+    ("lbs", "lb"),
+    ("pound", "lb"),
+    ("pounds", "lb"),
+    ("knots", "kt"),
+    ("rps", "rev/s"),
+];
+
+/// Every symbol of the table, without prefixes, in its order.
+pub fn unit_names() -> impl Iterator<Item = &'static str> {
+    UNITS
+        .iter()
+        .map(|row| row.0)
+        .chain(WEIGHTS.iter().map(|row| row.0))
+}
+
+/// Reads a unit text: words with whole exponents joined by `*` and `/`, a leading `1` for a bare
+/// reciprocal. `/` divides by the one factor after it. `gravity` (m/s^2) scales `kgf`, `gf`, `lbf`.
+///
+/// # Errors
+/// The first word that is no unit, or a run that is no product of powers.
+pub fn parse_unit(text: &str, gravity: f64) -> Result<Unit, UnitError> {
+    let mut unit = Unit {
+        numerator: 1.0,
+        denominator: 1.0,
+        dimension: Dimension::PLAIN,
+    };
+    let mut rest = text;
+    let mut inverse = false;
+    loop {
+        let end = rest.find(['*', '/', '·']).unwrap_or(rest.len());
+        let factor = parse_factor(&rest[..end], gravity)?;
+        unit = if inverse {
+            over(unit, factor)
+        } else {
+            times(unit, factor)
+        }
+        .ok_or(UnitError::Malformed)?;
+        let Some(sign) = rest[end..].chars().next() else {
+            break;
+        };
+        inverse = sign == '/';
+        rest = &rest[end + sign.len_utf8()..];
+    }
+    let scale = unit.numerator / unit.denominator;
+    if scale.is_finite() && scale > 0.0 {
+        Ok(unit)
+    } else {
+        Err(UnitError::Malformed)
+    }
+}
+
+fn times(a: Unit, b: Unit) -> Option<Unit> {
+    Some(Unit {
+        numerator: a.numerator * b.numerator,
+        denominator: a.denominator * b.denominator,
+        dimension: a.dimension.times(b.dimension)?,
+    })
+}
+
+fn over(a: Unit, b: Unit) -> Option<Unit> {
+    Some(Unit {
+        numerator: a.numerator * b.denominator,
+        denominator: a.denominator * b.numerator,
+        dimension: a.dimension.over(b.dimension)?,
+    })
+}
+
+/// `m`, `m^2`, `s^-1`, `m²`, `1`.
+fn parse_factor(text: &str, gravity: f64) -> Result<Unit, UnitError> {
+    let (word, exponent) = if let Some((word, exponent)) = text.split_once('^') {
+        (
+            word,
+            exponent.parse::<i32>().map_err(|_| UnitError::Malformed)?,
+        )
+    } else if let Some(word) = text.strip_suffix('²') {
+        (word, 2)
+    } else if let Some(word) = text.strip_suffix('³') {
+        (word, 3)
+    } else {
+        (text, 1)
+    };
+    let unit = match word {
+        "" => return Err(UnitError::Malformed),
+        "1" => Unit {
+            numerator: 1.0,
+            denominator: 1.0,
+            dimension: Dimension::PLAIN,
+        },
+        _ => lookup(word, gravity).ok_or_else(|| UnitError::Unknown {
+            word: word.to_string(),
+            meant: meant(word, gravity),
+        })?,
+    };
+    let power = Exponent::new(i64::from(exponent), 1).ok_or(UnitError::Malformed)?;
+    let dimension = unit.dimension.power(power).ok_or(UnitError::Malformed)?;
+    let (up, down) = if exponent < 0 {
+        (unit.denominator, unit.numerator)
+    } else {
+        (unit.numerator, unit.denominator)
+    };
+    let n = exponent.abs();
+    Ok(Unit {
+        numerator: up.powi(n),
+        denominator: down.powi(n),
+        dimension,
+    })
+}
+
+fn lookup(word: &str, gravity: f64) -> Option<Unit> {
+    exact(word, gravity).or_else(|| {
+        PREFIXES.iter().find_map(|(prefix, up, down)| {
+            let stem = word.strip_prefix(prefix)?;
+            let row = UNITS.iter().find(|row| row.0 == stem && row.4)?;
+            let unit = from_row(row);
+            Some(Unit {
+                numerator: unit.numerator * up,
+                denominator: unit.denominator * down,
+                ..unit
+            })
+        })
+    })
+}
+
+fn exact(word: &str, gravity: f64) -> Option<Unit> {
+    let weight = WEIGHTS
+        .iter()
+        .find(|row| row.0 == word)
+        .map(|(_, up, down)| Unit {
+            numerator: up * gravity,
+            denominator: *down,
+            dimension: from_row(&UNITS[4]).dimension,
+        });
+    weight.or_else(|| UNITS.iter().find(|row| row.0 == word).map(from_row))
+}
+
+fn from_row(row: &Row) -> Unit {
+    let bases = [
+        Dimension::MASS,
+        Dimension::LENGTH,
+        Dimension::TIME,
+        Dimension::ANGLE,
+    ];
+    let dimension = bases
+        .iter()
+        .zip(row.3)
+        .fold(Dimension::PLAIN, |product, (base, e)| {
+            let factor = Exponent::new(e, 1).and_then(|e| base.power(e));
+            factor
+                .and_then(|factor| product.times(factor))
+                .unwrap_or(product)
+        });
+    Unit {
+        numerator: row.1,
+        denominator: row.2,
+        dimension,
+    }
+}
+
+/// What somebody who wrote `word` probably wanted.
+fn meant(word: &str, gravity: f64) -> Option<String> {
+    let habit = HABITS
+        .iter()
+        .find(|(wrong, _)| wrong.eq_ignore_ascii_case(word))
+        .map(|(_, right)| right.to_string());
+    habit
+        .or_else(|| run_together(word, gravity))
+        .or_else(|| other_case(word, gravity))
+}
+
+/// `Nm` for `N*m`: two or three units without the signs between them.
+fn run_together(word: &str, gravity: f64) -> Option<String> {
+    if word.len() > 12 {
+        return None;
+    }
+    word.char_indices().skip(1).find_map(|(cut, _)| {
+        let (first, rest) = word.split_at(cut);
+        lookup(first, gravity)?;
+        let rest = if lookup(rest, gravity).is_some() {
+            rest.to_string()
+        } else {
+            run_together(rest, gravity)?
+        };
+        Some(format!("{first}*{rest}"))
+    })
+}
+
+/// `Kg` for `kg`, `RPM` for `rpm`.
+fn other_case(word: &str, gravity: f64) -> Option<String> {
+    let lower = word.to_lowercase();
+    let prefixed = PREFIXES.iter().flat_map(|(prefix, ..)| {
+        UNITS
+            .iter()
+            .filter(|row| row.4)
+            .map(move |row| format!("{prefix}{}", row.0))
+    });
+    let all = unit_names().map(str::to_string).chain(prefixed);
+    all.filter(|name| name.to_lowercase() == lower)
+        .find(|name| lookup(name, gravity).is_some())
+}
