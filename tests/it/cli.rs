@@ -1,0 +1,316 @@
+//! The command as scripts use it: exit codes, files whole or absent, streams, equal bytes.
+
+use serde_json::Value;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// Runs `mavc` in the repository's root.
+fn mavc(args: &[&str]) -> Output {
+    mavc_with(args, "")
+}
+
+fn mavc_with(args: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mavc"))
+        .args(args)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .env("NO_COLOR", "1")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A command that never reads its input closes the pipe: no matter.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    child.wait_with_output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("ended by itself")
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+const CASE_1: &str = "specs/paper/case1.mav";
+
+/// A short mission that plans in a moment.
+const HOP: &str = r#"
+vehicle quad {
+    layout  = "PNPN"
+    arm     = 0.211 m
+    mass    = 1.32 kg
+    inertia = [0.0128, 0.0128, 0.0239] kg*m^2
+    rotor { thrust_coefficient = 9.9865e-6 N*s^2/rad^2; drag_coefficient = 1.5978e-7 N*m*s^2/rad^2; max_speed = 840 rad/s }
+}
+faults {
+    every 1 rotor lost as M
+    mode weak { rotor 1 reduced to 90 % }
+}
+mission hop {
+    start at [0, 0, 2] m
+    waypoint at [3, 1, 4] m
+}
+plan { planner = rsp; against = [weak]; time = 6 s; samples = 40 }
+"#;
+
+#[test]
+fn a_plan_writes_a_table_and_a_report() {
+    let dir = folder();
+    let (table, report) = (dir.path().join("traj.csv"), dir.path().join("report.json"));
+    let ran = mavc(&["plan", CASE_1, "--set", "plan.time=20s", "-o", text(&table), "--report", text(&report)]);
+    assert_eq!(code(&ran), 0, "{}", err(&ran));
+    let csv = std::fs::read_to_string(&table).unwrap();
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 202);
+    assert!(lines[0].starts_with("t,x,y,z,yaw,vx,vy,vz,yaw_rate,ax,ay,az,yaw_acc,jx,jy,jz,sx,sy,sz,roll,pitch,thrust,"));
+    assert!(lines[0].ends_with("tau_x,tau_y,tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8"));
+    let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    assert_eq!(record["planners"][0]["status"], "solved");
+    assert_eq!(record["planners"][0]["time_s"], 20.0);
+    assert_eq!(record["spec_sha256"].as_str().unwrap().len(), 64);
+    // Nothing is left beside the two files.
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 2);
+}
+
+#[test]
+fn the_same_spec_gives_the_same_bytes() {
+    let dir = folder();
+    let spec = dir.path().join("hop.mav");
+    std::fs::write(&spec, HOP.replace("time = 6 s", "time = minimum")).unwrap();
+    let run = |name: &str, threads: &str| {
+        let path = dir.path().join(name);
+        let ran = Command::new(env!("CARGO_BIN_EXE_mavc"))
+            .args(["compare", text(&spec), "--report", text(&path)])
+            .env("RAYON_NUM_THREADS", threads)
+            .output()
+            .unwrap();
+        assert_eq!(code(&ran), 0, "{}", err(&ran));
+        (ran.stdout, std::fs::read(path).unwrap())
+    };
+    let first = run("a.json", "1");
+    assert_eq!(first, run("b.json", "2"));
+    assert_eq!(first, run("c.json", "2"));
+}
+
+#[test]
+fn rates_resample_and_keep_waypoints() {
+    let ran = mavc_with(&["plan", "-", "-o", "-", "--rate", "7 Hz"], HOP);
+    assert_eq!(code(&ran), 0, "{}", err(&ran));
+    let times: Vec<f64> =
+        out(&ran).lines().skip(1).map(|l| l.split(',').next().unwrap().parse().unwrap()).collect();
+    assert_eq!(times.len(), 43);
+    assert!((times[1] - 1.0 / 7.0).abs() < 1e-12);
+    assert_eq!(*times.last().unwrap(), 6.0);
+    for bad in ["7", "fast", "-3Hz", "1e9Hz", "nanHz"] {
+        assert_eq!(code(&mavc_with(&["plan", "-", "--rate", bad], HOP)), 2, "{bad}");
+    }
+}
+
+#[test]
+fn mistakes_end_with_1_and_write_nothing() {
+    let dir = folder();
+    let table = dir.path().join("traj.csv");
+    let ran = mavc_with(&["plan", "-", "-o", text(&table)], &HOP.replace("1.32 kg", "1.32 m"));
+    assert_eq!(code(&ran), 1);
+    assert!(err(&ran).contains("mavc::unit::mismatch"), "{}", err(&ran));
+    assert!(out(&ran).is_empty());
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_mode_that_cannot_hover_ends_with_3_and_a_report() {
+    let dir = folder();
+    let (table, report) = (dir.path().join("traj.csv"), dir.path().join("report.json"));
+    let args = ["plan", "-", "-o", text(&table), "--report", text(&report), "--set", "plan.against=[M1]"];
+    let ran = mavc_with(&args, HOP);
+    assert_eq!(code(&ran), 3);
+    assert!(err(&ran).contains("mavc::analysis::cannot_hover"), "{}", err(&ran));
+    assert!(!table.exists());
+    let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    assert_eq!(record["planners"][0]["status"], "infeasible");
+    let checked = mavc_with(&["check", "-", "--format", "short", "--set", "plan.against=[M1]"], HOP);
+    assert_eq!(code(&checked), 3);
+    assert!(out(&checked).contains("error[mavc::analysis::cannot_hover]"), "{}", out(&checked));
+}
+
+#[test]
+fn no_plan_in_time_ends_with_3_and_a_report() {
+    let dir = folder();
+    let (table, report) = (dir.path().join("traj.csv"), dir.path().join("report.json"));
+    let args = ["plan", "-", "-o", text(&table), "--report", text(&report), "--set", "plan.time=0.7s"];
+    let ran = mavc_with(&args, HOP);
+    assert_eq!(code(&ran), 3, "{}{}", out(&ran), err(&ran));
+    assert!(out(&ran).contains("no plan meets every waypoint"), "{}", out(&ran));
+    assert!(!table.exists() && report.exists());
+}
+
+#[test]
+fn usage_and_files_end_with_2() {
+    let dir = folder();
+    let missing = dir.path().join("none/traj.csv");
+    for args in [
+        vec!["plan", "no/such.mav"],
+        vec!["plan", "specs"],
+        vec!["plan", CASE_1, "-o", text(&missing)],
+        vec!["plan", CASE_1, "-o", text(dir.path())],
+        vec!["explain", "mavc::no::such"],
+        vec!["emit", "model", CASE_1, "--format", "mps"],
+        vec!["analyze", CASE_1, "--sweep", "mass=2kg"],
+        vec!["nonsense"],
+    ] {
+        let ran = mavc(&args);
+        assert_eq!(code(&ran), 2, "{args:?}: {}", err(&ran));
+        assert!(out(&ran).is_empty() && !err(&ran).is_empty(), "{args:?}");
+    }
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn check_speaks_three_formats() {
+    let broken = HOP.replace("mass ", "mss ");
+    let human = mavc_with(&["check", "-"], &broken);
+    assert_eq!(code(&human), 1);
+    assert!(out(&human).contains("<stdin>"), "{}", out(&human));
+    let short = mavc_with(&["check", "-", "--format", "short"], &broken);
+    assert!(out(&short).lines().all(|l| l.starts_with("<stdin>:") && l.contains("[mavc::")), "{}", out(&short));
+    let json = mavc_with(&["check", "-", "--format", "json"], &broken);
+    for line in out(&json).lines() {
+        let record: Value = serde_json::from_str(line).unwrap();
+        assert!(record["line"].as_u64().unwrap() >= 1 && record["column"].as_u64().unwrap() >= 1);
+        assert!(record["code"].as_str().unwrap().starts_with("mavc::"));
+    }
+    // M1 to M4 are not planned against: warnings.
+    assert_eq!(code(&mavc_with(&["check", "-"], HOP)), 0);
+    assert_eq!(code(&mavc_with(&["check", "-", "--deny", "warnings"], HOP)), 1);
+    let defaults = mavc_with(&["check", "-", "--explain-defaults"], HOP);
+    assert!(out(&defaults).contains("plan.reserve"), "{}", out(&defaults));
+}
+
+#[test]
+fn analysis_sweeps_find_the_critical_mass() {
+    // PNPNPNPN loses control over eight double faults above 1.8827 kg.
+    let spec = "use \"specs/vehicles/octo_pnpnpnpn.mav\"\nfaults { mode D { rotors [1, 3] lost } }\n";
+    let dir = folder();
+    let path = dir.path().join("d.mav");
+    let root = env!("CARGO_MANIFEST_DIR");
+    std::fs::write(&path, spec.replace("specs/", &format!("{root}/specs/"))).unwrap();
+    let ran = mavc(&["analyze", text(&path), "--sweep", "mass=1.5..2.5kg", "--format", "json"]);
+    assert_eq!(code(&ran), 0, "{}", err(&ran));
+    let record: Value = serde_json::from_str(&out(&ran)).unwrap();
+    let flips = record["flips"].as_array().unwrap();
+    assert_eq!(flips.len(), 1, "{flips:?}");
+    assert!((flips[0]["at"].as_f64().unwrap() - 1.8827).abs() < 1e-4, "{flips:?}");
+    assert_eq!(record["modes"][0]["name"], "healthy");
+}
+
+#[test]
+fn every_stage_of_every_shipped_spec_can_be_printed() {
+    for spec in shipped() {
+        let name = text(&spec);
+        for stage in ["ast", "model", "actuation", "sets"] {
+            let ran = mavc(&["emit", stage, name]);
+            assert_eq!(code(&ran), 0, "{stage} {name}: {}", err(&ran));
+            assert!(!out(&ran).is_empty());
+        }
+        assert_eq!(code(&mavc(&["check", name])), 0, "{name}");
+        assert_eq!(code(&mavc(&["analyze", name, "--format", "json"])), 0, "{name}");
+    }
+    for stage in ["constraints", "qp"] {
+        assert_eq!(code(&mavc(&["emit", stage, CASE_1, "--set", "plan.time=24s"])), 0, "{stage}");
+    }
+}
+
+fn shipped() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs");
+    let mut found = Vec::new();
+    for folder in ["vehicles", "paper", "missions"] {
+        found.extend(std::fs::read_dir(root.join(folder)).unwrap().map(|e| e.unwrap().path()));
+    }
+    found.retain(|p| p.extension().is_some_and(|e| e == "mav"));
+    found.sort();
+    assert!(found.len() >= 12);
+    found
+}
+
+#[test]
+fn programs_are_exported() {
+    let json = mavc_with(&["emit", "qp", "-", "--format", "json"], HOP);
+    assert_eq!(code(&json), 0, "{}", err(&json));
+    let program: Value = serde_json::from_str(&out(&json)).unwrap();
+    let rows = program["b"].as_array().unwrap().len();
+    assert_eq!(program["row_origin"].as_array().unwrap().len(), rows);
+    let cones = program["cones"].as_array().unwrap();
+    assert_eq!(cones.iter().map(|c| c["rows"].as_u64().unwrap() as usize).sum::<usize>(), rows);
+    let refused = mavc_with(&["emit", "qp", "-", "--format", "mps"], HOP);
+    assert_eq!(code(&refused), 2);
+    assert!(err(&refused).contains("mavc::emit::cones"));
+    let mps = mavc_with(&["emit", "qp", "-", "--format", "mps", "--set", "plan.within=1km"], HOP);
+    assert_eq!(code(&mps), 0, "{}", err(&mps));
+    for section in ["NAME", "ROWS", "COLUMNS", "RHS", "BOUNDS", "QUADOBJ", "ENDATA"] {
+        assert!(out(&mps).lines().any(|l| l.starts_with(section)), "{section}");
+    }
+}
+
+#[test]
+fn new_writes_a_spec_that_plans_and_never_overwrites() {
+    let dir = folder();
+    let (spec, table) = (dir.path().join("first.mav"), dir.path().join("traj.csv"));
+    assert_eq!(code(&mavc(&["new", text(&spec)])), 0);
+    let before = std::fs::read(&spec).unwrap();
+    assert_eq!(code(&mavc(&["new", text(&spec)])), 2);
+    assert_eq!(before, std::fs::read(&spec).unwrap());
+    let checked = mavc(&["check", text(&spec), "--deny", "warnings"]);
+    assert_eq!(code(&checked), 0, "{}", out(&checked));
+    let ran = mavc(&["plan", text(&spec), "-o", text(&table)]);
+    assert_eq!(code(&ran), 0, "{}{}", out(&ran), err(&ran));
+    assert!(table.exists());
+}
+
+#[test]
+fn every_code_is_explained() {
+    let listed = out(&mavc(&["explain"]));
+    assert!(listed.lines().count() > 40);
+    for code_name in listed.lines() {
+        let ran = mavc(&["explain", code_name]);
+        assert_eq!(code(&ran), 0);
+        assert!(out(&ran).len() > code_name.len() + 40, "{code_name}");
+    }
+}
+
+/// The README's picture of a plan is what the command prints: words alike, numbers to 2 %.
+#[test]
+fn the_readme_tells_the_truth() {
+    let readme = include_str!("../../README.md");
+    let told = readme.split("```text\n").nth(1).unwrap().split("```").next().unwrap();
+    let dir = folder();
+    let table = dir.path().join("traj.csv");
+    let ran = mavc(&["plan", CASE_1, "-o", text(&table)]);
+    let printed = out(&ran).replace(text(&table), "traj.csv");
+    let words = |t: &str| -> Vec<String> { t.split_whitespace().map(str::to_string).collect() };
+    let (told, printed) = (words(told), words(&printed));
+    assert_eq!(told.len(), printed.len(), "{printed:?}");
+    for (a, b) in told.iter().zip(&printed) {
+        match (a.parse::<f64>(), b.parse::<f64>()) {
+            (Ok(x), Ok(y)) => assert!((x - y).abs() <= 0.02 * x.abs().max(0.5), "{a} {b}"),
+            _ => assert_eq!(a, b),
+        }
+    }
+    for spec in readme.split("```mav\n").skip(1).map(|t| t.split("```").next().unwrap()) {
+        let ran = mavc_with(&["check", "-", "--deny", "warnings"], spec);
+        assert_eq!(code(&ran), 0, "{}", out(&ran));
+    }
+}
