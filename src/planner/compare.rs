@@ -237,8 +237,8 @@ impl<'a> Setting<'a> {
             PlannerKind::Rsp => match self.rsp_set(&mut out) {
                 Ok(set) => (set, "RSP"),
                 Err(ending) => {
-                    let run = self.run(kind, &self.names, Run::Own, ending, &self.rip);
-                    out.runs.push(run);
+                    let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
+                    out.runs.push(self.run(kind, &self.names, which, ending, &self.rip));
                     return out;
                 }
             },

@@ -32,12 +32,13 @@ fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
 /// The report of `mavc plan`: the last run is the one written out.
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     let mut out = head(model, mission, comparison);
-    if let Some(time) = comparison.common_time.filter(|_| model.plan.planner == PlannerKind::Rsp) {
-        out.push_str(&format!(
-            "RSP guards {} facets of the fault sets: those the RIP plan at {} s leaves\n",
-            comparison.selected.len(),
-            number(time)
-        ));
+    let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
+    if let Some(time) = comparison.common_time.filter(|_| solved && model.plan.planner == PlannerKind::Rsp) {
+        out.push_str(&match comparison.selected.len() {
+            0 => format!("RSP guards nothing more than RIP: the RIP plan at {} s stays inside every fault set\n", number(time)),
+            1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s passes\n", number(time)),
+            n => format!("RSP guards {n} facets of the fault sets: those the RIP plan at {} s passes\n", number(time)),
+        });
     }
     for run in &comparison.runs {
         out.push('\n');
@@ -194,10 +195,11 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison) -> Str
             out.push_str(&outside_table(comparison, run).render(2));
         }
     }
-    out.push_str(&format!(
-        "\nRSP guards {} facets of the fault sets beside the healthy set's.\n",
-        comparison.selected.len()
-    ));
+    if !comparison.modes.is_empty() {
+        let n = comparison.selected.len();
+        let plural = if n == 1 { "" } else { "s" };
+        out.push_str(&format!("\nRSP guards {n} facet{plural} of the fault sets beside the healthy set's.\n"));
+    }
     for run in comparison.runs.iter().filter(|r| r.planner == PlannerKind::Rsp && r.run == Run::Common) {
         if let Ending::Infeasible { at } = run.ending {
             out.push_str(&format!("RSP has no plan in {} s; its own shortest time is in the first table.\n", number(at)));
