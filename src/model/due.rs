@@ -170,8 +170,10 @@ impl<'a> Context<'a> {
             );
             return None;
         };
-        if list.iter().all(|q| q.dimension.is_plain()) {
+        // Three of one wrong kind are one mistake.
+        if x.dimension == y.dimension && y.dimension == z.dimension {
             self.lower(due, x, expr)?;
+            return Some([x.value, y.value, z.value]);
         }
         let place = |k: usize| match &expr.kind {
             ExprKind::List { elements, .. } => elements.get(k).unwrap_or(expr),

@@ -2,18 +2,19 @@
 //! its first lines name and with the message in the snapshot beside it.
 
 use mavc::diagnostic::{Diagnostic, render_human, sort};
-use mavc::source::{Source, SourceMap};
+use mavc::source::SourceMap;
 use std::path::Path;
 use std::sync::Mutex;
 
-/// All that one file's text gives, up to the stage its folder names.
-fn compile(_stage: &str, name: &str, text: &str) -> (Vec<Diagnostic>, SourceMap) {
-    let mut sources = SourceMap::default();
-    let file = sources.add(Source::new(name, text));
-    let checked = mavc::syntax::parse(file, sources.get(file));
-    let mut diagnostics = checked.diagnostics;
+/// All that one file's text gives, up to the stage its folder names. Paths in it count from its folder.
+fn compile(stage: &str, folder: &Path, name: &str, text: &str) -> (Vec<Diagnostic>, SourceMap) {
+    let read = |path: &Path| std::fs::read(folder.join(path));
+    let (set, mut diagnostics) = mavc::model::load(name, text.as_bytes(), &read);
+    if stage != "syntax" {
+        diagnostics.extend(mavc::model::elaborate(&set, &[]).diagnostics);
+    }
     sort(&mut diagnostics);
-    (diagnostics, sources)
+    (diagnostics, set.sources)
 }
 
 /// `error: mavc::syntax::depth`, one for each comment line at the top of the file.
@@ -30,7 +31,7 @@ fn check(path: &Path) -> Option<String> {
     let stage = folder.file_name().unwrap().to_str().unwrap();
     let name = path.file_name().unwrap().to_str().unwrap();
     let text = std::fs::read_to_string(path).unwrap();
-    let (diagnostics, sources) = compile(stage, name, &text);
+    let (diagnostics, sources) = compile(stage, folder, name, &text);
     let found: Vec<String> = diagnostics
         .iter()
         .map(|d| format!("{}: {}", d.severity.name(), d.code))
