@@ -410,7 +410,8 @@ impl<'a> Draft<'a> {
             match index {
                 Some(index) if chosen.contains(&index) => {
                     let message = format!("`{}` is listed twice", names[index]);
-                    let warning = Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
+                    let warning =
+                        Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
                     cx.report(warning.here("listed already").help("take it out"));
                 }
                 Some(index) => chosen.push(index),
@@ -489,10 +490,14 @@ fn check_samples(cx: &mut Context, samples: usize, span: Span, mission: &Mission
     let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
     let least = mission.legs.len() + holds;
     if samples < least {
-        let message = format!(
-            "{samples} samples are fewer than the mission's {} legs and {holds} holds",
-            mission.legs.len()
-        );
+        let and_holds = if holds > 0 {
+            format!(" and {holds} holds")
+        } else {
+            String::new()
+        };
+        let legs = mission.legs.len();
+        let message =
+            format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
         let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
         cx.report(
             error
