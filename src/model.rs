@@ -1,6 +1,7 @@
 //! The model: what the spec means, in SI units. After this stage no string is looked up, every number
 //! is a finite `f64`, and every list is complete.
 
+mod arithmetic;
 mod context;
 mod display;
 mod due;

@@ -10,7 +10,7 @@ mod quantity;
 mod table;
 
 pub use dimension::{Base, Dimension, Exponent};
-pub use mismatch::{Mismatch, mismatch};
+pub use mismatch::{Mismatch, compare, mismatch};
 pub use quantity::Quantity;
 pub use table::{Unit, UnitError, parse_unit, unit_names};
 

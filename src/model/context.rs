@@ -190,6 +190,8 @@ impl<'a> Context<'a> {
             error = error
                 .help(format!("did you mean `{near}`?"))
                 .fix(span, near);
+        } else if what == "`let`" {
+            error = error.help(format!("declare it outside all blocks: `let {name} = ...`"));
         } else if !known.is_empty() && known.len() <= 12 {
             error = error.help(format!("there is {}", listed(known)));
         }

@@ -81,13 +81,16 @@ impl<'a> Context<'a> {
         if holds {
             return Some(value);
         }
-        let unit = if unit == "1" {
-            String::new()
+        let scale =
+            parse_unit(unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
+        let found = number(value / scale);
+        let found = if unit == "1" {
+            found
         } else {
-            format!(" {unit}")
+            format!("{found} {unit}")
         };
         let error = Diagnostic::error(code, span, format!("`{what}` {rule}"));
-        self.report(error.here(format!("this is {}{unit}", number(value))));
+        self.report(error.here(format!("this is {found}")));
         None
     }
 
@@ -170,8 +173,10 @@ impl<'a> Context<'a> {
             );
             return None;
         };
-        if list.iter().all(|q| q.dimension.is_plain()) {
+        // Three of one wrong kind are one mistake.
+        if x.dimension == y.dimension && y.dimension == z.dimension {
             self.lower(due, x, expr)?;
+            return Some([x.value, y.value, z.value]);
         }
         let place = |k: usize| match &expr.kind {
             ExprKind::List { elements, .. } => elements.get(k).unwrap_or(expr),
@@ -284,13 +289,13 @@ impl<'a> Context<'a> {
                     due.unit
                 )
             }
-            None => told.action,
+            None => told.action.unwrap_or_default(),
         };
-        error.help(format!("{}\n{action}", told.table))
+        error.help(format!("{}\n{action}", told.table).trim_end().to_string())
     }
 
     /// A well-known slip behind a mismatch: `2 g` for twice gravity, `2 s` for twice the parameter `s`.
-    fn likely_slip(&self, expected: Dimension, expr: &Expr) -> Option<String> {
+    pub(super) fn likely_slip(&self, expected: Dimension, expr: &Expr) -> Option<String> {
         let mut units = Vec::new();
         collect_units(expr, &mut units);
         let acceleration = Due::new("", "m/s^2").dimension();

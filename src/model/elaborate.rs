@@ -280,14 +280,16 @@ fn choose<'a>(
         [_] => Some(0),
         [first, second, ..] => {
             let message = format!("the spec has {} {what}s, and none is chosen", named.len());
-            let place = draft.span.unwrap_or(second.1);
-            cx.report(
-                Diagnostic::error("mavc::name::ambiguous", place, message)
+            let help = format!("write `{what} = {}` in `plan`", first.0);
+            let error = match draft.span {
+                Some(plan) => Diagnostic::error("mavc::name::ambiguous", plan, message)
                     .here("which one?")
-                    .also(first.1, "this one?")
-                    .also(second.1, "or this one?")
-                    .help(format!("write `{what} = {}` in `plan`", first.0)),
-            );
+                    .also(first.1, "this one?"),
+                None => {
+                    Diagnostic::error("mavc::name::ambiguous", first.1, message).here("this one?")
+                }
+            };
+            cx.report(error.also(second.1, "or this one?").help(help));
             None
         }
     }

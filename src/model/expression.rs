@@ -4,9 +4,9 @@
 
 use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_STEPS};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::source::{Span, Spanned};
-use crate::syntax::ast::{Expr, ExprKind, Operator, UnitText};
-use crate::unit::{Dimension, Quantity, Unit, UnitError, mismatch, parse_unit, unit_names};
+use crate::source::Span;
+use crate::syntax::ast::{Expr, ExprKind, UnitText};
+use crate::unit::{Dimension, Quantity, Unit, UnitError, compare, parse_unit, unit_names};
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
@@ -75,10 +75,7 @@ impl<'a> Context<'a> {
                 operator,
                 left,
                 right,
-            } => {
-                let (a, b) = (self.evaluate(left), self.evaluate(right));
-                self.binary(operator, (left.span, a?), (right.span, b?), expr.span)
-            }
+            } => self.binary(operator, left, right, expr.span),
             ExprKind::Paren { inner, unit } => {
                 let value = self.evaluate(inner);
                 match unit {
@@ -167,7 +164,11 @@ impl<'a> Context<'a> {
             UnitError::Unknown { word, .. } if self.names_in_scope().contains(&word.as_str()) => {
                 Diagnostic::error(code, text.span, format!("`{word}` is a name, not a unit"))
                     .here("a unit would stand here")
-                    .help(format!("to multiply, write `*{}`", text.value))
+                    .help(format!(
+                        "to multiply, write `{}*{}`",
+                        self.number_before(text),
+                        text.value
+                    ))
                     .fix(text.span, format!("*{}", text.value))
             }
             UnitError::Unknown { word, meant } => {
@@ -191,6 +192,20 @@ impl<'a> Context<'a> {
         };
         self.report(diagnostic);
         None
+    }
+
+    /// The number that a unit follows, as written; `(...)` where it follows a bracket.
+    fn number_before(&self, text: &UnitText) -> &str {
+        let source = &self.sources.get(text.span.file).text;
+        let before = source
+            .get(..text.span.start as usize)
+            .unwrap_or("")
+            .trim_end();
+        let digits = before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '.');
+        match &before[digits.len()..] {
+            "" => "(...)",
+            number => number,
+        }
     }
 
     /// `(...) m`: the unit applies to what stands inside, which has to be plain.
@@ -279,7 +294,7 @@ impl<'a> Context<'a> {
                 a.dimension.describe(),
                 b.dimension.describe()
             );
-            let told = mismatch(a.dimension, b.dimension);
+            let told = compare(["start", "end"], a.dimension, b.dimension);
             self.report(
                 Diagnostic::error("mavc::unit::mismatch", high.span, message)
                     .here(format!("this is {}", b.dimension.describe()))
@@ -289,121 +304,6 @@ impl<'a> Context<'a> {
             return None;
         }
         Some(Value::Range(a, b))
-    }
-
-    fn binary(
-        &mut self,
-        operator: &Spanned<Operator>,
-        (left_span, left): (Span, Value),
-        (right_span, right): (Span, Value),
-        span: Span,
-    ) -> Option<Value> {
-        use Value::{List, Quantity as One};
-        let both = (left_span, right_span);
-        match (left, right) {
-            (One(a), One(b)) => self
-                .combine(operator, a, b, both)
-                .and_then(|q| self.finite(q, span)),
-            (List(a), One(b))
-                if matches!(operator.value, Operator::Multiply | Operator::Divide) =>
-            {
-                let all = a
-                    .into_iter()
-                    .map(|a| self.combine(operator, a, b, both))
-                    .collect::<Option<Vec<_>>>()?;
-                self.finite_list(all, span)
-            }
-            (One(a), List(b)) if operator.value == Operator::Multiply => {
-                let all = b
-                    .into_iter()
-                    .map(|b| self.combine(operator, a, b, both))
-                    .collect::<Option<Vec<_>>>()?;
-                self.finite_list(all, span)
-            }
-            (List(a), List(b))
-                if a.len() == b.len()
-                    && matches!(operator.value, Operator::Add | Operator::Subtract) =>
-            {
-                let pairs = a.into_iter().zip(b);
-                let all = pairs
-                    .map(|(a, b)| self.combine(operator, a, b, both))
-                    .collect::<Option<Vec<_>>>()?;
-                self.finite_list(all, span)
-            }
-            (a, b) => {
-                let message = format!(
-                    "{} and {} cannot be combined by `{}`",
-                    a.kind(),
-                    b.kind(),
-                    symbol(operator)
-                );
-                self.report(
-                    Diagnostic::error("mavc::unit::kind", operator.span, message)
-                        .here("not defined for these")
-                        .help("lists of equal length add and subtract, and a list is scaled by a number"),
-                );
-                None
-            }
-        }
-    }
-
-    fn combine(
-        &mut self,
-        operator: &Spanned<Operator>,
-        a: Quantity,
-        b: Quantity,
-        (left, right): (Span, Span),
-    ) -> Option<Quantity> {
-        match operator.value {
-            Operator::Add | Operator::Subtract => {
-                let b_signed = if operator.value == Operator::Add {
-                    b
-                } else {
-                    b.negated()
-                };
-                a.plus(b_signed).or_else(|| {
-                    let sign = symbol(operator);
-                    let (x, y) = (a.dimension, b.dimension);
-                    let told = mismatch(x, y);
-                    let message = format!("`{sign}` joins {} and {}", x.describe(), y.describe());
-                    self.report(
-                        Diagnostic::error("mavc::unit::mismatch", operator.span, message)
-                            .here("both sides must measure the same")
-                            .also(left, format!("this is {}", x.describe()))
-                            .also(right, format!("this is {}", y.describe()))
-                            .help(format!("{}\n{} on the right", told.table, told.action)),
-                    );
-                    None
-                })
-            }
-            Operator::Multiply => a
-                .times(b)
-                .or_else(|| self.exponent_too_large(operator.span)),
-            Operator::Divide => a.over(b).or_else(|| self.exponent_too_large(operator.span)),
-            Operator::Power if !b.dimension.is_plain() => {
-                let message = format!(
-                    "the exponent is {}, not a plain number",
-                    b.dimension.describe()
-                );
-                let error = Diagnostic::error("mavc::unit::exponent", right, message);
-                self.report(
-                    error
-                        .here("has a unit")
-                        .help("divide it by its unit, or take the unit out"),
-                );
-                None
-            }
-            Operator::Power => a.power(b.value).or_else(|| self.exponent_too_large(right)),
-        }
-    }
-
-    fn exponent_too_large<T>(&mut self, span: Span) -> Option<T> {
-        let message = "the exponent of a unit has to be a small fraction";
-        let error = Diagnostic::error("mavc::unit::exponent", span, message);
-        self.report(error.here("this gives none").help(
-            "a quantity with a unit is raised to whole numbers or simple fractions such as `1/2`, up to 1000",
-        ));
-        None
     }
 
     pub(super) fn finite(&mut self, q: Quantity, span: Span) -> Option<Value> {
@@ -424,13 +324,6 @@ impl<'a> Context<'a> {
             .help("look for a division by zero, a root of a negative number or an overflow"),
         );
         None
-    }
-
-    fn finite_list(&mut self, list: Vec<Quantity>, span: Span) -> Option<Value> {
-        match list.iter().find(|q| !q.value.is_finite()) {
-            Some(&q) => self.finite(q, span),
-            None => Some(Value::List(list)),
-        }
     }
 
     pub(super) fn single(&mut self, value: Value, span: Span) -> Option<Quantity> {
@@ -481,15 +374,5 @@ fn trailing_unit(expr: &Expr) -> Option<&UnitText> {
         ExprKind::Negate(inner) => trailing_unit(inner),
         ExprKind::Binary { right, .. } => trailing_unit(right),
         _ => None,
-    }
-}
-
-fn symbol(operator: &Spanned<Operator>) -> &'static str {
-    match operator.value {
-        Operator::Add => "+",
-        Operator::Subtract => "-",
-        Operator::Multiply => "*",
-        Operator::Divide => "/",
-        Operator::Power => "^",
     }
 }

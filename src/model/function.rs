@@ -5,7 +5,7 @@ use super::expression::Value;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, Name};
-use crate::unit::{Dimension, Quantity, mismatch};
+use crate::unit::{Dimension, Quantity, compare};
 
 impl<'a> Context<'a> {
     pub(super) fn call(
@@ -30,7 +30,7 @@ impl<'a> Context<'a> {
                     function.span,
                     format!("no function is called `{name}`"),
                 );
-                error = match nearest(name, FUNCTIONS) {
+                error = match meant(name) {
                     Some(near) => error
                         .here("unknown")
                         .help(format!("did you mean `{near}`?"))
@@ -98,7 +98,7 @@ impl<'a> Context<'a> {
                     .skip(1)
                     .find(|(q, _)| q.dimension != x.dimension);
                 if let Some((q, argument)) = other {
-                    let told = mismatch(x.dimension, q.dimension);
+                    let told = compare(["first", "other"], x.dimension, q.dimension);
                     let message = format!(
                         "`{name}` compares {} and {}",
                         x.dimension.describe(),
@@ -159,4 +159,20 @@ impl<'a> Context<'a> {
         );
         None
     }
+}
+
+/// The function that somebody who wrote `name` probably wanted.
+fn meant(name: &str) -> Option<&'static str> {
+    const HABITS: [(&str, &str); 4] = [
+        ("arcsin", "asin"),
+        ("arccos", "acos"),
+        ("arctan", "atan"),
+        ("root", "sqrt"),
+    ];
+    let habit = HABITS
+        .iter()
+        .find(|(wrong, _)| *wrong == name)
+        .map(|(_, right)| *right);
+    let longer = || FUNCTIONS.into_iter().find(|f| name.starts_with(f));
+    habit.or_else(|| nearest(name, FUNCTIONS)).or_else(longer)
 }

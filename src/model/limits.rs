@@ -133,7 +133,21 @@ fn unknown(cx: &mut Context, name: &str, span: Span) {
         format!("there is no limit `{name}`"),
     );
     let error = error.here("unknown limit");
-    cx.report(match nearest(name, names) {
+    const HABITS: [(&str, &str); 8] = [
+        ("velocity", "speed"),
+        ("height", "altitude"),
+        ("roll", "tilt"),
+        ("pitch", "tilt"),
+        ("bank", "tilt"),
+        ("climb_rate", "climb"),
+        ("descent_rate", "descent"),
+        ("heading", "yaw"),
+    ];
+    let habit = HABITS
+        .iter()
+        .find(|(wrong, _)| *wrong == name)
+        .map(|(_, right)| *right);
+    cx.report(match habit.or_else(|| nearest(name, names)) {
         Some(near) => error
             .help(format!("did you mean `{near}`?"))
             .fix(span, near),

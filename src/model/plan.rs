@@ -378,7 +378,7 @@ impl<'a> Draft<'a> {
             }
         };
         let names: Vec<&str> = modes.iter().map(|m| m.name.as_str()).collect();
-        let mut chosen = Some(Vec::new());
+        let (mut chosen, mut fine) = (Vec::new(), true);
         for element in elements {
             let index = match &element.kind {
                 ExprKind::Name(name) => match names.iter().position(|n| n == name) {
@@ -407,18 +407,18 @@ impl<'a> Draft<'a> {
                     None
                 }
             };
-            match (&mut chosen, index) {
-                (Some(list), Some(index)) if list.contains(&index) => {
+            match index {
+                Some(index) if chosen.contains(&index) => {
                     let message = format!("`{}` is listed twice", names[index]);
                     let warning =
                         Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
                     cx.report(warning.here("listed already").help("take it out"));
                 }
-                (Some(list), Some(index)) => list.push(index),
-                (list, _) => *list = None,
+                Some(index) => chosen.push(index),
+                None => fine = false,
             }
         }
-        chosen
+        fine.then_some(chosen)
     }
 }
 
@@ -490,10 +490,14 @@ fn check_samples(cx: &mut Context, samples: usize, span: Span, mission: &Mission
     let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
     let least = mission.legs.len() + holds;
     if samples < least {
-        let message = format!(
-            "{samples} samples are fewer than the mission's {} legs and {holds} holds",
-            mission.legs.len()
-        );
+        let and_holds = if holds > 0 {
+            format!(" and {holds} holds")
+        } else {
+            String::new()
+        };
+        let legs = mission.legs.len();
+        let message =
+            format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
         let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
         cx.report(
             error

@@ -6,13 +6,13 @@ use super::{Base, Dimension};
 /// A comparison of an expected and a found dimension.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mismatch {
-    /// Three aligned lines: expected, found, missing.
+    /// Aligned lines: expected, found, and the missing factor where there is a sensible one.
     pub table: String,
-    /// One action: `multiply by a length (m)`.
-    pub action: String,
+    /// One action, `multiply by a length (m)`, where the two have a factor in common.
+    pub action: Option<String>,
 }
 
-/// Compares factor by factor. The table has one column a base dimension, so that equal factors stand
+/// Compares an expected and a found dimension factor by factor. The table has one column a base dimension, so that equal factors stand
 /// under each other:
 /// ```text
 /// expected  kg  m^2
@@ -20,12 +20,20 @@ pub struct Mismatch {
 ///  missing      m
 /// ```
 pub fn mismatch(expected: Dimension, found: Dimension) -> Mismatch {
+    compare(["expected", "found"], expected, found)
+}
+
+/// As [`mismatch`], with names of its own for the two sides.
+pub fn compare(names: [&str; 2], expected: Dimension, found: Dimension) -> Mismatch {
     let missing = expected.over(found).unwrap_or(Dimension::PLAIN);
-    let rows = [
-        ("expected", expected),
-        ("   found", found),
-        (" missing", missing),
-    ];
+    let shared = Base::ALL
+        .into_iter()
+        .any(|b| !expected.exponent(b).is_zero() && !found.exponent(b).is_zero());
+    let mut rows = vec![(names[0], expected), (names[1], found)];
+    if shared {
+        rows.push(("missing", missing));
+    }
+    let title = rows.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let used: Vec<Base> = Base::ALL
         .into_iter()
         .filter(|&b| rows.iter().any(|(_, d)| !d.exponent(b).is_zero()))
@@ -46,12 +54,12 @@ pub fn mismatch(expected: Dimension, found: Dimension) -> Mismatch {
         } else {
             cells
         };
-        format!("{name}{}", cells.trim_end())
+        format!("{name:>title$}{}", cells.trim_end())
     };
     let table = rows.iter().map(line).collect::<Vec<_>>().join("\n");
     Mismatch {
         table,
-        action: action(missing),
+        action: shared.then(|| action(missing)),
     }
 }
 
@@ -93,7 +101,17 @@ mod tests {
             told.table,
             "expected  kg  m^2\n   found  kg  m\n missing      m"
         );
-        assert_eq!(told.action, "multiply by a length (m)");
-        assert_eq!(mismatch(found, inertia).action, "divide by a length (m)");
+        assert_eq!(told.action.as_deref(), Some("multiply by a length (m)"));
+        assert_eq!(
+            mismatch(found, inertia).action.as_deref(),
+            Some("divide by a length (m)")
+        );
+    }
+
+    #[test]
+    fn nothing_in_common_gives_no_factor() {
+        let told = compare(["left", "right"], Dimension::MASS, Dimension::TIME);
+        assert_eq!(told.table, " left  kg\nright      s");
+        assert_eq!(told.action, None);
     }
 }

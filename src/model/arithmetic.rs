@@ -1,0 +1,147 @@
+//! The operators: on two numbers, and element by element where lists allow it.
+
+use super::context::Context;
+use super::expression::Value;
+use crate::diagnostic::Diagnostic;
+use crate::source::{Span, Spanned};
+use crate::syntax::ast::{Expr, Operator};
+use crate::unit::{Quantity, compare};
+
+impl<'a> Context<'a> {
+    /// `left operator right`; `span` covers both.
+    pub(super) fn binary(
+        &mut self,
+        operator: &Spanned<Operator>,
+        left: &'a Expr,
+        right: &'a Expr,
+        span: Span,
+    ) -> Option<Value> {
+        use Operator::{Add, Divide, Multiply, Subtract};
+        use Value::{List, Quantity as One};
+        let (a, b) = (self.evaluate(left), self.evaluate(right));
+        let join = (operator, left, right);
+        match (a?, b?) {
+            (One(a), One(b)) => {
+                let q = self.combine(join, a, b)?;
+                self.finite(q, span)
+            }
+            (List(a), One(b)) if matches!(operator.value, Multiply | Divide) => {
+                self.each(join, a.into_iter().map(|a| (a, b)), span)
+            }
+            (One(a), List(b)) if operator.value == Multiply => {
+                self.each(join, b.into_iter().map(|b| (a, b)), span)
+            }
+            (List(a), List(b))
+                if a.len() == b.len() && matches!(operator.value, Add | Subtract) =>
+            {
+                self.each(join, a.into_iter().zip(b), span)
+            }
+            (a, b) => {
+                let sign = symbol(operator);
+                let message = format!("`{sign}` cannot join {} and {}", a.kind(), b.kind());
+                self.report(
+                    Diagnostic::error("mavc::unit::kind", operator.span, message)
+                        .here("not defined for these")
+                        .help("lists of equal length add and subtract, and a number scales a list"),
+                );
+                None
+            }
+        }
+    }
+
+    fn each(
+        &mut self,
+        join: (&Spanned<Operator>, &'a Expr, &'a Expr),
+        pairs: impl Iterator<Item = (Quantity, Quantity)>,
+        span: Span,
+    ) -> Option<Value> {
+        let list: Vec<Quantity> = pairs
+            .map(|(a, b)| self.combine(join, a, b))
+            .collect::<Option<_>>()?;
+        match list.iter().find(|q| !q.value.is_finite()) {
+            Some(&q) => self.finite(q, span),
+            None => Some(Value::List(list)),
+        }
+    }
+
+    fn combine(
+        &mut self,
+        join: (&Spanned<Operator>, &'a Expr, &'a Expr),
+        a: Quantity,
+        b: Quantity,
+    ) -> Option<Quantity> {
+        let (operator, _, right) = join;
+        match operator.value {
+            Operator::Add => a.plus(b).or_else(|| self.sides_differ(join, a, b)),
+            Operator::Subtract => a
+                .plus(b.negated())
+                .or_else(|| self.sides_differ(join, a, b)),
+            Operator::Multiply => a.times(b).or_else(|| self.no_exponent(operator.span)),
+            Operator::Divide => a.over(b).or_else(|| self.no_exponent(operator.span)),
+            Operator::Power if b.dimension.is_plain() => {
+                a.power(b.value).or_else(|| self.no_exponent(right.span))
+            }
+            Operator::Power => {
+                let kind = b.dimension.describe();
+                let message = format!("the exponent is {kind}, not a plain number");
+                self.report(
+                    Diagnostic::error("mavc::unit::exponent", right.span, message)
+                        .here("has a unit")
+                        .help("divide it by its unit, or take the unit out"),
+                );
+                None
+            }
+        }
+    }
+
+    fn sides_differ<T>(
+        &mut self,
+        (operator, left, right): (&Spanned<Operator>, &'a Expr, &'a Expr),
+        a: Quantity,
+        b: Quantity,
+    ) -> Option<T> {
+        let (x, y) = (a.dimension, b.dimension);
+        let message = format!(
+            "`{}` joins {} and {}",
+            symbol(operator),
+            x.describe(),
+            y.describe()
+        );
+        let table = compare(["left", "right"], x, y).table;
+        let slip = self
+            .likely_slip(y, left)
+            .or_else(|| self.likely_slip(x, right));
+        let help = match slip {
+            Some(slip) => format!("{table}\n{slip}"),
+            None => table,
+        };
+        self.report(
+            Diagnostic::error("mavc::unit::mismatch", operator.span, message)
+                .here("both sides must measure the same")
+                .also(left.span, format!("this is {}", x.describe()))
+                .also(right.span, format!("this is {}", y.describe()))
+                .help(help),
+        );
+        None
+    }
+
+    fn no_exponent<T>(&mut self, span: Span) -> Option<T> {
+        let message = "the exponent of a unit has to be a small fraction";
+        self.report(
+            Diagnostic::error("mavc::unit::exponent", span, message)
+                .here("this gives none")
+                .help("with a unit, raise to whole numbers or simple fractions such as `1/2`, up to 1000"),
+        );
+        None
+    }
+}
+
+fn symbol(operator: &Spanned<Operator>) -> &'static str {
+    match operator.value {
+        Operator::Add => "+",
+        Operator::Subtract => "-",
+        Operator::Multiply => "*",
+        Operator::Divide => "/",
+        Operator::Power => "^",
+    }
+}
