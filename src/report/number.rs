@@ -19,7 +19,7 @@ pub fn significant(x: f64, digits: usize) -> String {
     let scientific = format!("{x:.*e}", digits.saturating_sub(1));
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    if (-5..6).contains(&exponent) {
+    if (-4..6).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
         trim(&format!("{x:.decimals$}")).to_string()
     } else {
