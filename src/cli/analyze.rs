@@ -24,8 +24,11 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
     loaded.tell(options);
     let Some(model) = &loaded.model else { return Ok(SPEC_ERRORS) };
     let begin = Instant::now();
-    let modes = analyze_all(model, &AdmissibleSet::all(model));
-    timing(options, "analyze", begin);
+    let sets = AdmissibleSet::all(model);
+    timing(options, "sets", begin);
+    let begin = Instant::now();
+    let modes = analyze_all(model, &sets);
+    timing(options, "verdicts", begin);
     let flips = match &args.sweep {
         Some(text) => Some(sweep(text, &loaded.files, &args.spec.set)?),
         None => None,
