@@ -6,5 +6,6 @@ pub mod profile;
 pub mod rows;
 pub mod search;
 pub mod select;
+pub mod spline;
 pub mod transcribe;
 pub mod yaw;

@@ -95,7 +95,7 @@ fn program(model: &Model, mission: &Mission, run: &PlannerRun, time: f64) -> Opt
     let mut engine = Engine::new(model, mission, &healthy);
     let layout = engine.layout(time, model.plan.samples).ok()??;
     let maps = layout.yaw.maps(model, layout.profile.nodes());
-    let transcription = Transcription { model, mission, profile: &layout.profile, set: &run.set, maps: &maps, axes: layout.yaw.axes() };
+    let transcription = Transcription::new(model, mission, &layout.profile, &run.set, &maps, layout.yaw.axes());
     Some(transcription.full_program(Purpose::Plan { slack: FEASIBLE }))
 }
 

@@ -23,6 +23,9 @@ pub const ACCEPTED: f64 = 1e-7;
 /// Rows with more slack than this at a plan are not carried on to other mission times.
 const KEPT: f64 = 0.05;
 
+/// Up to this many facet rows a program is solved in spline coefficients, beyond in stage variables (measured).
+const FEW_ROWS: usize = 1_000;
+
 /// After this many rounds every row is imposed.
 const MOST_ROUNDS: usize = 30;
 
@@ -225,14 +228,9 @@ impl<'a> Engine<'a> {
     fn generate(&mut self, layout: &Layout, set: &PlanningSet, purpose: Purpose, pool: &mut Pool) -> Attempt {
         let nodes = layout.profile.nodes();
         let maps = layout.yaw.maps(self.model, nodes);
-        let transcription = Transcription {
-            model: self.model,
-            mission: self.mission,
-            profile: &layout.profile,
-            set,
-            maps: &maps,
-            axes: layout.yaw.axes(),
-        };
+        let (model, mission) = (self.model, self.mission);
+        let new = || Transcription::new(model, mission, &layout.profile, set, &maps, layout.yaw.axes());
+        let (stages, splines) = (new(), new().in_splines());
         pool.fit(nodes);
         let most = match purpose {
             Purpose::Plan { .. } => self.largest_cost(layout).unwrap_or(f64::INFINITY),
@@ -241,8 +239,16 @@ impl<'a> Engine<'a> {
         let mut round = 0;
         loop {
             let chosen: Vec<FacetAt> = pool.rows.iter().copied().collect();
-            let (outcome, spent) = solve(&transcription.program(purpose, &chosen));
+            let few = chosen.len() <= FEW_ROWS && matches!(purpose, Purpose::Plan { .. });
+            let mut form = if few { &splines } else { &stages };
+            let (mut outcome, spent) = solve(&form.program(purpose, &chosen));
             self.effort += spent;
+            if few && matches!(outcome, Outcome::Inconclusive { .. }) {
+                form = &stages;
+                let (again, spent) = solve(&stages.program(purpose, &chosen));
+                self.effort += spent;
+                outcome = again;
+            }
             let x = match &outcome {
                 // No feasible plan costs this much.
                 Outcome::Solved(solution) if solution.bound > most => {
@@ -254,7 +260,7 @@ impl<'a> Engine<'a> {
                 Outcome::Inconclusive { point: Some(x), .. } => x,
                 _ => return Attempt { outcome, states: Vec::new(), rows: chosen.len() },
             };
-            let mut states = transcription.states(x);
+            let mut states = form.states(x);
             pool.rows.extend(passed(&states, &maps, set));
             if pool.rows.len() == chosen.len() {
                 layout.yaw.fill(&mut states);

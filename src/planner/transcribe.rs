@@ -1,12 +1,15 @@
 //! From a mission, a profile and a planning set to a quadratic program.
 //!
-//! Each node holds every derivative of every axis up to the input (4 for x and y, 2 for z and yaw). Inputs are
-//! piecewise linear between nodes, so a step is exact. A derivative of order i is stored times tau^i, tau the
-//! mean step, which brings all variables to like size.
+//! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input
+//! (4 for x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is
+//! exact. A derivative of order i is stored times tau^i, tau four mean steps, which brings all variables to like
+//! size. With splines the states are eliminated: fewer variables and no joining rows, but each row couples more of
+//! them.
 
 use super::hover_model::{ORDER, WrenchMap, X, Y, YAW, Z};
 use super::profile::Profile;
 use super::select::PlanningSet;
+use super::spline::NodeSpline;
 use crate::model::{Limit, LimitKind, Mission, Model};
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
@@ -42,9 +45,36 @@ pub struct Transcription<'a> {
     pub maps: &'a [WrenchMap],
     /// The axes planned here: all four, or only x, y, z where yaw was planned first.
     pub axes: &'a [usize],
+    form: Form,
 }
 
-impl Transcription<'_> {
+/// What the variables are.
+enum Form {
+    /// Scaled derivatives at every node.
+    Stages,
+    /// Spline coefficients, for quadruple and double integrators.
+    Splines([NodeSpline; 2]),
+}
+
+impl<'a> Transcription<'a> {
+    /// With stage variables.
+    pub fn new(
+        model: &'a Model,
+        mission: &'a Mission,
+        profile: &'a Profile,
+        set: &'a PlanningSet,
+        maps: &'a [WrenchMap],
+        axes: &'a [usize],
+    ) -> Self {
+        Transcription { model, mission, profile, set, maps, axes, form: Form::Stages }
+    }
+
+    /// The same program in spline coefficients.
+    pub fn in_splines(self) -> Self {
+        let splines = [4, 2].map(|order| NodeSpline::new(&self.profile.node_times, order));
+        Transcription { form: Form::Splines(splines), ..self }
+    }
+
     fn per_node(&self) -> usize {
         self.axes.iter().map(|&a| ORDER[a] + 1).sum()
     }
@@ -54,7 +84,10 @@ impl Transcription<'_> {
     }
 
     pub fn variables(&self) -> usize {
-        self.nodes() * self.per_node()
+        match &self.form {
+            Form::Stages => self.nodes() * self.per_node(),
+            Form::Splines(splines) => self.axes.iter().map(|&a| spline(splines, a).coefficients()).sum(),
+        }
     }
 
     /// Unit of time of the scaled variables, s.
@@ -69,7 +102,15 @@ impl Transcription<'_> {
 
     /// The derivative in SI units as an expression.
     fn derivative(&self, node: usize, axis: usize, order: usize) -> Affine {
-        Affine::term(self.var(node, axis, order), self.tau().powi(-(order as i32)))
+        match &self.form {
+            Form::Stages => Affine::term(self.var(node, axis, order), self.tau().powi(-(order as i32))),
+            Form::Splines(splines) => {
+                let before = self.axes.iter().take_while(|&&a| a != axis);
+                let first: usize = before.map(|&a| spline(splines, a).coefficients()).sum();
+                let weights = spline(splines, axis).at(node, order);
+                Affine { terms: weights.iter().map(|&(i, w)| (first + i, w)).collect(), constant: 0.0 }
+            }
+        }
     }
 
     fn plans(&self, axis: usize) -> bool {
@@ -137,6 +178,9 @@ impl Transcription<'_> {
     /// Exact steps under first-order hold: with m = r - i,
     /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j + h^m [(1/m! - 1/(m+1)!) u_k + u_{k+1}/(m+1)!]`.
     fn dynamics(&self, builder: &mut Builder) {
+        if let Form::Splines(_) = self.form {
+            return; // the splines are the motions that keep these rows
+        }
         const FACTORIAL: [f64; 6] = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0];
         let tau = self.tau();
         for (interval, step) in self.profile.steps().enumerate() {
@@ -189,7 +233,7 @@ impl Transcription<'_> {
 
     fn rest(&self, builder: &mut Builder) {
         for (node, axis, derivative) in self.at_rest() {
-            let row = Affine::term(self.var(node, axis, derivative), 1.0);
+            let row = self.derivative(node, axis, derivative).times(self.tau().powi(derivative as i32));
             builder.zero(row, RowOrigin::Rest { node, axis, derivative });
         }
     }
@@ -220,22 +264,22 @@ impl Transcription<'_> {
     /// (48) with exact integrals: over a step h, the integral of u^2 is h (u0^2 + u0 u1 + u1^2) / 3.
     fn cost(&self, builder: &mut Builder, factor: f64) {
         let plan = &self.model.plan;
-        let tau = self.tau();
         for (k, step) in self.profile.steps().enumerate() {
             for &axis in self.axes {
                 let r = ORDER[axis];
                 let weight = if r == 4 { plan.snap_weight } else { plan.acceleration_weight };
-                let c = factor * weight * step / 3.0 / tau.powi(2 * r as i32);
-                let (u0, u1) = (self.var(k, axis, r), self.var(k + 1, axis, r));
-                builder.product(u0, u0, c);
-                builder.product(u0, u1, c);
-                builder.product(u1, u1, c);
+                let c = factor * weight * step / 3.0;
+                let (u0, u1) = (self.derivative(k, axis, r), self.derivative(k + 1, axis, r));
+                builder.inner_product(&u0, &u0, c);
+                builder.inner_product(&u0, &u1, c);
+                builder.inner_product(&u1, &u1, c);
             }
         }
         for (w, &node) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes) {
             let targets = [w.position[0], w.position[1], w.position[2], w.yaw];
             for &axis in self.axes {
-                builder.squared_distance(self.var(node, axis, 0), targets[axis], factor * w.weight);
+                let miss = self.derivative(node, axis, 0).plus_constant(-targets[axis]);
+                builder.inner_product(&miss, &miss, factor * w.weight);
             }
         }
     }
@@ -310,18 +354,14 @@ impl Transcription<'_> {
 
     /// The derivatives at every node, SI units; axes not planned here are left zero.
     pub fn states(&self, x: &[f64]) -> Vec<NodeState> {
-        let tau = self.tau();
-        let mut states: Vec<NodeState> = (0..self.nodes())
-            .map(|node| {
-                let mut state = NodeState::default();
-                for &axis in self.axes {
-                    for order in 0..=ORDER[axis] {
-                        state[axis][order] = x[self.var(node, axis, order)] / tau.powi(order as i32);
-                    }
+        let mut states = vec![NodeState::default(); self.nodes()];
+        for (node, state) in states.iter_mut().enumerate() {
+            for &axis in self.axes {
+                for order in 0..=ORDER[axis] {
+                    state[axis][order] = self.derivative(node, axis, order).at(x);
                 }
-                state
-            })
-            .collect();
+            }
+        }
         // What the rows make zero is zero, without the solver's dust.
         for (node, axis, order) in self.at_rest() {
             states[node][axis][order] = 0.0;
@@ -332,6 +372,11 @@ impl Transcription<'_> {
 
 /// A tolerance this wide binds nothing and gets no row, m.
 pub const UNBOUNDED: f64 = 1e3;
+
+/// The spline of an axis among those for quadruple and double integrators.
+fn spline(splines: &[NodeSpline; 2], axis: usize) -> &NodeSpline {
+    &splines[usize::from(ORDER[axis] == 2)]
+}
 
 /// Steps per unit of scaled time.
 const TAU_STEPS: f64 = 4.0;

@@ -62,7 +62,7 @@ pub fn plan_yaw(
     }
     let nothing = PlanningSet::default();
     let transcription =
-        Transcription { model, mission, profile, set: &nothing, maps: &[], axes: &ALL_AXES[3..] };
+        Transcription::new(model, mission, profile, &nothing, &[], &ALL_AXES[3..]);
     let (outcome, spent) = solve(&transcription.program(Purpose::Plan { slack: 0.0 }, &[]));
     *effort += spent;
     let Outcome::Solved(solution) = outcome else { return Err(outcome) };

@@ -92,11 +92,22 @@ impl Builder {
         self.hessian.push((i.min(j), i.max(j), value));
     }
 
-    /// Adds `weight (x_i - target)^2` to the objective.
-    pub fn squared_distance(&mut self, i: usize, target: f64, weight: f64) {
-        self.product(i, i, weight);
-        self.linear(i, -2.0 * weight * target);
-        self.constant += weight * target * target;
+    /// Adds `factor a b` to the objective.
+    pub fn inner_product(&mut self, a: &Affine, b: &Affine, factor: f64) {
+        for &(i, ci) in &a.terms {
+            for &(j, cj) in &b.terms {
+                // x_i x_j and x_j x_i meet in one entry of the upper triangle.
+                self.product(i, j, factor * ci * cj);
+            }
+        }
+        for (constant, other) in [(a.constant, b), (b.constant, a)] {
+            if constant != 0.0 {
+                for &(i, c) in &other.terms {
+                    self.linear(i, factor * constant * c);
+                }
+            }
+        }
+        self.constant += factor * a.constant * b.constant;
     }
 
     pub fn finish(self) -> QuadraticProgram {
