@@ -96,15 +96,9 @@ fn fragment(text: &str) -> Vec<String> {
     let hop = "mission hop {\n start at [0, 0, 2] m\n waypoint at [30, 0, 5] m\n}\n";
     let first = text.lines().next().unwrap_or("");
     let spec = if first.contains("in a vehicle") {
-        let rest = QUAD.lines().filter(|line| {
-            let word = line.split_whitespace().next().unwrap_or("");
-            !text
-                .lines()
-                .any(|l| l.split_whitespace().next() == Some(word) && word != "}")
-        });
-        rest.collect::<Vec<_>>()
-            .join("\n")
-            .replace("vehicle quad {", &format!("vehicle quad {{\n{text}\n"))
+        format!(
+            "vehicle quad {{\n layout = \"PNPN\"\n arm = 11 cm\n mass = 620 g\n inertia = [2, 2, 4] g*m^2\n{text}\n}}\n"
+        )
     } else if first.contains("in a mission") {
         format!(
             "{QUAD}mission hop {{\n start at [0, 0, 2] m\n{text}\n waypoint at [30, 0, 5] m\n}}\n"
