@@ -18,7 +18,7 @@ mod print;
 
 use crate::diagnostic::{Checked, Diagnostic};
 use crate::source::{FileId, NotUtf8, Source, Span};
-use ast::{FieldValue, SpecFile};
+use ast::SpecFile;
 
 /// Largest file, in bytes: 1 MiB.
 pub const MAX_FILE_BYTES: usize = 1 << 20;
@@ -96,27 +96,6 @@ pub fn not_utf8(file: FileId, error: &NotUtf8) -> Diagnostic {
     )
     .here("the text breaks off here")
     .help("save the file as UTF-8")
-}
-
-/// Reads the value of one field, as it would stand after `name =`: for values that come from elsewhere than a file.
-pub fn parse_value(file: FileId, source: &Source) -> Checked<FieldValue> {
-    let layout = layout::lay_out(file, &source.text);
-    let mut diagnostics = layout.diagnostics;
-    if diagnostics.is_empty() {
-        match build::value(file, &layout.text) {
-            Ok(value) => {
-                return Checked {
-                    value: Some(value),
-                    diagnostics,
-                };
-            }
-            Err(diagnostic) => diagnostics.push(*diagnostic),
-        }
-    }
-    Checked {
-        value: None,
-        diagnostics,
-    }
 }
 
 /// Long words are cut where a message quotes them.

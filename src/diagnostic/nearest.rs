@@ -1,7 +1,7 @@
 //! "Did you mean": the known word nearest to one that is unknown.
 
 /// The candidate with the fewest single-letter changes from `word` (a swap of neighbours counts one), where that is
-/// at most a third of its letters; ties go to the first by name. Letter case counts for nothing.
+/// at most a third of the letters (one in short words, three in long ones); ties go to the first by name. Letter case counts for nothing.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.len() > 64 {
         return None;
@@ -17,7 +17,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
             )
         })
         .filter(|(d, c)| {
-            *d <= word_letters.len().max(c.chars().count()).div_ceil(3).min(3)
+            *d <= (word_letters.len().max(c.chars().count()) / 3).clamp(1, 3)
                 && *d < word_letters.len()
         })
         .min()

@@ -64,36 +64,6 @@ pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>)
     (SpecFile { file, items }, builder.diagnostics)
 }
 
-/// The value of a field, alone.
-pub(super) fn value(file: FileId, text: &str) -> Built<FieldValue> {
-    let text = text.trim_end();
-    let Ok(mut pairs) = Grammar::parse(Rule::strict_value, text) else {
-        let failure = expected::failure_of(Rule::strict_value, text);
-        let place = Place::Unknown;
-        let statement = mistake::Broken {
-            file,
-            text,
-            start: 0,
-            place,
-            has_body: false,
-            brace_below: false,
-        };
-        return Err(Box::new(mistake::explain_value(&statement, &failure)));
-    };
-    let pair = pairs
-        .next()
-        .and_then(|p| p.into_inner().next())
-        .expect("a value has one part");
-    match pair.as_rule() {
-        Rule::filter => Parts {
-            file,
-            pairs: pair.into_inner(),
-        }
-        .filter(),
-        _ => expression::expr(file, pair).map(FieldValue::Expr),
-    }
-}
-
 struct Builder<'a> {
     file: FileId,
     /// The laid-out text.

@@ -83,6 +83,7 @@ impl Broken<'_> {
             '"' => rest[1..].find('"').map_or("\"", |i| &rest[..i + 2]),
             c if "=<>:!&|".contains(c) => token(self.text, at, |c| "=<>:!&|".contains(c)),
             '.' if rest.starts_with("..") => "..",
+            '+' | '-' | '*' | '/' if rest[1..].starts_with('=') => &rest[..2],
             c => &rest[..c.len_utf8()],
         }
     }
@@ -90,6 +91,9 @@ impl Broken<'_> {
     /// The last word, text or mark before `at`, and where it starts.
     fn before(&self, at: usize) -> (usize, &str) {
         let text = self.text[..at].trim_end();
+        if text.ends_with("..") {
+            return (text.len() - 2, "..");
+        }
         if let Some(quote) = text.strip_suffix('"').and_then(|t| t.rfind('"')) {
             return (quote, &text[quote..]);
         }
@@ -110,11 +114,6 @@ pub(super) fn explain(statement: &Broken, failure: &Failure) -> Diagnostic {
     block::headless(statement)
         .or_else(|| habit::recognise(statement, failure))
         .unwrap_or_else(|| general(statement, failure))
-}
-
-/// One error for a value that stands alone.
-pub(super) fn explain_value(value: &Broken, failure: &Failure) -> Diagnostic {
-    habit::recognise_in_value(value, failure).unwrap_or_else(|| general(value, failure))
 }
 
 /// By what was expected and what was found.
@@ -156,7 +155,10 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
         .all(|e| matches!(e, Expected::End | Expected::Operator | Expected::Unit));
     let diagnostic =
         Diagnostic::error("mavc::syntax::unexpected", span, message).here("this does not fit here");
-    if only_end && !statement.has_body {
+    if only_end
+        && !statement.has_body
+        && found.starts_with(|c: char| is_name(c) || "\",".contains(c))
+    {
         return diagnostic
             .help("one statement stands on a line: begin a new line or write `;` between two");
     }
@@ -224,33 +226,35 @@ fn list(expected: &[Expected], has_body: bool) -> String {
         .iter()
         .filter(|e| !(matches!(e, Expected::Text) && expected.contains(&Expected::Value)))
         .filter(|e| !(matches!(e, Expected::Unit | Expected::Operator) && more_is_due))
-        .map(|e| phrase(*e, has_body))
+        .flat_map(|e| phrases(e, has_body))
         .collect();
     words.dedup();
     match words.split_last() {
         None => "something else".to_string(),
-        Some((last, [])) => last.clone(),
+        Some((last, [])) => last.to_string(),
         Some((last, others)) => format!("{} or {last}", others.join(", ")),
     }
 }
 
-fn phrase(expected: Expected, has_body: bool) -> String {
-    match expected {
-        Expected::Equals => "`=`".into(),
-        Expected::Relation => "`<=` or `>=`".into(),
-        Expected::Name => "a name".into(),
-        Expected::Text => "a text in double quotes".into(),
-        Expected::Value => "a value".into(),
-        Expected::Word(word) => format!("`{word}`"),
-        Expected::Effect => "`lost`, `reduced to` or `stuck at`".into(),
-        Expected::Clause => "a clause such as `at [0, 0, 2] m`".into(),
-        Expected::Unit => "a unit".into(),
-        Expected::Operator => "an operator".into(),
-        Expected::Comma => "`,`".into(),
-        Expected::Closing(bracket) => format!("`{bracket}`"),
-        Expected::End if has_body => "`{`".into(),
-        Expected::End => "the end of the statement".into(),
-    }
+/// The words for one expectation.
+fn phrases(expected: &Expected, has_body: bool) -> Vec<String> {
+    let words: &[&str] = match expected {
+        Expected::Word(word) => return vec![format!("`{word}`")],
+        Expected::Closing(bracket) => return vec![format!("`{bracket}`")],
+        Expected::Equals => &["`=`"],
+        Expected::Relation => &["`<=`", "`>=`"],
+        Expected::Name => &["a name"],
+        Expected::Text => &["a text in double quotes"],
+        Expected::Value => &["a value"],
+        Expected::Effect => &["`lost`", "`reduced to`", "`stuck at`"],
+        Expected::Clause => &["a clause such as `at [0, 0, 2] m`"],
+        Expected::Unit => &["a unit"],
+        Expected::Operator => &["an operator"],
+        Expected::Comma => &["`,`"],
+        Expected::End if has_body => &["`{`"],
+        Expected::End => &["the end of the statement"],
+    };
+    words.iter().map(|word| word.to_string()).collect()
 }
 
 fn is_name(c: char) -> bool {

@@ -2,19 +2,26 @@
 //! its first lines name and with the message in the snapshot beside it.
 
 use mavc::diagnostic::{Diagnostic, render_human, sort};
-use mavc::source::SourceMap;
+use mavc::model::{elaborate, load};
+use mavc::source::{Source, SourceMap};
 use std::path::Path;
 use std::sync::Mutex;
 
-/// All that one file's text gives, up to the stage its folder names. Paths in it count from its folder.
-fn compile(stage: &str, folder: &Path, name: &str, text: &str) -> (Vec<Diagnostic>, SourceMap) {
-    let read = |path: &Path| std::fs::read(folder.join(path));
-    let (set, mut diagnostics) = mavc::model::load(name, text.as_bytes(), &read);
-    if stage != "syntax" {
-        diagnostics.extend(mavc::model::elaborate(&set, &[]).diagnostics);
+/// All that one file gives, up to the stage its folder names. What it uses stands in folders beside it.
+fn compile(stage: &str, path: &Path) -> (Vec<Diagnostic>, SourceMap) {
+    let name = path.file_name().unwrap().to_str().unwrap();
+    let bytes = std::fs::read(path).unwrap();
+    if stage == "syntax" {
+        let mut sources = SourceMap::default();
+        let file = sources.add(Source::from_bytes(name, &bytes).unwrap());
+        let diagnostics = mavc::syntax::parse(file, sources.get(file)).diagnostics;
+        return (diagnostics, sources);
     }
+    let folder = path.parent().unwrap();
+    let (files, mut diagnostics) = load(name, &bytes, &|used| std::fs::read(folder.join(used)));
+    diagnostics.extend(elaborate(&files, &[]).diagnostics);
     sort(&mut diagnostics);
-    (diagnostics, set.sources)
+    (diagnostics, files.sources)
 }
 
 /// `error: mavc::syntax::depth`, one for each comment line at the top of the file.
@@ -31,7 +38,7 @@ fn check(path: &Path) -> Option<String> {
     let stage = folder.file_name().unwrap().to_str().unwrap();
     let name = path.file_name().unwrap().to_str().unwrap();
     let text = std::fs::read_to_string(path).unwrap();
-    let (diagnostics, sources) = compile(stage, folder, name, &text);
+    let (diagnostics, sources) = compile(stage, path);
     let found: Vec<String> = diagnostics
         .iter()
         .map(|d| format!("{}: {}", d.severity.name(), d.code))

@@ -1,9 +1,12 @@
 //! Hostile texts: an error with a code, in bounded time and memory, never a panic.
 
 use mavc::diagnostic::{Diagnostic, render_human, render_short, to_json_line};
+use mavc::model::{elaborate, load};
 use mavc::source::{FileId, Source, SourceMap};
 use mavc::syntax::{MAX_ERRORS, MAX_FILE_BYTES, MAX_STATEMENTS, MAX_TOKENS};
 use proptest::prelude::*;
+use std::io;
+use std::path::Path;
 
 /// Parses and renders every way; no diagnostic may point outside the text.
 fn parse(text: &str) -> Vec<Diagnostic> {
@@ -246,6 +249,12 @@ fn bytes_that_are_no_text_are_refused() {
 
 const WHOLE: &str = include_str!("../specs/syntax/everything.mav");
 
+/// A spec that needs no other file.
+const COMPLETE: &str = concat!(
+    include_str!("../../specs/vehicles/octo_ppnnppnn.mav"),
+    include_str!("../specs/syntax/complete.mav")
+);
+
 /// Pieces that change a text's structure when they appear where they should not.
 const PIECES: &[&str] = &[
     "{",
@@ -290,7 +299,7 @@ const PIECES: &[&str] = &[
 ];
 
 /// Up to eight edits of a text: cut, double, insert.
-fn mutated() -> impl Strategy<Value = String> {
+fn mutated(whole: &'static str) -> impl Strategy<Value = String> {
     let edit = (
         any::<prop::sample::Index>(),
         0..30usize,
@@ -298,7 +307,7 @@ fn mutated() -> impl Strategy<Value = String> {
         prop::sample::select(PIECES),
     );
     prop::collection::vec(edit, 1..8).prop_map(|edits| {
-        let mut letters: Vec<char> = WHOLE.chars().collect();
+        let mut letters: Vec<char> = whole.chars().collect();
         for (at, length, action, piece) in edits {
             let start = at.index(letters.len());
             let end = (start + length).min(letters.len());
@@ -318,11 +327,25 @@ fn mutated() -> impl Strategy<Value = String> {
     })
 }
 
+#[test]
+fn the_specs_that_are_mutated_are_right() {
+    assert_eq!(parse(WHOLE), vec![]);
+    let (files, _) = load("t.mav", COMPLETE.as_bytes(), &|_: &Path| {
+        unreachable!("it uses no file")
+    });
+    let checked = elaborate(&files, &[]);
+    assert!(
+        checked.value.is_some(),
+        "{}",
+        render_short(&checked.diagnostics, &files.sources)
+    );
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn mutated_specs_never_panic(text in mutated()) {
+    fn mutated_specs_never_panic(text in mutated(WHOLE)) {
         parse(&text);
         let read = |text: &str| mavc::syntax::parse(FileId(0), &Source::new("t.mav", text));
         let checked = read(&text);
@@ -330,6 +353,17 @@ proptest! {
             let printed = checked.value.unwrap().to_string();
             prop_assert!(!read(&printed).has_errors(), "{}", printed);
         }
+    }
+
+    #[test]
+    fn mutated_specs_elaborate_without_panic(text in mutated(COMPLETE)) {
+        let missing = |_: &Path| Err(io::Error::from(io::ErrorKind::NotFound));
+        let (files, _) = load("t.mav", text.as_bytes(), &missing);
+        let checked = elaborate(&files, &[]);
+        for d in &checked.diagnostics {
+            prop_assert!(d.span.end as usize <= files.sources.get(d.span.file).text.len(), "{:?}", d);
+        }
+        render_human(&checked.diagnostics, &files.sources, 100, false);
     }
 
     #[test]

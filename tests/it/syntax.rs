@@ -262,24 +262,6 @@ fn good_statements_survive_broken_ones() {
 }
 
 #[test]
-fn a_value_is_read_alone() {
-    let value = |text: &str| mavc::syntax::parse_value(FileId(0), &Source::new("--set", text));
-    assert!(matches!(value("20 s").value, Some(FieldValue::Expr(_))));
-    assert!(matches!(
-        value("where rpn >= 100").value,
-        Some(FieldValue::Where { .. })
-    ));
-    for wrong in ["", "20 s 4", "= 4", "(1", "a b", "1\n2"] {
-        let checked = value(wrong);
-        assert!(
-            checked.value.is_none() && checked.diagnostics.len() == 1,
-            "{wrong}: {:?}",
-            checked.diagnostics
-        );
-    }
-}
-
-#[test]
 fn printing_is_a_fixed_point() {
     let printed = tree(WHOLE).to_string();
     assert_eq!(bare(&tree(&printed)), bare(&tree(WHOLE)));

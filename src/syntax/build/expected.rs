@@ -15,23 +15,31 @@ pub(super) fn position(error: &Error<Rule>) -> usize {
 
 /// Reads one statement alone, by the rule it was probably meant to follow.
 pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Failure {
-    failure_of(strict_rule(text, place, has_body), text)
-}
-
-/// Where `text` fails to follow `rule`, which is a strict one.
-pub(super) fn failure_of(rule: Rule, text: &str) -> Failure {
-    let Err(error) = Grammar::parse(rule, text) else {
+    let Err(error) = Grammar::parse(strict_rule(text, place, has_body), text) else {
         return Failure {
             at: text.len(),
             expected: vec![Expected::End],
         };
     };
     let mut expected: Vec<Expected> = match &error.variant {
+        // A word that is no name here: that is all the grammar forbids.
+        ErrorVariant::ParsingError {
+            positives,
+            negatives,
+        } if !negatives.is_empty() => positives
+            .iter()
+            .filter_map(|r| meaning(*r))
+            .chain([Expected::Name])
+            .collect(),
         ErrorVariant::ParsingError { positives, .. } => {
             positives.iter().filter_map(|r| meaning(*r)).collect()
         }
         ErrorVariant::CustomError { .. } => Vec::new(),
     };
+    // After an operand, `(` would make a call of it; nobody waits for that.
+    if expected.contains(&Expected::Operator) {
+        expected.retain(|e| *e != Expected::Value);
+    }
     expected.sort();
     expected.dedup();
     Failure {

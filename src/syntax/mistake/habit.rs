@@ -8,12 +8,16 @@ use crate::syntax::place::Place;
 /// The first that fits, from the surest to the least sure.
 const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     misspelt_statement,
+    unknown_block,
+    uncounted,
     assignment,
     relation,
     decimal_comma,
     number_point,
     double_star,
     misspelt_word,
+    range_marks,
+    clause_marks,
     spaced_unit,
     unit_after_name,
     list_comma,
@@ -38,19 +42,6 @@ const CLAUSES: [&str; 13] = [
 
 pub(super) fn recognise(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     HABITS.iter().find_map(|habit| habit(statement, failure))
-}
-
-/// Without those that look at the statement's first word.
-pub(super) fn recognise_in_value(value: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let habits = [
-        decimal_comma,
-        number_point,
-        double_star,
-        spaced_unit,
-        unit_after_name,
-        list_comma,
-    ];
-    habits.iter().find_map(|habit| habit(value, failure))
 }
 
 /// `waypont at [0, 0, 2] m`
@@ -78,6 +69,34 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     )
 }
 
+/// `if a > 3 { .. }`: heads that no block has.
+fn unknown_block(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    let word = statement.word();
+    let rest = statement.text[word.len()..].trim_start();
+    let known = Place::of_head(word).is_some() || word.is_empty() || rest.starts_with('=');
+    let span = statement.span(0, word.len());
+    (statement.has_body && !known)
+        .then(|| super::block::unknown_block(word, span, statement.place).0)
+}
+
+/// `every rotor lost as M`
+fn uncounted(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    let rest = statement.text.strip_prefix("every")?.trim_start();
+    let at = statement.text.len() - rest.len();
+    let rotors = token(rest, 0, is_name);
+    matches!(rotors, "rotor" | "rotors").then(|| {
+        let span = statement.span(at, at + rotors.len());
+        Diagnostic::error(
+            "mavc::syntax::missing_value",
+            span,
+            "`every` does not say how many rotors",
+        )
+        .here("a number must stand before this")
+        .help("write it like `every 1 rotor lost as M`")
+        .fix(statement.span(at, at), "1 ")
+    })
+}
+
 /// `mass: 1.8 kg`, `mass == 1.8 kg`, `mass 1.8 kg`
 fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if !failure.expects(Expected::Equals)
@@ -100,7 +119,7 @@ fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         );
     }
     let span = statement.span(failure.at, failure.at + found.len());
-    if found.starts_with([':', '=', '<', '>', '!']) {
+    if found.starts_with([':', '=', '<', '>', '!']) || found.ends_with('=') {
         let message = format!("`{name}` is set with `=`, not `{found}`");
         return Some(
             Diagnostic::error("mavc::syntax::assignment", span, message)
@@ -188,7 +207,24 @@ fn decimal_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
 fn number_point(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let bytes = statement.text.as_bytes();
     let at = failure.at;
-    if bytes.get(at) != Some(&b'.') || bytes.get(at + 1) == Some(&b'.') {
+    if at > 0 && bytes[at - 1].is_ascii_digit() && bytes.get(at) == Some(&b'_') {
+        let found = statement.found(at);
+        let span = statement.span(at, at + found.len());
+        let diagnostic = Diagnostic::error(
+            "mavc::syntax::number",
+            span,
+            "a number is written without `_`",
+        );
+        return Some(
+            diagnostic
+                .here("not expected in a number")
+                .help("leave out the `_`"),
+        );
+    }
+    if bytes.get(at) != Some(&b'.')
+        || bytes.get(at + 1) == Some(&b'.')
+        || statement.text[..at].ends_with('.')
+    {
         return None;
     }
     let digit = |b: Option<&u8>| b.is_some_and(u8::is_ascii_digit);
@@ -219,6 +255,72 @@ fn number_point(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     })
 }
 
+/// `1 m to 30 m`, `1...3`, and `0 .. 1 points = 2` in a curve's head
+fn range_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let three = found == "." && statement.text[..failure.at].ends_with("..");
+    if statement.word() == "curve" && found == "=" && failure.expects(Expected::End) {
+        let (start, word) = statement.before(failure.at);
+        let message = format!("a comma is missing before `{}`", cut(word));
+        return Some(
+            Diagnostic::error(
+                "mavc::syntax::unexpected",
+                statement.span(start, start + word.len()),
+                message,
+            )
+            .here("expected `,` before this")
+            .help("write `,` after the range")
+            .fix(statement.span(start, start), ", "),
+        );
+    }
+    let instead_of = match found {
+        "to" if failure.expects(Expected::Operator) => "to",
+        _ if three => "...",
+        _ => return None,
+    };
+    let start = if three { failure.at - 2 } else { failure.at };
+    let span = statement.span(start, start + instead_of.len());
+    Some(
+        Diagnostic::error(
+            "mavc::syntax::range",
+            span,
+            format!("a range is written with `..`, not `{instead_of}`"),
+        )
+        .here("expected `..`")
+        .help("write `..`")
+        .fix(span, ".."),
+    )
+}
+
+/// `start [0, 0, 2] m`, `start at [0, 0, 2] m, yaw 90 deg`
+fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    if !failure.expects(Expected::Clause) {
+        return None;
+    }
+    let span = statement.span(failure.at, failure.at + 1);
+    let rest = &statement.text[failure.at..];
+    let error = |message| Diagnostic::error("mavc::syntax::unexpected", span, message);
+    if rest.starts_with('[') {
+        let at = statement.span(failure.at, failure.at);
+        return Some(
+            error("a position has no `at` before it")
+                .here("expected `at` before this")
+                .help("write `at` before the list")
+                .fix(at, "at "),
+        );
+    }
+    let word_follows = rest
+        .strip_prefix(',')?
+        .trim_start()
+        .starts_with(|c: char| c.is_ascii_alphabetic());
+    word_follows.then(|| {
+        error("no comma stands between the clauses of a statement")
+            .here("not expected")
+            .help("remove it; blanks separate clauses")
+            .fix(span, "")
+    })
+}
+
 /// `s**2`
 fn double_star(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let at = failure.at;
@@ -244,7 +346,10 @@ fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if !failure.expects(Expected::Operator) || !(found.starts_with(is_name) || found == "%") {
         return None;
     }
-    if found.starts_with(|c: char| c.is_ascii_digit()) || CLAUSES.contains(&found) {
+    // Longer words, and these, are no units but the beginning of something else.
+    let short =
+        found.len() <= 3 && !["and", "or", "to", "of", "for", "let", "use", "as"].contains(&found);
+    if found.starts_with(|c: char| c.is_ascii_digit()) || CLAUSES.contains(&found) || !short {
         return None;
     }
     let before = statement.text[..failure.at].trim_end();
@@ -283,6 +388,13 @@ fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<Diagnostic> 
     let (start, name) = statement.before(failure.at);
     let word = |w: &str| w.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
     if !failure.expects(Expected::Operator) || !word(name) || !(word(found) || found == "%") {
+        return None;
+    }
+    // What stands before may be the end of a unit.
+    let is_unit = statement.text[..start]
+        .trim_end()
+        .ends_with(|c: char| c.is_ascii_digit() || ")]*/^".contains(c));
+    if is_unit || statement.place.openers().contains(&found) {
         return None;
     }
     let span = statement.span(failure.at, failure.at + found.len());
