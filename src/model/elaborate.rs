@@ -7,7 +7,7 @@ use super::load::FileSet;
 use super::overrides::{Override, apply};
 use super::plan::Draft;
 use super::{DefaultUsed, Model, mission, vehicle};
-use crate::diagnostic::{Checked, Diagnostic, nearest, sort};
+use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile, Statement};
@@ -25,14 +25,11 @@ pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     let mut trees = files.files.clone();
     let mut diagnostics = apply(&mut trees, overrides);
     let mut cx = Context::new(&files.sources, files.incomplete, broken(&trees));
-    let value = whole(&mut cx, &trees, files);
-    if !cx
-        .diagnostics
-        .iter()
-        .chain(&diagnostics)
-        .any(|d| d.severity == crate::diagnostic::Severity::Error)
-        && value.is_some()
-    {
+    let whole_text = !cx.incomplete && cx.broken.is_empty();
+    // What could not be read may be what makes a model of the rest wrong, or a `let` used.
+    let value = whole(&mut cx, &trees, files).filter(|_| whole_text);
+    let is_error = |d: &Diagnostic| d.severity == Severity::Error;
+    if value.is_some() && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {
         cx.warn_unused();
     }
     diagnostics.append(&mut cx.diagnostics);

@@ -90,7 +90,12 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         }
         None => ring(cx, &fields),
     };
-    let rotors = places.and_then(|places| give_rotors(cx, places, rotor_fields.as_ref(), &fields));
+    let base = rotor_fields.as_ref().map(|fields| Traits::read(cx, fields));
+    if base.is_none() && placed.is_none() && !fields.may_have("rotor") {
+        let example = "rotor { thrust_coefficient = ...; drag_coefficient = ...; max_speed = ... }";
+        fields.missing(cx, "`rotor` block", example);
+    }
+    let rotors = places.and_then(|places| give_rotors(cx, places, rotor_fields.as_ref(), base));
     let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
@@ -350,21 +355,11 @@ fn give_rotors<'a>(
     cx: &mut Context<'a>,
     places: Vec<Place<'a>>,
     shared: Option<&Fields<'a>>,
-    vehicle: &Fields<'a>,
+    base: Option<Traits>,
 ) -> Option<Vec<Rotor>> {
-    let needs_block = places.iter().any(|p| p.own.is_none());
-    if shared.is_none() && needs_block {
-        if !vehicle.may_have("rotor") {
-            let example =
-                "rotor { thrust_coefficient = ...; drag_coefficient = ...; max_speed = ... }";
-            vehicle.missing(cx, "`rotor` block", example);
-        }
-        return None;
-    }
-    let base = shared.map(|fields| Traits::read(cx, fields));
     let mut rotors = Some(Vec::new());
     let mut told = false;
-    for (k, place) in places.iter().enumerate() {
+    for place in &places {
         let own = place.own.as_ref().map(|fields| Traits::read(cx, fields));
         let traits = match (&own, &base) {
             (Some(own), Some(base)) => own.over(base),
@@ -376,7 +371,7 @@ fn give_rotors<'a>(
             .filter(|_| own.is_none())
             .or(place.own.as_ref())
             .or(shared);
-        match (&mut rotors, traits.rotor(cx, place, owner, &mut told, k)) {
+        match (&mut rotors, traits.rotor(cx, place, owner, &mut told)) {
             (Some(list), Some(rotor)) => list.push(rotor),
             (list, _) => *list = None,
         }
@@ -472,7 +467,6 @@ impl Traits {
         place: &Place<'a>,
         owner: Option<&Fields<'a>>,
         told: &mut bool,
-        k: usize,
     ) -> Option<Rotor> {
         let mut missing = Vec::new();
         if self.max_speed.is_none() {
@@ -490,7 +484,6 @@ impl Traits {
                 "drag_coefficient = 1.5e-7 N*m*s^2/rad^2",
             ));
         }
-        let _ = k;
         if !missing.is_empty() {
             if let Some(owner) = owner.filter(|_| !*told) {
                 missing

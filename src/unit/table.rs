@@ -146,11 +146,25 @@ pub fn parse_unit(text: &str, gravity: f64) -> Result<Unit, UnitError> {
         rest = &rest[end + sign.len_utf8()..];
     }
     let scale = unit.numerator / unit.denominator;
-    if scale.is_finite() && scale > 0.0 {
-        Ok(unit)
-    } else {
-        Err(UnitError::Malformed)
+    if !(scale.is_finite() && scale > 0.0) {
+        return Err(UnitError::Malformed);
     }
+    // In lowest terms where one side divides the other, so that `kg` is exactly 1.
+    let inverse = unit.denominator / unit.numerator;
+    if scale.fract() == 0.0 {
+        unit = Unit {
+            numerator: scale,
+            denominator: 1.0,
+            ..unit
+        };
+    } else if inverse.fract() == 0.0 {
+        unit = Unit {
+            numerator: 1.0,
+            denominator: inverse,
+            ..unit
+        };
+    }
+    Ok(unit)
 }
 
 fn times(a: Unit, b: Unit) -> Option<Unit> {

@@ -1,0 +1,113 @@
+//! `--set` replaces or adds fields, and its mistakes have places of their own.
+
+use super::QUAD;
+use mavc::diagnostic::Checked;
+use mavc::model::{Limit, LimitKind, MissionTime, Model, elaborate, load, parse_override};
+use std::io;
+
+const REST: &str = "let a = 4 m\nfaults { every 1 rotor lost as M }\nmission m {\n start at [0, 0, 2] m\n waypoint at [a, 0, 2] m\n limits { tilt <= 30 deg }\n}\nplan { time = minimum; against = all }\n";
+
+fn with(sets: &[&str]) -> Checked<Model> {
+    let text = format!("{QUAD}{REST}");
+    let (mut files, diagnostics) = load("s.mav", text.as_bytes(), &|_| {
+        Err(io::Error::from(io::ErrorKind::NotFound))
+    });
+    assert_eq!(diagnostics, vec![]);
+    let overrides: Vec<_> = sets
+        .iter()
+        .map(|text| parse_override(text, &mut files.sources).unwrap())
+        .collect();
+    elaborate(&files, &overrides)
+}
+
+#[test]
+fn fields_of_every_block_can_be_set() {
+    let sets = [
+        "plan.time=20s",
+        "plan.against=[M1]",
+        "plan.reserve = 5 %",
+        "vehicle.mass=2kg",
+        "vehicle.rotor.max_speed=850 rad/s",
+        "mission.limits.tilt=20deg",
+        "mission.limits.altitude=1 .. 9 m",
+        "gravity=9.80665m/s^2",
+        "a=5 m",
+    ];
+    let model = with(&sets).value.unwrap();
+    assert_eq!(
+        (model.plan.time, model.plan.against, model.plan.reserve),
+        (MissionTime::Fixed(20.0), vec![0], 0.05)
+    );
+    assert_eq!(
+        (
+            model.vehicle.mass,
+            model.vehicle.rotors[0].max_speed,
+            model.gravity
+        ),
+        (2.0, 850.0, 9.80665)
+    );
+    let mission = model.mission.unwrap();
+    assert_eq!(mission.waypoints[1].position, [5.0, 0.0, 2.0]);
+    let limits: Vec<(LimitKind, Option<f64>, Option<f64>)> = mission
+        .limits
+        .iter()
+        .map(|l: &Limit| (l.kind, l.lower, l.upper))
+        .collect();
+    assert_eq!(
+        limits,
+        [
+            (LimitKind::Tilt, None, Some(20f64.to_radians())),
+            (LimitKind::Z, Some(1.0), Some(9.0))
+        ]
+    );
+    assert!(model.defaults.iter().all(|d| d.field != "plan.reserve"));
+}
+
+#[test]
+fn a_filter_can_be_set() {
+    let checked = with(&["plan.against=where severity >= 3"]);
+    assert_eq!(checked.value.unwrap().plan.against, Vec::<usize>::new());
+    assert_eq!(checked.diagnostics[0].code, "mavc::plan::none_selected");
+}
+
+#[test]
+fn mistakes_in_overrides_have_places_in_them() {
+    for (set, code, text) in [
+        ("plan.time=20m", "mavc::unit::mismatch", "20m"),
+        ("plan.tme=20s", "mavc::name::unknown_field", "tme"),
+        ("plane.time=20s", "mavc::name::override", "plane"),
+        ("mission.wind.speed=3m/s", "mavc::name::override", "wind"),
+        ("b=3 m", "mavc::name::override", "b"),
+        ("vehicle.mass=-2kg", "mavc::vehicle::not_positive", "-2kg"),
+    ] {
+        let checked = with(&[set]);
+        assert!(checked.value.is_none());
+        let found = &checked.diagnostics[0];
+        assert_eq!(found.code, code, "{set}");
+        assert_eq!(
+            &set[found.span.start as usize..found.span.end as usize],
+            text
+        );
+    }
+}
+
+#[test]
+fn what_is_no_override_is_an_error() {
+    let mut sources = mavc::source::SourceMap::default();
+    for text in [
+        "",
+        "plan",
+        "plan.time",
+        "plan.time=",
+        "=3",
+        "plan..time=3 s",
+        "plan.time=20 s; x=3",
+        "a b.c=3",
+        "plan.time==3 s",
+        "plan {",
+    ] {
+        let error = parse_override(text, &mut sources).unwrap_err();
+        assert!(error.code.starts_with("mavc::"), "{text}");
+        assert!(error.span.end as usize <= text.len(), "{text}");
+    }
+}
