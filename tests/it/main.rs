@@ -4,6 +4,7 @@ mod cli;
 mod codes;
 mod controllability;
 mod errors;
+mod geometry_properties;
 mod hostile;
 mod model;
 mod render;

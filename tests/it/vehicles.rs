@@ -76,3 +76,82 @@ pub fn lost(model: &Model, rotors: &[usize]) -> FaultMode {
         span: Span::default(),
     }
 }
+
+/// The paper's hexacopter.
+pub fn hexacopter(layout: &str) -> Model {
+    ring_model(layout, 1.54, [0.0168, 0.0168, 0.0308], 8.5485e-6, 1.3678e-7, 874.0)
+}
+
+/// The paper's quadcopter.
+pub fn quadcopter() -> Model {
+    ring_model("PNPN", 1.32, [0.0128, 0.0128, 0.0239], 9.9865e-6, 1.5978e-7, 840.0)
+}
+
+/// A waypoint to be met within 5 cm and 0.05 rad, flown through.
+pub fn waypoint(position: [f64; 3], yaw: f64) -> Waypoint {
+    Waypoint {
+        name: None,
+        position,
+        yaw,
+        within: 0.05,
+        yaw_within: 0.05,
+        weight: 1.0,
+        time: None,
+        hold: 0.0,
+        span: Span::default(),
+        time_span: None,
+        hold_span: None,
+    }
+}
+
+/// A mission from rest to rest with legs of equal share.
+pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
+    Mission {
+        name: "test".into(),
+        doc: None,
+        legs: vec![Leg { share: 1.0 }; waypoints.len() - 1],
+        waypoints,
+        start_at_rest: true,
+        end_at_rest: true,
+        limits: Vec::new(),
+        span: Span::default(),
+    }
+}
+
+pub fn limit(kind: LimitKind, upper: f64) -> Limit {
+    Limit { kind, lower: None, upper: Some(upper), span: Span::default() }
+}
+
+/// Viviani's curve of section 5.4 with a = 4 m: 21 points evenly spaced in s and time.
+pub fn viviani() -> Mission {
+    let a = 4.0;
+    let point = |i: i32| {
+        let s = 4.0 * std::f64::consts::PI * f64::from(i) / 20.0;
+        waypoint([a * (1.0 + s.cos()), a * s.sin(), 10.0 + 2.0 * a * (s / 2.0).sin()], 0.0)
+    };
+    mission((0..=20).map(point).collect())
+}
+
+/// Round a tower: explicit waypoints, a hold, a fixed time, a turning nose.
+pub fn inspection() -> Mission {
+    let mut points = vec![
+        waypoint([0.0, 0.0, 2.0], 1.5),
+        waypoint([12.0, 3.0, 18.0], 0.8),
+        waypoint([12.0, -3.0, 18.0], -0.4),
+        waypoint([0.0, 0.0, 3.0], -1.5),
+    ];
+    points[1].hold = 4.0;
+    points[2].time = Some(18.0);
+    Mission { limits: vec![limit(LimitKind::Speed, 6.0)], ..mission(points) }
+}
+
+/// The PPNNPPNN octocopter with modes M1 to M8 and M1_6 (indices 0 to 8), on Viviani's curve.
+pub fn paper_case(planner: PlannerKind, against: &[usize]) -> Model {
+    let mut model = octocopter("PPNNPPNN");
+    model.modes = (1..=8).map(|k| lost(&model, &[k])).collect();
+    model.modes.push(lost(&model, &[1, 6]));
+    model.mission = Some(viviani());
+    model.plan.planner = planner;
+    model.plan.against = against.to_vec();
+    model
+}
