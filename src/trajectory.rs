@@ -62,12 +62,9 @@ impl Trajectory {
             let r = ORDER[axis];
             let slope = (right[axis][r] - left[axis][r]) / h;
             // d_i(t) = sum_{j >= i} d_j t^(j-i) / (j-i)! by Horner.
-            for i in 0..=r {
-                let mut value = slope / factorial(r + 1 - i);
-                for j in (i..=r).rev() {
-                    value = value * t + left[axis][j] / factorial(j - i);
-                }
-                state[axis][i] = value;
+            for (i, derivative) in state[axis].iter_mut().enumerate().take(r + 1) {
+                let highest = slope / factorial(r + 1 - i);
+                *derivative = (i..=r).rev().fold(highest, |value, j| value * t + left[axis][j] / factorial(j - i));
             }
             if r < 4 {
                 state[axis][r + 1] = slope;

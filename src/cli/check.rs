@@ -31,14 +31,12 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
             }
         }
     }
-    if args.explain_defaults {
-        if let Some(model) = &loaded.model {
-            let mut table = Table::new(&["field", "default", "why"]);
-            for d in &model.defaults {
-                table.row(vec![d.field.clone(), d.value.clone(), d.reason.clone()]);
-            }
-            files::print(&table.render_left(0));
+    if let Some(model) = loaded.model.as_ref().filter(|_| args.explain_defaults) {
+        let mut table = Table::new(&["field", "default", "why"]);
+        for d in &model.defaults {
+            table.row(vec![d.field.clone(), d.value.clone(), d.reason.clone()]);
         }
+        files::print(&table.render_left(0));
     }
     Ok(code)
 }

@@ -3,7 +3,7 @@
 use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
 use super::search::{Hint, NoTime, Shortest};
-use super::select::{PlanningSet, SetRow, row};
+use super::select::{PlanningSet, SetRow};
 use crate::admissible::AdmissibleSet;
 use crate::model::{Mission, MissionTime, Model, PlannerKind};
 use crate::solve::Effort;
@@ -77,6 +77,9 @@ pub enum Scope {
     Everything,
 }
 
+/// Told the planner's name and each mission time (s) before it is tried.
+pub type Progress<'a> = Option<&'a (dyn Fn(&str, f64) + Sync)>;
+
 struct Setting<'a> {
     model: &'a Model,
     mission: &'a Mission,
@@ -88,7 +91,7 @@ struct Setting<'a> {
     singles: Vec<PlanningSet>,
     joint: PlanningSet,
     names: Vec<String>,
-    progress: Option<&'a (dyn Fn(&str, f64) + Sync)>,
+    progress: Progress<'a>,
 }
 
 /// A search's result with what later searches can use.
@@ -105,7 +108,7 @@ pub fn compare(
     model: &Model,
     mission: &Mission,
     scope: Scope,
-    progress: Option<&(dyn Fn(&str, f64) + Sync)>,
+    progress: Progress,
 ) -> Comparison {
     let setting = Setting::new(model, mission, progress);
     match scope {
@@ -115,7 +118,7 @@ pub fn compare(
 }
 
 impl<'a> Setting<'a> {
-    fn new(model: &'a Model, mission: &'a Mission, progress: Option<&'a (dyn Fn(&str, f64) + Sync)>) -> Self {
+    fn new(model: &'a Model, mission: &'a Mission, progress: Progress<'a>) -> Self {
         let healthy = AdmissibleSet::healthy(model);
         let reserve = model.plan.reserve;
         let sets: Vec<AdmissibleSet> =
@@ -449,9 +452,4 @@ pub fn label(kind: PlannerKind, against: &[String]) -> String {
         (PlannerKind::Rcp, [one]) => format!("{name} {one}"),
         _ => name,
     }
-}
-
-/// The facets of a set as planning rows, one each, in the set's order.
-pub fn facet_rows(set: &AdmissibleSet, healthy: &AdmissibleSet) -> Vec<SetRow> {
-    set.polytope.facets.iter().map(|f| row(f, healthy, vec![f.origin])).collect()
 }

@@ -116,8 +116,8 @@ fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
             return None;
         }
         let shares: f64 = mission.legs[from..to].iter().map(|l| l.share).sum();
-        for leg in from..to {
-            durations[leg] = free * mission.legs[leg].share / shares;
+        for (duration, leg) in durations[from..to].iter_mut().zip(&mission.legs[from..to]) {
+            *duration = free * leg.share / shares;
         }
         (from, leave) = (to, arrival);
     }

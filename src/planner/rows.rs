@@ -3,7 +3,7 @@
 //! Few of a set's rows ever bind. A program that lacks rows is a relaxation: where it is infeasible, so is the
 //! full one; where its solution passes no row, it solves the full one.
 
-use super::hover_model::{WrenchMap, YAW};
+use super::hover_model::WrenchMap;
 use super::profile::{Profile, profile};
 use super::select::{PlanningSet, SetRow};
 use super::transcribe::{FacetAt, NodeState, Purpose, Transcription};
@@ -289,9 +289,4 @@ fn passed(states: &[NodeState], maps: &[WrenchMap], set: &PlanningSet) -> Vec<Fa
         }
     }
     found
-}
-
-/// Yaw at every node, rad.
-pub fn yaw_of(states: &[NodeState]) -> impl Iterator<Item = f64> {
-    states.iter().map(|s| s[YAW][0])
 }

@@ -357,8 +357,8 @@ impl<'a> Transcription<'a> {
         let mut states = vec![NodeState::default(); self.nodes()];
         for (node, state) in states.iter_mut().enumerate() {
             for &axis in self.axes {
-                for order in 0..=ORDER[axis] {
-                    state[axis][order] = self.derivative(node, axis, order).at(x);
+                for (order, value) in state[axis].iter_mut().enumerate().take(ORDER[axis] + 1) {
+                    *value = self.derivative(node, axis, order).at(x);
                 }
             }
         }
