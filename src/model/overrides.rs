@@ -22,6 +22,7 @@ pub struct Override {
 ///
 /// # Errors
 /// The first thing that cannot be read.
+#[expect(clippy::result_large_err, reason = "a few a command line")]
 pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, Diagnostic> {
     let file = sources.add(Source::new("--set", text));
     let whole = Span::new(file, 0, text.len());
@@ -65,7 +66,7 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
 }
 
 /// Puts every override in its place; what finds none is reported.
-pub(super) fn apply(trees: &mut Vec<SpecFile>, overrides: &[Override]) -> Vec<Diagnostic> {
+pub(super) fn apply(trees: &mut [SpecFile], overrides: &[Override]) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
     // Those of the plan first: it says which vehicle and which mission are meant.
     let (plan, other): (Vec<_>, Vec<_>) = overrides
@@ -73,22 +74,24 @@ pub(super) fn apply(trees: &mut Vec<SpecFile>, overrides: &[Override]) -> Vec<Di
         .partition(|o| o.path.first().is_some_and(|name| name.value == "plan"));
     for item in plan.into_iter().chain(other) {
         if let Err(diagnostic) = place(trees, item) {
-            diagnostics.push(diagnostic);
+            diagnostics.push(*diagnostic);
         }
     }
     diagnostics
 }
 
-fn place(trees: &mut Vec<SpecFile>, item: &Override) -> Result<(), Diagnostic> {
+fn place(trees: &mut [SpecFile], item: &Override) -> Result<(), Box<Diagnostic>> {
     let Some((outer, inner)) = item.path.split_first() else {
         return place_top(trees, &item.field);
     };
     let keyword = outer.value.as_str();
     if !matches!(keyword, "plan" | "vehicle" | "mission") {
         let message = format!("`{keyword}` is not a block that can be set");
-        return Err(Diagnostic::error(CODE, outer.span, message)
-            .here("unknown block")
-            .help("paths begin with `plan`, `vehicle` or `mission`"));
+        return Err(Box::new(
+            Diagnostic::error(CODE, outer.span, message)
+                .here("unknown block")
+                .help("paths begin with `plan`, `vehicle` or `mission`"),
+        ));
     }
     let chosen = chosen(trees, keyword);
     let mut blocks: Vec<&mut Block> = trees
@@ -109,7 +112,9 @@ fn place(trees: &mut Vec<SpecFile>, item: &Override) -> Result<(), Diagnostic> {
     if blocks.is_empty() {
         if keyword != "plan" || trees.is_empty() {
             let message = format!("the spec has no `{keyword}` block to set a field of");
-            return Err(Diagnostic::error(CODE, outer.span, message).here("nothing to set"));
+            return Err(Box::new(
+                Diagnostic::error(CODE, outer.span, message).here("nothing to set"),
+            ));
         }
         let mut block = empty(outer);
         set(&mut block, inner, &item.field)?;
@@ -121,7 +126,7 @@ fn place(trees: &mut Vec<SpecFile>, item: &Override) -> Result<(), Diagnostic> {
         .try_for_each(|block| set(block, inner, &item.field))
 }
 
-fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Diagnostic> {
+fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Box<Diagnostic>> {
     let name = &field.name.value;
     for item in trees.iter_mut().flat_map(|tree| &mut tree.items) {
         match item {
@@ -138,13 +143,15 @@ fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Diagnostic> {
         tree.items.push(Item::Field(field.clone()));
         return Ok(());
     }
-    Err(Diagnostic::error(
-        CODE,
-        field.name.span,
-        format!("no `let` is called `{name}`"),
-    )
-    .here("nothing to set")
-    .help("a field of a block is set by its path, such as `plan.time=20s`"))
+    Err(Box::new(
+        Diagnostic::error(
+            CODE,
+            field.name.span,
+            format!("no `let` is called `{name}`"),
+        )
+        .here("nothing to set")
+        .help("a field of a block is set by its path, such as `plan.time=20s`"),
+    ))
 }
 
 /// The vehicle or mission that `plan` names.
@@ -172,7 +179,7 @@ fn chosen(trees: &[SpecFile], keyword: &str) -> Option<String> {
 }
 
 /// Sets a field of a block, going down `path` through the blocks inside it.
-fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Diagnostic> {
+fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagnostic>> {
     if let Some((next, rest)) = path.split_first() {
         let inner = block.body.iter_mut().find_map(|statement| match statement {
             Statement::Block(inner) if inner.keyword.value == next.value => Some(inner),
@@ -193,18 +200,20 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Diagnostic
             None => {
                 let message = format!("`{}` has no block `{}`", block.keyword.value, next.value);
                 let error = Diagnostic::error(CODE, next.span, message).here("unknown block");
-                Err(error.help("blocks inside are `vehicle.rotor` and `mission.limits`"))
+                Err(Box::new(error.help(
+                    "blocks inside are `vehicle.rotor` and `mission.limits`",
+                )))
             }
         };
     }
     let name = &field.name.value;
     if block.keyword.value == "limits" {
         let Some(expr) = expr_of(field).cloned() else {
-            return Err(Diagnostic::error(
+            return Err(Box::new(Diagnostic::error(
                 CODE,
                 field.span,
                 "a limit takes a value or a range",
-            ));
+            )));
         };
         let relation = match expr.kind {
             ExprKind::Range { .. } => LimitRelation::In(expr),

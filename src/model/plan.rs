@@ -1,5 +1,7 @@
 //! The `plan` block and its defaults.
 
+mod against;
+
 use super::context::{Context, listed};
 use super::due::Due;
 use super::fields::Fields;
@@ -9,7 +11,7 @@ use super::{DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
-use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Relation, Statement};
+use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 
 /// Most intervals of one plan.
 pub const MAX_SAMPLES: usize = 100_000;
@@ -229,7 +231,13 @@ impl<'a> Draft<'a> {
                 (PlannerKind::Rsp, "rsp", "the risk-sensitive planner"),
             )),
         };
-        let against = self.against(cx, modes, modes_incomplete);
+        let against = match self.against {
+            Some(field) => against::read(cx, field, modes, modes_incomplete),
+            None => {
+                let all = (0..modes.len()).collect();
+                Some(self.default("against", (all, "all", "every declared fault mode")))
+            }
+        };
         let time = self.time(cx);
         let samples = match self.get("samples") {
             Some(e) => cx.whole("`samples`", e, 1..=MAX_SAMPLES, "mavc::plan::samples"),
@@ -337,152 +345,6 @@ impl<'a> Draft<'a> {
         cx.report(error.here("nothing is left").help("10 % is usual"));
         None
     }
-
-    fn against(
-        &mut self,
-        cx: &mut Context<'a>,
-        modes: &[FaultMode],
-        incomplete: bool,
-    ) -> Option<Vec<usize>> {
-        let Some(field) = self.against else {
-            let all = (0..modes.len()).collect();
-            return Some(self.default("against", (all, "all", "every declared fault mode")));
-        };
-        let expr = match &field.value {
-            FieldValue::Where {
-                field,
-                relation,
-                value,
-            } => {
-                return filter(cx, field, relation.value, value, modes, incomplete);
-            }
-            FieldValue::Expr(expr) => expr,
-        };
-        let one;
-        let elements: &[Expr] = match &expr.kind {
-            ExprKind::Name(name) if name == "all" => return Some((0..modes.len()).collect()),
-            ExprKind::Name(_) => {
-                one = std::slice::from_ref(expr);
-                one
-            }
-            ExprKind::List {
-                elements,
-                unit: None,
-            } => elements,
-            _ => {
-                let message =
-                    "`against` takes `all`, a list of fault modes, or `where` and a condition";
-                let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
-                cx.report(error.help("write `[M1, M2]`, or `where rpn >= 100`"));
-                return None;
-            }
-        };
-        let names: Vec<&str> = modes.iter().map(|m| m.name.as_str()).collect();
-        let (mut chosen, mut fine) = (Vec::new(), true);
-        for element in elements {
-            let index = match &element.kind {
-                ExprKind::Name(name) => match names.iter().position(|n| n == name) {
-                    Some(index) => Some(index),
-                    None if name == "healthy" || name == "all" => {
-                        let message = format!("`{name}` is not a fault mode");
-                        let error =
-                            Diagnostic::error(CHOICE, element.span, message).here("not a fault");
-                        cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
-                        None
-                    }
-                    None => {
-                        if !incomplete {
-                            cx.unknown("fault mode", name, element.span, &names);
-                        }
-                        None
-                    }
-                },
-                _ => {
-                    let error = Diagnostic::error(
-                        CHOICE,
-                        element.span,
-                        "`against` lists fault modes by name",
-                    );
-                    cx.report(error.here("not a name"));
-                    None
-                }
-            };
-            match index {
-                Some(index) if chosen.contains(&index) => {
-                    let message = format!("`{}` is listed twice", names[index]);
-                    let warning =
-                        Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
-                    cx.report(warning.here("listed already").help("take it out"));
-                }
-                Some(index) => chosen.push(index),
-                None => fine = false,
-            }
-        }
-        fine.then_some(chosen)
-    }
-}
-
-/// `where rpn >= 100`: the modes that have the number and meet the condition.
-fn filter<'a>(
-    cx: &mut Context<'a>,
-    field: &'a Spanned<String>,
-    relation: Relation,
-    value: &'a Expr,
-    modes: &[FaultMode],
-    incomplete: bool,
-) -> Option<Vec<usize>> {
-    const KNOWN: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
-    let name = field.value.as_str();
-    if !KNOWN.contains(&name) {
-        let error = Diagnostic::error(
-            "mavc::name::unknown_field",
-            field.span,
-            format!("modes have no number `{name}`"),
-        );
-        let error = error.here("unknown here");
-        cx.report(match nearest(name, KNOWN) {
-            Some(near) => error
-                .help(format!("did you mean `{near}`?"))
-                .fix(field.span, near),
-            None => error.help(format!("`where` looks at {}", listed(&KNOWN))),
-        });
-        return None;
-    }
-    let bound = cx.number(
-        Due::new(name, if name == "rate" { "1/h" } else { "1" }),
-        value,
-    )?;
-    let number_of = |mode: &FaultMode| match name {
-        "rpn" => mode.rpn().map(f64::from),
-        "severity" => mode.severity.map(f64::from),
-        "occurrence" => mode.occurrence.map(f64::from),
-        "detection" => mode.detection.map(f64::from),
-        _ => mode.rate,
-    };
-    let holds = |x: f64| match relation {
-        Relation::Less => x < bound,
-        Relation::LessEqual => x <= bound,
-        Relation::Greater => x > bound,
-        Relation::GreaterEqual => x >= bound,
-        Relation::Equal => x == bound,
-    };
-    let chosen: Vec<usize> = (0..modes.len())
-        .filter(|&k| number_of(&modes[k]).is_some_and(holds))
-        .collect();
-    if chosen.is_empty() && !incomplete {
-        let without = modes.iter().filter(|m| number_of(m).is_none()).count();
-        let warning = Diagnostic::warning(
-            "mavc::plan::none_selected",
-            field.span,
-            "no fault mode meets this condition",
-        );
-        let help = format!(
-            "{without} of {} modes have no `{name}`; a mode without the number is never chosen",
-            modes.len()
-        );
-        cx.report(warning.here("selects nothing").help(help));
-    }
-    Some(chosen)
 }
 
 /// Every leg and every hold takes at least one interval.

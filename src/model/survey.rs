@@ -45,18 +45,18 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
     let mut errors = 0;
     for record in reader.records() {
         let outcome = match (&columns, record) {
-            (_, Err(error)) => Err(Diagnostic::error(
+            (_, Err(error)) => Err(Box::new(Diagnostic::error(
                 CODE,
                 place(table, error.position()),
                 broken_row(&error),
-            )),
+            ))),
             (None, Ok(record)) => header(cx, &record, table).map(|found| columns = Some(found)),
             (Some(columns), Ok(record)) => {
                 row(columns, &record, table, manner).map(|stop| route.push(cx, stop, None))
             }
         };
         if let Err(error) = outcome {
-            cx.report(error);
+            cx.report(*error);
             route.broken = true;
             errors += 1;
         }
@@ -108,7 +108,7 @@ fn header(
     cx: &Context,
     record: &csv::StringRecord,
     table: &Table,
-) -> Result<Vec<Column>, Diagnostic> {
+) -> Result<Vec<Column>, Box<Diagnostic>> {
     let span = place(table, record.position());
     let fail = |message: String| Diagnostic::error(CODE, span, message).here("the header");
     let mut columns: Vec<Column> = Vec::new();
@@ -119,12 +119,12 @@ fn header(
         };
         let Some(kind) = COLUMNS.iter().position(matching) else {
             let names = COLUMNS.map(|c| c.0);
-            return Err(
+            return Err(Box::new(
                 fail(format!("the table has an unknown column `{cell}`")).help(format!(
                     "columns are {}, each with its unit, as in `x_m`",
                     listed(&names)
                 )),
-            );
+            ));
         };
         let (name, unit, _) = COLUMNS[kind];
         let written = cell
@@ -132,28 +132,38 @@ fn header(
             .and_then(|rest| rest.strip_prefix('_'));
         let unit = match (unit, written) {
             ("" | "1", None) => None,
-            ("" | "1", Some(_)) => return Err(fail(format!("column `{name}` has no unit"))),
+            ("" | "1", Some(_)) => {
+                return Err(Box::new(fail(format!("column `{name}` has no unit"))));
+            }
             (due, None) => {
-                return Err(fail(format!("column `{name}` needs its unit"))
-                    .help(format!("write `{name}_{due}`")));
+                return Err(Box::new(
+                    fail(format!("column `{name}` needs its unit"))
+                        .help(format!("write `{name}_{due}`")),
+                ));
             }
             (due, Some(text)) => match parse_unit(text, cx.gravity) {
                 Ok(unit) if unit.dimension == Due::new(name, due).dimension() => Some(unit),
                 _ => {
                     let message = format!("`{text}` is no unit for column `{name}`");
-                    return Err(fail(message).help(format!("write `{name}_{due}`")));
+                    return Err(Box::new(
+                        fail(message).help(format!("write `{name}_{due}`")),
+                    ));
                 }
             },
         };
         if columns.iter().any(|c| c.kind == kind) {
-            return Err(fail(format!("the table has two columns `{name}`")));
+            return Err(Box::new(fail(format!(
+                "the table has two columns `{name}`"
+            ))));
         }
         columns.push(Column { kind, unit });
     }
     for (kind, (name, unit, due)) in COLUMNS.iter().enumerate() {
         if *due && !columns.iter().any(|c| c.kind == kind) {
-            return Err(fail(format!("the table has no column `{name}`"))
-                .help(format!("add `{name}_{unit}`")));
+            return Err(Box::new(
+                fail(format!("the table has no column `{name}`"))
+                    .help(format!("add `{name}_{unit}`")),
+            ));
         }
     }
     Ok(columns)
@@ -164,7 +174,7 @@ fn row(
     record: &csv::StringRecord,
     table: &Table,
     manner: Manner,
-) -> Result<Stop, Diagnostic> {
+) -> Result<Stop, Box<Diagnostic>> {
     let span = place(table, record.position());
     let mut values = [None; COLUMNS.len()];
     let mut name = None;
@@ -176,9 +186,9 @@ fn row(
         }
         if cell.is_empty() {
             if due {
-                return Err(
-                    Diagnostic::error(CODE, span, format!("`{title}` is empty")).here("this row")
-                );
+                return Err(Box::new(
+                    Diagnostic::error(CODE, span, format!("`{title}` is empty")).here("this row"),
+                ));
             }
             continue;
         }
@@ -190,7 +200,9 @@ fn row(
         });
         let Some(value) = value.filter(|x| x.is_finite()) else {
             let message = format!("`{cell}` is no number for `{title}`");
-            return Err(Diagnostic::error(CODE, span, message).here("this row"));
+            return Err(Box::new(
+                Diagnostic::error(CODE, span, message).here("this row"),
+            ));
         };
         values[column.kind] = Some(value);
     }
@@ -205,16 +217,16 @@ fn row(
     let yaw_within = value("yaw_within").unwrap_or(manner.yaw_within);
     let weight = value("weight").unwrap_or(manner.weight);
     if within <= 0.0 || yaw_within <= 0.0 {
-        return Err(wrong(
+        return Err(Box::new(wrong(
             "mavc::mission::tolerance",
             "a tolerance has to be greater than zero",
-        ));
+        )));
     }
     if weight < 0.0 {
-        return Err(wrong(
+        return Err(Box::new(wrong(
             "mavc::mission::weight",
             "`weight` cannot be negative",
-        ));
+        )));
     }
     let position = [
         value("x").unwrap_or(0.0),

@@ -1,5 +1,7 @@
 //! `vehicle` blocks: rings and rotors one by one.
 
+mod rotor;
+
 use std::f64::consts::PI;
 
 use super::context::{Context, listed};
@@ -90,12 +92,14 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         }
         None => ring(cx, &fields),
     };
-    let base = rotor_fields.as_ref().map(|fields| Traits::read(cx, fields));
+    let base = rotor_fields
+        .as_ref()
+        .map(|fields| rotor::Traits::read(cx, fields));
     if base.is_none() && placed.is_none() && !fields.may_have("rotor") {
         let example = "rotor { thrust_coefficient = ...; drag_coefficient = ...; max_speed = ... }";
         fields.missing(cx, "`rotor` block", example);
     }
-    let rotors = places.and_then(|places| give_rotors(cx, places, rotor_fields.as_ref(), base));
+    let rotors = places.and_then(|places| rotor::give_all(cx, places, rotor_fields.as_ref(), base));
     let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
@@ -348,173 +352,6 @@ fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Plac
         spin: spin?,
         own: Some(own),
     })
-}
-
-/// Thrust, torque and speed of every rotor: its own clauses first, then what the `rotor` block says.
-fn give_rotors<'a>(
-    cx: &mut Context<'a>,
-    places: Vec<Place<'a>>,
-    shared: Option<&Fields<'a>>,
-    base: Option<Traits>,
-) -> Option<Vec<Rotor>> {
-    let mut rotors = Some(Vec::new());
-    let mut told = false;
-    for place in &places {
-        let own = place.own.as_ref().map(|fields| Traits::read(cx, fields));
-        let traits = match (&own, &base) {
-            (Some(own), Some(base)) => own.over(base),
-            (Some(own), None) => own.clone(),
-            (None, Some(base)) => base.clone(),
-            (None, None) => return None,
-        };
-        let owner = shared
-            .filter(|_| own.is_none())
-            .or(place.own.as_ref())
-            .or(shared);
-        match (&mut rotors, traits.rotor(cx, place, owner, &mut told)) {
-            (Some(list), Some(rotor)) => list.push(rotor),
-            (list, _) => *list = None,
-        }
-        if rotors.is_none() && place.own.is_none() {
-            return None;
-        }
-    }
-    rotors
-}
-
-/// What is written of a rotor's performance. `Some(None)` stands for something with an error in it.
-#[derive(Clone, Default)]
-struct Traits {
-    thrust_coefficient: Option<Option<f64>>,
-    max_thrust: Option<Option<f64>>,
-    drag_coefficient: Option<Option<f64>>,
-    torque_per_thrust: Option<Option<f64>>,
-    max_speed: Option<Option<f64>>,
-    time_constant: Option<Option<f64>>,
-}
-
-impl Traits {
-    fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Self {
-        let mut take = |what: &'static str, unit: &'static str, coefficient: bool| {
-            let due = Due {
-                what,
-                unit,
-                coefficient,
-            };
-            match fields.get(what) {
-                Some(expr) => Some(cx.positive(due, expr, POSITIVE)),
-                None => fields.may_have(what).then_some(None),
-            }
-        };
-        let traits = Traits {
-            thrust_coefficient: take("thrust_coefficient", "N*s^2/rad^2", true),
-            max_thrust: take("max_thrust", "N", false),
-            drag_coefficient: take("drag_coefficient", "N*m*s^2/rad^2", true),
-            torque_per_thrust: take("torque_per_thrust", "m", false),
-            max_speed: take("max_speed", "rad/s", false),
-            time_constant: take("time_constant", "s", false),
-        };
-        for (a, b) in [
-            ("thrust_coefficient", "max_thrust"),
-            ("drag_coefficient", "torque_per_thrust"),
-        ] {
-            if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
-                let message = format!("`{a}` and `{b}` say the same thing twice");
-                cx.report(
-                    Diagnostic::error("mavc::vehicle::conflict", second, message)
-                        .here("one of the two")
-                        .also(first, "the other")
-                        .help("keep the one you know"),
-                );
-            }
-        }
-        traits
-    }
-
-    /// What is said here goes before what is said for all; a thrust in one form replaces the other form.
-    fn over(&self, base: &Traits) -> Traits {
-        let thrust = self.thrust_coefficient.is_some() || self.max_thrust.is_some();
-        let torque = self.drag_coefficient.is_some() || self.torque_per_thrust.is_some();
-        Traits {
-            thrust_coefficient: if thrust {
-                self.thrust_coefficient
-            } else {
-                base.thrust_coefficient
-            },
-            max_thrust: if thrust {
-                self.max_thrust
-            } else {
-                base.max_thrust
-            },
-            drag_coefficient: if torque {
-                self.drag_coefficient
-            } else {
-                base.drag_coefficient
-            },
-            torque_per_thrust: if torque {
-                self.torque_per_thrust
-            } else {
-                base.torque_per_thrust
-            },
-            max_speed: self.max_speed.or(base.max_speed),
-            time_constant: self.time_constant.or(base.time_constant),
-        }
-    }
-
-    fn rotor<'a>(
-        &self,
-        cx: &mut Context<'a>,
-        place: &Place<'a>,
-        owner: Option<&Fields<'a>>,
-        told: &mut bool,
-    ) -> Option<Rotor> {
-        let mut missing = Vec::new();
-        if self.max_speed.is_none() {
-            missing.push(("`max_speed`", "max_speed = 800 rad/s"));
-        }
-        if self.thrust_coefficient.is_none() && self.max_thrust.is_none() {
-            missing.push((
-                "`thrust_coefficient` or `max_thrust`",
-                "thrust_coefficient = 9e-6 N*s^2/rad^2",
-            ));
-        }
-        if self.drag_coefficient.is_none() && self.torque_per_thrust.is_none() {
-            missing.push((
-                "`drag_coefficient` or `torque_per_thrust`",
-                "drag_coefficient = 1.5e-7 N*m*s^2/rad^2",
-            ));
-        }
-        if !missing.is_empty() {
-            if let Some(owner) = owner.filter(|_| !*told) {
-                missing
-                    .iter()
-                    .for_each(|(what, example)| owner.missing(cx, what, example));
-                *told = true;
-            }
-            return None;
-        }
-        let max_speed = self.max_speed??;
-        let thrust_coefficient = match self.thrust_coefficient {
-            Some(b) => b?,
-            None => self.max_thrust?? / (max_speed * max_speed),
-        };
-        let drag_coefficient = match self.drag_coefficient {
-            Some(d) => d?,
-            None => self.torque_per_thrust?? * thrust_coefficient,
-        };
-        let time_constant = match self.time_constant {
-            Some(given) => Some(given?),
-            None => None,
-        };
-        Some(Rotor {
-            position: place.position,
-            spin: place.spin,
-            thrust_coefficient,
-            drag_coefficient,
-            max_speed,
-            time_constant,
-        })
-    }
 }
 
 /// What only the whole vehicle shows: its weight against its thrust, and whether it can hold its yaw.

@@ -38,7 +38,7 @@ impl Quantity {
 
     /// The sum; `None` where the dimensions differ.
     pub fn plus(self, other: Self) -> Option<Self> {
-        (self.dimension == other.dimension).then(|| Quantity {
+        (self.dimension == other.dimension).then_some(Quantity {
             value: self.value + other.value,
             ..self
         })

@@ -1,0 +1,137 @@
+//! A curve becomes waypoints, evenly spaced in its parameter.
+
+use super::{MAX_WAYPOINTS, Manner, Route, Stop, manner_of};
+use crate::diagnostic::Diagnostic;
+use crate::model::context::Context;
+use crate::model::due::Due;
+use crate::model::fields::Fields;
+use crate::report::number::number;
+use crate::syntax::ast::{Expr, Field, Name, Statement};
+use crate::unit::Quantity;
+
+/// `curve s in 0 .. 4*pi, points = 21 { .. }`
+pub(super) struct Curve<'a> {
+    pub index: usize,
+    pub parameter: &'a Name,
+    pub range: &'a Expr,
+    pub options: &'a [Field],
+    pub body: &'a [Statement],
+}
+
+impl<'a> Curve<'a> {
+    pub fn fly(&self, cx: &mut Context<'a>, manner: Manner, route: &mut Route) {
+        const KNOWN: [&str; 7] = ["x", "y", "z", "yaw", "within", "yaw_within", "weight"];
+        let owner = "`curve`".to_string();
+        let head = self.parameter.span.to(self.range.span);
+        let fields = Fields::of_block(cx, owner.clone(), head, self.body, &KNOWN);
+        let mut options = Fields::of_block(cx, owner, head, &[], &[]);
+        self.options
+            .iter()
+            .for_each(|field| options.take_field(cx, field, &["points"]));
+        let points = options.demand(cx, "points", ", points = 21").and_then(|e| {
+            cx.whole(
+                "the number of points",
+                e,
+                2..=MAX_WAYPOINTS,
+                "mavc::mission::curve_points",
+            )
+        });
+        let range = self.read_range(cx);
+        let manner = manner_of(cx, &fields, manner);
+        let axis =
+            |cx: &mut Context<'a>, name: &str, example: &str| fields.demand(cx, name, example);
+        let x = axis(cx, "x", "x = 4 m * cos(s)");
+        let y = axis(cx, "y", "y = 4 m * sin(s)");
+        let z = axis(cx, "z", "z = 10 m");
+        let yaw = fields.get("yaw");
+        let (Some(points), Some((low, high)), Some(manner)) = (points, range, manner) else {
+            // The coordinates are looked at once all the same, so that their own mistakes are told.
+            if let Some((low, _)) = range {
+                self.at(cx, low, [x, y, z], yaw);
+            }
+            route.broken = true;
+            return;
+        };
+        for k in 0..points {
+            let t = k as f64 / (points - 1) as f64;
+            let value = low.value * (1.0 - t) + high.value * t;
+            let (position, yaw) = self.at(cx, Quantity::new(value, low.dimension), [x, y, z], yaw);
+            let (Some(position), Some(yaw)) = (position, yaw) else {
+                route.broken = true;
+                return;
+            };
+            if k == 0 && self.joins(route, position, yaw) {
+                continue;
+            }
+            let stop = Stop {
+                name: None,
+                position,
+                yaw,
+                within: manner.within,
+                yaw_within: manner.yaw_within,
+                weight: manner.weight,
+                time: None,
+                span: head,
+            };
+            let within_curve = (k > 0).then_some(self.index);
+            route.push(cx, stop, within_curve);
+            if route.broken {
+                return;
+            }
+        }
+    }
+
+    /// A curve that starts where the vehicle already is shares that waypoint.
+    fn joins(&self, route: &Route, position: [f64; 3], yaw: Option<f64>) -> bool {
+        let Some(last) = route.waypoints.last() else {
+            return false;
+        };
+        let before = route.yaws.iter().rev().find_map(|yaw| *yaw).unwrap_or(0.0);
+        let same_yaw = yaw.is_none_or(|yaw| (yaw - before).abs() < 1e-9);
+        crate::model::legs::distance(last.position, position) < 1e-9 && same_yaw
+    }
+
+    fn read_range(&self, cx: &mut Context<'a>) -> Option<(Quantity, Quantity)> {
+        let value = cx.evaluate(self.range)?;
+        let crate::model::expression::Value::Range(low, high) = value else {
+            return cx.wrong_kind(&value, "a range `a .. b`", self.range.span);
+        };
+        if low.value == high.value {
+            let message = format!("the range of `{}` has no length", self.parameter.value);
+            let error = Diagnostic::error("mavc::mission::curve_range", self.range.span, message);
+            cx.report(
+                error
+                    .here(format!("both ends are {}", number(low.value)))
+                    .help("write it like `0 .. 2*pi`"),
+            );
+            return None;
+        }
+        Some((low, high))
+    }
+
+    /// Position and yaw at one value of the parameter. Errors name the point they were found at.
+    #[allow(clippy::type_complexity)]
+    fn at(
+        &self,
+        cx: &mut Context<'a>,
+        value: Quantity,
+        axes: [Option<&'a Expr>; 3],
+        yaw: Option<&'a Expr>,
+    ) -> (Option<[f64; 3]>, Option<Option<f64>>) {
+        cx.parameter = Some((&self.parameter.value, value));
+        let [x, y, z] = axes;
+        let x = x.and_then(|e| cx.number(Due::new("x", "m"), e));
+        let y = y.and_then(|e| cx.number(Due::new("y", "m"), e));
+        let z = z.and_then(|e| cx.number(Due::new("z", "m"), e));
+        let yaw = match yaw {
+            Some(e) => cx.number(Due::new("yaw", "deg"), e).map(Some),
+            None => Some(None),
+        };
+        cx.parameter = None;
+        let position = match (x, y, z) {
+            (Some(x), Some(y), Some(z)) => Some([x, y, z]),
+            _ => None,
+        };
+        (position, yaw)
+    }
+}

@@ -1,0 +1,152 @@
+//! `against`: the fault modes a plan has to stand.
+
+use super::CHOICE;
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::model::FaultMode;
+use crate::model::context::{Context, listed};
+use crate::model::due::Due;
+use crate::source::Spanned;
+use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
+
+/// The modes that `field` chooses, by index; `None` where it has an error. Where `incomplete`, an unknown name may be
+/// that of a mode with an error of its own.
+pub(super) fn read<'a>(
+    cx: &mut Context<'a>,
+    field: &'a Field,
+    modes: &[FaultMode],
+    incomplete: bool,
+) -> Option<Vec<usize>> {
+    let expr = match &field.value {
+        FieldValue::Where {
+            field,
+            relation,
+            value,
+        } => {
+            return filter(cx, field, relation.value, value, modes, incomplete);
+        }
+        FieldValue::Expr(expr) => expr,
+    };
+    let one;
+    let elements: &[Expr] = match &expr.kind {
+        ExprKind::Name(name) if name == "all" => return Some((0..modes.len()).collect()),
+        ExprKind::Name(_) => {
+            one = std::slice::from_ref(expr);
+            one
+        }
+        ExprKind::List {
+            elements,
+            unit: None,
+        } => elements,
+        _ => {
+            let message =
+                "`against` takes `all`, a list of fault modes, or `where` and a condition";
+            let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
+            cx.report(error.help("write `[M1, M2]`, or `where rpn >= 100`"));
+            return None;
+        }
+    };
+    let names: Vec<&str> = modes.iter().map(|m| m.name.as_str()).collect();
+    let (mut chosen, mut fine) = (Vec::new(), true);
+    for element in elements {
+        let index = match &element.kind {
+            ExprKind::Name(name) => {
+                match names.iter().position(|n| n == name) {
+                    Some(index) => Some(index),
+                    None if name == "healthy" || name == "all" => {
+                        let message = format!("`{name}` is not a fault mode");
+                        let error =
+                            Diagnostic::error(CHOICE, element.span, message).here("not a fault");
+                        cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
+                        None
+                    }
+                    None => {
+                        if !incomplete {
+                            cx.unknown("fault mode", name, element.span, &names);
+                        }
+                        None
+                    }
+                }
+            }
+            _ => {
+                let error =
+                    Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
+                cx.report(error.here("not a name"));
+                None
+            }
+        };
+        match index {
+            Some(index) if chosen.contains(&index) => {
+                let message = format!("`{}` is listed twice", names[index]);
+                let warning =
+                    Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
+                cx.report(warning.here("listed already").help("take it out"));
+            }
+            Some(index) => chosen.push(index),
+            None => fine = false,
+        }
+    }
+    fine.then_some(chosen)
+}
+
+/// `where rpn >= 100`: the modes that have the number and meet the condition.
+fn filter<'a>(
+    cx: &mut Context<'a>,
+    field: &'a Spanned<String>,
+    relation: Relation,
+    value: &'a Expr,
+    modes: &[FaultMode],
+    incomplete: bool,
+) -> Option<Vec<usize>> {
+    const KNOWN: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
+    let name = field.value.as_str();
+    if !KNOWN.contains(&name) {
+        let error = Diagnostic::error(
+            "mavc::name::unknown_field",
+            field.span,
+            format!("modes have no number `{name}`"),
+        );
+        let error = error.here("unknown here");
+        cx.report(match nearest(name, KNOWN) {
+            Some(near) => error
+                .help(format!("did you mean `{near}`?"))
+                .fix(field.span, near),
+            None => error.help(format!("`where` looks at {}", listed(&KNOWN))),
+        });
+        return None;
+    }
+    let bound = cx.number(
+        Due::new(name, if name == "rate" { "1/h" } else { "1" }),
+        value,
+    )?;
+    let number_of = |mode: &FaultMode| match name {
+        "rpn" => mode.rpn().map(f64::from),
+        "severity" => mode.severity.map(f64::from),
+        "occurrence" => mode.occurrence.map(f64::from),
+        "detection" => mode.detection.map(f64::from),
+        _ => mode.rate,
+    };
+    let holds = |x: f64| match relation {
+        Relation::Less => x < bound,
+        Relation::LessEqual => x <= bound,
+        Relation::Greater => x > bound,
+        Relation::GreaterEqual => x >= bound,
+        Relation::Equal => x == bound,
+    };
+    let chosen: Vec<usize> = (0..modes.len())
+        .filter(|&k| number_of(&modes[k]).is_some_and(holds))
+        .collect();
+    if chosen.is_empty() && !incomplete {
+        let without = modes.iter().filter(|m| number_of(m).is_none()).count();
+        let warning = Diagnostic::warning(
+            "mavc::plan::none_selected",
+            field.span,
+            "no fault mode meets this condition",
+        );
+        let help = format!(
+            "{without} of {} modes have no `{name}`; a mode without the number is never chosen",
+            modes.len()
+        );
+        cx.report(warning.here("selects nothing").help(help));
+    }
+    Some(chosen)
+}
