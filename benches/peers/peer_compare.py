@@ -121,7 +121,7 @@ class Planner:
         root = hold_root(k)
         objective = self.snap_weight * cp.sum_squares(root @ cp.vstack([self.x[4], self.y[4]]).T)
         objective += self.acceleration_weight * cp.sum_squares(root @ cp.vstack([self.z[2], self.yaw[2]]).T)
-        objective += case.weights["waypoint"] * cp.sum_squares(miss)
+        objective += case.weights["waypoint"] * (cp.sum_squares(miss) + cp.sum_squares(self.yaw[0, at] - case.yaw_rad))
         hard = [cp.SOC(case.within_m * np.ones(points), miss, axis=0)]
         self.optimum = cp.Problem(cp.Minimize(objective), rows + hard)
 
