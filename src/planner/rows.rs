@@ -275,17 +275,20 @@ impl<'a> Engine<'a> {
     }
 }
 
-/// Rows that the states pass, and the same facets at the neighbouring nodes.
+/// At each node the row that the states pass furthest, there and at the neighbouring nodes.
 fn passed(states: &[NodeState], maps: &[WrenchMap], set: &PlanningSet) -> Vec<FacetAt> {
     let last = states.len() - 1;
     let mut found = Vec::new();
     for (node, (state, map)) in states.iter().zip(maps).enumerate() {
         let wrench = map.at(state);
-        for (facet, row) in set.rows.iter().enumerate() {
-            if !row.equality && row.excess(&wrench) > ACCEPTED {
-                let around = node.saturating_sub(1)..=(node + 1).min(last);
-                found.extend(around.map(|node| FacetAt { facet, node }));
-            }
+        // The row passed furthest speaks for those beside it; the others get their turn if they still need one.
+        let worst = (0..set.rows.len())
+            .filter(|&f| !set.rows[f].equality)
+            .map(|f| (f, set.rows[f].excess(&wrench)))
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((facet, _)) = worst.filter(|w| w.1 > ACCEPTED) {
+            let around = node.saturating_sub(1)..=(node + 1).min(last);
+            found.extend(around.map(|node| FacetAt { facet, node }));
         }
     }
     found
