@@ -243,7 +243,7 @@ const WEIGHT: &str = "mavc::mission::weight";
 /// Reads `within`, `yaw_within` and `weight` where they are given.
 fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> Option<Manner> {
     let within = match fields.get("within") {
-        Some(e) => cx.positive(Due::new("within", "m"), e, TOLERANCE),
+        Some(e) => cx.positive(Due::new("within", "cm"), e, TOLERANCE),
         None => Some(manner.within),
     };
     let yaw_within = match fields.get("yaw_within") {
