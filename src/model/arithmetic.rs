@@ -108,9 +108,16 @@ impl<'a> Context<'a> {
             y.describe()
         );
         let table = compare(["left", "right"], x, y).table;
-        let slip = self
-            .likely_slip(y, left)
-            .or_else(|| self.likely_slip(x, right));
+        let (bare, other) = if x.is_plain() { (left, y) } else { (right, x) };
+        let bare_side = (x.is_plain() || y.is_plain())
+            .then(|| other.named())
+            .flatten();
+        let slip = match bare_side.and_then(|(_, unit)| self.with_unit(bare, unit)) {
+            Some(mended) => Some(format!("a unit is missing: write `{mended}`")),
+            None => self
+                .likely_slip(y, left)
+                .or_else(|| self.likely_slip(x, right)),
+        };
         let help = match slip {
             Some(slip) => format!("{table}\n{slip}"),
             None => table,

@@ -1,6 +1,6 @@
 //! What elaboration carries along: the diagnostics found so far, the `let`s, and how much work is left.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::expression::Value;
 use crate::diagnostic::{Diagnostic, nearest};
@@ -12,6 +12,9 @@ use crate::unit::{GRAVITY, Quantity};
 pub(super) const MAX_STEPS: u32 = 20_000_000;
 /// How deep expressions may stand inside each other, through `let`s too.
 pub(super) const MAX_EVALUATION_DEPTH: u32 = 600;
+
+/// Diagnostics shown for one spec.
+pub(super) const MAX_DIAGNOSTICS: usize = 500;
 
 pub(super) const FUNCTIONS: [&str; 11] = [
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max",
@@ -25,8 +28,10 @@ pub(super) struct Context<'a> {
     pub gravity: f64,
     /// A file could not be brought in: what seems to be missing may stand there.
     pub incomplete: bool,
-    /// Statements that could not be read.
-    pub broken: Vec<Span>,
+    /// Every word of the statements that could not be read.
+    lost_words: BTreeSet<&'a str>,
+    /// Diagnostics past the limit.
+    pub dropped: usize,
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
     /// The curve parameter and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
@@ -49,13 +54,18 @@ pub(super) enum State {
 }
 
 impl<'a> Context<'a> {
-    pub fn new(sources: &'a SourceMap, incomplete: bool, broken: Vec<Span>) -> Self {
+    pub fn new(sources: &'a SourceMap, incomplete: bool, broken: &[Span]) -> Self {
+        let between = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
+        let words = broken
+            .iter()
+            .flat_map(|&span| sources.snippet(span).split(between));
         Context {
             sources,
             diagnostics: Vec::new(),
             gravity: GRAVITY,
             incomplete,
-            broken,
+            lost_words: words.collect(),
+            dropped: 0,
             lets: BTreeMap::new(),
             parameter: None,
             depth: 0,
@@ -63,18 +73,18 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// Keeps a diagnostic; past [`MAX_DIAGNOSTICS`] it is only counted.
     pub fn report(&mut self, diagnostic: Diagnostic) {
-        self.diagnostics.push(diagnostic);
+        if self.diagnostics.len() < MAX_DIAGNOSTICS {
+            self.diagnostics.push(diagnostic);
+        } else {
+            self.dropped += 1;
+        }
     }
 
     /// Whether `name` may be declared in a place that could not be read.
     pub fn may_exist(&self, name: &str) -> bool {
-        let word = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
-        self.incomplete
-            || self
-                .broken
-                .iter()
-                .any(|&span| self.sources.snippet(span).split(word).any(|w| w == name))
+        self.incomplete || self.lost_words.contains(name)
     }
 
     /// Takes up every `let`; a second one of a name, or a name of the language, is an error.
@@ -180,6 +190,12 @@ impl<'a> Context<'a> {
         if self.may_exist(name) {
             return;
         }
+        // Looking for near names takes time, and nobody reads hundreds of errors.
+        let known = if self.diagnostics.len() < MAX_DIAGNOSTICS {
+            known
+        } else {
+            &[]
+        };
         let mut error = Diagnostic::error(
             "mavc::name::unknown",
             span,

@@ -243,27 +243,34 @@ impl<'a> Context<'a> {
             format!("`{}` is {kind} and needs a unit", due.what),
         )
         .here("a plain number");
-        let text = self.sources.snippet(expr.span).trim();
-        let closed = !matches!(
-            expr.kind,
-            ExprKind::Name(_) | ExprKind::Binary { .. } | ExprKind::Negate(_)
-        ) || matches!(&expr.kind, ExprKind::Negate(inner) if matches!(inner.kind, ExprKind::Number { .. }));
-        let mended = if matches!(expr.kind, ExprKind::Range { .. }) {
+        if matches!(expr.kind, ExprKind::Range { .. }) {
             return error.help(format!(
                 "put the unit at the end, as in `0 .. 1 {}`",
                 due.unit
             ));
-        } else if closed {
-            format!("{text} {}", due.unit)
-        } else {
-            format!("({text}) {}", due.unit)
-        };
-        if mended.len() > 48 || mended.contains('\n') {
-            return error.help(format!("put a unit behind it: `(...) {}`", due.unit));
         }
-        error
-            .help(format!("write `{mended}`"))
-            .fix(expr.span, mended)
+        match self.with_unit(expr, due.unit) {
+            Some(mended) => error
+                .help(format!("write `{mended}`"))
+                .fix(expr.span, mended),
+            None => error.help(format!("put a unit behind it: `(...) {}`", due.unit)),
+        }
+    }
+
+    /// The text of `expr` with a unit behind it, where that fits on a line.
+    pub(super) fn with_unit(&self, expr: &Expr, unit: &str) -> Option<String> {
+        let text = self.sources.snippet(expr.span).trim();
+        let closed = match &expr.kind {
+            ExprKind::Negate(inner) => matches!(inner.kind, ExprKind::Number { .. }),
+            ExprKind::Name(_) | ExprKind::Binary { .. } => false,
+            _ => true,
+        };
+        let mended = if closed {
+            format!("{text} {unit}")
+        } else {
+            format!("({text}) {unit}")
+        };
+        (mended.len() <= 48 && !mended.contains('\n')).then_some(mended)
     }
 
     fn unit_differs(&self, due: Due, q: Quantity, expr: &Expr) -> Diagnostic {

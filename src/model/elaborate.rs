@@ -24,8 +24,9 @@ use crate::unit::GRAVITY;
 pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     let mut trees = files.files.clone();
     let mut diagnostics = apply(&mut trees, overrides);
-    let mut cx = Context::new(&files.sources, files.incomplete, broken(&trees));
-    let whole_text = !cx.incomplete && cx.broken.is_empty();
+    let broken = broken(&trees);
+    let mut cx = Context::new(&files.sources, files.incomplete, &broken);
+    let whole_text = !files.incomplete && broken.is_empty();
     // What could not be read may be what makes a model of the rest wrong, or a `let` used.
     let value = whole(&mut cx, &trees, files).filter(|_| whole_text);
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
@@ -34,6 +35,11 @@ pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     }
     diagnostics.append(&mut cx.diagnostics);
     sort(&mut diagnostics);
+    if cx.dropped > 0 {
+        let end = diagnostics.last().map_or(Span::default(), |d| d.span);
+        let message = format!("{} more diagnostics are not shown", cx.dropped);
+        diagnostics.push(Diagnostic::error("mavc::name::too_many", end, message));
+    }
     let mut checked = Checked { value, diagnostics };
     if checked.has_errors() {
         checked.value = None;
@@ -167,8 +173,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
         defaults.extend(plan_defaults);
     }
     let plan = plan.filter(|_| manner_fine)?;
-    if let (Some(mission), None) = (mission, flown) {
-        debug_assert!(!mission.name.is_empty());
+    if mission.is_some() && flown.is_none() {
         return None;
     }
     if names_modes {
@@ -294,6 +299,8 @@ fn choose<'a>(
 
 /// Warns once a statement whose modes no plan uses.
 fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize]) {
+    let mut used = vec![false; modes.modes.len()];
+    against.iter().for_each(|&k| used[k] = true);
     for statement in 0..modes.statements {
         let of_statement = || {
             modes
@@ -306,7 +313,7 @@ fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize]) {
         let Some(first) = of_statement().next() else {
             continue;
         };
-        if of_statement().any(|k| against.contains(&k)) {
+        if of_statement().any(|k| used[k]) {
             continue;
         }
         let mode = &modes.modes[first];

@@ -86,6 +86,8 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Lim
                             .also(first, "first limited here")
                             .help("keep one of the two"),
                     );
+                    limits = None;
+                    continue;
                 }
                 given.push((&name.value, sides.0, sides.1, *span));
                 match LIMITS.iter().find(|row| row.0 == name.value) {

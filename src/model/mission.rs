@@ -12,6 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, Statement};
+use crate::unit::Quantity;
 
 /// Waypoints of one mission.
 pub const MAX_WAYPOINTS: usize = 10_000;
@@ -242,7 +243,7 @@ const WEIGHT: &str = "mavc::mission::weight";
 /// Reads `within`, `yaw_within` and `weight` where they are given.
 fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> Option<Manner> {
     let within = match fields.get("within") {
-        Some(e) => cx.positive(Due::new("within", "m"), e, TOLERANCE),
+        Some(e) => cx.positive(Due::new("within", "cm"), e, TOLERANCE),
         None => Some(manner.within),
     };
     let yaw_within = match fields.get("yaw_within") {
@@ -312,9 +313,13 @@ fn waypoint<'a>(
 fn hold<'a>(cx: &mut Context<'a>, duration: &'a Expr, span: Span, route: &mut Route) {
     let seconds = cx.positive(Due::new("hold", "s"), duration, "mavc::mission::duration");
     match (route.waypoints.last_mut(), seconds) {
-        (Some(last), Some(seconds)) => {
+        (Some(last), Some(seconds)) if (last.hold + seconds).is_finite() => {
             last.hold += seconds;
             last.hold_span.get_or_insert(span);
+        }
+        (Some(_), Some(seconds)) => {
+            cx.finite(Quantity::plain(seconds * f64::INFINITY), span);
+            route.broken = true;
         }
         (None, _) if !route.broken => {
             let message = "`hold` stands still at the waypoint before it, and there is none";

@@ -142,7 +142,10 @@ impl<'a> Draft<'a> {
             value.unwrap_or(instead)
         };
         let within = match self.get("within") {
-            Some(e) => keep(cx.positive(Due::new("within", "m"), e, TOLERANCE), WITHIN.0),
+            Some(e) => keep(
+                cx.positive(Due::new("within", "cm"), e, TOLERANCE),
+                WITHIN.0,
+            ),
             None => self.default("within", WITHIN),
         };
         let yaw_within = match self.get("yaw_within") {

@@ -1,5 +1,7 @@
 //! `against`: the fault modes a plan has to stand.
 
+use std::collections::BTreeMap;
+
 use super::CHOICE;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::FaultMode;
@@ -46,12 +48,14 @@ pub(super) fn read<'a>(
         }
     };
     let names: Vec<&str> = modes.iter().map(|m| m.name.as_str()).collect();
+    let by_name: BTreeMap<&str, usize> = names.iter().enumerate().map(|(k, n)| (*n, k)).collect();
+    let mut taken = vec![false; modes.len()];
     let (mut chosen, mut fine) = (Vec::new(), true);
     for element in elements {
         let index = match &element.kind {
             ExprKind::Name(name) => {
-                match names.iter().position(|n| n == name) {
-                    Some(index) => Some(index),
+                match by_name.get(name.as_str()) {
+                    Some(&index) => Some(index),
                     None if name == "healthy" || name == "all" => {
                         let message = format!("`{name}` is not a fault mode");
                         let error =
@@ -75,13 +79,16 @@ pub(super) fn read<'a>(
             }
         };
         match index {
-            Some(index) if chosen.contains(&index) => {
+            Some(index) if taken[index] => {
                 let message = format!("`{}` is listed twice", names[index]);
                 let warning =
                     Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
                 cx.report(warning.here("listed already").help("take it out"));
             }
-            Some(index) => chosen.push(index),
+            Some(index) => {
+                taken[index] = true;
+                chosen.push(index);
+            }
             None => fine = false,
         }
     }

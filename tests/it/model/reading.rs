@@ -154,6 +154,15 @@ fn hostile_sizes_stay_bounded() {
         codes(&found).contains(&"mavc::unit::too_much")
             || codes(&found).contains(&"mavc::mission::too_many_waypoints")
     );
+    let unknown: String = (0..5000)
+        .map(|k| format!("let a{k} = b{k} + [c, \n d]\n"))
+        .collect();
+    let found = super::codes(&format!("{QUAD}{unknown}"));
+    assert_eq!((found.len(), found[500]), (501, "mavc::name::too_many"));
+    let listed = "Z, ".repeat(50_000);
+    let text =
+        format!("{QUAD}faults {{ every 1 rotor lost as M }}\nplan {{ against = [{listed}] }}\n");
+    assert_eq!(super::codes(&text).len(), 501);
     let doubling: String = (0..60)
         .map(|k| format!("let a{} = a{k} + a{k}\n", k + 1))
         .collect();
@@ -167,4 +176,8 @@ fn hostile_sizes_stay_bounded() {
         super::codes(&format!("{QUAD}let a = (1 m)^999 * (1 m)^999\n")),
         ["mavc::unit::exponent"]
     );
+    let hold = " hold 1e308 s\n".repeat(3);
+    let text =
+        format!("{QUAD}mission m {{\n start at [0, 0, 2] m\n{hold} waypoint at [9, 0, 2] m\n}}\n");
+    assert_eq!(super::codes(&text), ["mavc::unit::not_finite"; 2]);
 }
