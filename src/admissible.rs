@@ -69,9 +69,7 @@ impl AdmissibleSet {
 
     /// Healthy first, then every declared mode.
     pub fn all(model: &Model) -> Vec<Self> {
-        std::iter::once(Self::healthy(model))
-            .chain((0..model.modes.len()).map(|i| Self::of_mode(model, i)))
-            .collect()
+        std::iter::once(Self::healthy(model)).chain((0..model.modes.len()).map(|i| Self::of_mode(model, i))).collect()
     }
 
     /// The set shrunk about hover, keeping `reserve` (0..1) of it for feedback.
@@ -133,8 +131,7 @@ impl fmt::Display for AdmissibleSet {
         }
         for facet in &self.polytope.facets {
             write_facet(f, facet)?;
-            let rotors: Vec<String> =
-                facet.origin.spanning.generators().map(|k| (k + 1).to_string()).collect();
+            let rotors: Vec<String> = facet.origin.spanning.generators().map(|k| (k + 1).to_string()).collect();
             writeln!(f, "   rotors {}", rotors.join(" "))?;
         }
         Ok(())

@@ -63,12 +63,7 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    pub fn new(
-        severity: Severity,
-        code: &'static str,
-        span: Span,
-        message: impl Into<String>,
-    ) -> Self {
+    pub fn new(severity: Severity, code: &'static str, span: Span, message: impl Into<String>) -> Self {
         Diagnostic {
             code,
             severity,
@@ -100,10 +95,7 @@ impl Diagnostic {
     }
 
     pub fn also(mut self, span: Span, message: impl Into<String>) -> Self {
-        self.labels.push(Label {
-            span,
-            message: message.into(),
-        });
+        self.labels.push(Label { span, message: message.into() });
         self
     }
 
@@ -113,10 +105,7 @@ impl Diagnostic {
     }
 
     pub fn fix(mut self, span: Span, text: impl Into<String>) -> Self {
-        self.fix = Some(Fix {
-            span,
-            text: text.into(),
-        });
+        self.fix = Some(Fix { span, text: text.into() });
         self
     }
 }
@@ -130,23 +119,14 @@ pub struct Checked<T> {
 
 impl<T> Checked<T> {
     pub fn has_errors(&self) -> bool {
-        self.diagnostics
-            .iter()
-            .any(|d| d.severity == Severity::Error)
+        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
 }
 
 /// Puts diagnostics in the order they are shown: by file, place and severity; exact repetitions go.
 pub fn sort(diagnostics: &mut Vec<Diagnostic>) {
     fn key(d: &Diagnostic) -> (FileId, u32, Severity, u32, &str, &str) {
-        (
-            d.span.file,
-            d.span.start,
-            d.severity,
-            d.span.end,
-            d.code,
-            &d.message,
-        )
+        (d.span.file, d.span.start, d.severity, d.span.end, d.code, &d.message)
     }
     diagnostics.sort_by(|a, b| key(a).cmp(&key(b)));
     diagnostics.dedup();

@@ -121,9 +121,7 @@ pub struct FaultMode {
 impl FaultMode {
     /// Rotors with capacity 0, counted from 1.
     pub fn lost(&self) -> Vec<usize> {
-        (1..=self.capacity.len())
-            .filter(|k| self.capacity[k - 1] == 0.0)
-            .collect()
+        (1..=self.capacity.len()).filter(|k| self.capacity[k - 1] == 0.0).collect()
     }
 
     /// Risk priority number: severity x occurrence x detection, where all three are given.

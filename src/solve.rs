@@ -24,7 +24,9 @@ pub struct Solution {
 pub enum Outcome {
     Solved(Solution),
     /// A'z = 0, b'z < 0, z in the dual cone: nothing satisfies all rows.
-    Infeasible { certificate: Vec<f64> },
+    Infeasible {
+        certificate: Vec<f64>,
+    },
     /// The solver stopped without a verdict that can be shown.
     Inconclusive {
         status: String,
@@ -86,7 +88,10 @@ fn matrix(m: &Sparse) -> CscMatrix<f64> {
 pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
     let finite = |v: &[f64]| v.iter().all(|x| x.is_finite());
     if ![&program.p.nzval[..], &program.q, &program.a.nzval, &program.b].into_iter().all(finite) {
-        return (Outcome::Inconclusive { status: "the program holds a number that is not finite".into(), point: None }, Effort::default());
+        return (
+            Outcome::Inconclusive { status: "the program holds a number that is not finite".into(), point: None },
+            Effort::default(),
+        );
     }
     let cones: Vec<SupportedConeT<f64>> = program
         .cones
@@ -97,16 +102,18 @@ pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
             Cone::SecondOrder(n) => SupportedConeT::SecondOrderConeT(n),
         })
         .collect();
-    let settings = DefaultSettings { verbose: false, max_threads: 1, presolve_enable: false, ..DefaultSettings::default() };
+    let settings =
+        DefaultSettings { verbose: false, max_threads: 1, presolve_enable: false, ..DefaultSettings::default() };
     let begin = Instant::now();
-    let solver =
-        DefaultSolver::new(&matrix(&program.p), &program.q, &matrix(&program.a), &program.b, &cones, settings);
+    let solver = DefaultSolver::new(&matrix(&program.p), &program.q, &matrix(&program.a), &program.b, &cones, settings);
     let Ok(mut solver) = solver else {
-        return (Outcome::Inconclusive { status: "the solver refused the program".into(), point: None }, Effort::default());
+        return (
+            Outcome::Inconclusive { status: "the solver refused the program".into(), point: None },
+            Effort::default(),
+        );
     };
     solver.solve();
-    let effort =
-        Effort { solves: 1, iterations: solver.solution.iterations as usize, time: begin.elapsed() };
+    let effort = Effort { solves: 1, iterations: solver.solution.iterations as usize, time: begin.elapsed() };
     (judge(program, solver.solution.status, solver.solution.x, solver.solution.z), effort)
 }
 

@@ -19,20 +19,12 @@ pub struct Span {
 
 impl Span {
     pub fn new(file: FileId, start: usize, end: usize) -> Self {
-        Span {
-            file,
-            start: start as u32,
-            end: end as u32,
-        }
+        Span { file, start: start as u32, end: end as u32 }
     }
 
     /// The smallest span that covers both; `other` must lie in the same file.
     pub fn to(self, other: Span) -> Span {
-        Span {
-            file: self.file,
-            start: self.start.min(other.start),
-            end: self.end.max(other.end),
-        }
+        Span { file: self.file, start: self.start.min(other.start), end: self.end.max(other.end) }
     }
 }
 
@@ -87,18 +79,9 @@ impl Source {
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         let text = text.into();
         let line_starts = std::iter::once(0)
-            .chain(
-                text.bytes()
-                    .enumerate()
-                    .filter(|(_, b)| *b == b'\n')
-                    .map(|(i, _)| i as u32 + 1),
-            )
+            .chain(text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i as u32 + 1))
             .collect();
-        Source {
-            name: name.into(),
-            text,
-            line_starts,
-        }
+        Source { name: name.into(), text, line_starts }
     }
 
     /// Reads a file's bytes as UTF-8; a byte order mark at the start is dropped.
@@ -112,56 +95,37 @@ impl Source {
             Err(error) => {
                 let offset = error.valid_up_to();
                 let text = String::from_utf8_lossy(&bytes[..bytes.len().min(offset + 80)]);
-                Err(NotUtf8 {
-                    source: Source::new(name, text),
-                    offset,
-                    byte: bytes[offset],
-                })
+                Err(NotUtf8 { source: Source::new(name, text), offset, byte: bytes[offset] })
             }
         }
     }
 
     /// Bytes of a 1-based line without its newline; beyond the last line, the empty end.
     pub fn line(&self, line: usize) -> std::ops::Range<usize> {
-        let start = |l: usize| {
-            self.line_starts
-                .get(l)
-                .map_or(self.text.len(), |s| *s as usize)
-        };
+        let start = |l: usize| self.line_starts.get(l).map_or(self.text.len(), |s| *s as usize);
         let (from, to) = (start(line - 1), start(line));
         from..from + self.text[from..to].trim_end_matches(['\r', '\n']).len()
     }
 
     /// 0-based line that holds byte `offset` (clamped to the text).
     fn line_index(&self, offset: usize) -> usize {
-        self.line_starts
-            .partition_point(|&s| s as usize <= offset.min(self.text.len()))
-            - 1
+        self.line_starts.partition_point(|&s| s as usize <= offset.min(self.text.len())) - 1
     }
 
     /// Line and column of a byte offset, in Unicode scalars; an offset inside a scalar counts as its start.
     pub fn place(&self, offset: usize) -> Place {
         let line = self.line_index(offset);
         let start = self.line_starts[line] as usize;
-        let column = self.text[start..]
-            .char_indices()
-            .take_while(|(i, _)| start + i < offset)
-            .count();
-        Place {
-            line: line + 1,
-            column: column + 1,
-        }
+        let column = self.text[start..].char_indices().take_while(|(i, _)| start + i < offset).count();
+        Place { line: line + 1, column: column + 1 }
     }
 
     /// 0-based line and UTF-16 column, as the Language Server Protocol counts.
     pub fn place_utf16(&self, offset: usize) -> (u32, u32) {
         let line = self.line_index(offset);
         let start = self.line_starts[line] as usize;
-        let units: usize = self.text[start..]
-            .char_indices()
-            .take_while(|(i, _)| start + i < offset)
-            .map(|(_, c)| c.len_utf16())
-            .sum();
+        let units: usize =
+            self.text[start..].char_indices().take_while(|(i, _)| start + i < offset).map(|(_, c)| c.len_utf16()).sum();
         (line as u32, units as u32)
     }
 }
@@ -183,18 +147,12 @@ impl SourceMap {
     }
 
     pub fn iter(&self) -> impl Iterator<Item = (FileId, &Source)> {
-        self.files
-            .iter()
-            .enumerate()
-            .map(|(i, s)| (FileId(i as u32), s))
+        self.files.iter().enumerate().map(|(i, s)| (FileId(i as u32), s))
     }
 
     /// The text under a span (empty where the span does not fit the file).
     pub fn snippet(&self, span: Span) -> &str {
-        self.get(span.file)
-            .text
-            .get(span.start as usize..span.end as usize)
-            .unwrap_or("")
+        self.get(span.file).text.get(span.start as usize..span.end as usize).unwrap_or("")
     }
 }
 
@@ -215,21 +173,12 @@ mod tests {
 
     #[test]
     fn bytes_are_utf8_or_say_where_they_are_not() {
-        assert_eq!(
-            Source::from_bytes("t", b"\xef\xbb\xbfplan").unwrap().text,
-            "plan"
-        );
+        assert_eq!(Source::from_bytes("t", b"\xef\xbb\xbfplan").unwrap().text, "plan");
         let error = Source::from_bytes("t", b"let a\n = \xff\xfe 4").unwrap_err();
         assert_eq!((error.offset, error.byte), (9, 0xff));
-        assert_eq!(
-            error.source.place(error.offset),
-            Place { line: 2, column: 4 }
-        );
+        assert_eq!(error.source.place(error.offset), Place { line: 2, column: 4 });
         // A character cut off at the end of the file.
-        assert_eq!(
-            Source::from_bytes("t", b"a \xe2\x82").unwrap_err().offset,
-            2
-        );
+        assert_eq!(Source::from_bytes("t", b"a \xe2\x82").unwrap_err().offset, 2);
     }
 
     #[test]

@@ -38,24 +38,14 @@ pub const MAX_ERRORS: usize = 200;
 pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
     let bytes = source.text.len();
     if bytes > MAX_FILE_BYTES {
-        let message = format!(
-            "`{}` has {bytes} bytes; a spec has at most {MAX_FILE_BYTES}",
-            source.name
-        );
-        let diagnostic =
-            Diagnostic::error("mavc::syntax::file_size", Span::new(file, 0, 0), message)
-                .help("spread the spec over several files and bring them together with `use`");
-        return Checked {
-            value: None,
-            diagnostics: vec![diagnostic],
-        };
+        let message = format!("`{}` has {bytes} bytes; a spec has at most {MAX_FILE_BYTES}", source.name);
+        let diagnostic = Diagnostic::error("mavc::syntax::file_size", Span::new(file, 0, 0), message)
+            .help("spread the spec over several files and bring them together with `use`");
+        return Checked { value: None, diagnostics: vec![diagnostic] };
     }
     let layout = layout::lay_out(file, &source.text);
     if layout.too_much {
-        return Checked {
-            value: None,
-            diagnostics: layout.diagnostics,
-        };
+        return Checked { value: None, diagnostics: layout.diagnostics };
     }
     let (value, mut diagnostics) = build::build(file, layout);
     crate::diagnostic::sort(&mut diagnostics);
@@ -65,37 +55,19 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
         diagnostics.push(Diagnostic::error(
             "mavc::syntax::too_many",
             end,
-            format!(
-                "`{}` has more than {MAX_ERRORS} errors; the others are not shown",
-                source.name
-            ),
+            format!("`{}` has more than {MAX_ERRORS} errors; the others are not shown", source.name),
         ));
     }
-    Checked {
-        value: Some(value),
-        diagnostics,
-    }
+    Checked { value: Some(value), diagnostics }
 }
 
 /// The diagnostic for a file that is not text; `file` is where [`NotUtf8::source`] was added.
 pub fn not_utf8(file: FileId, error: &NotUtf8) -> Diagnostic {
-    let end = error.source.text[error.offset..]
-        .chars()
-        .next()
-        .map_or(0, char::len_utf8);
-    let message = format!(
-        "`{}` is no UTF-8 text: byte {} is {:#04x}",
-        error.source.name,
-        error.offset + 1,
-        error.byte
-    );
-    Diagnostic::error(
-        "mavc::syntax::encoding",
-        Span::new(file, error.offset, error.offset + end),
-        message,
-    )
-    .here("the text breaks off here")
-    .help("save the file as UTF-8")
+    let end = error.source.text[error.offset..].chars().next().map_or(0, char::len_utf8);
+    let message = format!("`{}` is no UTF-8 text: byte {} is {:#04x}", error.source.name, error.offset + 1, error.byte);
+    Diagnostic::error("mavc::syntax::encoding", Span::new(file, error.offset, error.offset + end), message)
+        .here("the text breaks off here")
+        .help("save the file as UTF-8")
 }
 
 /// Long words are cut where a message quotes them.

@@ -141,11 +141,7 @@ fn clean<const D: usize>(e: SVector<f64, D>) -> SVector<f64, D> {
 }
 
 /// Signed distance to the boundary; `None` where the set is flat, exactly 0 on the boundary.
-fn signed_margin<const D: usize, O: Clone>(
-    polytope: &Polytope<D, O>,
-    at: &SVector<f64, D>,
-    size: f64,
-) -> Option<f64> {
+fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVector<f64, D>, size: f64) -> Option<f64> {
     if !polytope.equalities.is_empty() {
         return None;
     }

@@ -142,10 +142,9 @@ fn verdicts(
     let first = checked.diagnostics.iter().find(|d| d.severity == crate::diagnostic::Severity::Error);
     // A vehicle too heavy to hover is an answer here, not a mistake.
     match (checked.value, first) {
-        (Some(model), None) => Ok(analyze_all(&model, &AdmissibleSet::all(&model))
-            .into_iter()
-            .map(|m| (m.name, m.verdict))
-            .collect()),
+        (Some(model), None) => {
+            Ok(analyze_all(&model, &AdmissibleSet::all(&model)).into_iter().map(|m| (m.name, m.verdict)).collect())
+        }
         (_, Some(d)) => Err(format!("at {}{unit}: {}", significant(value, 6), d.message)),
         (None, None) => Err(format!("at {}{unit} the spec has no model", significant(value, 6))),
     }

@@ -109,13 +109,7 @@ fn ready(loaded: &mut Loaded, options: &Options) -> Option<(Model, Mission)> {
 }
 
 /// Runs the planners unless some mode cannot be stood.
-fn run(
-    loaded: &Loaded,
-    model: &Model,
-    mission: &Mission,
-    scope: Scope,
-    options: &Options,
-) -> Option<Comparison> {
+fn run(loaded: &Loaded, model: &Model, mission: &Mission, scope: Scope, options: &Options) -> Option<Comparison> {
     if loaded.diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return None;
     }

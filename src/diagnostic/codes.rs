@@ -19,8 +19,7 @@ const BOOKS: [&str; 3] = [
     include_str!("../../docs/diagnostics/analysis.md"),
 ];
 
-static PAGES: LazyLock<Vec<CodePage>> =
-    LazyLock::new(|| BOOKS.into_iter().flat_map(pages).collect());
+static PAGES: LazyLock<Vec<CodePage>> = LazyLock::new(|| BOOKS.into_iter().flat_map(pages).collect());
 
 /// Every code, in the order of the documentation.
 pub fn all() -> &'static [CodePage] {
@@ -30,9 +29,7 @@ pub fn all() -> &'static [CodePage] {
 /// The page of a code; `syntax::depth` finds `mavc::syntax::depth`.
 pub fn lookup(code: &str) -> Option<&'static CodePage> {
     let wanted = code.strip_prefix("mavc::").unwrap_or(code);
-    PAGES
-        .iter()
-        .find(|p| p.code.strip_prefix("mavc::") == Some(wanted))
+    PAGES.iter().find(|p| p.code.strip_prefix("mavc::") == Some(wanted))
 }
 
 /// The sections of one book that begin with `## mavc::..`.
@@ -41,11 +38,7 @@ fn pages(book: &'static str) -> impl Iterator<Item = CodePage> {
         let (code, page) = section.split_once('\n')?;
         let page = page.trim();
         let title = page.lines().next()?;
-        code.starts_with("mavc::").then_some(CodePage {
-            code: code.trim(),
-            title,
-            page,
-        })
+        code.starts_with("mavc::").then_some(CodePage { code: code.trim(), title, page })
     })
 }
 

@@ -33,24 +33,15 @@ struct Place<'a> {
 
 /// The diagnostic without a newline at the end. What is wrong at its own place is the first label.
 pub fn to_json_line(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
-    let own =
-        (!diagnostic.label.is_empty()).then_some((diagnostic.label.as_str(), diagnostic.span));
-    let others = diagnostic
-        .labels
-        .iter()
-        .map(|l| (l.message.as_str(), l.span));
+    let own = (!diagnostic.label.is_empty()).then_some((diagnostic.label.as_str(), diagnostic.span));
+    let others = diagnostic.labels.iter().map(|l| (l.message.as_str(), l.span));
     let labels = own.into_iter().chain(others);
     let record = Record {
         code: diagnostic.code,
         severity: diagnostic.severity.name(),
         message: &diagnostic.message,
         place: place(diagnostic.span, sources),
-        labels: labels
-            .map(|(message, span)| Label {
-                message,
-                place: place(span, sources),
-            })
-            .collect(),
+        labels: labels.map(|(message, span)| Label { message, place: place(span, sources) }).collect(),
         help: diagnostic.help.as_deref(),
     };
     serde_json::to_string(&record).expect("texts and numbers always serialise")
@@ -58,15 +49,6 @@ pub fn to_json_line(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
 
 fn place(span: Span, sources: &SourceMap) -> Place<'_> {
     let source = sources.get(span.file);
-    let (start, end) = (
-        source.place(span.start as usize),
-        source.place(span.end as usize),
-    );
-    Place {
-        file: &source.name,
-        line: start.line,
-        column: start.column,
-        end_line: end.line,
-        end_column: end.column,
-    }
+    let (start, end) = (source.place(span.start as usize), source.place(span.end as usize));
+    Place { file: &source.name, line: start.line, column: start.column, end_line: end.line, end_column: end.column }
 }

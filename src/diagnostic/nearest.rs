@@ -10,16 +10,8 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     candidates
         .into_iter()
         .filter(|c| *c != word)
-        .map(|c| {
-            (
-                distance(&word_letters, &c.to_lowercase().chars().collect::<Vec<_>>()),
-                c,
-            )
-        })
-        .filter(|(d, c)| {
-            *d <= (word_letters.len().max(c.chars().count()) / 3).clamp(1, 3)
-                && *d < word_letters.len()
-        })
+        .map(|c| (distance(&word_letters, &c.to_lowercase().chars().collect::<Vec<_>>()), c))
+        .filter(|(d, c)| *d <= (word_letters.len().max(c.chars().count()) / 3).clamp(1, 3) && *d < word_letters.len())
         .min()
         .map(|(_, c)| c)
 }
@@ -34,9 +26,7 @@ fn distance(a: &[char], b: &[char]) -> usize {
     for i in 1..=a.len() {
         for j in 1..=b.len() {
             let change = usize::from(a[i - 1] != b[j - 1]);
-            let mut best = (rows[i - 1][j] + 1)
-                .min(rows[i][j - 1] + 1)
-                .min(rows[i - 1][j - 1] + change);
+            let mut best = (rows[i - 1][j] + 1).min(rows[i][j - 1] + 1).min(rows[i - 1][j - 1] + change);
             if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
                 best = best.min(rows[i - 2][j - 2] + 1);
             }

@@ -12,11 +12,7 @@ pub fn render_short(diagnostics: &[Diagnostic], sources: &SourceMap) -> String {
         let place = source.place(d.span.start as usize);
         let (severity, message) = (d.severity.name(), d.message.replace('\n', " "));
         // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{}:{}:{}: {severity}[{}]: {message}",
-            source.name, place.line, place.column, d.code
-        );
+        let _ = writeln!(text, "{}:{}:{}: {severity}[{}]: {message}", source.name, place.line, place.column, d.code);
     }
     text
 }

@@ -3,23 +3,14 @@
 use super::{Diagnostic, Label, Severity};
 use crate::source::{Source, SourceMap, Span};
 use miette::{
-    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents,
-    SourceCode, SourceSpan, SpanContents,
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan,
+    SpanContents,
 };
 use std::fmt;
 
 /// One report a problem, in the order given, a blank line between two. `width` is in columns.
-pub fn render_human(
-    diagnostics: &[Diagnostic],
-    sources: &SourceMap,
-    width: usize,
-    color: bool,
-) -> String {
-    let theme = if color {
-        GraphicalTheme::unicode()
-    } else {
-        GraphicalTheme::unicode_nocolor()
-    };
+pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usize, color: bool) -> String {
+    let theme = if color { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
     let handler = GraphicalReportHandler::new_themed(theme)
         .with_width(width)
         .with_links(false)
@@ -31,10 +22,7 @@ pub fn render_human(
         let report = Report::new(diagnostic, sources);
         if handler.render_report(&mut text, &report).is_err() {
             // Only a span outside its file leads here; the facts still reach the reader.
-            text.push_str(&super::render_short(
-                std::slice::from_ref(diagnostic),
-                sources,
-            ));
+            text.push_str(&super::render_short(std::slice::from_ref(diagnostic), sources));
         }
         for elsewhere in &report.elsewhere {
             // As above; what matters has been said.
@@ -59,32 +47,17 @@ impl<'a> Report<'a> {
         let own = diagnostic.span;
         let source = sources.get(own.file);
         let near = |span: Span| {
-            let beside =
-                source.place(span.start as usize).line == source.place(own.start as usize).line;
+            let beside = source.place(span.start as usize).line == source.place(own.start as usize).line;
             span.file == own.file && (!beside || span.start.abs_diff(own.start) as usize <= MARGIN)
         };
         let (here, apart): (Vec<_>, Vec<_>) = diagnostic.labels.iter().partition(|l| near(l.span));
-        let mut labels = vec![LabeledSpan::new_primary_with_span(
-            worded(&diagnostic.label),
-            place(source, own),
-        )];
-        labels.extend(
-            here.iter()
-                .map(|l| LabeledSpan::new_with_span(worded(&l.message), place(source, l.span))),
-        );
+        let mut labels = vec![LabeledSpan::new_primary_with_span(worded(&diagnostic.label), place(source, own))];
+        labels.extend(here.iter().map(|l| LabeledSpan::new_with_span(worded(&l.message), place(source, l.span))));
         let elsewhere = apart
             .into_iter()
-            .map(|label| Elsewhere {
-                label,
-                excerpt: Excerpt(sources.get(label.span.file)),
-            })
+            .map(|label| Elsewhere { label, excerpt: Excerpt(sources.get(label.span.file)) })
             .collect();
-        Report {
-            diagnostic,
-            excerpt: Excerpt(source),
-            labels,
-            elsewhere,
-        }
+        Report { diagnostic, excerpt: Excerpt(source), labels, elsewhere }
     }
 }
 
@@ -127,10 +100,7 @@ impl miette::Diagnostic for Report<'_> {
     }
 
     fn help<'b>(&'b self) -> Option<Box<dyn fmt::Display + 'b>> {
-        self.diagnostic
-            .help
-            .as_ref()
-            .map(|help| Box::new(help) as Box<dyn fmt::Display>)
+        self.diagnostic.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -172,9 +142,10 @@ impl miette::Diagnostic for Elsewhere<'_> {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        Some(Box::new(std::iter::once(
-            LabeledSpan::new_primary_with_span(None, place(self.excerpt.0, self.label.span)),
-        )))
+        Some(Box::new(std::iter::once(LabeledSpan::new_primary_with_span(
+            None,
+            place(self.excerpt.0, self.label.span),
+        ))))
     }
 }
 
@@ -198,17 +169,9 @@ impl SourceCode for Excerpt<'_> {
         }
         let first = source.place(start).line.saturating_sub(before).max(1);
         let last = source.place(end.saturating_sub(1).max(start)).line + after;
-        let from = if before == 0 {
-            start
-        } else {
-            source.line(first).start
-        };
+        let from = if before == 0 { start } else { source.line(first).start };
         let from = from.max(boundary(text, start.saturating_sub(MARGIN)));
-        let to = source
-            .line(last)
-            .end
-            .min(boundary(text, end + MARGIN))
-            .max(end);
+        let to = source.line(last).end.min(boundary(text, end + MARGIN)).max(end);
         let place = source.place(from);
         let contents = MietteSpanContents::new_named(
             source.name.clone(),
@@ -224,8 +187,5 @@ impl SourceCode for Excerpt<'_> {
 
 /// The last place at or before `at` where a character begins.
 fn boundary(text: &str, at: usize) -> usize {
-    (0..=at.min(text.len()))
-        .rev()
-        .find(|i| text.is_char_boundary(*i))
-        .unwrap_or(0)
+    (0..=at.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0)
 }

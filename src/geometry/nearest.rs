@@ -90,11 +90,7 @@ mod tests {
     use nalgebra::Vector3;
 
     fn of_points(points: &[Vector3<f64>]) -> Vector3<f64> {
-        nearest_to_origin(
-            points[0],
-            |v| *points.iter().min_by(|a, b| v.dot(a).total_cmp(&v.dot(b))).unwrap(),
-            1e-12,
-        )
+        nearest_to_origin(points[0], |v| *points.iter().min_by(|a, b| v.dot(a).total_cmp(&v.dot(b))).unwrap(), 1e-12)
     }
 
     #[test]
@@ -106,7 +102,12 @@ mod tests {
         let e = [Vector3::new(1., 1., 5.), Vector3::new(1., -1., 5.)];
         assert!((of_points(&e) - Vector3::new(1., 0., 5.)).norm() < 1e-12);
         // The origin inside.
-        let s = [Vector3::new(1., 1., 1.), Vector3::new(-1., 1., -1.), Vector3::new(0., -2., 1.), Vector3::new(0.2, 0.1, -3.)];
+        let s = [
+            Vector3::new(1., 1., 1.),
+            Vector3::new(-1., 1., -1.),
+            Vector3::new(0., -2., 1.),
+            Vector3::new(0.2, 0.1, -3.),
+        ];
         assert_eq!(of_points(&s), Vector3::zeros());
     }
 }

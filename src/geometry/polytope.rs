@@ -50,12 +50,7 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
 
     /// The parameters t with `start + t direction` in the set, as a closed interval; `None` where the line
     /// misses it. `tolerance` is how far a parallel plane may be passed.
-    pub fn chord(
-        &self,
-        start: &SVector<f64, D>,
-        direction: &SVector<f64, D>,
-        tolerance: f64,
-    ) -> Option<(f64, f64)> {
+    pub fn chord(&self, start: &SVector<f64, D>, direction: &SVector<f64, D>, tolerance: f64) -> Option<(f64, f64)> {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let parallel = 1e-12 * direction.norm();
         for e in &self.equalities {
@@ -158,10 +153,7 @@ fn deflate<const D: usize>(mut v: SVector<f64, D>, basis: &[SVector<f64, D>]) ->
 }
 
 /// One row per normal: the smallest offset, with the origins of all rows in that plane.
-fn tightest<const D: usize, O: Clone>(
-    sets: &[&Polytope<D, O>],
-    scale: &SVector<f64, D>,
-) -> Vec<Facet<D, Vec<O>>> {
+fn tightest<const D: usize, O: Clone>(sets: &[&Polytope<D, O>], scale: &SVector<f64, D>) -> Vec<Facet<D, Vec<O>>> {
     let unit = |f: &Facet<D, O>| f.normal.component_mul(scale).normalize();
     let mut all: Vec<(SVector<f64, D>, &Facet<D, O>)> =
         sets.iter().flat_map(|s| &s.facets).map(|f| (unit(f), f)).collect();
@@ -186,11 +178,7 @@ fn tightest<const D: usize, O: Clone>(
             let tight = group.iter().map(|f| f.offset).fold(f64::INFINITY, f64::min);
             let height = tight.abs().max(1e-6);
             let kept: Vec<_> = group.iter().filter(|f| f.offset <= tight + 1e-9 * height).collect();
-            Facet {
-                normal: kept[0].normal,
-                offset: tight,
-                origin: kept.iter().map(|f| f.origin.clone()).collect(),
-            }
+            Facet { normal: kept[0].normal, offset: tight, origin: kept.iter().map(|f| f.origin.clone()).collect() }
         })
         .collect()
 }
@@ -219,8 +207,7 @@ fn irredundant<const D: usize, O: Clone>(
     let mut needed: Vec<bool> = vec![true; rows.len()];
     for i in 0..rows.len() {
         let target = polar[i];
-        let candidates: Vec<_> =
-            (0..rows.len()).filter(|&j| j != i && needed[j]).map(|j| polar[j] - target).collect();
+        let candidates: Vec<_> = (0..rows.len()).filter(|&j| j != i && needed[j]).map(|j| polar[j] - target).collect();
         let size = target.norm();
         let distance = nearest_to_origin(
             -target,

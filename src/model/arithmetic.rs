@@ -28,12 +28,8 @@ impl<'a> Context<'a> {
             (List(a), One(b)) if matches!(operator.value, Multiply | Divide) => {
                 self.each(join, a.into_iter().map(|a| (a, b)), span)
             }
-            (One(a), List(b)) if operator.value == Multiply => {
-                self.each(join, b.into_iter().map(|b| (a, b)), span)
-            }
-            (List(a), List(b))
-                if a.len() == b.len() && matches!(operator.value, Add | Subtract) =>
-            {
+            (One(a), List(b)) if operator.value == Multiply => self.each(join, b.into_iter().map(|b| (a, b)), span),
+            (List(a), List(b)) if a.len() == b.len() && matches!(operator.value, Add | Subtract) => {
                 self.each(join, a.into_iter().zip(b), span)
             }
             (a, b) => {
@@ -55,9 +51,7 @@ impl<'a> Context<'a> {
         pairs: impl Iterator<Item = (Quantity, Quantity)>,
         span: Span,
     ) -> Option<Value> {
-        let list: Vec<Quantity> = pairs
-            .map(|(a, b)| self.combine(join, a, b))
-            .collect::<Option<_>>()?;
+        let list: Vec<Quantity> = pairs.map(|(a, b)| self.combine(join, a, b)).collect::<Option<_>>()?;
         match list.iter().find(|q| !q.value.is_finite()) {
             Some(&q) => self.finite(q, span),
             None => Some(Value::List(list)),
@@ -73,14 +67,10 @@ impl<'a> Context<'a> {
         let (operator, _, right) = join;
         match operator.value {
             Operator::Add => a.plus(b).or_else(|| self.sides_differ(join, a, b)),
-            Operator::Subtract => a
-                .plus(b.negated())
-                .or_else(|| self.sides_differ(join, a, b)),
+            Operator::Subtract => a.plus(b.negated()).or_else(|| self.sides_differ(join, a, b)),
             Operator::Multiply => a.times(b).or_else(|| self.no_exponent(operator.span)),
             Operator::Divide => a.over(b).or_else(|| self.no_exponent(operator.span)),
-            Operator::Power if b.dimension.is_plain() => {
-                a.power(b.value).or_else(|| self.no_exponent(right.span))
-            }
+            Operator::Power if b.dimension.is_plain() => a.power(b.value).or_else(|| self.no_exponent(right.span)),
             Operator::Power => {
                 let kind = b.dimension.describe();
                 let message = format!("the exponent is {kind}, not a plain number");
@@ -101,22 +91,13 @@ impl<'a> Context<'a> {
         b: Quantity,
     ) -> Option<T> {
         let (x, y) = (a.dimension, b.dimension);
-        let message = format!(
-            "`{}` joins {} and {}",
-            symbol(operator),
-            x.describe(),
-            y.describe()
-        );
+        let message = format!("`{}` joins {} and {}", symbol(operator), x.describe(), y.describe());
         let table = compare(["left", "right"], x, y).table;
         let (bare, other) = if x.is_plain() { (left, y) } else { (right, x) };
-        let bare_side = (x.is_plain() || y.is_plain())
-            .then(|| other.named())
-            .flatten();
+        let bare_side = (x.is_plain() || y.is_plain()).then(|| other.named()).flatten();
         let slip = match bare_side.and_then(|(_, unit)| self.with_unit(bare, unit)) {
             Some(mended) => Some(format!("a unit is missing: write `{mended}`")),
-            None => self
-                .likely_slip(y, left)
-                .or_else(|| self.likely_slip(x, right)),
+            None => self.likely_slip(y, left).or_else(|| self.likely_slip(x, right)),
         };
         let help = match slip {
             Some(slip) => format!("{table}\n{slip}"),

@@ -16,9 +16,8 @@ pub(super) const MAX_EVALUATION_DEPTH: u32 = 600;
 /// Diagnostics shown for one spec.
 pub(super) const MAX_DIAGNOSTICS: usize = 500;
 
-pub(super) const FUNCTIONS: [&str; 11] = [
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max",
-];
+pub(super) const FUNCTIONS: [&str; 11] =
+    ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max"];
 pub(super) const CONSTANTS: [&str; 2] = ["pi", "g0"];
 
 pub(super) struct Context<'a> {
@@ -56,9 +55,7 @@ pub(super) enum State {
 impl<'a> Context<'a> {
     pub fn new(sources: &'a SourceMap, incomplete: bool, broken: &[Span]) -> Self {
         let between = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
-        let words = broken
-            .iter()
-            .flat_map(|&span| sources.snippet(span).split(between));
+        let words = broken.iter().flat_map(|&span| sources.snippet(span).split(between));
         Context {
             sources,
             diagnostics: Vec::new(),
@@ -91,12 +88,8 @@ impl<'a> Context<'a> {
     pub fn declare(&mut self, fields: impl Iterator<Item = &'a Field>) {
         for field in fields {
             let name = &field.name;
-            if CONSTANTS.contains(&name.value.as_str()) || FUNCTIONS.contains(&name.value.as_str())
-            {
-                let message = format!(
-                    "`{}` belongs to the language and cannot be a `let`",
-                    name.value
-                );
+            if CONSTANTS.contains(&name.value.as_str()) || FUNCTIONS.contains(&name.value.as_str()) {
+                let message = format!("`{}` belongs to the language and cannot be a `let`", name.value);
                 self.report(
                     Diagnostic::error("mavc::name::reserved", name.span, message)
                         .here("reserved")
@@ -106,14 +99,7 @@ impl<'a> Context<'a> {
                 let first = first.field.name.span;
                 self.report(duplicate("`let`", name, first));
             } else {
-                self.lets.insert(
-                    &name.value,
-                    Let {
-                        field,
-                        state: State::Waiting,
-                        used: false,
-                    },
-                );
+                self.lets.insert(&name.value, Let { field, state: State::Waiting, used: false });
             }
         }
     }
@@ -135,13 +121,9 @@ impl<'a> Context<'a> {
                 entry.state = State::Done(None);
                 let span = entry.field.name.span;
                 self.report(
-                    Diagnostic::error(
-                        "mavc::name::cycle",
-                        span,
-                        format!("`{name}` is defined by itself"),
-                    )
-                    .here("following this value leads back here")
-                    .help("give one `let` of the circle a value that needs none of the others"),
+                    Diagnostic::error("mavc::name::cycle", span, format!("`{name}` is defined by itself"))
+                        .here("following this value leads back here")
+                        .help("give one `let` of the circle a value that needs none of the others"),
                 );
                 None
             }
@@ -158,11 +140,7 @@ impl<'a> Context<'a> {
                 };
                 let entry = self.lets.get_mut(name)?;
                 // A cycle found on the way has settled this one already.
-                let value = if matches!(entry.state, State::Busy) {
-                    value
-                } else {
-                    None
-                };
+                let value = if matches!(entry.state, State::Busy) { value } else { None };
                 entry.state = State::Done(value.clone());
                 value
             }
@@ -171,16 +149,10 @@ impl<'a> Context<'a> {
 
     /// Warns of every `let` that nothing has asked for.
     pub fn warn_unused(&mut self) {
-        let unused: Vec<&Name> = self
-            .lets
-            .values()
-            .filter(|l| !l.used)
-            .map(|l| &l.field.name)
-            .collect();
+        let unused: Vec<&Name> = self.lets.values().filter(|l| !l.used).map(|l| &l.field.name).collect();
         for name in unused {
             let message = format!("`{}` is never used", name.value);
-            let warning = Diagnostic::warning("mavc::name::unused", name.span, message)
-                .here("nothing refers to it");
+            let warning = Diagnostic::warning("mavc::name::unused", name.span, message).here("nothing refers to it");
             self.report(warning.help("use it or take it out"));
         }
     }
@@ -191,21 +163,11 @@ impl<'a> Context<'a> {
             return;
         }
         // Looking for near names takes time, and nobody reads hundreds of errors.
-        let known = if self.diagnostics.len() < MAX_DIAGNOSTICS {
-            known
-        } else {
-            &[]
-        };
-        let mut error = Diagnostic::error(
-            "mavc::name::unknown",
-            span,
-            format!("no {what} is called `{name}`"),
-        )
-        .here("not declared");
+        let known = if self.diagnostics.len() < MAX_DIAGNOSTICS { known } else { &[] };
+        let mut error = Diagnostic::error("mavc::name::unknown", span, format!("no {what} is called `{name}`"))
+            .here("not declared");
         if let Some(near) = nearest(name, known.iter().copied()) {
-            error = error
-                .help(format!("did you mean `{near}`?"))
-                .fix(span, near);
+            error = error.help(format!("did you mean `{near}`?")).fix(span, near);
         } else if what == "`let`" {
             error = error.help(format!("declare it outside all blocks: `let {name} = ...`"));
         } else if !known.is_empty() && known.len() <= 12 {

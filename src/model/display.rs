@@ -45,9 +45,7 @@ impl fmt::Display for Model {
 }
 
 fn doc(f: &mut fmt::Formatter<'_>, text: &Option<String>) -> fmt::Result {
-    text.iter()
-        .flat_map(|text| text.lines())
-        .try_for_each(|line| writeln!(f, "  /// {line}"))
+    text.iter().flat_map(|text| text.lines()).try_for_each(|line| writeln!(f, "  /// {line}"))
 }
 
 fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
@@ -95,11 +93,7 @@ fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
         write!(f, "{} rotor {} {what}", if first { "" } else { "," }, k + 1)?;
         first = false;
     }
-    let numbers = [
-        ("severity", m.severity),
-        ("occurrence", m.occurrence),
-        ("detection", m.detection),
-    ];
+    let numbers = [("severity", m.severity), ("occurrence", m.occurrence), ("detection", m.detection)];
     for (name, value) in numbers {
         if let Some(value) = value {
             write!(f, ", {name} {value}")?;
@@ -112,22 +106,14 @@ fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
         write!(f, ", rate {} 1/h", number(rate * 3600.0))?;
     }
     writeln!(f)?;
-    m.doc
-        .iter()
-        .flat_map(|text| text.lines())
-        .try_for_each(|line| writeln!(f, "    /// {line}"))
+    m.doc.iter().flat_map(|text| text.lines()).try_for_each(|line| writeln!(f, "    /// {line}"))
 }
 
 fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
     writeln!(f, "mission {}", m.name)?;
     doc(f, &m.doc)?;
     let state = |rest: bool| if rest { "at rest" } else { "moving" };
-    writeln!(
-        f,
-        "  starts {}, ends {}",
-        state(m.start_at_rest),
-        state(m.end_at_rest)
-    )?;
+    writeln!(f, "  starts {}, ends {}", state(m.start_at_rest), state(m.end_at_rest))?;
     for (i, w) in m.waypoints.iter().enumerate() {
         write!(f, "  waypoint {}", i + 1)?;
         if let Some(name) = &w.name {
@@ -150,12 +136,7 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
         }
         writeln!(f)?;
         if let Some(leg) = m.legs.get(i) {
-            writeln!(
-                f,
-                "  leg {} has {} % of the free time",
-                i + 1,
-                number(leg.share * 100.0)
-            )?;
+            writeln!(f, "  leg {} has {} % of the free time", i + 1, number(leg.share * 100.0))?;
         }
     }
     m.limits.iter().try_for_each(|l| limit(f, l))
@@ -180,12 +161,7 @@ fn limit(f: &mut fmt::Formatter<'_>, l: &Limit) -> fmt::Result {
     };
     let shown = |x: f64| if angle { degrees(x) } else { number(x) };
     match (l.lower, l.upper) {
-        (Some(low), Some(high)) => writeln!(
-            f,
-            "  limit {name} in {} .. {} {unit}",
-            shown(low),
-            shown(high)
-        ),
+        (Some(low), Some(high)) => writeln!(f, "  limit {name} in {} .. {} {unit}", shown(low), shown(high)),
         (Some(low), None) => writeln!(f, "  limit {name} >= {} {unit}", shown(low)),
         (None, Some(high)) => writeln!(f, "  limit {name} <= {} {unit}", shown(high)),
         (None, None) => Ok(()),
@@ -203,10 +179,5 @@ fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Resul
     }
     writeln!(f, "  samples {}", p.samples)?;
     writeln!(f, "  reserve {} %", number(p.reserve * 100.0))?;
-    writeln!(
-        f,
-        "  snap {}, acceleration {}",
-        number(p.snap_weight),
-        number(p.acceleration_weight)
-    )
+    writeln!(f, "  snap {}, acceleration {}", number(p.snap_weight), number(p.acceleration_weight))
 }

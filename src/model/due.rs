@@ -20,11 +20,7 @@ pub(super) struct Due<'t> {
 
 impl<'t> Due<'t> {
     pub fn new(what: &'t str, unit: &'static str) -> Self {
-        Due {
-            what,
-            unit,
-            coefficient: false,
-        }
+        Due { what, unit, coefficient: false }
     }
 
     pub fn dimension(&self) -> Dimension {
@@ -42,29 +38,13 @@ impl<'a> Context<'a> {
     /// As [`Context::number`], above zero; `code` names the mistake of one that is not.
     pub fn positive(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
-        self.require(
-            value > 0.0,
-            code,
-            due.what,
-            "has to be greater than zero",
-            value,
-            due.unit,
-            expr.span,
-        )
+        self.require(value > 0.0, code, due.what, "has to be greater than zero", value, due.unit, expr.span)
     }
 
     /// As [`Context::number`], zero or above.
     pub fn not_negative(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
-        self.require(
-            value >= 0.0,
-            code,
-            due.what,
-            "cannot be negative",
-            value,
-            due.unit,
-            expr.span,
-        )
+        self.require(value >= 0.0, code, due.what, "cannot be negative", value, due.unit, expr.span)
     }
 
     #[allow(clippy::too_many_arguments)]
@@ -81,14 +61,9 @@ impl<'a> Context<'a> {
         if holds {
             return Some(value);
         }
-        let scale =
-            parse_unit(unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
+        let scale = parse_unit(unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
         let found = number(value / scale);
-        let found = if unit == "1" {
-            found
-        } else {
-            format!("{found} {unit}")
-        };
+        let found = if unit == "1" { found } else { format!("{found} {unit}") };
         let error = Diagnostic::error(code, span, format!("`{what}` {rule}"));
         self.report(error.here(format!("this is {found}")));
         None
@@ -100,21 +75,13 @@ impl<'a> Context<'a> {
         if (0.0..=1.0).contains(&value) {
             return Some(value);
         }
-        let mut error = Diagnostic::error(
-            code,
-            expr.span,
-            format!("{what} lies between 0 % and 100 %"),
-        )
-        .here(format!("this is {} %", number(value * 100.0)));
-        if let ExprKind::Number {
-            text, unit: None, ..
-        } = &expr.kind
+        let mut error = Diagnostic::error(code, expr.span, format!("{what} lies between 0 % and 100 %"))
+            .here(format!("this is {} %", number(value * 100.0)));
+        if let ExprKind::Number { text, unit: None, .. } = &expr.kind
             && value <= 100.0
             && value > 0.0
         {
-            error = error
-                .help(format!("for percent, write `{text} %`"))
-                .fix(expr.span, format!("{text} %"));
+            error = error.help(format!("for percent, write `{text} %`")).fix(expr.span, format!("{text} %"));
         }
         self.report(error);
         None
@@ -145,9 +112,7 @@ impl<'a> Context<'a> {
             return Some(value as usize);
         }
         let message = format!("{what} is a whole number from {low} to {high}");
-        self.report(
-            Diagnostic::error(code, span, message).here(format!("this is {}", number(value))),
-        );
+        self.report(Diagnostic::error(code, span, message).here(format!("this is {}", number(value))));
         None
     }
 
@@ -156,21 +121,13 @@ impl<'a> Context<'a> {
         let list = match self.evaluate(expr)? {
             Value::List(list) => list,
             other => {
-                return self.wrong_kind(
-                    &other,
-                    &format!("a list of three for `{}`", due.what),
-                    expr.span,
-                );
+                return self.wrong_kind(&other, &format!("a list of three for `{}`", due.what), expr.span);
             }
         };
         let [x, y, z] = list[..] else {
             let message = format!("`{}` takes three numbers, not {}", due.what, list.len());
             let error = Diagnostic::error("mavc::unit::kind", expr.span, message);
-            self.report(
-                error
-                    .here(format!("{} here", list.len()))
-                    .help(format!("write `[x, y, z] {}`", due.unit)),
-            );
+            self.report(error.here(format!("{} here", list.len())).help(format!("write `[x, y, z] {}`", due.unit)));
             return None;
         };
         // Three of one wrong kind are one mistake.
@@ -182,10 +139,7 @@ impl<'a> Context<'a> {
             ExprKind::List { elements, .. } => elements.get(k).unwrap_or(expr),
             _ => expr,
         };
-        let lowered = [x, y, z]
-            .into_iter()
-            .enumerate()
-            .map(|(k, q)| self.lower(due, q, place(k)));
+        let lowered = [x, y, z].into_iter().enumerate().map(|(k, q)| self.lower(due, q, place(k)));
         // All three are looked at before any is given up, so that each mistake is told.
         let [x, y, z] = lowered.collect::<Vec<_>>()[..] else {
             return None;
@@ -197,11 +151,7 @@ impl<'a> Context<'a> {
     pub fn range_of(&mut self, due: Due, expr: &'a Expr) -> Option<(f64, f64)> {
         match self.evaluate(expr)? {
             Value::Range(a, b) => Some((self.lower(due, a, expr)?, self.lower(due, b, expr)?)),
-            other => self.wrong_kind(
-                &other,
-                &format!("a range `a .. b` for `{}`", due.what),
-                expr.span,
-            ),
+            other => self.wrong_kind(&other, &format!("a range `a .. b` for `{}`", due.what), expr.span),
         }
     }
 
@@ -212,10 +162,7 @@ impl<'a> Context<'a> {
             return Some(q.value);
         }
         if due.coefficient && q.dimension == expected.without_angle() {
-            let message = format!(
-                "`{}` is usually given per square of a rate in radians",
-                due.what
-            );
+            let message = format!("`{}` is usually given per square of a rate in radians", due.what);
             self.report(
                 Diagnostic::advice("mavc::unit::radian", expr.span, message)
                     .here(format!("taken as {}", due.unit))
@@ -223,36 +170,21 @@ impl<'a> Context<'a> {
             );
             return Some(q.value);
         }
-        let error = if q.dimension.is_plain() {
-            self.unit_missing(due, expr)
-        } else {
-            self.unit_differs(due, q, expr)
-        };
+        let error = if q.dimension.is_plain() { self.unit_missing(due, expr) } else { self.unit_differs(due, q, expr) };
         self.report(error);
         None
     }
 
     fn unit_missing(&self, due: Due, expr: &Expr) -> Diagnostic {
-        let kind = due
-            .dimension()
-            .named()
-            .map_or("a quantity", |(name, _)| name);
-        let error = Diagnostic::error(
-            "mavc::unit::missing",
-            expr.span,
-            format!("`{}` is {kind} and needs a unit", due.what),
-        )
-        .here("a plain number");
+        let kind = due.dimension().named().map_or("a quantity", |(name, _)| name);
+        let error =
+            Diagnostic::error("mavc::unit::missing", expr.span, format!("`{}` is {kind} and needs a unit", due.what))
+                .here("a plain number");
         if matches!(expr.kind, ExprKind::Range { .. }) {
-            return error.help(format!(
-                "put the unit at the end, as in `0 .. 1 {}`",
-                due.unit
-            ));
+            return error.help(format!("put the unit at the end, as in `0 .. 1 {}`", due.unit));
         }
         match self.with_unit(expr, due.unit) {
-            Some(mended) => error
-                .help(format!("write `{mended}`"))
-                .fix(expr.span, mended),
+            Some(mended) => error.help(format!("write `{mended}`")).fix(expr.span, mended),
             None => error.help(format!("put a unit behind it: `(...) {}`", due.unit)),
         }
     }
@@ -265,36 +197,22 @@ impl<'a> Context<'a> {
             ExprKind::Name(_) | ExprKind::Binary { .. } => false,
             _ => true,
         };
-        let mended = if closed {
-            format!("{text} {unit}")
-        } else {
-            format!("({text}) {unit}")
-        };
+        let mended = if closed { format!("{text} {unit}") } else { format!("({text}) {unit}") };
         (mended.len() <= 48 && !mended.contains('\n')).then_some(mended)
     }
 
     fn unit_differs(&self, due: Due, q: Quantity, expr: &Expr) -> Diagnostic {
         let expected = due.dimension();
-        let takes = if expected.is_plain() {
-            "a plain number".into()
-        } else {
-            expected.describe()
-        };
+        let takes = if expected.is_plain() { "a plain number".into() } else { expected.describe() };
         let found = q.dimension.describe();
         let told = mismatch(expected, q.dimension);
-        let error = Diagnostic::error(
-            "mavc::unit::mismatch",
-            expr.span,
-            format!("`{}` takes {takes}, not {found}", due.what),
-        )
-        .here(format!("this is {found}"));
+        let error =
+            Diagnostic::error("mavc::unit::mismatch", expr.span, format!("`{}` takes {takes}, not {found}", due.what))
+                .here(format!("this is {found}"));
         let action = match self.likely_slip(expected, expr) {
             Some(slip) => slip,
             None if q.dimension == expected.without_angle() => {
-                format!(
-                    "say the angle too, as in `{}`: one turn is 2*pi rad",
-                    due.unit
-                )
+                format!("say the angle too, as in `{}`: one turn is 2*pi rad", due.unit)
             }
             None => told.action.unwrap_or_default(),
         };
@@ -310,23 +228,16 @@ impl<'a> Context<'a> {
             return Some("`g` is the gram; for gravity write `2*g0`".into());
         }
         let name = units.into_iter().find(|unit| self.in_scope(unit))?;
-        Some(format!(
-            "`{name}` after a number is the unit; to multiply by the name `{name}`, write `2*{name}`"
-        ))
+        Some(format!("`{name}` after a number is the unit; to multiply by the name `{name}`, write `2*{name}`"))
     }
 
     fn in_scope(&self, name: &str) -> bool {
-        self.lets.contains_key(name)
-            || self
-                .parameter
-                .is_some_and(|(parameter, _)| parameter == name)
+        self.lets.contains_key(name) || self.parameter.is_some_and(|(parameter, _)| parameter == name)
     }
 }
 
 fn collect_units<'e>(expr: &'e Expr, into: &mut Vec<&'e str>) {
-    let mut note = |unit: &'e Option<crate::syntax::ast::UnitText>| {
-        into.extend(unit.iter().map(|u| u.value.as_str()))
-    };
+    let mut note = |unit: &'e Option<crate::syntax::ast::UnitText>| into.extend(unit.iter().map(|u| u.value.as_str()));
     match &expr.kind {
         ExprKind::Number { unit, .. } => note(unit),
         ExprKind::Paren { inner, unit } => {
@@ -339,11 +250,7 @@ fn collect_units<'e>(expr: &'e Expr, into: &mut Vec<&'e str>) {
         }
         ExprKind::Call { arguments, .. } => arguments.iter().for_each(|e| collect_units(e, into)),
         ExprKind::Negate(inner) => collect_units(inner, into),
-        ExprKind::Binary { left, right, .. }
-        | ExprKind::Range {
-            low: left,
-            high: right,
-        } => {
+        ExprKind::Binary { left, right, .. } | ExprKind::Range { low: left, high: right } => {
             collect_units(left, into);
             collect_units(right, into);
         }

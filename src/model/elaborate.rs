@@ -98,45 +98,22 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     no_second(cx, "mission", &blocks.missions);
     if let [first, rest @ ..] = blocks.plans.as_slice() {
         for block in rest {
-            let error = Diagnostic::error(
-                "mavc::name::duplicate",
-                block.keyword.span,
-                "a spec has one `plan` block",
-            );
-            cx.report(
-                error
-                    .here("a second one")
-                    .also(first.keyword.span, "the first")
-                    .help("join them"),
-            );
+            let error = Diagnostic::error("mavc::name::duplicate", block.keyword.span, "a spec has one `plan` block");
+            cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
         }
     }
     let mut defaults = Vec::new();
-    cx.declare(items().filter_map(|item| {
-        if let Item::Let(field) = item {
-            Some(field)
-        } else {
-            None
-        }
-    }));
+    cx.declare(items().filter_map(|item| if let Item::Let(field) = item { Some(field) } else { None }));
     settle_gravity(cx, gravity, &mut defaults);
     cx.settle();
 
-    let vehicles: Vec<_> = blocks
-        .vehicles
-        .iter()
-        .map(|block| vehicle::elaborate(cx, block))
-        .collect();
+    let vehicles: Vec<_> = blocks.vehicles.iter().map(|block| vehicle::elaborate(cx, block)).collect();
     let mut draft = Draft::read(cx, blocks.plans.first().copied());
     let named: Vec<(&str, Span)> = vehicles.iter().map(|v| (v.name.as_str(), v.span)).collect();
     let vehicle = choose(cx, &draft, "vehicle", &named).map(|index| &vehicles[index]);
     if vehicles.is_empty() && !cx.may_exist("vehicle") {
         let span = items().next().map_or(Span::default(), start_of);
-        let error = Diagnostic::error(
-            "mavc::name::no_vehicle",
-            span,
-            "the spec describes no vehicle",
-        );
+        let error = Diagnostic::error("mavc::name::no_vehicle", span, "the spec describes no vehicle");
         cx.report(error.help("add a `vehicle` block, or bring one in with `use \"vehicles/...\"`"));
     }
 
@@ -145,11 +122,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
         modes.take(cx, block, vehicle.and_then(|v| v.rotors));
     }
     let (manner, manner_fine) = draft.manner(cx);
-    let missions: Vec<_> = blocks
-        .missions
-        .iter()
-        .map(|block| mission::elaborate(cx, block, manner, files))
-        .collect();
+    let missions: Vec<_> = blocks.missions.iter().map(|block| mission::elaborate(cx, block, manner, files)).collect();
     let named: Vec<(&str, Span)> = missions.iter().map(|m| (m.name.as_str(), m.span)).collect();
     let mission = choose(cx, &draft, "mission", &named).map(|index| &missions[index]);
     if let Some(mission) = mission.filter(|m| m.yaw_defaulted) {
@@ -160,10 +133,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
         });
     }
 
-    let fallback = mission
-        .map(|m| m.span)
-        .or(vehicle.map(|v| v.span))
-        .unwrap_or_default();
+    let fallback = mission.map(|m| m.span).or(vehicle.map(|v| v.span)).unwrap_or_default();
     let incomplete = modes.incomplete || vehicle.is_none();
     let flown = mission.and_then(|m| m.mission.as_ref());
     let names_modes = draft.names_modes();
@@ -193,12 +163,9 @@ fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'
     let name = &field.name;
     if name.value != "gravity" {
         let message = format!("`{}` is not a field of the top level", name.value);
-        let error =
-            Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
+        let error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
         let error = match nearest(&name.value, ["gravity"]) {
-            Some(near) => error
-                .help(format!("did you mean `{near}`?"))
-                .fix(name.span, near),
+            Some(near) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
             None => error.help(format!("to name a value, write `let {} = ...`", name.value)),
         };
         cx.report(error);
@@ -209,18 +176,10 @@ fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'
     }
 }
 
-fn settle_gravity<'a>(
-    cx: &mut Context<'a>,
-    field: Option<&'a Field>,
-    defaults: &mut Vec<DefaultUsed>,
-) {
+fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: &mut Vec<DefaultUsed>) {
     match field.map(|f| &f.value) {
         Some(FieldValue::Expr(expr)) => {
-            let given = cx.positive(
-                Due::new("gravity", "m/s^2"),
-                expr,
-                "mavc::vehicle::not_positive",
-            );
+            let given = cx.positive(Due::new("gravity", "m/s^2"), expr, "mavc::vehicle::not_positive");
             if let Some(given) = given.filter(|g| *g != GRAVITY) {
                 cx.gravity = given;
                 // What was evaluated on the way may have used the old value.
@@ -232,11 +191,7 @@ fn settle_gravity<'a>(
             }
         }
         Some(FieldValue::Where { field, .. }) => {
-            let error = Diagnostic::error(
-                "mavc::plan::choice",
-                field.span,
-                "`where` stands only in `against`",
-            );
+            let error = Diagnostic::error("mavc::plan::choice", field.span, "`where` stands only in `against`");
             cx.report(error.here("not a filter"));
         }
         None => defaults.push(DefaultUsed {
@@ -251,10 +206,7 @@ fn settle_gravity<'a>(
 fn no_second(cx: &mut Context, what: &str, blocks: &[&Block]) {
     for (i, block) in blocks.iter().enumerate() {
         let Some(name) = &block.name else { continue };
-        let first = blocks[..i]
-            .iter()
-            .filter_map(|b| b.name.as_ref())
-            .find(|n| n.value == name.value);
+        let first = blocks[..i].iter().filter_map(|b| b.name.as_ref()).find(|n| n.value == name.value);
         if let Some(first) = first {
             let first = first.span;
             cx.report(duplicate(what, name, first));
@@ -263,12 +215,7 @@ fn no_second(cx: &mut Context, what: &str, blocks: &[&Block]) {
 }
 
 /// The vehicle or mission that is meant: the one `plan` names, or the only one.
-fn choose<'a>(
-    cx: &mut Context<'a>,
-    draft: &Draft<'a>,
-    what: &str,
-    named: &[(&str, Span)],
-) -> Option<usize> {
+fn choose<'a>(cx: &mut Context<'a>, draft: &Draft<'a>, what: &str, named: &[(&str, Span)]) -> Option<usize> {
     let names: Vec<&str> = named.iter().map(|n| n.0).collect();
     if let Some(Spanned { value, span }) = draft.chosen(cx, what) {
         let index = names.iter().position(|n| *n == value);
@@ -287,9 +234,7 @@ fn choose<'a>(
                 Some(plan) => Diagnostic::error("mavc::name::ambiguous", plan, message)
                     .here("which one?")
                     .also(first.1, "this one?"),
-                None => {
-                    Diagnostic::error("mavc::name::ambiguous", first.1, message).here("this one?")
-                }
+                None => Diagnostic::error("mavc::name::ambiguous", first.1, message).here("this one?"),
             };
             cx.report(error.also(second.1, "or this one?").help(help));
             None
@@ -302,14 +247,7 @@ fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize]) {
     let mut used = vec![false; modes.modes.len()];
     against.iter().for_each(|&k| used[k] = true);
     for statement in 0..modes.statements {
-        let of_statement = || {
-            modes
-                .origin
-                .iter()
-                .enumerate()
-                .filter(move |(_, o)| **o == statement)
-                .map(|(k, _)| k)
-        };
+        let of_statement = || modes.origin.iter().enumerate().filter(move |(_, o)| **o == statement).map(|(k, _)| k);
         let Some(first) = of_statement().next() else {
             continue;
         };
@@ -322,12 +260,8 @@ fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize]) {
             1 => format!("the plan does not look at fault mode `{}`", mode.name),
             n => format!("the plan looks at none of these {n} fault modes"),
         };
-        let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message)
-            .here("not planned against");
-        cx.report(warning.help(format!(
-            "add it to `against`, as in `[{}]`, or take it out",
-            mode.name
-        )));
+        let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not planned against");
+        cx.report(warning.help(format!("add it to `against`, as in `[{}]`, or take it out", mode.name)));
     }
 }
 

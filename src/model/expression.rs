@@ -60,22 +60,13 @@ impl<'a> Context<'a> {
             }
             ExprKind::Text(text) => Some(Value::Text(text.clone())),
             ExprKind::Name(name) => self.named(name, expr.span),
-            ExprKind::Call {
-                function,
-                arguments,
-            } => self.call(function, arguments, expr.span),
+            ExprKind::Call { function, arguments } => self.call(function, arguments, expr.span),
             ExprKind::Negate(inner) => match self.evaluate(inner)? {
                 Value::Quantity(q) => Some(Value::Quantity(q.negated())),
-                Value::List(list) => Some(Value::List(
-                    list.into_iter().map(Quantity::negated).collect(),
-                )),
+                Value::List(list) => Some(Value::List(list.into_iter().map(Quantity::negated).collect())),
                 other => self.wrong_kind(&other, "a number", inner.span),
             },
-            ExprKind::Binary {
-                operator,
-                left,
-                right,
-            } => self.binary(operator, left, right, expr.span),
+            ExprKind::Binary { operator, left, right } => self.binary(operator, left, right, expr.span),
             ExprKind::Paren { inner, unit } => {
                 let value = self.evaluate(inner);
                 match unit {
@@ -100,9 +91,7 @@ impl<'a> Context<'a> {
         match name {
             "pi" => return Some(Value::Quantity(Quantity::plain(std::f64::consts::PI))),
             "g0" => {
-                let acceleration = Dimension::LENGTH
-                    .over(Dimension::TIME)
-                    .and_then(|d| d.over(Dimension::TIME))?;
+                let acceleration = Dimension::LENGTH.over(Dimension::TIME).and_then(|d| d.over(Dimension::TIME))?;
                 return Some(Value::Quantity(Quantity::new(self.gravity, acceleration)));
             }
             _ => {}
@@ -127,9 +116,7 @@ impl<'a> Context<'a> {
             self.report(
                 Diagnostic::error("mavc::name::unknown", span, message)
                     .here("a unit stands directly after a number, `)` or `]`")
-                    .help(format!(
-                        "write `1 {name}`, or put the unit behind parentheses: `(...) {name}`"
-                    )),
+                    .help(format!("write `1 {name}`, or put the unit behind parentheses: `(...) {name}`")),
             );
         } else {
             let names: Vec<&str> = self.names_in_scope();
@@ -140,12 +127,7 @@ impl<'a> Context<'a> {
 
     fn names_in_scope(&self) -> Vec<&'a str> {
         let parameter = self.parameter.iter().map(|(name, _)| *name);
-        self.lets
-            .keys()
-            .copied()
-            .chain(parameter)
-            .chain(CONSTANTS)
-            .collect()
+        self.lets.keys().copied().chain(parameter).chain(CONSTANTS).collect()
     }
 
     /// The unit behind a text, or an error that says what to write.
@@ -156,32 +138,22 @@ impl<'a> Context<'a> {
         };
         let code = "mavc::unit::unknown";
         let diagnostic = match error {
-            UnitError::Malformed => {
-                Diagnostic::error(code, text.span, format!("`{}` is no unit", text.value))
-                    .here("not a product of units with small whole exponents")
-                    .help("write it like `kg*m^2` or `m/s^2`, without spaces")
-            }
+            UnitError::Malformed => Diagnostic::error(code, text.span, format!("`{}` is no unit", text.value))
+                .here("not a product of units with small whole exponents")
+                .help("write it like `kg*m^2` or `m/s^2`, without spaces"),
             UnitError::Unknown { word, .. } if self.names_in_scope().contains(&word.as_str()) => {
                 Diagnostic::error(code, text.span, format!("`{word}` is a name, not a unit"))
                     .here("a unit would stand here")
-                    .help(format!(
-                        "to multiply, write `{}*{}`",
-                        self.number_before(text),
-                        text.value
-                    ))
+                    .help(format!("to multiply, write `{}*{}`", self.number_before(text), text.value))
                     .fix(text.span, format!("*{}", text.value))
             }
             UnitError::Unknown { word, meant } => {
                 let near = meant.or_else(|| nearest(&word, unit_names()).map(str::to_string));
-                let diagnostic =
-                    Diagnostic::error(code, text.span, format!("no unit is called `{word}`"));
+                let diagnostic = Diagnostic::error(code, text.span, format!("no unit is called `{word}`"));
                 match near {
                     Some(near) => {
                         let whole = text.value.replacen(&word, &near, 1);
-                        diagnostic
-                            .here("not a unit mavc knows")
-                            .help(format!("write `{whole}`"))
-                            .fix(text.span, whole)
+                        diagnostic.here("not a unit mavc knows").help(format!("write `{whole}`")).fix(text.span, whole)
                     }
                     None => diagnostic.here("not a unit mavc knows").help(
                         "known are m g s rad N J W Hz with prefixes (mm, kg, us), and min h deg rev rpm ft inch lb \
@@ -197,10 +169,7 @@ impl<'a> Context<'a> {
     /// The number that a unit follows, as written; `(...)` where it follows a bracket.
     fn number_before(&self, text: &UnitText) -> &str {
         let source = &self.sources.get(text.span.file).text;
-        let before = source
-            .get(..text.span.start as usize)
-            .unwrap_or("")
-            .trim_end();
+        let before = source.get(..text.span.start as usize).unwrap_or("").trim_end();
         let digits = before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '.');
         match &before[digits.len()..] {
             "" => "(...)",
@@ -216,37 +185,22 @@ impl<'a> Context<'a> {
                 self.finite(q, span)
             }
             Value::Range(a, b) => {
-                let (a, b) = (
-                    self.attach_one(a, unit, text, span)?,
-                    self.attach_one(b, unit, text, span)?,
-                );
+                let (a, b) = (self.attach_one(a, unit, text, span)?, self.attach_one(b, unit, text, span)?);
                 Some(Value::Range(a, b))
             }
             Value::List(list) => {
-                let spread = list
-                    .into_iter()
-                    .map(|q| self.attach_one(q, unit, text, span));
+                let spread = list.into_iter().map(|q| self.attach_one(q, unit, text, span));
                 Some(Value::List(spread.collect::<Option<_>>()?))
             }
             other => self.wrong_kind(&other, "a number", span),
         }
     }
 
-    fn attach_one(
-        &mut self,
-        q: Quantity,
-        unit: Unit,
-        text: &UnitText,
-        span: Span,
-    ) -> Option<Quantity> {
+    fn attach_one(&mut self, q: Quantity, unit: Unit, text: &UnitText, span: Span) -> Option<Quantity> {
         if q.dimension.is_plain() {
             return Some(Quantity::with_unit(q.value, unit));
         }
-        let message = format!(
-            "`{}` follows what already is {}",
-            text.value,
-            q.dimension.describe()
-        );
+        let message = format!("`{}` follows what already is {}", text.value, q.dimension.describe());
         self.report(
             Diagnostic::error("mavc::unit::mismatch", text.span, message)
                 .here("a unit goes with a plain number")
@@ -260,14 +214,10 @@ impl<'a> Context<'a> {
         let unit_known = unit.map(|text| self.unit(text));
         let mut list = Some(Vec::with_capacity(elements.len()));
         for element in elements {
-            let q = self
-                .evaluate_quantity(element)
-                .and_then(|q| match unit_known {
-                    Some(unit) if is_bare(q, element) => {
-                        unit.map(|unit| Quantity::with_unit(q.value, unit))
-                    }
-                    _ => Some(q),
-                });
+            let q = self.evaluate_quantity(element).and_then(|q| match unit_known {
+                Some(unit) if is_bare(q, element) => unit.map(|unit| Quantity::with_unit(q.value, unit)),
+                _ => Some(q),
+            });
             match (&mut list, q) {
                 (Some(list), Some(q)) => list.push(q),
                 (list, _) => *list = None,
@@ -289,11 +239,7 @@ impl<'a> Context<'a> {
             }
         }
         if a.dimension != b.dimension {
-            let message = format!(
-                "a range goes from {} to {}",
-                a.dimension.describe(),
-                b.dimension.describe()
-            );
+            let message = format!("a range goes from {} to {}", a.dimension.describe(), b.dimension.describe());
             let told = compare(["start", "end"], a.dimension, b.dimension);
             self.report(
                 Diagnostic::error("mavc::unit::mismatch", high.span, message)
@@ -311,17 +257,9 @@ impl<'a> Context<'a> {
             return Some(Value::Quantity(q));
         }
         self.report(
-            Diagnostic::error(
-                "mavc::unit::not_finite",
-                span,
-                "the value is not a finite number",
-            )
-            .here(if q.value.is_nan() {
-                "this is not a number"
-            } else {
-                "this is infinite"
-            })
-            .help("look for a division by zero, a root of a negative number or an overflow"),
+            Diagnostic::error("mavc::unit::not_finite", span, "the value is not a finite number")
+                .here(if q.value.is_nan() { "this is not a number" } else { "this is infinite" })
+                .help("look for a division by zero, a root of a negative number or an overflow"),
         );
         None
     }
@@ -335,10 +273,7 @@ impl<'a> Context<'a> {
 
     pub(super) fn wrong_kind<T>(&mut self, found: &Value, due: &str, span: Span) -> Option<T> {
         let message = format!("{due} is due here, not {}", found.kind());
-        self.report(
-            Diagnostic::error("mavc::unit::kind", span, message)
-                .here(format!("this is {}", found.kind())),
-        );
+        self.report(Diagnostic::error("mavc::unit::kind", span, message).here(format!("this is {}", found.kind())));
         None
     }
 
@@ -349,14 +284,10 @@ impl<'a> Context<'a> {
             return;
         }
         let message = "evaluating this spec takes too much work";
-        self.report(
-            Diagnostic::error(CODE, span, message)
-                .here("the limit was passed here")
-                .help(format!(
-                    "expressions may stand {MAX_EVALUATION_DEPTH} deep, through `let`s too, and take {MAX_STEPS} steps \
+        self.report(Diagnostic::error(CODE, span, message).here("the limit was passed here").help(format!(
+            "expressions may stand {MAX_EVALUATION_DEPTH} deep, through `let`s too, and take {MAX_STEPS} steps \
                      in all: use fewer points or shorter expressions"
-                )),
-        );
+        )));
     }
 }
 
@@ -368,9 +299,7 @@ fn is_bare(q: Quantity, expr: &Expr) -> bool {
 /// The unit at the very end of an expression's text.
 fn trailing_unit(expr: &Expr) -> Option<&UnitText> {
     match &expr.kind {
-        ExprKind::Number { unit, .. }
-        | ExprKind::Paren { unit, .. }
-        | ExprKind::List { unit, .. } => unit.as_ref(),
+        ExprKind::Number { unit, .. } | ExprKind::Paren { unit, .. } | ExprKind::List { unit, .. } => unit.as_ref(),
         ExprKind::Negate(inner) => trailing_unit(inner),
         ExprKind::Binary { right, .. } => trailing_unit(right),
         _ => None,

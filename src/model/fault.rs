@@ -38,14 +38,9 @@ impl Modes {
         for statement in &block.body {
             match statement {
                 Statement::Block(mode) => self.single(cx, mode, rotors),
-                Statement::Every {
-                    count,
-                    effect,
-                    prefix,
-                    body,
-                    doc,
-                    span,
-                } => self.every(cx, count, effect, prefix, body, doc, *span, rotors),
+                Statement::Every { count, effect, prefix, body, doc, span } => {
+                    self.every(cx, count, effect, prefix, body, doc, *span, rotors)
+                }
                 Statement::Broken(_) => self.incomplete = true,
                 _ => continue,
             }
@@ -59,17 +54,14 @@ impl Modes {
         let effects = Effects::read(cx, block, &owner, rotors);
         let numbers = Numbers::read(cx, owner, name.span, &block.body);
         let known = self.admit(cx, name, &name.value);
-        let (Some(effects), Some(numbers), Some(rotors), true) = (effects, numbers, rotors, known)
-        else {
+        let (Some(effects), Some(numbers), Some(rotors), true) = (effects, numbers, rotors, known) else {
             self.incomplete = true;
             return;
         };
         let mut mode = numbers.mode(name.value.clone(), rotors, name.span);
         mode.title = block.title.as_ref().map(|t| t.value.clone());
         mode.doc = block.doc.clone();
-        effects
-            .iter()
-            .for_each(|(k, effect)| effect.apply(&mut mode, *k));
+        effects.iter().for_each(|(k, effect)| effect.apply(&mut mode, *k));
         self.push(mode);
     }
 
@@ -88,34 +80,19 @@ impl Modes {
         let effect = Loss::read(cx, effect);
         let numbers = Numbers::read(cx, format!("`every ... as {}`", prefix.value), span, body);
         let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
-        let count = cx
-            .whole(
-                "the number of rotors",
-                count,
-                1..=most,
-                "mavc::fault::count",
-            )
-            .map(|k| (k, count.span));
-        let (Some(effect), Some(numbers), Some((k, at)), Some(n)) =
-            (effect, numbers, count, rotors)
-        else {
+        let count = cx.whole("the number of rotors", count, 1..=most, "mavc::fault::count").map(|k| (k, count.span));
+        let (Some(effect), Some(numbers), Some((k, at)), Some(n)) = (effect, numbers, count, rotors) else {
             self.incomplete = true;
             return;
         };
-        let total = (0..k)
-            .fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
-            .round();
+        let total = (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64).round();
         if total + self.modes.len() as f64 > MAX_MODES as f64 {
             let message = format!(
                 "{k} of {n} rotors make {} combinations; a spec has at most {MAX_MODES} fault modes",
                 number(total)
             );
             let error = Diagnostic::error("mavc::fault::too_many", at, message);
-            cx.report(
-                error
-                    .here("too many combinations")
-                    .help("choose fewer rotors, or name the modes that matter"),
-            );
+            cx.report(error.here("too many combinations").help("choose fewer rotors, or name the modes that matter"));
             self.incomplete = true;
             return;
         }
@@ -128,9 +105,7 @@ impl Modes {
             }
             let mut mode = numbers.mode(name, n, span);
             mode.doc = doc.clone();
-            rotors
-                .iter()
-                .for_each(|&rotor| effect.apply(&mut mode, rotor));
+            rotors.iter().for_each(|&rotor| effect.apply(&mut mode, rotor));
             self.push(mode);
         }
     }
@@ -155,10 +130,7 @@ impl Modes {
         }
         if self.modes.len() >= MAX_MODES {
             let message = format!("a spec has at most {MAX_MODES} fault modes");
-            cx.report(
-                Diagnostic::error("mavc::fault::too_many", written.span, message)
-                    .here("one too many"),
-            );
+            cx.report(Diagnostic::error("mavc::fault::too_many", written.span, message).here("one too many"));
             return false;
         }
         self.names.insert(name.to_string(), written.span);
@@ -171,15 +143,12 @@ fn combinations(n: usize, k: usize) -> impl Iterator<Item = Vec<usize>> {
     let mut next = (k <= n).then(|| (1..=k).collect::<Vec<_>>());
     std::iter::from_fn(move || {
         let current = next.clone()?;
-        next = (0..k)
-            .rev()
-            .find(|&i| current[i] < n - (k - 1 - i))
-            .map(|i| {
-                let mut following = current.clone();
-                following[i] += 1;
-                (i + 1..k).for_each(|j| following[j] = following[j - 1] + 1);
-                following
-            });
+        next = (0..k).rev().find(|&i| current[i] < n - (k - 1 - i)).map(|i| {
+            let mut following = current.clone();
+            following[i] += 1;
+            (i + 1..k).for_each(|j| following[j] = following[j - 1] + 1);
+            following
+        });
         Some(current)
     })
 }
@@ -195,12 +164,8 @@ impl Loss {
         const CODE: &str = "mavc::fault::percent";
         match effect {
             Effect::Lost(_) => Some(Loss::Capacity(0.0)),
-            Effect::Reduced(to) => cx
-                .share("what is left of a rotor", to, CODE)
-                .map(Loss::Capacity),
-            Effect::Stuck(at) => cx
-                .share("the thrust a rotor is stuck at", at, CODE)
-                .map(Loss::Stuck),
+            Effect::Reduced(to) => cx.share("what is left of a rotor", to, CODE).map(Loss::Capacity),
+            Effect::Stuck(at) => cx.share("the thrust a rotor is stuck at", at, CODE).map(Loss::Stuck),
         }
     }
 
@@ -241,37 +206,22 @@ impl Effects {
             for &(k, span) in indices.iter().flatten() {
                 if let Some(&first) = touched.get(&k) {
                     let message = format!("rotor {k} is named twice in {owner}");
-                    let error = Diagnostic::error("mavc::fault::rotor_twice", span, message)
-                        .here("named again");
-                    cx.report(
-                        error
-                            .also(first, "first named here")
-                            .help("a rotor has one fault in a mode"),
-                    );
+                    let error = Diagnostic::error("mavc::fault::rotor_twice", span, message).here("named again");
+                    cx.report(error.also(first, "first named here").help("a rotor has one fault in a mode"));
                     all = None;
                 } else {
                     touched.insert(k, span);
                 }
             }
             match (&mut all, indices, loss) {
-                (Some(list), Some(indices), Some(loss)) => {
-                    list.extend(indices.into_iter().map(|(k, _)| (k, loss)))
-                }
+                (Some(list), Some(indices), Some(loss)) => list.extend(indices.into_iter().map(|(k, _)| (k, loss))),
                 (list, ..) => *list = None,
             }
         }
         if !any {
             let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
-            let error = Diagnostic::error(
-                "mavc::fault::empty",
-                span,
-                format!("{owner} touches no rotor"),
-            );
-            cx.report(
-                error
-                    .here("nothing fails")
-                    .help("say what fails, such as `rotor 3 lost`"),
-            );
+            let error = Diagnostic::error("mavc::fault::empty", span, format!("{owner} touches no rotor"));
+            cx.report(error.here("nothing fails").help("say what fails, such as `rotor 3 lost`"));
             return None;
         }
         all
@@ -279,11 +229,7 @@ impl Effects {
 }
 
 /// `3` or `[1, 6]` as rotor numbers with their places.
-fn indices<'a>(
-    cx: &mut Context<'a>,
-    expr: &'a Expr,
-    rotors: Option<usize>,
-) -> Option<Vec<(usize, Span)>> {
+fn indices<'a>(cx: &mut Context<'a>, expr: &'a Expr, rotors: Option<usize>) -> Option<Vec<(usize, Span)>> {
     let values = match cx.evaluate(expr)? {
         Value::Quantity(q) => vec![q],
         Value::List(list) => list,
@@ -296,17 +242,9 @@ fn indices<'a>(
             ExprKind::List { elements, .. } => elements.get(i).unwrap_or(expr),
             _ => expr,
         };
-        let index = cx
-            .lower(Due::new("rotor", "1"), q, place)
-            .and_then(|value| {
-                cx.whole_value(
-                    "a rotor number",
-                    value,
-                    place.span,
-                    1..=most,
-                    "mavc::fault::rotor_index",
-                )
-            });
+        let index = cx.lower(Due::new("rotor", "1"), q, place).and_then(|value| {
+            cx.whole_value("a rotor number", value, place.span, 1..=most, "mavc::fault::rotor_index")
+        });
         match (&mut indices, index) {
             (Some(list), Some(k)) => list.push((k, place.span)),
             (list, _) => *list = None,
@@ -324,24 +262,13 @@ struct Numbers {
 }
 
 impl Numbers {
-    fn read<'a>(
-        cx: &mut Context<'a>,
-        owner: String,
-        span: Span,
-        body: &'a [Statement],
-    ) -> Option<Self> {
+    fn read<'a>(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement]) -> Option<Self> {
         let fields = Fields::of_block(cx, owner, span, body, &FIELDS);
-        let rate = fields
-            .get("rate")
-            .map(|e| cx.not_negative(Due::new("rate", "1/h"), e, "mavc::fault::rate"));
+        let rate = fields.get("rate").map(|e| cx.not_negative(Due::new("rate", "1/h"), e, "mavc::fault::rate"));
         let mut fmea = |name: &str| {
-            fields.get(name).map(|e| {
-                cx.whole(&format!("`{name}`"), e, 1..=10, "mavc::fault::fmea")
-                    .map(|x| x as u8)
-            })
+            fields.get(name).map(|e| cx.whole(&format!("`{name}`"), e, 1..=10, "mavc::fault::fmea").map(|x| x as u8))
         };
-        let (severity, occurrence, detection) =
-            (fmea("severity"), fmea("occurrence"), fmea("detection"));
+        let (severity, occurrence, detection) = (fmea("severity"), fmea("occurrence"), fmea("detection"));
         Some(Numbers {
             rate: settled(rate)?,
             severity: settled(severity)?,

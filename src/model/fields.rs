@@ -9,14 +9,8 @@ use crate::syntax::ast::{Clauses, Expr, Field, FieldValue, Name, Statement};
 const ELSEWHERE: &[(&str, &str)] = &[
     ("gravity", "stands at the top level, outside all blocks"),
     ("timing", "is a field of `plan`"),
-    (
-        "within",
-        "is a field of `plan`, of a `curve` and of a `waypoint`",
-    ),
-    (
-        "yaw_within",
-        "is a field of `plan`, of a `curve` and of a `waypoint`",
-    ),
+    ("within", "is a field of `plan`, of a `curve` and of a `waypoint`"),
+    ("yaw_within", "is a field of `plan`, of a `curve` and of a `waypoint`"),
     ("samples", "is a field of `plan`"),
     ("reserve", "is a field of `plan`"),
     ("against", "is a field of `plan`"),
@@ -33,18 +27,9 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("rate", "is a field of a fault mode"),
     ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
     ("tilt", "is a limit, written `tilt <= 35 deg` in `limits`"),
-    (
-        "heading",
-        "is written `yaw`, counter-clockwise from east: a compass heading h is `yaw = 90 deg - h`",
-    ),
-    (
-        "altitude",
-        "is a limit, written `altitude in 1 m .. 30 m` in `limits`",
-    ),
-    (
-        "name",
-        "is written after the block's keyword, as in `vehicle octo`",
-    ),
+    ("heading", "is written `yaw`, counter-clockwise from east: a compass heading h is `yaw = 90 deg - h`"),
+    ("altitude", "is a limit, written `altitude in 1 m .. 30 m` in `limits`"),
+    ("name", "is written after the block's keyword, as in `vehicle octo`"),
 ];
 
 /// The fields or clauses of one block or statement, by name.
@@ -70,13 +55,7 @@ impl<'a> Fields<'a> {
         known: &[&'static str],
     ) -> Self {
         let broken = body.iter().any(|s| matches!(s, Statement::Broken(_)));
-        let mut fields = Fields {
-            owner,
-            span,
-            found: Vec::new(),
-            accounted: Vec::new(),
-            broken,
-        };
+        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken };
         for statement in body {
             if let Statement::Field(field) = statement {
                 fields.take_field(cx, field, known);
@@ -91,44 +70,23 @@ impl<'a> Fields<'a> {
             FieldValue::Expr(expr) => self.take(cx, &field.name, expr, field.span, known),
             FieldValue::Where { .. } => {
                 let message = "`where` stands only in `against`";
-                cx.report(
-                    Diagnostic::error("mavc::plan::choice", field.span, message)
-                        .here("not a filter"),
-                );
-                self.accounted
-                    .extend(known.iter().find(|k| **k == field.name.value));
+                cx.report(Diagnostic::error("mavc::plan::choice", field.span, message).here("not a filter"));
+                self.accounted.extend(known.iter().find(|k| **k == field.name.value));
             }
         }
     }
 
     /// The `word value` clauses of a statement.
-    pub fn of_clauses(
-        cx: &mut Context<'a>,
-        owner: String,
-        statement: &'a Clauses,
-        known: &[&'static str],
-    ) -> Self {
-        let mut fields = Fields {
-            owner,
-            span: statement.span,
-            found: Vec::new(),
-            accounted: Vec::new(),
-            broken: false,
-        };
+    pub fn of_clauses(cx: &mut Context<'a>, owner: String, statement: &'a Clauses, known: &[&'static str]) -> Self {
+        let mut fields =
+            Fields { owner, span: statement.span, found: Vec::new(), accounted: Vec::new(), broken: false };
         for clause in &statement.clauses {
             fields.take(cx, &clause.word, &clause.value, clause.value.span, known);
         }
         fields
     }
 
-    fn take(
-        &mut self,
-        cx: &mut Context<'a>,
-        name: &'a Name,
-        value: &'a Expr,
-        span: Span,
-        known: &[&'static str],
-    ) {
+    fn take(&mut self, cx: &mut Context<'a>, name: &'a Name, value: &'a Expr, span: Span, known: &[&'static str]) {
         if !known.contains(&name.value.as_str()) {
             self.unknown(cx, name, known);
         } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
@@ -147,39 +105,29 @@ impl<'a> Fields<'a> {
     fn unknown(&mut self, cx: &mut Context<'a>, name: &Name, known: &[&'static str]) {
         let word = name.value.as_str();
         let message = format!("{} has no field `{word}`", self.owner);
-        let mut error =
-            Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
+        let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
         let near = nearest(word, known.iter().copied());
         if let Some((_, place)) = ELSEWHERE.iter().find(|(field, _)| *field == word) {
             error = error.help(format!("`{word}` {place}"));
         } else if let Some(near) = near {
-            error = error
-                .help(format!("did you mean `{near}`?"))
-                .fix(name.span, near);
+            error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
         } else {
             error = error.help(format!("its fields are {}", listed(known)));
         }
         if word == "heading" {
             self.accounted.push("yaw");
         }
-        self.accounted
-            .extend(known.iter().find(|k| Some(**k) == near));
+        self.accounted.extend(known.iter().find(|k| Some(**k) == near));
         cx.report(error);
     }
 
     pub fn get(&self, name: &str) -> Option<&'a Expr> {
-        self.found
-            .iter()
-            .find(|(n, ..)| n.value == name)
-            .map(|(_, expr, _)| *expr)
+        self.found.iter().find(|(n, ..)| n.value == name).map(|(_, expr, _)| *expr)
     }
 
     /// The whole statement that gives `name`.
     pub fn span_of(&self, name: &str) -> Option<Span> {
-        self.found
-            .iter()
-            .find(|(n, ..)| n.value == name)
-            .map(|(.., span)| *span)
+        self.found.iter().find(|(n, ..)| n.value == name).map(|(.., span)| *span)
     }
 
     /// Whether `name` is given, if only in a form that could not be read.
@@ -198,13 +146,9 @@ impl<'a> Fields<'a> {
 
     pub fn missing(&self, cx: &mut Context<'a>, what: &str, example: &str) {
         cx.report(
-            Diagnostic::error(
-                "mavc::name::missing_field",
-                self.span,
-                format!("{} has no {what}", self.owner),
-            )
-            .here("needed here")
-            .help(format!("add `{example}`")),
+            Diagnostic::error("mavc::name::missing_field", self.span, format!("{} has no {what}", self.owner))
+                .here("needed here")
+                .help(format!("add `{example}`")),
         );
     }
 }

@@ -8,36 +8,22 @@ use crate::syntax::ast::{Expr, Name};
 use crate::unit::{Dimension, Quantity, compare};
 
 impl<'a> Context<'a> {
-    pub(super) fn call(
-        &mut self,
-        function: &'a Name,
-        arguments: &'a [Expr],
-        span: Span,
-    ) -> Option<Value> {
+    pub(super) fn call(&mut self, function: &'a Name, arguments: &'a [Expr], span: Span) -> Option<Value> {
         let name = function.value.as_str();
         // Arguments are evaluated whatever the function, so that their own errors come out in the same run.
-        let values: Vec<Option<Quantity>> = arguments
-            .iter()
-            .map(|a| self.evaluate_quantity(a))
-            .collect();
+        let values: Vec<Option<Quantity>> = arguments.iter().map(|a| self.evaluate_quantity(a)).collect();
         let due = match name {
             "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "sqrt" | "abs" => 1..=1,
             "atan2" => 2..=2,
             "min" | "max" => 2..=usize::MAX,
             _ => {
-                let mut error = Diagnostic::error(
-                    "mavc::name::unknown",
-                    function.span,
-                    format!("no function is called `{name}`"),
-                );
+                let mut error =
+                    Diagnostic::error("mavc::name::unknown", function.span, format!("no function is called `{name}`"));
                 error = match meant(name) {
-                    Some(near) => error
-                        .here("unknown")
-                        .help(format!("did you mean `{near}`?"))
-                        .fix(function.span, near),
-                    None => error
-                        .here("unknown")
-                        .help(format!("there are {}", FUNCTIONS.join(", "))),
+                    Some(near) => {
+                        error.here("unknown").help(format!("did you mean `{near}`?")).fix(function.span, near)
+                    }
+                    None => error.here("unknown").help(format!("there are {}", FUNCTIONS.join(", "))),
                 };
                 self.report(error);
                 return None;
@@ -50,10 +36,7 @@ impl<'a> Context<'a> {
                 _ => "one argument",
             };
             let message = format!("`{name}` takes {count}, not {}", arguments.len());
-            self.report(
-                Diagnostic::error("mavc::unit::argument", span, message)
-                    .here("wrong number of arguments"),
-            );
+            self.report(Diagnostic::error("mavc::unit::argument", span, message).here("wrong number of arguments"));
             return None;
         }
         let values: Vec<Quantity> = values.into_iter().collect::<Option<_>>()?;
@@ -63,12 +46,7 @@ impl<'a> Context<'a> {
         let result = match name {
             "sin" | "cos" | "tan" => {
                 if !x.dimension.is_plain() && x.dimension != Dimension::ANGLE {
-                    return self.wrong_argument(
-                        name,
-                        "an angle or a plain number",
-                        x,
-                        arguments[0].span,
-                    );
+                    return self.wrong_argument(name, "an angle or a plain number", x, arguments[0].span);
                 }
                 plain(match name {
                     "sin" => x.value.sin(),
@@ -87,44 +65,25 @@ impl<'a> Context<'a> {
                 })
             }
             "sqrt" => x.power(0.5),
-            "abs" => Some(Quantity {
-                value: x.value.abs(),
-                ..x
-            }),
+            "abs" => Some(Quantity { value: x.value.abs(), ..x }),
             _ => {
-                let other = values
-                    .iter()
-                    .zip(arguments)
-                    .skip(1)
-                    .find(|(q, _)| q.dimension != x.dimension);
+                let other = values.iter().zip(arguments).skip(1).find(|(q, _)| q.dimension != x.dimension);
                 if let Some((q, argument)) = other {
                     let told = compare(["first", "other"], x.dimension, q.dimension);
-                    let message = format!(
-                        "`{name}` compares {} and {}",
-                        x.dimension.describe(),
-                        q.dimension.describe()
-                    );
+                    let message =
+                        format!("`{name}` compares {} and {}", x.dimension.describe(), q.dimension.describe());
                     self.report(
                         Diagnostic::error("mavc::unit::mismatch", argument.span, message)
                             .here(format!("this is {}", q.dimension.describe()))
-                            .also(
-                                arguments[0].span,
-                                format!("this is {}", x.dimension.describe()),
-                            )
+                            .also(arguments[0].span, format!("this is {}", x.dimension.describe()))
                             .help(told.table),
                     );
                     return None;
                 }
                 match name {
                     "atan2" => angle(x.value.atan2(values[1].value)),
-                    "min" => values
-                        .iter()
-                        .copied()
-                        .reduce(|a, b| if b.value < a.value { b } else { a }),
-                    _ => values
-                        .iter()
-                        .copied()
-                        .reduce(|a, b| if b.value > a.value { b } else { a }),
+                    "min" => values.iter().copied().reduce(|a, b| if b.value < a.value { b } else { a }),
+                    _ => values.iter().copied().reduce(|a, b| if b.value > a.value { b } else { a }),
                 }
             }
         };
@@ -132,26 +91,14 @@ impl<'a> Context<'a> {
             Some(q) => self.finite(q, span),
             None => {
                 let message = "the root of this unit has no small exponent";
-                self.report(
-                    Diagnostic::error("mavc::unit::exponent", span, message)
-                        .here("cannot be rooted"),
-                );
+                self.report(Diagnostic::error("mavc::unit::exponent", span, message).here("cannot be rooted"));
                 None
             }
         }
     }
 
-    fn wrong_argument(
-        &mut self,
-        function: &str,
-        due: &str,
-        found: Quantity,
-        span: Span,
-    ) -> Option<Value> {
-        let message = format!(
-            "`{function}` takes {due}, not {}",
-            found.dimension.describe()
-        );
+    fn wrong_argument(&mut self, function: &str, due: &str, found: Quantity, span: Span) -> Option<Value> {
+        let message = format!("`{function}` takes {due}, not {}", found.dimension.describe());
         self.report(
             Diagnostic::error("mavc::unit::mismatch", span, message)
                 .here(format!("this is {}", found.dimension.describe()))
@@ -163,16 +110,8 @@ impl<'a> Context<'a> {
 
 /// The function that somebody who wrote `name` probably wanted.
 fn meant(name: &str) -> Option<&'static str> {
-    const HABITS: [(&str, &str); 4] = [
-        ("arcsin", "asin"),
-        ("arccos", "acos"),
-        ("arctan", "atan"),
-        ("root", "sqrt"),
-    ];
-    let habit = HABITS
-        .iter()
-        .find(|(wrong, _)| *wrong == name)
-        .map(|(_, right)| *right);
+    const HABITS: [(&str, &str); 4] = [("arcsin", "asin"), ("arccos", "acos"), ("arctan", "atan"), ("root", "sqrt")];
+    let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
     let longer = || FUNCTIONS.into_iter().find(|f| name.starts_with(f));
     habit.or_else(|| nearest(name, FUNCTIONS)).or_else(longer)
 }

@@ -27,15 +27,8 @@ pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// Each leg's share, with sum 1. Without `timing`, explicit legs count by their effort and the legs of a
 /// curve share its length evenly, so that both kinds are measured in metres and may be mixed. Effort is the length; on a
 /// leg shorter than 10 cm it is at least one metre a radian of its turn. No leg gets less than 1 % of the mean.
-pub(super) fn shares(
-    waypoints: &[Waypoint],
-    curves: &[Option<usize>],
-    timing: Option<Timing>,
-) -> Vec<Leg> {
-    let mut effort: Vec<f64> = waypoints
-        .windows(2)
-        .map(|pair| leg_effort(&pair[0], &pair[1]))
-        .collect();
+pub(super) fn shares(waypoints: &[Waypoint], curves: &[Option<usize>], timing: Option<Timing>) -> Vec<Leg> {
+    let mut effort: Vec<f64> = waypoints.windows(2).map(|pair| leg_effort(&pair[0], &pair[1])).collect();
     match timing {
         Some(Timing::Uniform) => effort.fill(1.0),
         Some(Timing::Distance) => {}
@@ -68,11 +61,7 @@ pub(super) fn shares(
 fn leg_effort(from: &Waypoint, to: &Waypoint) -> f64 {
     let length = distance(from.position, to.position);
     let turn = (to.yaw - from.yaw).abs() * METRES_A_RADIAN;
-    if length < SHORT {
-        length.max(turn)
-    } else {
-        length
-    }
+    if length < SHORT { length.max(turn) } else { length }
 }
 
 /// Settles each waypoint's yaw: one that says none keeps the last (0 at the start), and each turn goes the shorter way,
@@ -93,11 +82,7 @@ pub(super) fn unwrap_yaw(waypoints: &mut [Waypoint], given: &[Option<f64>]) {
 /// The equivalent turn in -pi..=pi, with pi in place of -pi.
 fn shorter_way(turn: f64) -> f64 {
     let rest = turn - 2.0 * PI * (turn / (2.0 * PI)).round();
-    if rest <= -PI + 1e-9 {
-        rest + 2.0 * PI
-    } else {
-        rest
-    }
+    if rest <= -PI + 1e-9 { rest + 2.0 * PI } else { rest }
 }
 
 #[cfg(test)]
@@ -107,18 +92,10 @@ mod tests {
     #[test]
     fn turns_take_the_shorter_way() {
         let deg = |d: f64| d.to_radians();
-        for (turn, expected) in [
-            (10.0, 10.0),
-            (350.0, -10.0),
-            (-350.0, 10.0),
-            (180.0, 180.0),
-            (-180.0, 180.0),
-            (720.0, 0.0),
-        ] {
-            assert!(
-                (shorter_way(deg(turn)) - deg(expected)).abs() < 1e-12,
-                "{turn}"
-            );
+        for (turn, expected) in
+            [(10.0, 10.0), (350.0, -10.0), (-350.0, 10.0), (180.0, 180.0), (-180.0, 180.0), (720.0, 0.0)]
+        {
+            assert!((shorter_way(deg(turn)) - deg(expected)).abs() < 1e-12, "{turn}");
         }
     }
 }

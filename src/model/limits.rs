@@ -28,29 +28,14 @@ const LIMITS: [(&str, LimitKind, &str, Form); 15] = [
     ("altitude", LimitKind::Z, "m", Form::Coordinate),
     ("yaw", LimitKind::Yaw, "deg", Form::Coordinate),
     ("speed", LimitKind::Speed, "m/s", Form::Norm),
-    (
-        "speed_horizontal",
-        LimitKind::SpeedHorizontal,
-        "m/s",
-        Form::Norm,
-    ),
+    ("speed_horizontal", LimitKind::SpeedHorizontal, "m/s", Form::Norm),
     ("climb", LimitKind::Climb, "m/s", Form::OneSided),
     ("descent", LimitKind::Descent, "m/s", Form::OneSided),
     ("acceleration", LimitKind::Acceleration, "m/s^2", Form::Norm),
-    (
-        "acceleration_horizontal",
-        LimitKind::AccelerationHorizontal,
-        "m/s^2",
-        Form::Norm,
-    ),
+    ("acceleration_horizontal", LimitKind::AccelerationHorizontal, "m/s^2", Form::Norm),
     ("jerk", LimitKind::Jerk, "m/s^3", Form::Norm),
     ("yaw_rate", LimitKind::YawRate, "deg/s", Form::Rate),
-    (
-        "yaw_acceleration",
-        LimitKind::YawAcceleration,
-        "deg/s^2",
-        Form::Rate,
-    ),
+    ("yaw_acceleration", LimitKind::YawAcceleration, "deg/s^2", Form::Rate),
     ("tilt", LimitKind::Tilt, "deg", Form::Norm),
 ];
 
@@ -64,28 +49,17 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Lim
     let mut given: Vec<(&str, bool, bool, Span)> = Vec::new();
     for statement in &block.body {
         let limit = match statement {
-            Statement::Limit {
-                name,
-                relation,
-                span,
-            } => {
+            Statement::Limit { name, relation, span } => {
                 let sides = match relation {
                     LimitRelation::AtMost(_) => (false, true),
                     LimitRelation::AtLeast(_) => (true, false),
                     LimitRelation::In(_) => (true, true),
                 };
-                let earlier = given
-                    .iter()
-                    .find(|g| g.0 == name.value && ((g.1 && sides.0) || (g.2 && sides.1)));
+                let earlier = given.iter().find(|g| g.0 == name.value && ((g.1 && sides.0) || (g.2 && sides.1)));
                 if let Some(&(.., first)) = earlier {
                     let message = format!("`{}` is limited twice", name.value);
-                    let error = Diagnostic::error("mavc::name::duplicate", *span, message)
-                        .here("limited again");
-                    cx.report(
-                        error
-                            .also(first, "first limited here")
-                            .help("keep one of the two"),
-                    );
+                    let error = Diagnostic::error("mavc::name::duplicate", *span, message).here("limited again");
+                    cx.report(error.also(first, "first limited here").help("keep one of the two"));
                     limits = None;
                     continue;
                 }
@@ -102,16 +76,8 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Lim
                 let name = &field.name.value;
                 match LIMITS.iter().find(|row| row.0 == name) {
                     Some(_) => {
-                        let error = Diagnostic::error(
-                            FORM,
-                            field.span,
-                            format!("`{name}` is a limit, not a value"),
-                        );
-                        cx.report(
-                            error
-                                .here("`=` sets nothing here")
-                                .help(format!("write `{name} <= ...`")),
-                        );
+                        let error = Diagnostic::error(FORM, field.span, format!("`{name}` is a limit, not a value"));
+                        cx.report(error.here("`=` sets nothing here").help(format!("write `{name} <= ...`")));
                     }
                     None => unknown(cx, name, field.name.span),
                 }
@@ -129,11 +95,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Lim
 
 fn unknown(cx: &mut Context, name: &str, span: Span) {
     let names = LIMITS.map(|row| row.0);
-    let error = Diagnostic::error(
-        "mavc::name::unknown_field",
-        span,
-        format!("there is no limit `{name}`"),
-    );
+    let error = Diagnostic::error("mavc::name::unknown_field", span, format!("there is no limit `{name}`"));
     let error = error.here("unknown limit");
     const HABITS: [(&str, &str); 8] = [
         ("velocity", "speed"),
@@ -145,14 +107,9 @@ fn unknown(cx: &mut Context, name: &str, span: Span) {
         ("descent_rate", "descent"),
         ("heading", "yaw"),
     ];
-    let habit = HABITS
-        .iter()
-        .find(|(wrong, _)| *wrong == name)
-        .map(|(_, right)| *right);
+    let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
     cx.report(match habit.or_else(|| nearest(name, names)) {
-        Some(near) => error
-            .help(format!("did you mean `{near}`?"))
-            .fix(span, near),
+        Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
         None => error.help(format!("the limits are {}", listed(&names))),
     });
 }
@@ -167,15 +124,7 @@ fn one<'a>(
     let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
         LimitRelation::AtMost(e) => {
             let upper = cx.number(due, e)?;
-            (
-                if form == Form::Rate {
-                    Some(-upper)
-                } else {
-                    None
-                },
-                Some(upper),
-                e,
-            )
+            (if form == Form::Rate { Some(-upper) } else { None }, Some(upper), e)
         }
         LimitRelation::AtLeast(e) => (Some(cx.number(due, e)?), None, e),
         LimitRelation::In(e) => {
@@ -195,11 +144,7 @@ fn one<'a>(
     };
     if !allowed.contains(&written) {
         let error = Diagnostic::error(FORM, span, format!("`{name}` is bounded from above only"));
-        cx.report(
-            error
-                .here(format!("`{written}` does not fit"))
-                .help(format!("write `{name} <= ...`")),
-        );
+        cx.report(error.here(format!("`{written}` does not fit")).help(format!("write `{name} <= ...`")));
         return None;
     }
     if let (Some(low), Some(high)) = (lower, upper)
@@ -213,9 +158,7 @@ fn one<'a>(
     }
     let wrong = match (form, upper) {
         (Form::Norm, Some(upper)) if upper <= 0.0 => Some("has to be greater than zero"),
-        (Form::Norm, Some(upper))
-            if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 =>
-        {
+        (Form::Norm, Some(upper)) if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 => {
             Some("has to be below 90 deg, where thrust carries no weight")
         }
         (Form::OneSided, Some(upper)) if upper < 0.0 => Some("cannot be negative"),
@@ -229,12 +172,7 @@ fn one<'a>(
         cx.report(error.here("outside what it may be"));
         return None;
     }
-    Some(Limit {
-        kind,
-        lower,
-        upper,
-        span,
-    })
+    Some(Limit { kind, lower, upper, span })
 }
 
 /// Every waypoint lies within the limits on coordinates; told once a statement and limit.
@@ -256,19 +194,10 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
             }
             told.push(waypoint.span);
             let side = if below { "below" } else { "above" };
-            let message = format!(
-                "waypoint {} has {axis} = {} {unit}, {side} the limit",
-                i + 1,
-                number(value * scale)
-            );
+            let message = format!("waypoint {} has {axis} = {} {unit}, {side} the limit", i + 1, number(value * scale));
             let error = Diagnostic::error("mavc::mission::outside_limits", waypoint.span, message);
             let help = "move the waypoint or widen the limit; waypoints count from 1, the start";
-            cx.report(
-                error
-                    .here("leaves the limits")
-                    .also(limit.span, "limited here")
-                    .help(help),
-            );
+            cx.report(error.here("leaves the limits").also(limit.span, "limited here").help(help));
         }
     }
 }

@@ -39,9 +39,7 @@ pub struct Table {
 impl FileSet {
     /// The table that `path`, written in `file`, leads to.
     pub fn table(&self, file: FileId, path: &str) -> Option<&Table> {
-        let name = resolve(&self.sources.get(file).name, path)
-            .display()
-            .to_string();
+        let name = resolve(&self.sources.get(file).name, path).display().to_string();
         self.tables.iter().find(|table| table.name == name)
     }
 }
@@ -54,13 +52,8 @@ pub fn load(
     root_bytes: &[u8],
     read: &dyn Fn(&Path) -> io::Result<Vec<u8>>,
 ) -> (FileSet, Vec<Diagnostic>) {
-    let mut loader = Loader {
-        set: FileSet::default(),
-        diagnostics: Vec::new(),
-        read,
-        seen: BTreeMap::new(),
-        open: Vec::new(),
-    };
+    let mut loader =
+        Loader { set: FileSet::default(), diagnostics: Vec::new(), read, seen: BTreeMap::new(), open: Vec::new() };
     loader.file(root_name.to_string(), root_bytes, None);
     sort(&mut loader.diagnostics);
     (loader.set, loader.diagnostics)
@@ -89,13 +82,9 @@ impl Loader<'_> {
                 self.set.sources.add(Source::new(&name, good));
                 let at = Span::new(id, good.len(), good.len());
                 self.fail(
-                    Diagnostic::error(
-                        "mavc::file::encoding",
-                        at,
-                        format!("`{name}` is not UTF-8 text"),
-                    )
-                    .here(format!("byte {} cannot be read", error.valid_up_to()))
-                    .help("save the file as UTF-8"),
+                    Diagnostic::error("mavc::file::encoding", at, format!("`{name}` is not UTF-8 text"))
+                        .here(format!("byte {} cannot be read", error.valid_up_to()))
+                        .help("save the file as UTF-8"),
                 );
                 return;
             }
@@ -135,18 +124,12 @@ impl Loader<'_> {
     fn bring(&mut self, from: &str, path: &Spanned<String>) {
         let target = resolve(from, &path.value);
         if let Some(first) = self.open.iter().position(|open| *open == target) {
-            let circle: Vec<String> = self.open[first..]
-                .iter()
-                .chain([&target])
-                .map(|p| format!("`{}`", p.display()))
-                .collect();
+            let circle: Vec<String> =
+                self.open[first..].iter().chain([&target]).map(|p| format!("`{}`", p.display())).collect();
             let message = format!("`{}` uses itself", target.display());
             let error = Diagnostic::error("mavc::file::cycle", path.span, message)
                 .here("leads back to a file that is being read")
-                .help(format!(
-                    "the circle is {}: take one `use` out",
-                    circle.join(" -> ")
-                ));
+                .help(format!("the circle is {}: take one `use` out", circle.join(" -> ")));
             self.fail(error);
             return;
         }
@@ -154,16 +137,9 @@ impl Loader<'_> {
             return;
         }
         if self.seen.len() >= MAX_FILES {
-            if !self
-                .diagnostics
-                .iter()
-                .any(|d| d.code == "mavc::file::too_many")
-            {
+            if !self.diagnostics.iter().any(|d| d.code == "mavc::file::too_many") {
                 let message = format!("a spec is spread over more than {MAX_FILES} files");
-                self.fail(
-                    Diagnostic::error("mavc::file::too_many", path.span, message)
-                        .here("one too many"),
-                );
+                self.fail(Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many"));
             }
             return;
         }
@@ -184,15 +160,11 @@ impl Loader<'_> {
         }
         if self.set.tables.len() >= MAX_FILES {
             let message = format!("a spec reads more than {MAX_FILES} tables");
-            self.fail(
-                Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many"),
-            );
+            self.fail(Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many"));
             return;
         }
         match (self.read)(&target) {
-            Ok(bytes) if bytes.len() > MAX_TABLE_BYTES => {
-                self.fail(too_large(&name, path.span, MAX_TABLE_BYTES))
-            }
+            Ok(bytes) if bytes.len() > MAX_TABLE_BYTES => self.fail(too_large(&name, path.span, MAX_TABLE_BYTES)),
             Ok(bytes) => match String::from_utf8(bytes.clone()) {
                 Ok(text) => {
                     let file = self.set.sources.add(Source::new(&name, text));
@@ -221,9 +193,7 @@ fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error)
     };
     Diagnostic::error("mavc::file::missing", path.span, message)
         .here("named here")
-        .help(format!(
-            "paths count from the file that names them, here `{from}`"
-        ))
+        .help(format!("paths count from the file that names them, here `{from}`"))
 }
 
 fn too_large(name: &str, span: Span, limit: usize) -> Diagnostic {
@@ -260,9 +230,7 @@ fn normal(path: &Path) -> PathBuf {
     for part in path.components() {
         match part {
             Component::CurDir => {}
-            Component::ParentDir
-                if matches!(result.components().next_back(), Some(Component::Normal(_))) =>
-            {
+            Component::ParentDir if matches!(result.components().next_back(), Some(Component::Normal(_))) => {
                 result.pop();
             }
             part => result.push(part),

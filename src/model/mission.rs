@@ -65,8 +65,7 @@ impl Route {
         if self.waypoints.len() >= MAX_WAYPOINTS {
             if !self.too_many {
                 let message = format!("a mission has at most {MAX_WAYPOINTS} waypoints");
-                let error =
-                    Diagnostic::error("mavc::mission::too_many_waypoints", stop.span, message);
+                let error = Diagnostic::error("mavc::mission::too_many_waypoints", stop.span, message);
                 cx.report(error.here("the limit is passed here"));
             }
             (self.too_many, self.broken) = (true, true);
@@ -92,26 +91,12 @@ impl Route {
     }
 }
 
-pub(super) fn elaborate<'a>(
-    cx: &mut Context<'a>,
-    block: &'a Block,
-    manner: Manner,
-    files: &'a FileSet,
-) -> Outline {
-    let name = block
-        .name
-        .as_ref()
-        .map_or("mission", |n| &n.value)
-        .to_string();
+pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Manner, files: &'a FileSet) -> Outline {
+    let name = block.name.as_ref().map_or("mission", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, &[]);
-    let mut route = Route {
-        waypoints: Vec::new(),
-        yaws: Vec::new(),
-        curves: Vec::new(),
-        broken: false,
-        too_many: false,
-    };
+    let mut route =
+        Route { waypoints: Vec::new(), yaws: Vec::new(), curves: Vec::new(), broken: false, too_many: false };
     let (mut start_at_rest, mut end_at_rest) = (true, true);
     let mut limit_block: Option<&Block> = None;
     let mut limits = Some(Vec::new());
@@ -120,54 +105,26 @@ pub(super) fn elaborate<'a>(
             Statement::Start(clauses) => {
                 if !route.waypoints.is_empty() {
                     let message = "`start` comes before everything else that is flown";
-                    let error =
-                        Diagnostic::error("mavc::mission::start_first", clauses.span, message);
-                    cx.report(
-                        error
-                            .here("the mission has begun already")
-                            .help("move it up, or write `waypoint at`"),
-                    );
+                    let error = Diagnostic::error("mavc::mission::start_first", clauses.span, message);
+                    cx.report(error.here("the mission has begun already").help("move it up, or write `waypoint at`"));
                     route.broken = true;
                 }
                 waypoint(cx, clauses, "`start`", manner, &mut route);
             }
             Statement::Waypoint(clauses) => {
-                let owner = clauses
-                    .name
-                    .as_ref()
-                    .map_or("`waypoint`".into(), |n| format!("waypoint `{}`", n.value));
+                let owner = clauses.name.as_ref().map_or("`waypoint`".into(), |n| format!("waypoint `{}`", n.value));
                 waypoint(cx, clauses, &owner, manner, &mut route);
             }
-            Statement::Curve {
-                parameter,
-                range,
-                options,
-                body,
-                ..
-            } => {
-                let curve = curve::Curve {
-                    index,
-                    parameter,
-                    range,
-                    options,
-                    body,
-                };
+            Statement::Curve { parameter, range, options, body, .. } => {
+                let curve = curve::Curve { index, parameter, range, options, body };
                 curve.fly(cx, manner, &mut route);
             }
-            Statement::WaypointsFrom { path, .. } => {
-                match files.table(block.keyword.span.file, &path.value) {
-                    Some(table) => survey::read(cx, table, manner, &mut route),
-                    None => route.broken = true,
-                }
-            }
+            Statement::WaypointsFrom { path, .. } => match files.table(block.keyword.span.file, &path.value) {
+                Some(table) => survey::read(cx, table, manner, &mut route),
+                None => route.broken = true,
+            },
             Statement::Hold { duration, span } => hold(cx, duration, *span, &mut route),
-            Statement::Moving { end, .. } => {
-                *if end.value {
-                    &mut end_at_rest
-                } else {
-                    &mut start_at_rest
-                } = false
-            }
+            Statement::Moving { end, .. } => *if end.value { &mut end_at_rest } else { &mut start_at_rest } = false,
             Statement::Block(inner) => match limit_block {
                 Some(first) => {
                     let error = Diagnostic::error(
@@ -175,12 +132,7 @@ pub(super) fn elaborate<'a>(
                         inner.keyword.span,
                         "a mission has one `limits` block",
                     );
-                    cx.report(
-                        error
-                            .here("a second one")
-                            .also(first.keyword.span, "the first")
-                            .help("join them"),
-                    );
+                    cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
                 }
                 None => {
                     limit_block = Some(inner);
@@ -194,16 +146,8 @@ pub(super) fn elaborate<'a>(
     if route.waypoints.len() < 2 && !route.broken {
         let message = format!("mission `{name}` needs at least two waypoints");
         let error = Diagnostic::error("mavc::mission::too_few_waypoints", span, message);
-        let count = if route.waypoints.is_empty() {
-            "nothing is flown"
-        } else {
-            "one point is no flight"
-        };
-        cx.report(
-            error
-                .here(count)
-                .help("add `waypoint at [10, 0, 5] m` or a `curve`"),
-        );
+        let count = if route.waypoints.is_empty() { "nothing is flown" } else { "one point is no flight" };
+        cx.report(error.here(count).help("add `waypoint at [10, 0, 5] m` or a `curve`"));
         route.broken = true;
     }
     let yaw_defaulted = matches!(route.yaws.first(), Some(None));
@@ -229,12 +173,7 @@ pub(super) fn elaborate<'a>(
         }),
         _ => None,
     };
-    Outline {
-        name,
-        span,
-        mission,
-        yaw_defaulted,
-    }
+    Outline { name, span, mission, yaw_defaulted }
 }
 
 const TOLERANCE: &str = "mavc::mission::tolerance";
@@ -254,46 +193,25 @@ fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> O
         Some(e) => cx.not_negative(Due::new("weight", "1"), e, WEIGHT),
         None => Some(manner.weight),
     };
-    Some(Manner {
-        within: within?,
-        yaw_within: yaw_within?,
-        weight: weight?,
-        ..manner
-    })
+    Some(Manner { within: within?, yaw_within: yaw_within?, weight: weight?, ..manner })
 }
 
-fn waypoint<'a>(
-    cx: &mut Context<'a>,
-    clauses: &'a Clauses,
-    owner: &str,
-    manner: Manner,
-    route: &mut Route,
-) {
+fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner: Manner, route: &mut Route) {
     const KNOWN: [&str; 6] = ["at", "yaw", "within", "yaw_within", "weight", "time"];
     let fields = Fields::of_clauses(cx, owner.to_string(), clauses, &KNOWN);
-    let position = fields
-        .demand(cx, "at", "at [10, 0, 5] m")
-        .and_then(|e| cx.triple(Due::new("at", "m"), e));
-    let yaw = fields
-        .get("yaw")
-        .map(|e| cx.number(Due::new("yaw", "deg"), e));
+    let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Due::new("at", "m"), e));
+    let yaw = fields.get("yaw").map(|e| cx.number(Due::new("yaw", "deg"), e));
     let manner = manner_of(cx, &fields, manner);
-    let time = fields.get("time").map(|e| {
-        cx.not_negative(Due::new("time", "s"), e, "mavc::mission::time_order")
-            .map(|t| (t, e.span))
-    });
-    let (Some(position), Some(manner), false, false) =
-        (position, manner, yaw == Some(None), time == Some(None))
-    else {
+    let time = fields
+        .get("time")
+        .map(|e| cx.not_negative(Due::new("time", "s"), e, "mavc::mission::time_order").map(|t| (t, e.span)));
+    let (Some(position), Some(manner), false, false) = (position, manner, yaw == Some(None), time == Some(None)) else {
         route.broken = true;
         return;
     };
     let name = clauses.name.as_ref();
     if let Some(name) = name
-        && let Some(first) = route
-            .waypoints
-            .iter()
-            .find(|w| w.name.as_deref() == Some(&name.value))
+        && let Some(first) = route.waypoints.iter().find(|w| w.name.as_deref() == Some(&name.value))
     {
         cx.report(super::context::duplicate("waypoint", name, first.span));
     }
@@ -324,11 +242,7 @@ fn hold<'a>(cx: &mut Context<'a>, duration: &'a Expr, span: Span, route: &mut Ro
         (None, _) if !route.broken => {
             let message = "`hold` stands still at the waypoint before it, and there is none";
             let error = Diagnostic::error("mavc::mission::hold_first", span, message);
-            cx.report(
-                error
-                    .here("nothing comes before")
-                    .help("put `start at [0, 0, 2] m` first"),
-            );
+            cx.report(error.here("nothing comes before").help("put `start at [0, 0, 2] m` first"));
             route.broken = true;
         }
         _ => route.broken = true,
@@ -346,9 +260,7 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) {
             if i == 0 && time != 0.0 {
                 let error = Diagnostic::error(CODE, span, "the mission starts at time zero");
                 cx.report(
-                    error
-                        .here(format!("this is {} s", number(time)))
-                        .help("take the time of the first waypoint out"),
+                    error.here(format!("this is {} s", number(time))).help("take the time of the first waypoint out"),
                 );
             } else if i > 0 && time <= free_at {
                 let message = match said {
@@ -365,9 +277,7 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) {
                 if let Some((_, before)) = said {
                     error = error.also(before, "counted from here, holds between them included");
                 }
-                cx.report(
-                    error.help("times count from the start of the mission and rise along it"),
-                );
+                cx.report(error.help("times count from the start of the mission and rise along it"));
             }
             free_at = time;
             said = Some((time, span));
@@ -382,22 +292,16 @@ fn warn_close(cx: &mut Context, waypoints: &[Waypoint]) {
     for pair in waypoints.windows(2) {
         let distance = super::legs::distance(pair[0].position, pair[1].position);
         let turns = (pair[1].yaw - pair[0].yaw).abs() > pair[0].yaw_within;
-        if distance < pair[0].within && !turns && pair[0].hold == 0.0 && last != Some(pair[0].span)
-        {
+        if distance < pair[0].within && !turns && pair[0].hold == 0.0 && last != Some(pair[0].span) {
             last = Some(pair[0].span);
             let message = format!(
                 "a waypoint lies {} m from the next, closer than its tolerance of {} m",
                 number(distance),
                 number(pair[0].within)
             );
-            let warning =
-                Diagnostic::warning("mavc::mission::close_waypoints", pair[0].span, message);
+            let warning = Diagnostic::warning("mavc::mission::close_waypoints", pair[0].span, message);
             let warning = warning.here("one point may serve for both");
-            let warning = if pair[1].span == pair[0].span {
-                warning
-            } else {
-                warning.also(pair[1].span, "the next")
-            };
+            let warning = if pair[1].span == pair[0].span { warning } else { warning.also(pair[1].span, "the next") };
             cx.report(warning.help("take one out, use fewer points, or lower `within`"));
         }
     }

@@ -27,13 +27,9 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
     let file = sources.add(Source::new("--set", text));
     let whole = Span::new(file, 0, text.len());
     let shape = |message: &str| {
-        Diagnostic::error(CODE, whole, message)
-            .help("write it like `plan.time=20s` or `vehicle.mass=2kg`")
+        Diagnostic::error(CODE, whole, message).help("write it like `plan.time=20s` or `vehicle.mass=2kg`")
     };
-    let Some((path, _)) = text
-        .split_once('=')
-        .filter(|_| !text.contains(['\n', ';', '{']))
-    else {
+    let Some((path, _)) = text.split_once('=').filter(|_| !text.contains(['\n', ';', '{'])) else {
         return Err(shape("an override is a field, `=` and a value"));
     };
     let dot = path.rfind('.').map_or(0, |dot| dot + 1);
@@ -44,10 +40,7 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
         if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
             return Err(shape("the path of an override is made of names and dots"));
         }
-        names.push(Spanned::new(
-            name.to_string(),
-            Span::new(file, at, at + word.len()),
-        ));
+        names.push(Spanned::new(name.to_string(), Span::new(file, at, at + word.len())));
         at += word.len() + 1;
     }
     // The path is blanked out, so that the field stands where it was written.
@@ -69,9 +62,8 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
 pub(super) fn apply(trees: &mut [SpecFile], overrides: &[Override]) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
     // Those of the plan first: it says which vehicle and which mission are meant.
-    let (plan, other): (Vec<_>, Vec<_>) = overrides
-        .iter()
-        .partition(|o| o.path.first().is_some_and(|name| name.value == "plan"));
+    let (plan, other): (Vec<_>, Vec<_>) =
+        overrides.iter().partition(|o| o.path.first().is_some_and(|name| name.value == "plan"));
     for item in plan.into_iter().chain(other) {
         if let Err(diagnostic) = place(trees, item) {
             diagnostics.push(*diagnostic);
@@ -97,33 +89,21 @@ fn place(trees: &mut [SpecFile], item: &Override) -> Result<(), Box<Diagnostic>>
     let mut blocks: Vec<&mut Block> = trees
         .iter_mut()
         .flat_map(|tree| &mut tree.items)
-        .filter_map(|i| {
-            if let Item::Block(block) = i {
-                Some(block)
-            } else {
-                None
-            }
-        })
+        .filter_map(|i| if let Item::Block(block) = i { Some(block) } else { None })
         .filter(|block| block.keyword.value == keyword)
-        .filter(|block| {
-            chosen.is_none() || block.name.as_ref().map(|n| &n.value) == chosen.as_ref()
-        })
+        .filter(|block| chosen.is_none() || block.name.as_ref().map(|n| &n.value) == chosen.as_ref())
         .collect();
     if blocks.is_empty() {
         if keyword != "plan" || trees.is_empty() {
             let message = format!("the spec has no `{keyword}` block to set a field of");
-            return Err(Box::new(
-                Diagnostic::error(CODE, outer.span, message).here("nothing to set"),
-            ));
+            return Err(Box::new(Diagnostic::error(CODE, outer.span, message).here("nothing to set")));
         }
         let mut block = empty(outer);
         set(&mut block, inner, &item.field)?;
         trees[0].items.push(Item::Block(block));
         return Ok(());
     }
-    blocks
-        .iter_mut()
-        .try_for_each(|block| set(block, inner, &item.field))
+    blocks.iter_mut().try_for_each(|block| set(block, inner, &item.field))
 }
 
 fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Box<Diagnostic>> {
@@ -144,38 +124,23 @@ fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Box<Diagnostic
         return Ok(());
     }
     Err(Box::new(
-        Diagnostic::error(
-            CODE,
-            field.name.span,
-            format!("no `let` is called `{name}`"),
-        )
-        .here("nothing to set")
-        .help("a field of a block is set by its path, such as `plan.time=20s`"),
+        Diagnostic::error(CODE, field.name.span, format!("no `let` is called `{name}`"))
+            .here("nothing to set")
+            .help("a field of a block is set by its path, such as `plan.time=20s`"),
     ))
 }
 
 /// The vehicle or mission that `plan` names.
 fn chosen(trees: &[SpecFile], keyword: &str) -> Option<String> {
-    let plans = trees
-        .iter()
-        .flat_map(|tree| &tree.items)
-        .filter_map(|item| match item {
-            Item::Block(block) if block.keyword.value == "plan" => Some(block),
-            _ => None,
-        });
-    let mut fields = plans
-        .flat_map(|plan| &plan.body)
-        .filter_map(|statement| match statement {
-            Statement::Field(field) if field.name.value == keyword => expr_of(field),
-            _ => None,
-        });
-    fields.find_map(|expr| {
-        if let ExprKind::Name(name) = &expr.kind {
-            Some(name.clone())
-        } else {
-            None
-        }
-    })
+    let plans = trees.iter().flat_map(|tree| &tree.items).filter_map(|item| match item {
+        Item::Block(block) if block.keyword.value == "plan" => Some(block),
+        _ => None,
+    });
+    let mut fields = plans.flat_map(|plan| &plan.body).filter_map(|statement| match statement {
+        Statement::Field(field) if field.name.value == keyword => expr_of(field),
+        _ => None,
+    });
+    fields.find_map(|expr| if let ExprKind::Name(name) = &expr.kind { Some(name.clone()) } else { None })
 }
 
 /// Sets a field of a block, going down `path` through the blocks inside it.
@@ -200,49 +165,28 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagno
             None => {
                 let message = format!("`{}` has no block `{}`", block.keyword.value, next.value);
                 let error = Diagnostic::error(CODE, next.span, message).here("unknown block");
-                Err(Box::new(error.help(
-                    "blocks inside are `vehicle.rotor` and `mission.limits`",
-                )))
+                Err(Box::new(error.help("blocks inside are `vehicle.rotor` and `mission.limits`")))
             }
         };
     }
     let name = &field.name.value;
     if block.keyword.value == "limits" {
         let Some(expr) = expr_of(field).cloned() else {
-            return Err(Box::new(Diagnostic::error(
-                CODE,
-                field.span,
-                "a limit takes a value or a range",
-            )));
+            return Err(Box::new(Diagnostic::error(CODE, field.span, "a limit takes a value or a range")));
         };
         let relation = match expr.kind {
             ExprKind::Range { .. } => LimitRelation::In(expr),
             _ => LimitRelation::AtMost(expr),
         };
-        block
-            .body
-            .retain(|s| !matches!(s, Statement::Limit { name: old, .. } if old.value == *name));
-        block.body.push(Statement::Limit {
-            name: field.name.clone(),
-            relation,
-            span: field.span,
-        });
+        block.body.retain(|s| !matches!(s, Statement::Limit { name: old, .. } if old.value == *name));
+        block.body.push(Statement::Limit { name: field.name.clone(), relation, span: field.span });
         return Ok(());
     }
-    block
-        .body
-        .retain(|s| !matches!(s, Statement::Field(old) if old.name.value == *name));
+    block.body.retain(|s| !matches!(s, Statement::Field(old) if old.name.value == *name));
     block.body.push(Statement::Field(field.clone()));
     Ok(())
 }
 
 fn empty(keyword: &Name) -> Block {
-    Block {
-        keyword: keyword.clone(),
-        name: None,
-        title: None,
-        body: Vec::new(),
-        doc: None,
-        span: keyword.span,
-    }
+    Block { keyword: keyword.clone(), name: None, title: None, body: Vec::new(), doc: None, span: keyword.span }
 }

@@ -36,11 +36,7 @@ const FIELDS: [&str; 13] = [
 /// Defaults: value in SI, as written, why.
 const RESERVE: (f64, &str, &str) = (0.1, "10 %", "a share of each set stays free for feedback");
 const WITHIN: (f64, &str, &str) = (0.05, "5 cm", "how closely each waypoint is met");
-const YAW_WITHIN: (f64, &str, &str) = (
-    std::f64::consts::PI / 90.0,
-    "2 deg",
-    "how closely each yaw is met",
-);
+const YAW_WITHIN: (f64, &str, &str) = (std::f64::consts::PI / 90.0, "2 deg", "how closely each yaw is met");
 const SAMPLES: (usize, &str, &str) = (200, "200", "intervals of the whole mission");
 const WEIGHT: (f64, &str, &str) = (1.0, "1", "weight of the squared distance to each waypoint");
 const SNAP: (f64, &str, &str) = (1e-4, "1e-4", "weight of horizontal snap");
@@ -59,13 +55,7 @@ pub(super) struct Draft<'a> {
 
 impl<'a> Draft<'a> {
     pub fn read(cx: &mut Context<'a>, block: Option<&'a Block>) -> Self {
-        let mut draft = Draft {
-            fields: None,
-            against: None,
-            broken: false,
-            span: None,
-            defaults: Vec::new(),
-        };
+        let mut draft = Draft { fields: None, against: None, broken: false, span: None, defaults: Vec::new() };
         let Some(block) = block else { return draft };
         draft.span = Some(block.keyword.span);
         draft.broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
@@ -77,17 +67,9 @@ impl<'a> Draft<'a> {
             if field.name.value != "against" {
                 fields.take_field(cx, field, &FIELDS);
             } else if let Some(first) = draft.against {
-                let error = Diagnostic::error(
-                    "mavc::name::duplicate",
-                    field.name.span,
-                    "`against` is given twice in `plan`",
-                );
-                cx.report(
-                    error
-                        .here("given again")
-                        .also(first.name.span, "first given here")
-                        .help("take one out"),
-                );
+                let error =
+                    Diagnostic::error("mavc::name::duplicate", field.name.span, "`against` is given twice in `plan`");
+                cx.report(error.here("given again").also(first.name.span, "first given here").help("take one out"));
             } else {
                 draft.against = Some(field);
             }
@@ -102,18 +84,13 @@ impl<'a> Draft<'a> {
 
     fn default<T>(&mut self, field: &str, (value, text, reason): (T, &str, &str)) -> T {
         let (field, value_text) = (format!("plan.{field}"), text.to_string());
-        self.defaults.push(DefaultUsed {
-            field,
-            value: value_text,
-            reason: reason.to_string(),
-        });
+        self.defaults.push(DefaultUsed { field, value: value_text, reason: reason.to_string() });
         value
     }
 
     /// Whether `against` names its modes one by one, so that those left out are left out by oversight, maybe.
     pub fn names_modes(&self) -> bool {
-        self.against
-            .is_some_and(|field| matches!(field.value, FieldValue::Expr(_)))
+        self.against.is_some_and(|field| matches!(field.value, FieldValue::Expr(_)))
     }
 
     /// The name given for `vehicle` or `mission`.
@@ -122,11 +99,7 @@ impl<'a> Draft<'a> {
         match &expr.kind {
             ExprKind::Name(name) => Some(Spanned::new(name, expr.span)),
             _ => {
-                let error = Diagnostic::error(
-                    CHOICE,
-                    expr.span,
-                    format!("`{what}` takes the name of a {what}"),
-                );
+                let error = Diagnostic::error(CHOICE, expr.span, format!("`{what}` takes the name of a {what}"));
                 cx.report(error.here("not a name"));
                 None
             }
@@ -142,24 +115,15 @@ impl<'a> Draft<'a> {
             value.unwrap_or(instead)
         };
         let within = match self.get("within") {
-            Some(e) => keep(
-                cx.positive(Due::new("within", "cm"), e, TOLERANCE),
-                WITHIN.0,
-            ),
+            Some(e) => keep(cx.positive(Due::new("within", "cm"), e, TOLERANCE), WITHIN.0),
             None => self.default("within", WITHIN),
         };
         let yaw_within = match self.get("yaw_within") {
-            Some(e) => keep(
-                cx.positive(Due::new("yaw_within", "deg"), e, TOLERANCE),
-                YAW_WITHIN.0,
-            ),
+            Some(e) => keep(cx.positive(Due::new("yaw_within", "deg"), e, TOLERANCE), YAW_WITHIN.0),
             None => self.default("yaw_within", YAW_WITHIN),
         };
         let weight = match self.get("weight") {
-            Some(e) => keep(
-                cx.not_negative(Due::new("weight", "1"), e, "mavc::mission::weight"),
-                WEIGHT.0,
-            ),
+            Some(e) => keep(cx.not_negative(Due::new("weight", "1"), e, "mavc::mission::weight"), WEIGHT.0),
             None => self.default("weight", WEIGHT),
         };
         let timing = match self.word(cx, "timing", &["uniform", "distance"]) {
@@ -175,15 +139,7 @@ impl<'a> Draft<'a> {
                 None
             }
         };
-        (
-            Manner {
-                within,
-                yaw_within,
-                weight,
-                timing,
-            },
-            fine,
-        )
+        (Manner { within, yaw_within, weight, timing }, fine)
     }
 
     /// A field that takes one of a few words; `Some(None)` where something else stands there.
@@ -194,20 +150,14 @@ impl<'a> Draft<'a> {
         {
             return Some(Some(name));
         }
-        let error = Diagnostic::error(
-            CHOICE,
-            expr.span,
-            format!("`{field}` is one of {}", listed(words)),
-        );
+        let error = Diagnostic::error(CHOICE, expr.span, format!("`{field}` is one of {}", listed(words)));
         let error = error.here("none of them");
         let near = match &expr.kind {
             ExprKind::Name(name) => nearest(name, words.iter().copied()),
             _ => None,
         };
         cx.report(match near {
-            Some(near) => error
-                .help(format!("did you mean `{near}`?"))
-                .fix(expr.span, near),
+            Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
             None => error,
         });
         Some(None)
@@ -229,10 +179,7 @@ impl<'a> Draft<'a> {
                 "rcp" => PlannerKind::Rcp,
                 _ => PlannerKind::Rsp,
             }),
-            None => Some(self.default(
-                "planner",
-                (PlannerKind::Rsp, "rsp", "the risk-sensitive planner"),
-            )),
+            None => Some(self.default("planner", (PlannerKind::Rsp, "rsp", "the risk-sensitive planner"))),
         };
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
@@ -256,14 +203,8 @@ impl<'a> Draft<'a> {
         };
         let snap = weight("snap", SNAP);
         let acceleration = weight("acceleration", ACCELERATION);
-        let place = |name: &str| {
-            self.fields
-                .as_ref()
-                .and_then(|f| f.span_of(name))
-                .unwrap_or(span)
-        };
-        let (time_span, samples_span, reserve_span) =
-            (place("time"), place("samples"), place("reserve"));
+        let place = |name: &str| self.fields.as_ref().and_then(|f| f.span_of(name)).unwrap_or(span);
+        let (time_span, samples_span, reserve_span) = (place("time"), place("samples"), place("reserve"));
         if let Some(mission) = mission {
             if let Some(samples) = samples {
                 check_samples(cx, samples, samples_span, mission);
@@ -302,14 +243,7 @@ impl<'a> Draft<'a> {
 
     fn time(&mut self, cx: &mut Context<'a>) -> Option<MissionTime> {
         let Some(expr) = self.get("time") else {
-            return Some(self.default(
-                "time",
-                (
-                    MissionTime::Minimum,
-                    "minimum",
-                    "the shortest time that is feasible",
-                ),
-            ));
+            return Some(self.default("time", (MissionTime::Minimum, "minimum", "the shortest time that is feasible")));
         };
         if matches!(&expr.kind, ExprKind::Name(name) if name == "minimum") {
             return Some(MissionTime::Minimum);
@@ -317,21 +251,11 @@ impl<'a> Draft<'a> {
         if let ExprKind::Name(name) = &expr.kind
             && nearest(name, ["minimum"]).is_some()
         {
-            let error = Diagnostic::error(
-                CHOICE,
-                expr.span,
-                "`time` is `minimum` or a time such as `20 s`",
-            );
-            cx.report(
-                error
-                    .here("neither")
-                    .help("did you mean `minimum`?")
-                    .fix(expr.span, "minimum"),
-            );
+            let error = Diagnostic::error(CHOICE, expr.span, "`time` is `minimum` or a time such as `20 s`");
+            cx.report(error.here("neither").help("did you mean `minimum`?").fix(expr.span, "minimum"));
             return None;
         }
-        cx.positive(Due::new("time", "s"), expr, "mavc::plan::time")
-            .map(MissionTime::Fixed)
+        cx.positive(Due::new("time", "s"), expr, "mavc::plan::time").map(MissionTime::Fixed)
     }
 
     fn reserve(&mut self, cx: &mut Context<'a>, expr: &'a Expr) -> Option<f64> {
@@ -340,11 +264,7 @@ impl<'a> Draft<'a> {
         if reserve < 1.0 {
             return Some(reserve);
         }
-        let error = Diagnostic::error(
-            CODE,
-            expr.span,
-            "a reserve of 100 % leaves nothing to fly with",
-        );
+        let error = Diagnostic::error(CODE, expr.span, "a reserve of 100 % leaves nothing to fly with");
         cx.report(error.here("nothing is left").help("10 % is usual"));
         None
     }
@@ -355,19 +275,12 @@ fn check_samples(cx: &mut Context, samples: usize, span: Span, mission: &Mission
     let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
     let least = mission.legs.len() + holds;
     if samples < least {
-        let and_holds = if holds > 0 {
-            format!(" and {holds} holds")
-        } else {
-            String::new()
-        };
+        let and_holds = if holds > 0 { format!(" and {holds} holds") } else { String::new() };
         let legs = mission.legs.len();
-        let message =
-            format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
+        let message = format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
         let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
         cx.report(
-            error
-                .also(mission.span, "this mission")
-                .help(format!("write `samples = {}` or more", least.max(200))),
+            error.also(mission.span, "this mission").help(format!("write `samples = {}` or more", least.max(200))),
         );
     }
 }
@@ -389,27 +302,14 @@ fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
     }
     let last = mission.waypoints.last();
     let ends_fixed = last.is_some_and(|w| w.time.is_some());
-    let fits = if ends_fixed {
-        (time - free_at).abs() <= 1e-9 * time
-    } else {
-        time > free_at
-    };
+    let fits = if ends_fixed { (time - free_at).abs() <= 1e-9 * time } else { time > free_at };
     if !fits {
-        let ends = if ends_fixed {
-            "ends at"
-        } else {
-            "lasts longer than"
-        };
-        let message = format!(
-            "the mission {ends} {} s, which a total of {} s does not fit",
-            number(free_at),
-            number(time)
-        );
+        let ends = if ends_fixed { "ends at" } else { "lasts longer than" };
+        let message =
+            format!("the mission {ends} {} s, which a total of {} s does not fit", number(free_at), number(time));
         let error = Diagnostic::error(CODE, span, message).here("the total");
         cx.report(
-            error
-                .also(reason, "fixed here")
-                .help("change the total or the waypoint's time, or write `time = minimum`"),
+            error.also(reason, "fixed here").help("change the total or the waypoint's time, or write `time = minimum`"),
         );
     }
 }

@@ -45,15 +45,11 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
     let mut errors = 0;
     for record in reader.records() {
         let outcome = match (&columns, record) {
-            (_, Err(error)) => Err(Box::new(Diagnostic::error(
-                CODE,
-                place(table, error.position()),
-                broken_row(&error),
-            ))),
-            (None, Ok(record)) => header(cx, &record, table).map(|found| columns = Some(found)),
-            (Some(columns), Ok(record)) => {
-                row(columns, &record, table, manner).map(|stop| route.push(cx, stop, None))
+            (_, Err(error)) => {
+                Err(Box::new(Diagnostic::error(CODE, place(table, error.position()), broken_row(&error))))
             }
+            (None, Ok(record)) => header(cx, &record, table).map(|found| columns = Some(found)),
+            (Some(columns), Ok(record)) => row(columns, &record, table, manner).map(|stop| route.push(cx, stop, None)),
         };
         if let Err(error) = outcome {
             cx.report(*error);
@@ -67,69 +63,45 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
     if columns.is_none() {
         let span = Span::new(table.file, 0, 0);
         let error = Diagnostic::error(CODE, span, format!("`{}` is empty", table.name));
-        cx.report(
-            error
-                .here("a header is due")
-                .help("begin with a line such as `x_m,y_m,z_m,yaw_deg`"),
-        );
+        cx.report(error.here("a header is due").help("begin with a line such as `x_m,y_m,z_m,yaw_deg`"));
         route.broken = true;
     }
 }
 
 /// The bytes of one line of the table.
 fn place(table: &Table, position: Option<&csv::Position>) -> Span {
-    let start = position
-        .map_or(0, |p| p.byte() as usize)
-        .min(table.bytes.len());
-    let skipped = table.bytes[start..]
-        .iter()
-        .take_while(|b| b.is_ascii_whitespace())
-        .count();
+    let start = position.map_or(0, |p| p.byte() as usize).min(table.bytes.len());
+    let skipped = table.bytes[start..].iter().take_while(|b| b.is_ascii_whitespace()).count();
     let start = (start + skipped).min(table.bytes.len());
-    let length = table.bytes[start..]
-        .iter()
-        .take_while(|b| !matches!(b, b'\n' | b'\r'))
-        .count();
+    let length = table.bytes[start..].iter().take_while(|b| !matches!(b, b'\n' | b'\r')).count();
     Span::new(table.file, start, start + length)
 }
 
 fn broken_row(error: &csv::Error) -> String {
     match error.kind() {
-        csv::ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("this row has {len} cells, the header {expected_len}")
         }
         _ => "this row cannot be read".into(),
     }
 }
 
-fn header(
-    cx: &Context,
-    record: &csv::StringRecord,
-    table: &Table,
-) -> Result<Vec<Column>, Box<Diagnostic>> {
+fn header(cx: &Context, record: &csv::StringRecord, table: &Table) -> Result<Vec<Column>, Box<Diagnostic>> {
     let span = place(table, record.position());
     let fail = |message: String| Diagnostic::error(CODE, span, message).here("the header");
     let mut columns: Vec<Column> = Vec::new();
     for cell in record {
         let cell = cell.trim_start_matches('\u{feff}');
-        let matching = |(name, ..): &(&str, &str, bool)| {
-            cell == *name || cell.starts_with(&format!("{name}_"))
-        };
+        let matching = |(name, ..): &(&str, &str, bool)| cell == *name || cell.starts_with(&format!("{name}_"));
         let Some(kind) = COLUMNS.iter().position(matching) else {
             let names = COLUMNS.map(|c| c.0);
             return Err(Box::new(
-                fail(format!("the table has an unknown column `{cell}`")).help(format!(
-                    "columns are {}, each with its unit, as in `x_m`",
-                    listed(&names)
-                )),
+                fail(format!("the table has an unknown column `{cell}`"))
+                    .help(format!("columns are {}, each with its unit, as in `x_m`", listed(&names))),
             ));
         };
         let (name, unit, _) = COLUMNS[kind];
-        let written = cell
-            .strip_prefix(name)
-            .and_then(|rest| rest.strip_prefix('_'));
+        let written = cell.strip_prefix(name).and_then(|rest| rest.strip_prefix('_'));
         let unit = match (unit, written) {
             ("" | "1", None) => None,
             ("" | "1", Some(_)) => {
@@ -137,44 +109,33 @@ fn header(
             }
             (due, None) => {
                 return Err(Box::new(
-                    fail(format!("column `{name}` needs its unit"))
-                        .help(format!("write `{name}_{due}`")),
+                    fail(format!("column `{name}` needs its unit")).help(format!("write `{name}_{due}`")),
                 ));
             }
             (due, Some(text)) => match parse_unit(text, cx.gravity) {
                 Ok(unit) if unit.dimension == Due::new(name, due).dimension() => Some(unit),
                 _ => {
                     let message = format!("`{text}` is no unit for column `{name}`");
-                    return Err(Box::new(
-                        fail(message).help(format!("write `{name}_{due}`")),
-                    ));
+                    return Err(Box::new(fail(message).help(format!("write `{name}_{due}`"))));
                 }
             },
         };
         if columns.iter().any(|c| c.kind == kind) {
-            return Err(Box::new(fail(format!(
-                "the table has two columns `{name}`"
-            ))));
+            return Err(Box::new(fail(format!("the table has two columns `{name}`"))));
         }
         columns.push(Column { kind, unit });
     }
     for (kind, (name, unit, due)) in COLUMNS.iter().enumerate() {
         if *due && !columns.iter().any(|c| c.kind == kind) {
             return Err(Box::new(
-                fail(format!("the table has no column `{name}`"))
-                    .help(format!("add `{name}_{unit}`")),
+                fail(format!("the table has no column `{name}`")).help(format!("add `{name}_{unit}`")),
             ));
         }
     }
     Ok(columns)
 }
 
-fn row(
-    columns: &[Column],
-    record: &csv::StringRecord,
-    table: &Table,
-    manner: Manner,
-) -> Result<Stop, Box<Diagnostic>> {
+fn row(columns: &[Column], record: &csv::StringRecord, table: &Table, manner: Manner) -> Result<Stop, Box<Diagnostic>> {
     let span = place(table, record.position());
     let mut values = [None; COLUMNS.len()];
     let mut name = None;
@@ -186,62 +147,30 @@ fn row(
         }
         if cell.is_empty() {
             if due {
-                return Err(Box::new(
-                    Diagnostic::error(CODE, span, format!("`{title}` is empty")).here("this row"),
-                ));
+                return Err(Box::new(Diagnostic::error(CODE, span, format!("`{title}` is empty")).here("this row")));
             }
             continue;
         }
         let number = cell.parse::<f64>().ok().filter(|x| x.is_finite());
-        let value = number.map(|x| {
-            column
-                .unit
-                .map_or(x, |unit| Quantity::with_unit(x, unit).value)
-        });
+        let value = number.map(|x| column.unit.map_or(x, |unit| Quantity::with_unit(x, unit).value));
         let Some(value) = value.filter(|x| x.is_finite()) else {
             let message = format!("`{cell}` is no number for `{title}`");
-            return Err(Box::new(
-                Diagnostic::error(CODE, span, message).here("this row"),
-            ));
+            return Err(Box::new(Diagnostic::error(CODE, span, message).here("this row")));
         };
         values[column.kind] = Some(value);
     }
-    let value = |title: &str| {
-        COLUMNS
-            .iter()
-            .position(|c| c.0 == title)
-            .and_then(|kind| values[kind])
-    };
+    let value = |title: &str| COLUMNS.iter().position(|c| c.0 == title).and_then(|kind| values[kind]);
     let wrong = |code, message: &str| Diagnostic::error(code, span, message).here("this row");
     let within = value("within").unwrap_or(manner.within);
     let yaw_within = value("yaw_within").unwrap_or(manner.yaw_within);
     let weight = value("weight").unwrap_or(manner.weight);
     if within <= 0.0 || yaw_within <= 0.0 {
-        return Err(Box::new(wrong(
-            "mavc::mission::tolerance",
-            "a tolerance has to be greater than zero",
-        )));
+        return Err(Box::new(wrong("mavc::mission::tolerance", "a tolerance has to be greater than zero")));
     }
     if weight < 0.0 {
-        return Err(Box::new(wrong(
-            "mavc::mission::weight",
-            "`weight` cannot be negative",
-        )));
+        return Err(Box::new(wrong("mavc::mission::weight", "`weight` cannot be negative")));
     }
-    let position = [
-        value("x").unwrap_or(0.0),
-        value("y").unwrap_or(0.0),
-        value("z").unwrap_or(0.0),
-    ];
+    let position = [value("x").unwrap_or(0.0), value("y").unwrap_or(0.0), value("z").unwrap_or(0.0)];
     let time = value("time").map(|t| (t, span));
-    Ok(Stop {
-        name,
-        position,
-        yaw: value("yaw"),
-        within,
-        yaw_within,
-        weight,
-        time,
-        span,
-    })
+    Ok(Stop { name, position, yaw: value("yaw"), within, yaw_within, weight, time, span })
 }

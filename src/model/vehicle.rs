@@ -18,14 +18,8 @@ pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
 const VEHICLE_FIELDS: [&str; 5] = ["layout", "first", "arm", "mass", "inertia"];
-const ROTOR_FIELDS: [&str; 6] = [
-    "thrust_coefficient",
-    "max_thrust",
-    "drag_coefficient",
-    "torque_per_thrust",
-    "max_speed",
-    "time_constant",
-];
+const ROTOR_FIELDS: [&str; 6] =
+    ["thrust_coefficient", "max_thrust", "drag_coefficient", "torque_per_thrust", "max_speed", "time_constant"];
 const PLACED_FIELDS: [&str; 8] = [
     "at",
     "spin",
@@ -48,11 +42,7 @@ pub(super) struct Outline {
 }
 
 pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
-    let name = block
-        .name
-        .as_ref()
-        .map_or("vehicle", |n| &n.value)
-        .to_string();
+    let name = block.name.as_ref().map_or("vehicle", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     let owner = format!("vehicle `{name}`");
     let fields = Fields::of_block(cx, owner.clone(), span, &block.body, &VEHICLE_FIELDS);
@@ -60,26 +50,15 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
 
     let mass_expr = fields.demand(cx, "mass", "mass = 1.8 kg");
     let mass = mass_expr.and_then(|e| cx.positive(Due::new("mass", "kg"), e, POSITIVE));
-    let inertia = fields
-        .demand(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2")
-        .and_then(|e| inertia(cx, e));
-    let rotor_fields = shared.map(|b| {
-        Fields::of_block(
-            cx,
-            format!("`rotor` of {owner}"),
-            b.keyword.span,
-            &b.body,
-            &ROTOR_FIELDS,
-        )
-    });
+    let inertia = fields.demand(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2").and_then(|e| inertia(cx, e));
+    let rotor_fields =
+        shared.map(|b| Fields::of_block(cx, format!("`rotor` of {owner}"), b.keyword.span, &b.body, &ROTOR_FIELDS));
 
     let (places, count) = match placed {
         Some(placed) => {
             for field in ["layout", "first", "arm"] {
                 if let Some(at) = fields.span_of(field) {
-                    let message = format!(
-                        "`{field}` describes a ring, but {owner} places its rotors one by one"
-                    );
+                    let message = format!("`{field}` describes a ring, but {owner} places its rotors one by one");
                     cx.report(
                         Diagnostic::error("mavc::vehicle::conflict", at, message)
                             .here("has no meaning beside `rotors`")
@@ -92,9 +71,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         }
         None => ring(cx, &fields),
     };
-    let base = rotor_fields
-        .as_ref()
-        .map(|fields| rotor::Traits::read(cx, fields));
+    let base = rotor_fields.as_ref().map(|fields| rotor::Traits::read(cx, fields));
     if base.is_none() && placed.is_none() && !fields.may_have("rotor") {
         let example = "rotor { thrust_coefficient = ...; drag_coefficient = ...; max_speed = ... }";
         fields.missing(cx, "`rotor` block", example);
@@ -121,12 +98,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     if let Some(vehicle) = &vehicle {
         check_whole(cx, vehicle);
     }
-    Outline {
-        name,
-        span,
-        rotors: count,
-        vehicle,
-    }
+    Outline { name, span, rotors: count, vehicle }
 }
 
 /// The `rotor` and `rotors` blocks; a second one of either is an error.
@@ -136,21 +108,12 @@ fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Opt
         let Statement::Block(inner) = statement else {
             continue;
         };
-        let slot = if inner.keyword.value == "rotors" {
-            &mut placed
-        } else {
-            &mut shared
-        };
+        let slot = if inner.keyword.value == "rotors" { &mut placed } else { &mut shared };
         match slot {
             Some(first) => {
                 let message = format!("a vehicle has one `{}` block", inner.keyword.value);
                 let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
-                cx.report(
-                    error
-                        .here("a second one")
-                        .also(first.keyword.span, "the first")
-                        .help("join them"),
-                );
+                cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
             }
             None => *slot = Some(inner),
         }
@@ -161,11 +124,7 @@ fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Opt
 fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
     let [x, y, z] = cx.triple(Due::new("inertia", "kg*m^2"), expr)?;
     if let Some(bad) = [x, y, z].into_iter().find(|i| *i <= 0.0) {
-        let error = Diagnostic::error(
-            POSITIVE,
-            expr.span,
-            "`inertia` has to be greater than zero about every axis",
-        );
+        let error = Diagnostic::error(POSITIVE, expr.span, "`inertia` has to be greater than zero about every axis");
         cx.report(error.here(format!("{} kg*m^2 is among them", number(bad))));
         return None;
     }
@@ -214,11 +173,7 @@ fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>
     let n = spins.len() as f64;
     let places = spins.into_iter().enumerate().map(|(k, spin)| {
         let (sin, cos) = exact_sin_cos(first + 2.0 * PI * k as f64 / n);
-        Place {
-            position: [arm * sin, arm * cos, 0.0],
-            spin,
-            own: None,
-        }
+        Place { position: [arm * sin, arm * cos, 0.0], spin, own: None }
     });
     (Some(places.collect()), count)
 }
@@ -239,11 +194,7 @@ fn exact_sin_cos(angle: f64) -> (f64, f64) {
 
 fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     let ExprKind::Text(text) = &expr.kind else {
-        let error = Diagnostic::error(
-            "mavc::vehicle::layout",
-            expr.span,
-            "`layout` is a text of the letters P and N",
-        );
+        let error = Diagnostic::error("mavc::vehicle::layout", expr.span, "`layout` is a text of the letters P and N");
         cx.report(error.here("not a text").help("write `layout = \"PNPN\"`"));
         return None;
     };
@@ -251,63 +202,33 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
         let start = expr.span.start as usize + 1 + at;
         let span = Span::new(expr.span.file, start, start + letter.len_utf8());
         let message = format!("a layout is made of P and N, not `{letter}`");
-        let mut error =
-            Diagnostic::error("mavc::vehicle::layout", span, message).here("neither P nor N");
+        let mut error = Diagnostic::error("mavc::vehicle::layout", span, message).here("neither P nor N");
         error = match letter.to_ascii_uppercase() {
-            upper @ ('P' | 'N') => error
-                .help(format!("write `{upper}`"))
-                .fix(span, upper.to_string()),
+            upper @ ('P' | 'N') => error.help(format!("write `{upper}`")).fix(span, upper.to_string()),
             _ => error.help("P turns counter-clockwise seen from above, N clockwise"),
         };
         cx.report(error);
         return None;
     }
     if !text.len().is_multiple_of(2) || !ROTORS.contains(&text.len()) {
-        let message = format!(
-            "a ring has an even number of rotors from 4 to 32, not {}",
-            text.len()
-        );
+        let message = format!("a ring has an even number of rotors from 4 to 32, not {}", text.len());
         let error = Diagnostic::error("mavc::vehicle::rotor_count", expr.span, message);
-        cx.report(
-            error
-                .here(format!("{} letters", text.len()))
-                .help("for other arrangements, use `rotors { ... }`"),
-        );
+        cx.report(error.here(format!("{} letters", text.len())).help("for other arrangements, use `rotors { ... }`"));
         return None;
     }
-    Some(
-        text.chars()
-            .map(|c| if c == 'P' { Spin::P } else { Spin::N })
-            .collect(),
-    )
+    Some(text.chars().map(|c| if c == 'P' { Spin::P } else { Spin::N }).collect())
 }
 
 /// Rotors placed one by one; the second value is their number, errors or not.
-fn one_by_one<'a>(
-    cx: &mut Context<'a>,
-    block: &'a Block,
-    owner: &str,
-) -> (Option<Vec<Place<'a>>>, Option<usize>) {
-    let rotors: Vec<&'a Clauses> = block
-        .body
-        .iter()
-        .filter_map(|s| {
-            if let Statement::Rotor(r) = s {
-                Some(r)
-            } else {
-                None
-            }
-        })
-        .collect();
+fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Option<Vec<Place<'a>>>, Option<usize>) {
+    let rotors: Vec<&'a Clauses> =
+        block.body.iter().filter_map(|s| if let Statement::Rotor(r) = s { Some(r) } else { None }).collect();
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
     for statement in &block.body {
         if let Statement::Field(field) = statement {
             let message = format!("`rotors` of {owner} has no field `{}`", field.name.value);
-            let error = Diagnostic::error("mavc::name::unknown_field", field.name.span, message)
-                .here("unknown here");
-            cx.report(
-                error.help("what all rotors share stands in a `rotor { ... }` block beside it"),
-            );
+            let error = Diagnostic::error("mavc::name::unknown_field", field.name.span, message).here("unknown here");
+            cx.report(error.help("what all rotors share stands in a `rotor { ... }` block beside it"));
         }
     }
     if !broken && !ROTORS.contains(&rotors.len()) {
@@ -329,50 +250,27 @@ fn one_by_one<'a>(
 
 fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Place<'a>> {
     let own = Fields::of_clauses(cx, format!("rotor {k}"), rotor, &PLACED_FIELDS);
-    let position = own
-        .demand(cx, "at", "at [0.2, 0.15, 0] m")
-        .and_then(|e| cx.triple(Due::new("at", "m"), e));
-    let spin = own
-        .demand(cx, "spin", "spin P")
-        .and_then(|e| match &e.kind {
-            ExprKind::Name(name) if name == "P" => Some(Spin::P),
-            ExprKind::Name(name) if name == "N" => Some(Spin::N),
-            _ => {
-                let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` is P or N");
-                cx.report(
-                    error
-                        .here("neither")
-                        .help("P turns counter-clockwise seen from above, N clockwise"),
-                );
-                None
-            }
-        });
-    Some(Place {
-        position: position?,
-        spin: spin?,
-        own: Some(own),
-    })
+    let position = own.demand(cx, "at", "at [0.2, 0.15, 0] m").and_then(|e| cx.triple(Due::new("at", "m"), e));
+    let spin = own.demand(cx, "spin", "spin P").and_then(|e| match &e.kind {
+        ExprKind::Name(name) if name == "P" => Some(Spin::P),
+        ExprKind::Name(name) if name == "N" => Some(Spin::N),
+        _ => {
+            let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` is P or N");
+            cx.report(error.here("neither").help("P turns counter-clockwise seen from above, N clockwise"));
+            None
+        }
+    });
+    Some(Place { position: position?, spin: spin?, own: Some(own) })
 }
 
 /// What only the whole vehicle shows: its weight against its thrust, and whether it can hold its yaw.
 fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
     let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
     let weight = vehicle.mass * cx.gravity;
-    let finite = vehicle
-        .rotors
-        .iter()
-        .all(|r| r.max_thrust().is_finite() && r.drag_coefficient.is_finite());
+    let finite = vehicle.rotors.iter().all(|r| r.max_thrust().is_finite() && r.drag_coefficient.is_finite());
     if !finite || !thrust.is_finite() || !weight.is_finite() {
-        let error = Diagnostic::error(
-            "mavc::unit::not_finite",
-            vehicle.span,
-            "the rotors' thrust is not finite",
-        );
-        cx.report(
-            error
-                .here("these rotors")
-                .help("check the coefficients and speeds"),
-        );
+        let error = Diagnostic::error("mavc::unit::not_finite", vehicle.span, "the rotors' thrust is not finite");
+        cx.report(error.here("these rotors").help("check the coefficients and speeds"));
         return;
     }
     if thrust <= weight {
@@ -386,28 +284,16 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
             Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
                 .here("too heavy for these rotors")
                 .also(vehicle.span, format!("{} rotors", vehicle.rotors.len()))
-                .help(format!(
-                    "at full thrust it could carry {} kg",
-                    number(thrust / cx.gravity)
-                )),
+                .help(format!("at full thrust it could carry {} kg", number(thrust / cx.gravity))),
         );
     }
-    let same = vehicle
-        .rotors
-        .iter()
-        .all(|r| r.spin == vehicle.rotors[0].spin);
+    let same = vehicle.rotors.iter().all(|r| r.spin == vehicle.rotors[0].spin);
     if same {
-        let message = format!(
-            "all rotors of vehicle `{}` turn the same way, so it cannot hold its yaw",
-            vehicle.name
-        );
+        let message = format!("all rotors of vehicle `{}` turn the same way, so it cannot hold its yaw", vehicle.name);
         cx.report(
             Diagnostic::error("mavc::vehicle::spin_balance", vehicle.span, message)
                 .here("every drag torque points the same way")
-                .help(format!(
-                    "let some rotors turn the other way: {} are both needed",
-                    listed(&["P", "N"])
-                )),
+                .help(format!("let some rotors turn the other way: {} are both needed", listed(&["P", "N"]))),
         );
     }
 }

@@ -23,8 +23,13 @@ pub enum Run {
 pub enum Ending {
     Solved(Box<Solved>),
     /// No plan at the time in question, or at no time at all.
-    Infeasible { at: f64 },
-    Inconclusive { at: f64, status: String },
+    Infeasible {
+        at: f64,
+    },
+    Inconclusive {
+        at: f64,
+        status: String,
+    },
 }
 
 /// A plan with what is reported of it.
@@ -104,12 +109,7 @@ struct Found {
 /// Runs the planners. Every mode in `against` must hold hover; see `crate::admissible::verdict`.
 ///
 /// `progress` is told the planner's name and each mission time tried.
-pub fn compare(
-    model: &Model,
-    mission: &Mission,
-    scope: Scope,
-    progress: Progress,
-) -> Comparison {
+pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
     let setting = Setting::new(model, mission, progress);
     match scope {
         Scope::Plan => setting.plan(),
@@ -334,10 +334,7 @@ impl<'a> Setting<'a> {
         let several = self.names.len() > 1;
         let (rip, tightest) = rayon::join(
             || self.search("RIP", &self.rip, Hint::default(), Pool::default()),
-            || {
-                (!self.names.is_empty())
-                    .then(|| self.search("RCP", &self.joint, Hint::default(), Pool::default()))
-            },
+            || (!self.names.is_empty()).then(|| self.search("RCP", &self.joint, Hint::default(), Pool::default())),
         );
         let mut effort = rip.effort;
         effort += tightest.as_ref().map_or(Effort::default(), |f| f.effort);
@@ -372,8 +369,7 @@ impl<'a> Setting<'a> {
                 selected = self.violated(planned);
             }
             let rsp_set = self.rip.with(selected.clone());
-            let mut common =
-                vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.rip)];
+            let mut common = vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.rip)];
             let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
                 || self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), selected.is_empty()),
                 || {

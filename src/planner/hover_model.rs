@@ -46,11 +46,7 @@ impl WrenchMap {
         let [ixx, iyy, izz] = vehicle.inertia;
         let (roll, pitch) = (ixx / gravity, iyy / gravity);
         let tau = |x: f64, y: f64| Wrench::new(0.0, roll * x, pitch * y, 0.0);
-        let mut terms = vec![
-            (X, 4, tau(s, c)),
-            (Y, 4, tau(-c, s)),
-            (Z, 2, Wrench::new(vehicle.mass, 0.0, 0.0, 0.0)),
-        ];
+        let mut terms = vec![(X, 4, tau(s, c)), (Y, 4, tau(-c, s)), (Z, 2, Wrench::new(vehicle.mass, 0.0, 0.0, 0.0))];
         if rate != 0.0 || acceleration != 0.0 {
             terms.push((X, 3, tau(2.0 * rate * c, -2.0 * rate * s)));
             terms.push((Y, 3, tau(2.0 * rate * s, 2.0 * rate * c)));

@@ -137,7 +137,9 @@ fn share_intervals(segments: &mut [Segment], samples: usize) {
     while used != samples {
         let lack = |i: usize| ideal[i] - segments[i].intervals as f64;
         let chosen = if used < samples {
-            (0..segments.len()).rev().max_by(|&a, &b| (lack(a) - 1e-9 * a as f64).total_cmp(&(lack(b) - 1e-9 * b as f64)))
+            (0..segments.len())
+                .rev()
+                .max_by(|&a, &b| (lack(a) - 1e-9 * a as f64).total_cmp(&(lack(b) - 1e-9 * b as f64)))
         } else {
             (0..segments.len()).filter(|&i| segments[i].intervals > 1).min_by(|&a, &b| lack(a).total_cmp(&lack(b)))
         };

@@ -216,11 +216,11 @@ impl<'a> Engine<'a> {
         let climb = (extent(0) / vehicle.mass - self.model.gravity).abs().max(self.model.gravity);
         let turn = extent(3) / izz;
         let plan = &self.model.plan;
-        let inputs = plan.snap_weight * tilting * tilting
-            + plan.acceleration_weight * (climb * climb + turn * turn);
-        let misses = self.mission.waypoints.iter().map(|w| {
-            w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
-        });
+        let inputs = plan.snap_weight * tilting * tilting + plan.acceleration_weight * (climb * climb + turn * turn);
+        let misses =
+            self.mission.waypoints.iter().map(|w| {
+                w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
+            });
         Some(inputs * layout.profile.total + misses.sum::<f64>())
     }
 

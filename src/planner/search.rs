@@ -89,12 +89,9 @@ impl<'a> Engine<'a> {
         let samples = self.model.plan.samples;
         if let Some(total) = determined(self.mission) {
             return match self.decide(total, samples, set, pool) {
-                Decision::Feasible(planned) => Ok(Shortest {
-                    time: total,
-                    planned: *planned,
-                    infeasible_at: None,
-                    infeasible_above: Vec::new(),
-                }),
+                Decision::Feasible(planned) => {
+                    Ok(Shortest { time: total, planned: *planned, infeasible_at: None, infeasible_above: Vec::new() })
+                }
                 Decision::Infeasible => Err(NoTime::Infeasible { up_to: total }),
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
@@ -243,9 +240,8 @@ impl Search<'_, '_> {
         }
         let first = (time / GRID).round();
         let longer = [1.05, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0].map(|f| steps(first * f));
-        let mut infeasible = |t: &Ticks| {
-            !self.roughly_feasible(*t) && matches!(self.try_at(*t, samples), Decision::Infeasible)
-        };
+        let mut infeasible =
+            |t: &Ticks| !self.roughly_feasible(*t) && matches!(self.try_at(*t, samples), Decision::Infeasible);
         longer.into_iter().filter(&mut infeasible).map(seconds).collect()
     }
 }

@@ -107,7 +107,10 @@ mod tests {
                     }
                     expected += (value(k + 1, order) - value(k, order)) / h * power;
                     let found = value(k + 1, i);
-                    assert!((found - expected).abs() < 1e-9 * (1.0 + found.abs()), "{order} {k} {i}: {found} {expected}");
+                    assert!(
+                        (found - expected).abs() < 1e-9 * (1.0 + found.abs()),
+                        "{order} {k} {i}: {found} {expected}"
+                    );
                 }
             }
         }

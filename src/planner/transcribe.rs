@@ -241,9 +241,7 @@ impl<'a> Transcription<'a> {
     /// |p - p_i| <= within_i + slack; yaw tolerances widen in the same proportion:
     /// |psi - psi_i| <= yaw_within_i (1 + slack / within_i).
     fn waypoints(&self, builder: &mut Builder, slack: &Affine) {
-        for (waypoint, (w, &node)) in
-            self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes).enumerate()
-        {
+        for (waypoint, (w, &node)) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes).enumerate() {
             if self.plans(X) && w.within < UNBOUNDED {
                 let mut cone = vec![slack.clone().plus_constant(w.within)];
                 for (axis, target) in [X, Y, Z].into_iter().zip(w.position) {

@@ -50,19 +50,13 @@ impl YawPlan {
 }
 
 /// Plans yaw for one profile, or says what the solver said.
-pub fn plan_yaw(
-    model: &Model,
-    mission: &Mission,
-    profile: &Profile,
-    effort: &mut Effort,
-) -> Result<YawPlan, Outcome> {
+pub fn plan_yaw(model: &Model, mission: &Mission, profile: &Profile, effort: &mut Effort) -> Result<YawPlan, Outcome> {
     let first = mission.waypoints[0].yaw;
     if mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12) {
         return Ok(YawPlan::Free { psi: first });
     }
     let nothing = PlanningSet::default();
-    let transcription =
-        Transcription::new(model, mission, profile, &nothing, &[], &ALL_AXES[3..]);
+    let transcription = Transcription::new(model, mission, profile, &nothing, &[], &ALL_AXES[3..]);
     let (outcome, spent) = solve(&transcription.program(Purpose::Plan { slack: 0.0 }, &[]));
     *effort += spent;
     let Outcome::Solved(solution) = outcome else { return Err(outcome) };

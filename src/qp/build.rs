@@ -122,8 +122,7 @@ impl Builder {
         }
         cones.extend(self.cones.iter().map(|c| Cone::SecondOrder(c.0.len())));
         let single = self.equal.into_iter().chain(self.nonnegative);
-        let grouped =
-            self.cones.into_iter().flat_map(|(rows, origin)| rows.into_iter().map(move |r| (r, origin)));
+        let grouped = self.cones.into_iter().flat_map(|(rows, origin)| rows.into_iter().map(move |r| (r, origin)));
         let mut entries = Vec::new();
         let mut b = Vec::with_capacity(rows);
         let mut row_origin = Vec::with_capacity(rows);

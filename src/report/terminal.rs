@@ -35,7 +35,10 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison) -> String
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
     if let Some(time) = comparison.common_time.filter(|_| solved && model.plan.planner == PlannerKind::Rsp) {
         out.push_str(&match comparison.selected.len() {
-            0 => format!("RSP guards nothing more than RIP: the RIP plan at {} s stays inside every fault set\n", number(time)),
+            0 => format!(
+                "RSP guards nothing more than RIP: the RIP plan at {} s stays inside every fault set\n",
+                number(time)
+            ),
             1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s passes\n", number(time)),
             n => format!("RSP guards {n} facets of the fault sets: those the RIP plan at {} s passes\n", number(time)),
         });
@@ -64,13 +67,7 @@ pub fn no_plan(run: &PlannerRun, ending: &Ending) -> String {
     }
 }
 
-fn solved_run(
-    model: &Model,
-    mission: &Mission,
-    comparison: &Comparison,
-    run: &PlannerRun,
-    solved: &Solved,
-) -> String {
+fn solved_run(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun, solved: &Solved) -> String {
     let e = errors(mission, solved);
     let mut out = format!("{}: {} s", label(run.planner, &run.against), number(solved.time));
     match (run.run, solved.infeasible_at) {
@@ -202,7 +199,10 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison) -> Str
     }
     for run in comparison.runs.iter().filter(|r| r.planner == PlannerKind::Rsp && r.run == Run::Common) {
         if let Ending::Infeasible { at } = run.ending {
-            out.push_str(&format!("RSP has no plan in {} s; its own shortest time is in the first table.\n", number(at)));
+            out.push_str(&format!(
+                "RSP has no plan in {} s; its own shortest time is in the first table.\n",
+                number(at)
+            ));
         }
     }
     out

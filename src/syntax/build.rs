@@ -27,13 +27,7 @@ const MAX_CALLS: usize = 200_000_000;
 
 pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>) {
     pest::set_call_limit(std::num::NonZeroUsize::new(MAX_CALLS));
-    let Layout {
-        text,
-        docs,
-        diagnostics,
-        blocks_unsure,
-        ..
-    } = layout;
+    let Layout { text, docs, diagnostics, blocks_unsure, .. } = layout;
     let starts = diagnostics.iter().map(|d| d.span.start).collect();
     let mut builder = Builder {
         file,
@@ -50,13 +44,9 @@ pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>)
         Err(error) => {
             let at = Span::new(file, expected::position(&error), text.len());
             builder.diagnostics.push(
-                Diagnostic::error(
-                    "mavc::syntax::unexpected",
-                    at,
-                    "the text cannot be read from here on",
-                )
-                .here("here")
-                .help("split the statement"),
+                Diagnostic::error("mavc::syntax::unexpected", at, "the text cannot be read from here on")
+                    .here("here")
+                    .help("split the statement"),
             );
             vec![Item::Broken(at)]
         }
@@ -109,12 +99,7 @@ impl Builder<'_> {
     }
 
     /// Every statement of a body, each wrapped for the list it goes into.
-    fn statements<T>(
-        &mut self,
-        body: Pair<Rule>,
-        place: Place,
-        wrap: fn(Any, Span) -> T,
-    ) -> Vec<T> {
+    fn statements<T>(&mut self, body: Pair<Rule>, place: Place, wrap: fn(Any, Span) -> T) -> Vec<T> {
         let mut end_of_block = None;
         let mut list = Vec::new();
         for pair in body.into_inner() {
@@ -122,15 +107,12 @@ impl Builder<'_> {
             if let Some(end) = end_of_block {
                 self.expect_separator(end, span);
             }
-            end_of_block =
-                matches!(pair.as_rule(), Rule::block | Rule::broken).then_some(span.end as usize);
+            end_of_block = matches!(pair.as_rule(), Rule::block | Rule::broken).then_some(span.end as usize);
             let doc = self.doc(span.start);
-            let any = self
-                .statement(pair, place, doc)
-                .unwrap_or_else(|diagnostic| {
-                    self.diagnostics.push(*diagnostic);
-                    Any::Statement(Statement::Broken(span))
-                });
+            let any = self.statement(pair, place, doc).unwrap_or_else(|diagnostic| {
+                self.diagnostics.push(*diagnostic);
+                Any::Statement(Statement::Broken(span))
+            });
             list.push(wrap(any, span));
         }
         list
@@ -151,10 +133,7 @@ impl Builder<'_> {
     fn simple(&self, pair: Pair<Rule>, doc: Option<String>) -> Built<(Any, Kind)> {
         let span = self.span(&pair);
         let rule = pair.as_rule();
-        let mut parts = Parts {
-            file: self.file,
-            pairs: pair.into_inner(),
-        };
+        let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
         let (statement, kind) = match rule {
             Rule::import => {
                 parts.skip(Rule::kw_use);
@@ -174,24 +153,12 @@ impl Builder<'_> {
             Rule::moving => (parts.moving(span), Kind::Flight),
             Rule::hold => {
                 parts.skip(Rule::kw_hold);
-                (
-                    Statement::Hold {
-                        duration: parts.expr()?,
-                        span,
-                    },
-                    Kind::Flight,
-                )
+                (Statement::Hold { duration: parts.expr()?, span }, Kind::Flight)
             }
             _ => {
                 parts.skip(Rule::kw_waypoints);
                 parts.skip(Rule::kw_from);
-                (
-                    Statement::WaypointsFrom {
-                        path: parts.text(),
-                        span,
-                    },
-                    Kind::Flight,
-                )
+                (Statement::WaypointsFrom { path: parts.text(), span }, Kind::Flight)
             }
         };
         Ok((Any::Statement(statement), kind))
@@ -201,14 +168,9 @@ impl Builder<'_> {
         let span = self.span(&pair);
         let mut inner = pair.into_inner();
         let head = inner.next().expect("a block has a head");
-        let body = inner
-            .find(|p| p.as_rule() == Rule::body)
-            .expect("a block has a body");
+        let body = inner.find(|p| p.as_rule() == Rule::body).expect("a block has a body");
         let rule = head.as_rule();
-        let mut parts = Parts {
-            file: self.file,
-            pairs: head.clone().into_inner(),
-        };
+        let mut parts = Parts { file: self.file, pairs: head.clone().into_inner() };
         let (kind, around) = match rule {
             Rule::every_head => (Kind::Every, Place::Every),
             Rule::curve_head => (Kind::Curve, Place::Curve),
@@ -223,18 +185,14 @@ impl Builder<'_> {
         let made = match rule {
             Rule::every_head => parts.every(span, doc),
             Rule::curve_head => parts.curve(span, doc),
-            _ => parts
-                .block(span, doc)
-                .and_then(|block| mistake::check_head(block, around)),
+            _ => parts.block(span, doc).and_then(|block| mistake::check_head(block, around)),
         };
         let fits = self.check_place(kind, place, &head);
         let statements = self.body(body, around);
         fits?;
         let mut statement = made?;
         match &mut statement {
-            Statement::Block(Block { body, .. })
-            | Statement::Every { body, .. }
-            | Statement::Curve { body, .. } => {
+            Statement::Block(Block { body, .. }) | Statement::Every { body, .. } | Statement::Curve { body, .. } => {
                 *body = statements;
             }
             _ => {}
@@ -244,14 +202,9 @@ impl Builder<'_> {
 
     /// The block that a head opens; one that is misspelt is reported and taken as the one meant.
     fn block_kind(&mut self, head: &Pair<Rule>, place: Place) -> Option<Place> {
-        let keyword = head
-            .clone()
-            .into_inner()
-            .next()
-            .expect("a head has a keyword");
+        let keyword = head.clone().into_inner().next().expect("a head has a keyword");
         Place::of_block(keyword.as_str()).or_else(|| {
-            let (diagnostic, meant) =
-                mistake::unknown_block(keyword.as_str(), self.span(&keyword), place);
+            let (diagnostic, meant) = mistake::unknown_block(keyword.as_str(), self.span(&keyword), place);
             self.diagnostics.push(diagnostic);
             meant
         })
@@ -270,31 +223,16 @@ impl Builder<'_> {
         }
         let start = span.start as usize;
         let late = self.late_brace.take().filter(|(brace, _)| *brace == start);
-        let word = head
-            .split(|c: char| !c.is_ascii_alphanumeric())
-            .next()
-            .unwrap_or(head);
-        let inside = late
-            .map(|(_, inside)| inside)
-            .or(Place::of_head(word))
-            .unwrap_or(Place::Unknown);
+        let word = head.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or(head);
+        let inside = late.map(|(_, inside)| inside).or(Place::of_head(word)).unwrap_or(Place::Unknown);
         let has_body = body.is_some();
         if !has_body {
             let rest = self.text[start + head.len()..].trim_start();
-            self.late_brace = rest
-                .starts_with('{')
-                .then_some((self.text.len() - rest.len(), inside));
+            self.late_brace = rest.starts_with('{').then_some((self.text.len() - rest.len(), inside));
         }
         if late.is_none() {
             let brace_below = self.late_brace.is_some();
-            self.explain(mistake::Broken {
-                file: self.file,
-                text: head,
-                start,
-                place,
-                has_body,
-                brace_below,
-            });
+            self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below });
         }
         if let Some(body) = body {
             self.body(body, inside);
@@ -308,8 +246,7 @@ impl Builder<'_> {
             return;
         }
         let failure = expected::failure(statement.text, statement.place, statement.has_body);
-        self.diagnostics
-            .push(mistake::explain(&statement, &failure));
+        self.diagnostics.push(mistake::explain(&statement, &failure));
     }
 
     fn check_place(&self, kind: Kind, place: Place, pair: &Pair<Rule>) -> Built<()> {
@@ -318,23 +255,15 @@ impl Builder<'_> {
         }
         let span = self.span(pair);
         let text = pair.as_str().trim_end();
-        let word = text
-            .split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
-            .next()
-            .unwrap_or(text);
-        let span = Span {
-            end: span.start + word.len() as u32,
-            ..span
-        };
+        let word = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).next().unwrap_or(text);
+        let span = Span { end: span.start + word.len() as u32, ..span };
         Err(Box::new(mistake::misplaced(kind, place, word, span)))
     }
 
     /// A block's end and the statement that starts at `next` need a new line or `;` between them.
     fn expect_separator(&mut self, end: usize, next: Span) {
         let start = next.start as usize;
-        if self.text[end..start].contains(['\n', ';', '\u{4}'])
-            || self.is_settled(start, next.end as usize)
-        {
+        if self.text[end..start].contains(['\n', ';', '\u{4}']) || self.is_settled(start, next.end as usize) {
             return;
         }
         let length = self.text[start..].chars().next().map_or(0, char::len_utf8);
@@ -371,13 +300,9 @@ impl Builder<'_> {
     fn drop_docs(&mut self, end: usize) {
         while let Some(doc) = self.docs.next_if(|d| (d.span.start as usize) < end) {
             self.diagnostics.push(
-                Diagnostic::warning(
-                    "mavc::syntax::dangling_doc",
-                    doc.span,
-                    "this `///` comment documents nothing",
-                )
-                .here("no statement follows it")
-                .help("write `//` for a comment that belongs to no statement"),
+                Diagnostic::warning("mavc::syntax::dangling_doc", doc.span, "this `///` comment documents nothing")
+                    .here("no statement follows it")
+                    .help("write `//` for a comment that belongs to no statement"),
             );
         }
     }

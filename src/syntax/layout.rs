@@ -151,30 +151,17 @@ impl Scanner<'_> {
             _ => {}
         }
         if self.tokens > MAX_TOKENS {
-            self.limit(
-                "mavc::syntax::tokens",
-                start,
-                format!("a file holds at most {MAX_TOKENS} words and marks"),
-            );
+            self.limit("mavc::syntax::tokens", start, format!("a file holds at most {MAX_TOKENS} words and marks"));
         } else if self.statements > MAX_STATEMENTS {
-            self.limit(
-                "mavc::syntax::statements",
-                start,
-                format!("a file holds at most {MAX_STATEMENTS} statements"),
-            );
+            self.limit("mavc::syntax::statements", start, format!("a file holds at most {MAX_STATEMENTS} statements"));
         } else if self.brackets.len() + self.blocks.len() > MAX_DEPTH {
-            self.limit(
-                "mavc::syntax::depth",
-                start,
-                format!("brackets and blocks nest at most {MAX_DEPTH} deep"),
-            );
+            self.limit("mavc::syntax::depth", start, format!("brackets and blocks nest at most {MAX_DEPTH} deep"));
         }
     }
 
     fn limit(&mut self, code: &'static str, at: usize, message: String) {
         let length = self.text[at..].chars().next().map_or(0, char::len_utf8);
-        let diagnostic = Diagnostic::error(code, self.span(at, at + length), message)
-            .here("the limit is passed here");
+        let diagnostic = Diagnostic::error(code, self.span(at, at + length), message).here("the limit is passed here");
         let help = match code {
             "mavc::syntax::depth" => "take a part out into a `let`",
             _ => "spread the spec over several files and bring them together with `use`",
@@ -215,10 +202,7 @@ impl Scanner<'_> {
         let text = &self.text[start..end];
         if text.starts_with("///") && !text.starts_with("////") && self.statement.is_none() {
             let span = self.span(start, end);
-            self.layout.docs.push(Doc {
-                span,
-                text: text[3..].trim().to_string(),
-            });
+            self.layout.docs.push(Doc { span, text: text[3..].trim().to_string() });
         }
         self.blank(start, end);
         self.at = end;
@@ -228,14 +212,10 @@ impl Scanner<'_> {
         let (start, end) = (self.at, self.line_end(self.at));
         let mark = self.span(start, start + 1);
         self.report(
-            Diagnostic::error(
-                "mavc::syntax::comment",
-                mark,
-                "comments begin with `//`, not `#`",
-            )
-            .here("`#` starts no comment")
-            .help("write `//`")
-            .fix(mark, "//"),
+            Diagnostic::error("mavc::syntax::comment", mark, "comments begin with `//`, not `#`")
+                .here("`#` starts no comment")
+                .help("write `//`")
+                .fix(mark, "//"),
         );
         self.blank(start, end);
         self.at = end;
@@ -244,11 +224,7 @@ impl Scanner<'_> {
     /// `/* .. */` of other languages: passed over as if it were a comment.
     fn foreign_comment(&mut self) {
         let start = self.at;
-        let close = if self.comment_ends {
-            self.text[start + 2..].find("*/")
-        } else {
-            None
-        };
+        let close = if self.comment_ends { self.text[start + 2..].find("*/") } else { None };
         self.comment_ends = close.is_some();
         let end = close.map_or_else(|| self.line_end(start), |i| start + 2 + i + 2);
         self.report(
@@ -267,24 +243,17 @@ impl Scanner<'_> {
     /// A text between double quotes, all on one line.
     fn quoted(&mut self, start: usize) {
         let rest = &self.text[start + 1..];
-        if let Some(length) = rest
-            .find(['"', '\n'])
-            .filter(|&i| rest.as_bytes()[i] == b'"')
-        {
+        if let Some(length) = rest.find(['"', '\n']).filter(|&i| rest.as_bytes()[i] == b'"') {
             self.at = start + 1 + length + 1;
             return;
         }
         let end = self.line_end(start);
         let content = start + self.text[start..end].trim_end().len();
         self.report(
-            Diagnostic::error(
-                "mavc::syntax::unclosed_text",
-                self.span(start, content),
-                "this text is never closed",
-            )
-            .here("no `\"` follows on this line")
-            .help("close it with `\"`")
-            .fix(self.span(content, content), "\""),
+            Diagnostic::error("mavc::syntax::unclosed_text", self.span(start, content), "this text is never closed")
+                .here("no `\"` follows on this line")
+                .help("close it with `\"`")
+                .fix(self.span(content, content), "\""),
         );
         self.blank(start + 1, end);
         self.at = end;
@@ -310,14 +279,8 @@ impl Scanner<'_> {
 
     /// Where the line ends, before `\r\n` or `\n`.
     fn line_end(&self, from: usize) -> usize {
-        let end = self.text[from..]
-            .find('\n')
-            .map_or(self.text.len(), |i| from + i);
-        if end > from && self.text.as_bytes()[end - 1] == b'\r' {
-            end - 1
-        } else {
-            end
-        }
+        let end = self.text[from..].find('\n').map_or(self.text.len(), |i| from + i);
+        if end > from && self.text.as_bytes()[end - 1] == b'\r' { end - 1 } else { end }
     }
 
     fn skip_while(&self, from: usize, accept: fn(u8) -> bool) -> usize {
@@ -330,11 +293,7 @@ impl Scanner<'_> {
         let start = self.skip_while(at, is_blank);
         let end = self.skip_while(start, is_name_byte);
         let name = &self.text[start..end];
-        let name = if name.starts_with(|c: char| c.is_ascii_digit()) {
-            ""
-        } else {
-            name
-        };
+        let name = if name.starts_with(|c: char| c.is_ascii_digit()) { "" } else { name };
         (name, self.skip_while(end, is_blank))
     }
 }

@@ -63,11 +63,7 @@ impl Broken<'_> {
 
     /// The statement's first word; empty where it begins with something else.
     fn word(&self) -> &str {
-        if self.text.starts_with(|c: char| c.is_ascii_digit()) {
-            ""
-        } else {
-            token(self.text, 0, is_name)
-        }
+        if self.text.starts_with(|c: char| c.is_ascii_digit()) { "" } else { token(self.text, 0, is_name) }
     }
 
     /// What stands at `at`: a word, a number, a text, or a run of marks that looks like one operator.
@@ -77,9 +73,7 @@ impl Broken<'_> {
             return "";
         };
         match first {
-            c if is_name(c) => {
-                token(self.text, at, |c| is_name(c) || c == '.').trim_end_matches('.')
-            }
+            c if is_name(c) => token(self.text, at, |c| is_name(c) || c == '.').trim_end_matches('.'),
             '"' => rest[1..].find('"').map_or("\"", |i| &rest[..i + 2]),
             c if "=<>:!&|".contains(c) => token(self.text, at, |c| "=<>:!&|".contains(c)),
             '.' if rest.starts_with("..") => "..",
@@ -97,14 +91,9 @@ impl Broken<'_> {
         if let Some(quote) = text.strip_suffix('"').and_then(|t| t.rfind('"')) {
             return (quote, &text[quote..]);
         }
-        let word = text.rfind(|c: char| !is_name(c)).map_or(0, |i| {
-            i + text[i..].chars().next().map_or(1, char::len_utf8)
-        });
-        let start = if word < text.len() {
-            word
-        } else {
-            text.char_indices().next_back().map_or(0, |(i, _)| i)
-        };
+        let word =
+            text.rfind(|c: char| !is_name(c)).map_or(0, |i| i + text[i..].chars().next().map_or(1, char::len_utf8));
+        let start = if word < text.len() { word } else { text.char_indices().next_back().map_or(0, |(i, _)| i) };
         (start, &text[start..])
     }
 }
@@ -120,11 +109,7 @@ pub(super) fn explain(statement: &Broken, failure: &Failure) -> Diagnostic {
 fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
     let found = statement.found(failure.at);
     let (_, before) = statement.before(failure.at);
-    let after = if before.is_empty() {
-        String::new()
-    } else {
-        format!(" after `{}`", cut(before))
-    };
+    let after = if before.is_empty() { String::new() } else { format!(" after `{}`", cut(before)) };
     let wanted = list(&failure.expected, statement.has_body);
     if found.is_empty() {
         let at = statement.text.len();
@@ -134,33 +119,17 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
             false => ("mavc::syntax::unexpected", wanted),
         };
         // The end of a line shows better under its last character than beyond it.
-        let from = statement
-            .text
-            .char_indices()
-            .next_back()
-            .map_or(0, |(i, _)| i);
-        let diagnostic = Diagnostic::error(
-            code,
-            statement.span(from, at),
-            format!("{wanted} is missing{after}"),
-        )
-        .here(format!("{wanted} must follow"));
+        let from = statement.text.char_indices().next_back().map_or(0, |(i, _)| i);
+        let diagnostic = Diagnostic::error(code, statement.span(from, at), format!("{wanted} is missing{after}"))
+            .here(format!("{wanted} must follow"));
         return with_form(diagnostic, statement);
     }
     let span = statement.span(failure.at, failure.at + found.len());
     let message = format!("expected {wanted}{after}, found `{}`", cut(found));
-    let only_end = failure
-        .expected
-        .iter()
-        .all(|e| matches!(e, Expected::End | Expected::Operator | Expected::Unit));
-    let diagnostic =
-        Diagnostic::error("mavc::syntax::unexpected", span, message).here("this does not fit here");
-    if only_end
-        && !statement.has_body
-        && found.starts_with(|c: char| is_name(c) || "\",".contains(c))
-    {
-        return diagnostic
-            .help("one statement stands on a line: begin a new line or write `;` between two");
+    let only_end = failure.expected.iter().all(|e| matches!(e, Expected::End | Expected::Operator | Expected::Unit));
+    let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, message).here("this does not fit here");
+    if only_end && !statement.has_body && found.starts_with(|c: char| is_name(c) || "\",".contains(c)) {
+        return diagnostic.help("one statement stands on a line: begin a new line or write `;` between two");
     }
     with_form(diagnostic, statement)
 }
@@ -199,9 +168,7 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
         "waypoint" => "waypoint tower at [12, 3, 18] m  within 10 cm",
         "waypoints" => "waypoints from \"survey.csv\"",
         "hold" => "hold 4 s",
-        "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => {
-            "rotor at [0.2, 0.15, 0] m  spin P"
-        }
+        "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => "rotor at [0.2, 0.15, 0] m  spin P",
         "rotor" | "rotors" => FAULT,
         _ if place == Place::Limits => "speed <= 8 m/s",
         _ => return None,
@@ -212,14 +179,7 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
 fn list(expected: &[Expected], has_body: bool) -> String {
     // That a value may also be a text, or go on, is worth saying only where nothing else is due.
     let due = |e: &Expected| {
-        matches!(
-            e,
-            Expected::Word(_)
-                | Expected::Effect
-                | Expected::Clause
-                | Expected::Comma
-                | Expected::Closing(_)
-        )
+        matches!(e, Expected::Word(_) | Expected::Effect | Expected::Clause | Expected::Comma | Expected::Closing(_))
     };
     let more_is_due = expected.iter().any(due);
     let mut words: Vec<String> = expected

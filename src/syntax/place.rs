@@ -54,26 +54,12 @@ const BLOCKS: &[(&str, Place, bool, Place)] = &[
 
 /// The words that begin a statement in each place, fields aside.
 const OPENERS: &[(Place, &[&str])] = &[
-    (
-        Place::Top,
-        &["use", "let", "vehicle", "faults", "mission", "plan"],
-    ),
+    (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan"]),
     (Place::Vehicle, &["rotor", "rotors"]),
     (Place::Rotors, &["rotor"]),
     (Place::Faults, &["every", "mode"]),
     (Place::Mode, &["rotor", "rotors"]),
-    (
-        Place::Mission,
-        &[
-            "curve",
-            "start",
-            "end",
-            "waypoint",
-            "waypoints",
-            "hold",
-            "limits",
-        ],
-    ),
+    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits"]),
 ];
 
 impl Place {

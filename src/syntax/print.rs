@@ -9,8 +9,7 @@ use std::fmt::{self, Display, Formatter};
 impl Display for SpecFile {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         for (i, item) in self.items.iter().enumerate() {
-            let apart = matches!(item, Item::Block(_))
-                || i > 0 && matches!(self.items[i - 1], Item::Block(_));
+            let apart = matches!(item, Item::Block(_)) || i > 0 && matches!(self.items[i - 1], Item::Block(_));
             if i > 0 && apart {
                 writeln!(f)?;
             }
@@ -85,42 +84,20 @@ fn print_statement(f: &mut Formatter<'_>, depth: usize, statement: &Statement) -
     match statement {
         Statement::Field(field) => writeln!(f, "{field}"),
         Statement::Block(_) => Ok(()),
-        Statement::Every {
-            count,
-            effect,
-            prefix,
-            body: statements,
-            ..
-        } => {
+        Statement::Every { count, effect, prefix, body: statements, .. } => {
             let one = matches!(&count.kind, ExprKind::Number { text, .. } if text == "1");
             let rotors = if one { "rotor" } else { "rotors" };
             write!(f, "every {count} {rotors} {effect} as {}", prefix.value)?;
-            if statements.is_empty() {
-                writeln!(f)
-            } else {
-                body(f, depth, statements)
-            }
+            if statements.is_empty() { writeln!(f) } else { body(f, depth, statements) }
         }
         Statement::Fault { rotors, effect, .. } => {
             let several = matches!(rotors.kind, ExprKind::List { .. });
-            writeln!(
-                f,
-                "{} {rotors} {effect}",
-                if several { "rotors" } else { "rotor" }
-            )
+            writeln!(f, "{} {rotors} {effect}", if several { "rotors" } else { "rotor" })
         }
         Statement::Rotor(clauses) => writeln!(f, "rotor{clauses}"),
-        Statement::Curve {
-            parameter,
-            range,
-            options,
-            body: statements,
-            ..
-        } => {
+        Statement::Curve { parameter, range, options, body: statements, .. } => {
             write!(f, "curve {} in {range}", parameter.value)?;
-            options
-                .iter()
-                .try_for_each(|option| write!(f, ", {option}"))?;
+            options.iter().try_for_each(|option| write!(f, ", {option}"))?;
             body(f, depth, statements)
         }
         Statement::Start(clauses) => writeln!(f, "start{clauses}"),
@@ -141,11 +118,7 @@ impl Display for Field {
         write!(f, "{} = ", self.name.value)?;
         match &self.value {
             FieldValue::Expr(expr) => write!(f, "{expr}"),
-            FieldValue::Where {
-                field,
-                relation,
-                value,
-            } => {
+            FieldValue::Where { field, relation, value } => {
                 write!(f, "where {} {} {value}", field.value, relation.value)
             }
         }
@@ -187,12 +160,8 @@ impl Display for Effect {
 /// The name and the clauses, a blank before each.
 impl Display for Clauses {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.name
-            .iter()
-            .try_for_each(|name| write!(f, " {}", name.value))?;
-        self.clauses
-            .iter()
-            .try_for_each(|c| write!(f, " {} {}", c.word.value, c.value))
+        self.name.iter().try_for_each(|name| write!(f, " {}", name.value))?;
+        self.clauses.iter().try_for_each(|c| write!(f, " {} {}", c.word.value, c.value))
     }
 }
 
@@ -205,20 +174,13 @@ impl Display for Expr {
             }
             ExprKind::Text(text) => write!(f, "\"{text}\""),
             ExprKind::Name(name) => f.write_str(name),
-            ExprKind::Call {
-                function,
-                arguments,
-            } => {
+            ExprKind::Call { function, arguments } => {
                 write!(f, "{}(", function.value)?;
                 separated(f, arguments)?;
                 f.write_str(")")
             }
             ExprKind::Negate(operand) => write!(f, "-{operand}"),
-            ExprKind::Binary {
-                operator,
-                left,
-                right,
-            } => write!(f, "{left} {} {right}", operator.value.symbol()),
+            ExprKind::Binary { operator, left, right } => write!(f, "{left} {} {right}", operator.value.symbol()),
             ExprKind::Paren { inner, unit } => {
                 write!(f, "({inner})")?;
                 print_unit(f, unit)
@@ -235,14 +197,11 @@ impl Display for Expr {
 }
 
 fn separated(f: &mut Formatter<'_>, list: &[Expr]) -> fmt::Result {
-    list.iter()
-        .enumerate()
-        .try_for_each(|(i, expr)| write!(f, "{}{expr}", if i == 0 { "" } else { ", " }))
+    list.iter().enumerate().try_for_each(|(i, expr)| write!(f, "{}{expr}", if i == 0 { "" } else { ", " }))
 }
 
 fn print_unit(f: &mut Formatter<'_>, unit: &Option<UnitText>) -> fmt::Result {
-    unit.iter()
-        .try_for_each(|unit| write!(f, " {}", unit.value))
+    unit.iter().try_for_each(|unit| write!(f, " {}", unit.value))
 }
 
 impl Operator {

@@ -14,7 +14,8 @@ pub struct Outside {
     pub rows: usize,
     /// Nodes with a violated row.
     pub positions: usize,
-    /// Largest excess over all nodes and rows, in widths of the healthy set; negative where all stays inside.
+    /// Largest excess over all rows, in widths of the healthy set, at the nodes and, where the wrench bends between
+    /// them, at sixteen points an interval; negative where all stays inside.
     pub max_violation: f64,
     /// Seconds outside.
     pub seconds: f64,
@@ -58,6 +59,7 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
             let t = h * p as f64 / parts as f64;
             let right = (t, if p == parts { wrenches[k + 1] } else { at(t) });
             for row in rows {
+                found.max_violation = found.max_violation.max(row.excess(&right.1));
                 spans.extend(span_outside(row, left, right, curved.then_some(&at as &dyn Fn(f64) -> Wrench)));
             }
             left = right;

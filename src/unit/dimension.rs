@@ -33,14 +33,8 @@ pub struct Exponent {
 }
 
 impl Exponent {
-    pub const ZERO: Exponent = Exponent {
-        numerator: 0,
-        denominator: 1,
-    };
-    pub const ONE: Exponent = Exponent {
-        numerator: 1,
-        denominator: 1,
-    };
+    pub const ZERO: Exponent = Exponent { numerator: 0, denominator: 1 };
+    pub const ONE: Exponent = Exponent { numerator: 1, denominator: 1 };
     /// Largest numerator and denominator.
     pub const LIMIT: i64 = 1000;
 
@@ -49,22 +43,17 @@ impl Exponent {
         if denominator == 0 {
             return None;
         }
-        let divisor =
-            gcd(numerator.unsigned_abs(), denominator.unsigned_abs()) as i64 * denominator.signum();
+        let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs()) as i64 * denominator.signum();
         let (numerator, denominator) = (numerator / divisor, denominator / divisor);
         let fits = numerator.abs() <= Self::LIMIT && denominator <= Self::LIMIT;
-        fits.then_some(Exponent {
-            numerator,
-            denominator,
-        })
+        fits.then_some(Exponent { numerator, denominator })
     }
 
     /// The exponent that `x` stands for, if `x` is a fraction with a denominator of at most 12.
     pub fn from_f64(x: f64) -> Option<Self> {
         (1..=12i64).find_map(|d| {
             let n = (x * d as f64).round();
-            (n.abs() <= Self::LIMIT as f64 && n / d as f64 == x)
-                .then(|| Exponent::new(n as i64, d))?
+            (n.abs() <= Self::LIMIT as f64 && n / d as f64 == x).then(|| Exponent::new(n as i64, d))?
         })
     }
 
@@ -84,17 +73,11 @@ impl Exponent {
     }
 
     fn times(self, other: Self) -> Option<Self> {
-        Self::new(
-            self.numerator * other.numerator,
-            self.denominator * other.denominator,
-        )
+        Self::new(self.numerator * other.numerator, self.denominator * other.denominator)
     }
 
     fn negated(self) -> Self {
-        Exponent {
-            numerator: -self.numerator,
-            ..self
-        }
+        Exponent { numerator: -self.numerator, ..self }
     }
 }
 
@@ -163,10 +146,7 @@ impl Dimension {
 
     /// What people call it and the unit they write, where there is a usual name.
     pub fn named(self) -> Option<(&'static str, &'static str)> {
-        NAMED
-            .iter()
-            .find(|(_, _, e)| Dimension::integers(*e) == self)
-            .map(|(name, unit, _)| (*name, *unit))
+        NAMED.iter().find(|(_, _, e)| Dimension::integers(*e) == self).map(|(name, unit, _)| (*name, *unit))
     }
 
     /// `a length (m)`, `a plain number`, or the factors where there is no usual name.
@@ -179,10 +159,7 @@ impl Dimension {
     }
 
     fn integers(exponents: [i8; 4]) -> Self {
-        Dimension(exponents.map(|e| Exponent {
-            numerator: i64::from(e),
-            denominator: 1,
-        }))
+        Dimension(exponents.map(|e| Exponent { numerator: i64::from(e), denominator: 1 }))
     }
 }
 
@@ -219,11 +196,7 @@ impl fmt::Display for Dimension {
             factors.collect::<Vec<_>>()
         };
         let (above, below) = (part(false), part(true));
-        let above = if above.is_empty() {
-            "1".to_string()
-        } else {
-            above.join("*")
-        };
+        let above = if above.is_empty() { "1".to_string() } else { above.join("*") };
         f.write_str(&above)?;
         below.iter().try_for_each(|factor| write!(f, "/{factor}"))
     }
@@ -231,9 +204,5 @@ impl fmt::Display for Dimension {
 
 /// `m`, `m^2`, `m^-1`.
 pub(super) fn power(base: Base, exponent: Exponent) -> String {
-    if exponent == Exponent::ONE {
-        base.symbol().into()
-    } else {
-        format!("{}^{exponent}", base.symbol())
-    }
+    if exponent == Exponent::ONE { base.symbol().into() } else { format!("{}^{exponent}", base.symbol()) }
 }

@@ -26,57 +26,32 @@ pub fn mismatch(expected: Dimension, found: Dimension) -> Mismatch {
 /// As [`mismatch`], with names of its own for the two sides.
 pub fn compare(names: [&str; 2], expected: Dimension, found: Dimension) -> Mismatch {
     let missing = expected.over(found).unwrap_or(Dimension::PLAIN);
-    let shared = Base::ALL
-        .into_iter()
-        .any(|b| !expected.exponent(b).is_zero() && !found.exponent(b).is_zero());
+    let shared = Base::ALL.into_iter().any(|b| !expected.exponent(b).is_zero() && !found.exponent(b).is_zero());
     let mut rows = vec![(names[0], expected), (names[1], found)];
     if shared {
         rows.push(("missing", missing));
     }
     let title = rows.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let used: Vec<Base> = Base::ALL
-        .into_iter()
-        .filter(|&b| rows.iter().any(|(_, d)| !d.exponent(b).is_zero()))
-        .collect();
-    let width = |base: Base| {
-        rows.iter()
-            .map(|(_, d)| cell(*d, base).len())
-            .max()
-            .unwrap_or(0)
-    };
+    let used: Vec<Base> =
+        Base::ALL.into_iter().filter(|&b| rows.iter().any(|(_, d)| !d.exponent(b).is_zero())).collect();
+    let width = |base: Base| rows.iter().map(|(_, d)| cell(*d, base).len()).max().unwrap_or(0);
     let line = |(name, dimension): &(&str, Dimension)| {
-        let cells: String = used
-            .iter()
-            .map(|&b| format!("  {:<w$}", cell(*dimension, b), w = width(b)))
-            .collect();
-        let cells = if dimension.is_plain() {
-            "  a plain number".to_string()
-        } else {
-            cells
-        };
+        let cells: String = used.iter().map(|&b| format!("  {:<w$}", cell(*dimension, b), w = width(b))).collect();
+        let cells = if dimension.is_plain() { "  a plain number".to_string() } else { cells };
         format!("{name:>title$}{}", cells.trim_end())
     };
     let table = rows.iter().map(line).collect::<Vec<_>>().join("\n");
-    Mismatch {
-        table,
-        action: shared.then(|| action(missing)),
-    }
+    Mismatch { table, action: shared.then(|| action(missing)) }
 }
 
 fn cell(dimension: Dimension, base: Base) -> String {
     let exponent = dimension.exponent(base);
-    if exponent.is_zero() {
-        String::new()
-    } else {
-        power(base, exponent)
-    }
+    if exponent.is_zero() { String::new() } else { power(base, exponent) }
 }
 
 fn action(missing: Dimension) -> String {
     let inverse = Dimension::PLAIN.over(missing).unwrap_or(missing);
-    let positive = Base::ALL
-        .into_iter()
-        .any(|b| !missing.exponent(b).is_zero() && !missing.exponent(b).is_negative());
+    let positive = Base::ALL.into_iter().any(|b| !missing.exponent(b).is_zero() && !missing.exponent(b).is_negative());
     match (missing.named(), inverse.named()) {
         (Some(_), _) if positive => format!("multiply by {}", missing.describe()),
         (_, Some(_)) => format!("divide by {}", inverse.describe()),
@@ -91,21 +66,12 @@ mod tests {
 
     #[test]
     fn factors_stand_under_each_other() {
-        let inertia = Dimension::MASS
-            .times(Dimension::LENGTH)
-            .and_then(|d| d.times(Dimension::LENGTH))
-            .unwrap();
+        let inertia = Dimension::MASS.times(Dimension::LENGTH).and_then(|d| d.times(Dimension::LENGTH)).unwrap();
         let found = Dimension::MASS.times(Dimension::LENGTH).unwrap();
         let told = mismatch(inertia, found);
-        assert_eq!(
-            told.table,
-            "expected  kg  m^2\n   found  kg  m\n missing      m"
-        );
+        assert_eq!(told.table, "expected  kg  m^2\n   found  kg  m\n missing      m");
         assert_eq!(told.action.as_deref(), Some("multiply by a length (m)"));
-        assert_eq!(
-            mismatch(found, inertia).action.as_deref(),
-            Some("divide by a length (m)")
-        );
+        assert_eq!(mismatch(found, inertia).action.as_deref(), Some("divide by a length (m)"));
     }
 
     #[test]

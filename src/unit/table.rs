@@ -49,11 +49,7 @@ const UNITS: &[Row] = &[
 ];
 
 /// Units of force by weight: mass in kilograms as a fraction; the scale carries the spec's gravity.
-const WEIGHTS: &[(&str, f64, f64)] = &[
-    ("kgf", 1.0, 1.0),
-    ("gf", 1.0, 1000.0),
-    ("lbf", 0.45359237, 1.0),
-];
+const WEIGHTS: &[(&str, f64, f64)] = &[("kgf", 1.0, 1.0), ("gf", 1.0, 1000.0), ("lbf", 0.45359237, 1.0)];
 
 const PREFIXES: &[(&str, f64, f64)] = &[
     ("G", 1e9, 1.0),
@@ -111,10 +107,7 @@ const HABITS: &[(&str, &str)] = &[
 
 /// Every symbol of the table, without prefixes, in its order.
 pub fn unit_names() -> impl Iterator<Item = &'static str> {
-    UNITS
-        .iter()
-        .map(|row| row.0)
-        .chain(WEIGHTS.iter().map(|row| row.0))
+    UNITS.iter().map(|row| row.0).chain(WEIGHTS.iter().map(|row| row.0))
 }
 
 /// Reads a unit text: words with whole exponents joined by `*` and `/`, a leading `1` for a bare
@@ -123,22 +116,13 @@ pub fn unit_names() -> impl Iterator<Item = &'static str> {
 /// # Errors
 /// The first word that is no unit, or a run that is no product of powers.
 pub fn parse_unit(text: &str, gravity: f64) -> Result<Unit, UnitError> {
-    let mut unit = Unit {
-        numerator: 1.0,
-        denominator: 1.0,
-        dimension: Dimension::PLAIN,
-    };
+    let mut unit = Unit { numerator: 1.0, denominator: 1.0, dimension: Dimension::PLAIN };
     let mut rest = text;
     let mut inverse = false;
     loop {
         let end = rest.find(['*', '/', '·']).unwrap_or(rest.len());
         let factor = parse_factor(&rest[..end], gravity)?;
-        unit = if inverse {
-            over(unit, factor)
-        } else {
-            times(unit, factor)
-        }
-        .ok_or(UnitError::Malformed)?;
+        unit = if inverse { over(unit, factor) } else { times(unit, factor) }.ok_or(UnitError::Malformed)?;
         let Some(sign) = rest[end..].chars().next() else {
             break;
         };
@@ -152,17 +136,9 @@ pub fn parse_unit(text: &str, gravity: f64) -> Result<Unit, UnitError> {
     // In lowest terms where one side divides the other, so that `kg` is exactly 1.
     let inverse = unit.denominator / unit.numerator;
     if scale.fract() == 0.0 {
-        unit = Unit {
-            numerator: scale,
-            denominator: 1.0,
-            ..unit
-        };
+        unit = Unit { numerator: scale, denominator: 1.0, ..unit };
     } else if inverse.fract() == 0.0 {
-        unit = Unit {
-            numerator: 1.0,
-            denominator: inverse,
-            ..unit
-        };
+        unit = Unit { numerator: 1.0, denominator: inverse, ..unit };
     }
     Ok(unit)
 }
@@ -186,10 +162,7 @@ fn over(a: Unit, b: Unit) -> Option<Unit> {
 /// `m`, `m^2`, `s^-1`, `m²`, `1`.
 fn parse_factor(text: &str, gravity: f64) -> Result<Unit, UnitError> {
     let (word, exponent) = if let Some((word, exponent)) = text.split_once('^') {
-        (
-            word,
-            exponent.parse::<i32>().map_err(|_| UnitError::Malformed)?,
-        )
+        (word, exponent.parse::<i32>().map_err(|_| UnitError::Malformed)?)
     } else if let Some(word) = text.strip_suffix('²') {
         (word, 2)
     } else if let Some(word) = text.strip_suffix('³') {
@@ -199,29 +172,15 @@ fn parse_factor(text: &str, gravity: f64) -> Result<Unit, UnitError> {
     };
     let unit = match word {
         "" => return Err(UnitError::Malformed),
-        "1" => Unit {
-            numerator: 1.0,
-            denominator: 1.0,
-            dimension: Dimension::PLAIN,
-        },
-        _ => lookup(word, gravity).ok_or_else(|| UnitError::Unknown {
-            word: word.to_string(),
-            meant: meant(word, gravity),
-        })?,
+        "1" => Unit { numerator: 1.0, denominator: 1.0, dimension: Dimension::PLAIN },
+        _ => lookup(word, gravity)
+            .ok_or_else(|| UnitError::Unknown { word: word.to_string(), meant: meant(word, gravity) })?,
     };
     let power = Exponent::new(i64::from(exponent), 1).ok_or(UnitError::Malformed)?;
     let dimension = unit.dimension.power(power).ok_or(UnitError::Malformed)?;
-    let (up, down) = if exponent < 0 {
-        (unit.denominator, unit.numerator)
-    } else {
-        (unit.numerator, unit.denominator)
-    };
+    let (up, down) = if exponent < 0 { (unit.denominator, unit.numerator) } else { (unit.numerator, unit.denominator) };
     let n = exponent.abs();
-    Ok(Unit {
-        numerator: up.powi(n),
-        denominator: down.powi(n),
-        dimension,
-    })
+    Ok(Unit { numerator: up.powi(n), denominator: down.powi(n), dimension })
 }
 
 fn lookup(word: &str, gravity: f64) -> Option<Unit> {
@@ -230,59 +189,33 @@ fn lookup(word: &str, gravity: f64) -> Option<Unit> {
             let stem = word.strip_prefix(prefix)?;
             let row = UNITS.iter().find(|row| row.0 == stem && row.4)?;
             let unit = from_row(row);
-            Some(Unit {
-                numerator: unit.numerator * up,
-                denominator: unit.denominator * down,
-                ..unit
-            })
+            Some(Unit { numerator: unit.numerator * up, denominator: unit.denominator * down, ..unit })
         })
     })
 }
 
 fn exact(word: &str, gravity: f64) -> Option<Unit> {
-    let weight = WEIGHTS
-        .iter()
-        .find(|row| row.0 == word)
-        .map(|(_, up, down)| Unit {
-            numerator: up * gravity,
-            denominator: *down,
-            dimension: from_row(&UNITS[4]).dimension,
-        });
+    let weight = WEIGHTS.iter().find(|row| row.0 == word).map(|(_, up, down)| Unit {
+        numerator: up * gravity,
+        denominator: *down,
+        dimension: from_row(&UNITS[4]).dimension,
+    });
     weight.or_else(|| UNITS.iter().find(|row| row.0 == word).map(from_row))
 }
 
 fn from_row(row: &Row) -> Unit {
-    let bases = [
-        Dimension::MASS,
-        Dimension::LENGTH,
-        Dimension::TIME,
-        Dimension::ANGLE,
-    ];
-    let dimension = bases
-        .iter()
-        .zip(row.3)
-        .fold(Dimension::PLAIN, |product, (base, e)| {
-            let factor = Exponent::new(e, 1).and_then(|e| base.power(e));
-            factor
-                .and_then(|factor| product.times(factor))
-                .unwrap_or(product)
-        });
-    Unit {
-        numerator: row.1,
-        denominator: row.2,
-        dimension,
-    }
+    let bases = [Dimension::MASS, Dimension::LENGTH, Dimension::TIME, Dimension::ANGLE];
+    let dimension = bases.iter().zip(row.3).fold(Dimension::PLAIN, |product, (base, e)| {
+        let factor = Exponent::new(e, 1).and_then(|e| base.power(e));
+        factor.and_then(|factor| product.times(factor)).unwrap_or(product)
+    });
+    Unit { numerator: row.1, denominator: row.2, dimension }
 }
 
 /// What somebody who wrote `word` probably wanted.
 fn meant(word: &str, gravity: f64) -> Option<String> {
-    let habit = HABITS
-        .iter()
-        .find(|(wrong, _)| wrong.eq_ignore_ascii_case(word))
-        .map(|(_, right)| right.to_string());
-    habit
-        .or_else(|| run_together(word, gravity))
-        .or_else(|| other_case(word, gravity))
+    let habit = HABITS.iter().find(|(wrong, _)| wrong.eq_ignore_ascii_case(word)).map(|(_, right)| right.to_string());
+    habit.or_else(|| run_together(word, gravity)).or_else(|| other_case(word, gravity))
 }
 
 /// `Nm` for `N*m`: two or three units without the signs between them.
@@ -293,11 +226,7 @@ fn run_together(word: &str, gravity: f64) -> Option<String> {
     word.char_indices().skip(1).find_map(|(cut, _)| {
         let (first, rest) = word.split_at(cut);
         lookup(first, gravity)?;
-        let rest = if lookup(rest, gravity).is_some() {
-            rest.to_string()
-        } else {
-            run_together(rest, gravity)?
-        };
+        let rest = if lookup(rest, gravity).is_some() { rest.to_string() } else { run_together(rest, gravity)? };
         Some(format!("{first}*{rest}"))
     })
 }
@@ -305,13 +234,9 @@ fn run_together(word: &str, gravity: f64) -> Option<String> {
 /// `Kg` for `kg`, `RPM` for `rpm`.
 fn other_case(word: &str, gravity: f64) -> Option<String> {
     let lower = word.to_lowercase();
-    let prefixed = PREFIXES.iter().flat_map(|(prefix, ..)| {
-        UNITS
-            .iter()
-            .filter(|row| row.4)
-            .map(move |row| format!("{prefix}{}", row.0))
-    });
+    let prefixed = PREFIXES
+        .iter()
+        .flat_map(|(prefix, ..)| UNITS.iter().filter(|row| row.4).map(move |row| format!("{prefix}{}", row.0)));
     let all = unit_names().map(str::to_string).chain(prefixed);
-    all.filter(|name| name.to_lowercase() == lower)
-        .find(|name| lookup(name, gravity).is_some())
+    all.filter(|name| name.to_lowercase() == lower).find(|name| lookup(name, gravity).is_some())
 }

@@ -76,7 +76,9 @@ fn a_plan_writes_a_table_and_a_report() {
     let csv = std::fs::read_to_string(&table).unwrap();
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(lines.len(), 202);
-    assert!(lines[0].starts_with("t,x,y,z,yaw,vx,vy,vz,yaw_rate,ax,ay,az,yaw_acc,jx,jy,jz,sx,sy,sz,roll,pitch,thrust,"));
+    assert!(
+        lines[0].starts_with("t,x,y,z,yaw,vx,vy,vz,yaw_rate,ax,ay,az,yaw_acc,jx,jy,jz,sx,sy,sz,roll,pitch,thrust,")
+    );
     assert!(lines[0].ends_with("tau_x,tau_y,tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8"));
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
     assert_eq!(record["planners"][0]["status"], "solved");
@@ -110,8 +112,7 @@ fn the_same_spec_gives_the_same_bytes() {
 fn rates_resample_and_keep_waypoints() {
     let ran = mavc_with(&["plan", "-", "-o", "-", "--rate", "7 Hz"], HOP);
     assert_eq!(code(&ran), 0, "{}", err(&ran));
-    let times: Vec<f64> =
-        out(&ran).lines().skip(1).map(|l| l.split(',').next().unwrap().parse().unwrap()).collect();
+    let times: Vec<f64> = out(&ran).lines().skip(1).map(|l| l.split(',').next().unwrap().parse().unwrap()).collect();
     assert_eq!(times.len(), 43);
     assert!((times[1] - 1.0 / 7.0).abs() < 1e-12);
     assert_eq!(*times.last().unwrap(), 6.0);

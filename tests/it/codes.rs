@@ -15,9 +15,7 @@ fn codes_in(folder: &Path, found: &mut BTreeSet<String>) {
             let text = std::fs::read_to_string(&path).unwrap();
             let code = text.split("#[cfg(test)]").next().unwrap();
             for rest in code.split("\"mavc::").skip(1) {
-                let end = rest
-                    .find(|c: char| !(c.is_ascii_lowercase() || c == '_' || c == ':'))
-                    .unwrap();
+                let end = rest.find(|c: char| !(c.is_ascii_lowercase() || c == '_' || c == ':')).unwrap();
                 if end > 0 && rest[end..].starts_with('"') {
                     found.insert(format!("mavc::{}", &rest[..end]));
                 }
@@ -29,21 +27,12 @@ fn codes_in(folder: &Path, found: &mut BTreeSet<String>) {
 #[test]
 fn codes_and_pages_are_the_same_set() {
     let mut used = BTreeSet::new();
-    codes_in(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"),
-        &mut used,
-    );
+    codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut used);
     let documented: BTreeSet<String> = codes::all().iter().map(|p| p.code.to_string()).collect();
     let without_page: Vec<_> = used.difference(&documented).collect();
     let without_use: Vec<_> = documented.difference(&used).collect();
-    assert!(
-        without_page.is_empty(),
-        "codes without a page: {without_page:#?}"
-    );
-    assert!(
-        without_use.is_empty(),
-        "pages for codes that nothing gives: {without_use:#?}"
-    );
+    assert!(without_page.is_empty(), "codes without a page: {without_page:#?}");
+    assert!(without_use.is_empty(), "pages for codes that nothing gives: {without_use:#?}");
 }
 
 /// The first fenced block of a page whose info string is `info`.
@@ -59,27 +48,16 @@ fn syntax_codes(text: &str) -> Vec<&'static str> {
 
 #[test]
 fn examples_of_the_syntax_pages_give_their_code_and_their_mended_form_none() {
-    let pages = codes::all()
-        .iter()
-        .filter(|p| p.code.starts_with("mavc::syntax::"));
+    let pages = codes::all().iter().filter(|p| p.code.starts_with("mavc::syntax::"));
     let mut examples = 0;
     for page in pages {
         if let Some(wrong) = fenced(page.page, "mav wrong") {
             let found = syntax_codes(wrong);
-            assert!(
-                !found.is_empty() && found.iter().all(|c| *c == page.code),
-                "{}: {found:?}",
-                page.code
-            );
+            assert!(!found.is_empty() && found.iter().all(|c| *c == page.code), "{}: {found:?}", page.code);
             examples += 1;
         }
         if let Some(right) = fenced(page.page, "mav") {
-            assert_eq!(
-                syntax_codes(right),
-                Vec::<&str>::new(),
-                "the mended example of {}",
-                page.code
-            );
+            assert_eq!(syntax_codes(right), Vec::<&str>::new(), "the mended example of {}", page.code);
         }
     }
     assert!(examples >= 20, "only {examples} pages have an example");

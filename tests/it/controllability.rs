@@ -42,11 +42,8 @@ fn cases() -> Vec<Case> {
 #[test]
 fn all_reference_modes_agree() {
     for Case { model, record } in cases() {
-        let set = if model.modes.is_empty() {
-            AdmissibleSet::healthy(&model)
-        } else {
-            AdmissibleSet::of_mode(&model, 0)
-        };
+        let set =
+            if model.modes.is_empty() { AdmissibleSet::healthy(&model) } else { AdmissibleSet::of_mode(&model, 0) };
         let found = analyze(&model, &set);
         assert_eq!(found.verdict.name(), record["verdict"].as_str().unwrap(), "{record}");
         assert_eq!(found.interior, record["interior"].as_bool().unwrap(), "{record}\n{found:?}");

@@ -26,10 +26,7 @@ fn compile(stage: &str, path: &Path) -> (Vec<Diagnostic>, SourceMap) {
 
 /// `error: mavc::syntax::depth`, one for each comment line at the top of the file.
 fn expected(text: &str) -> Vec<&str> {
-    text.lines()
-        .map_while(|line| line.strip_prefix("// "))
-        .take_while(|line| line.contains(": mavc::"))
-        .collect()
+    text.lines().map_while(|line| line.strip_prefix("// ")).take_while(|line| line.contains(": mavc::")).collect()
 }
 
 /// What is wrong with the corpus at this file, if anything.
@@ -39,18 +36,14 @@ fn check(path: &Path) -> Option<String> {
     let name = path.file_name().unwrap().to_str().unwrap();
     let text = std::fs::read_to_string(path).unwrap();
     let (diagnostics, sources) = compile(stage, path);
-    let found: Vec<String> = diagnostics
-        .iter()
-        .map(|d| format!("{}: {}", d.severity.name(), d.code))
-        .collect();
+    let found: Vec<String> = diagnostics.iter().map(|d| format!("{}: {}", d.severity.name(), d.code)).collect();
     let rendered = render_human(&diagnostics, &sources, 100, false);
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(folder);
     settings.set_snapshot_suffix("");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings
-        .bind(|| insta::assert_snapshot!(path.file_stem().unwrap().to_str().unwrap(), rendered));
+    settings.bind(|| insta::assert_snapshot!(path.file_stem().unwrap().to_str().unwrap(), rendered));
     let wanted = expected(&text);
     (found != wanted || wanted.is_empty())
         .then(|| format!("{stage}/{name} names {wanted:#?} and gives {found:#?}\n{rendered}"))
@@ -59,10 +52,7 @@ fn check(path: &Path) -> Option<String> {
 #[test]
 fn every_file_is_rejected_as_it_says() {
     let failures = Mutex::new(Vec::new());
-    insta::glob!("../specs/errors", "*/*.mav", |path| failures
-        .lock()
-        .unwrap()
-        .extend(check(path)));
+    insta::glob!("../specs/errors", "*/*.mav", |path| failures.lock().unwrap().extend(check(path)));
     let failures = failures.into_inner().unwrap();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -16,33 +16,16 @@ fn parse(text: &str) -> Vec<Diagnostic> {
     assert!(checked.diagnostics.len() <= MAX_ERRORS + 1);
     for d in &checked.diagnostics {
         for span in d.labels.iter().map(|l| l.span).chain([d.span]) {
-            assert!(
-                span.start <= span.end && span.end as usize <= text.len(),
-                "{d:?}"
-            );
-            assert!(
-                text.get(span.start as usize..span.end as usize).is_some(),
-                "{d:?} splits a character"
-            );
+            assert!(span.start <= span.end && span.end as usize <= text.len(), "{d:?}");
+            assert!(text.get(span.start as usize..span.end as usize).is_some(), "{d:?} splits a character");
         }
         let texts = [&d.message, &d.label, d.help.as_ref().unwrap_or(&d.label)];
-        assert!(
-            !d.message.is_empty() && texts.iter().all(|t| t.len() < 300),
-            "{}",
-            d.code
-        );
+        assert!(!d.message.is_empty() && texts.iter().all(|t| t.len() < 300), "{}", d.code);
         serde_json::from_str::<serde_json::Value>(&to_json_line(d, &sources)).unwrap();
     }
-    assert_eq!(
-        render_short(&checked.diagnostics, &sources).lines().count(),
-        checked.diagnostics.len()
-    );
+    assert_eq!(render_short(&checked.diagnostics, &sources).lines().count(), checked.diagnostics.len());
     let human = render_human(&checked.diagnostics, &sources, 100, false);
-    assert!(
-        human.len() < 20_000 * (checked.diagnostics.len() + 1),
-        "{} bytes of rendering",
-        human.len()
-    );
+    assert!(human.len() < 20_000 * (checked.diagnostics.len() + 1), "{} bytes of rendering", human.len());
     assert!(checked.value.is_some() || checked.has_errors());
     if let Some(tree) = checked.value {
         let _ = tree.to_string();
@@ -60,22 +43,11 @@ fn codes(text: &str) -> Vec<&'static str> {
 
 #[test]
 fn deep_nesting_is_refused() {
-    for (open, close) in [
-        ("(", ")"),
-        ("[", "]"),
-        ("f(", ")"),
-        ("{", "}"),
-        ("a {", "}"),
-        ("([", "])"),
-    ] {
+    for (open, close) in [("(", ")"), ("[", "]"), ("f(", ")"), ("{", "}"), ("a {", "}"), ("([", "])")] {
         for depth in [65, 10_000] {
             let whole = format!("let a = {}1{}", open.repeat(depth), close.repeat(depth));
             assert_eq!(codes(&whole), ["mavc::syntax::depth"], "{open} {depth}");
-            assert_eq!(
-                codes(&format!("let a = {}", open.repeat(depth))),
-                ["mavc::syntax::depth"],
-                "{open} {depth}"
-            );
+            assert_eq!(codes(&format!("let a = {}", open.repeat(depth))), ["mavc::syntax::depth"], "{open} {depth}");
         }
     }
 }
@@ -91,21 +63,14 @@ fn nesting_up_to_the_limit_is_read() {
 #[test]
 fn long_chains_are_refused() {
     for link in ["-", "2^", "2^-", "1 + ", "1 - 1 * "] {
-        assert_eq!(
-            codes(&format!("let a = {}1", link.repeat(10_000))),
-            ["mavc::syntax::expression"],
-            "{link}"
-        );
+        assert_eq!(codes(&format!("let a = {}1", link.repeat(10_000))), ["mavc::syntax::expression"], "{link}");
     }
     // High though no single chain is long.
     let mut text = "1".to_string();
     for _ in 0..60 {
         text = format!("({text}{})", " + 1".repeat(20));
     }
-    assert_eq!(
-        codes(&format!("let a = {text}")),
-        ["mavc::syntax::expression"]
-    );
+    assert_eq!(codes(&format!("let a = {text}")), ["mavc::syntax::expression"]);
 }
 
 #[test]
@@ -115,13 +80,7 @@ fn broken_nests_cost_no_more_than_whole_ones() {
         codes(&format!("let a = {}1 +", inner.repeat(60)));
         codes(&format!("let a = {}°", inner.repeat(60)));
     }
-    for block in [
-        "mission m { ",
-        "mode { ",
-        "{ ",
-        "curve s in 0 .. { ",
-        "every 1 rotor lost as M { ",
-    ] {
+    for block in ["mission m { ", "mode { ", "{ ", "curve s in 0 .. { ", "every 1 rotor lost as M { "] {
         codes(&block.repeat(60));
         codes(&format!("{}{} junk", block.repeat(60), "}".repeat(60)));
     }
@@ -129,14 +88,10 @@ fn broken_nests_cost_no_more_than_whole_ones() {
 
 #[test]
 fn large_files_are_refused_by_size() {
-    let garbage: String = (0..10_000_000u32)
-        .map(|i| char::from(b' ' + (i.wrapping_mul(2654435761) >> 25) as u8 % 95))
-        .collect();
+    let garbage: String =
+        (0..10_000_000u32).map(|i| char::from(b' ' + (i.wrapping_mul(2654435761) >> 25) as u8 % 95)).collect();
     assert_eq!(codes(&garbage), ["mavc::syntax::file_size"]);
-    assert_eq!(
-        codes(&"x".repeat(MAX_FILE_BYTES + 1)),
-        ["mavc::syntax::file_size"]
-    );
+    assert_eq!(codes(&"x".repeat(MAX_FILE_BYTES + 1)), ["mavc::syntax::file_size"]);
 }
 
 #[test]
@@ -199,46 +154,23 @@ fn a_megabyte_of_anything_ends() {
 #[test]
 fn counts_have_limits() {
     assert_eq!(codes(&"a = 1\n".repeat(MAX_STATEMENTS)), Vec::<&str>::new());
-    assert_eq!(
-        codes(&"a = 1\n".repeat(MAX_STATEMENTS + 1)),
-        ["mavc::syntax::statements"]
-    );
-    assert_eq!(
-        codes(&format!("a = [{}1]", "1,".repeat(MAX_TOKENS / 2))),
-        ["mavc::syntax::tokens"]
-    );
+    assert_eq!(codes(&"a = 1\n".repeat(MAX_STATEMENTS + 1)), ["mavc::syntax::statements"]);
+    assert_eq!(codes(&format!("a = [{}1]", "1,".repeat(MAX_TOKENS / 2))), ["mavc::syntax::tokens"]);
     let many = codes(&"= 1\n".repeat(MAX_ERRORS + 1));
     assert_eq!(many, ["mavc::syntax::too_many", "mavc::syntax::unexpected"]);
 }
 
 #[test]
 fn numbers_beyond_floats_are_refused() {
-    for number in [
-        "1e999".to_string(),
-        "1e-999".to_string(),
-        "9".repeat(400),
-        format!("1e{}", "9".repeat(4000)),
-    ] {
-        assert_eq!(
-            codes(&format!("let a = {number}")),
-            ["mavc::syntax::number"],
-            "{number}"
-        );
+    for number in ["1e999".to_string(), "1e-999".to_string(), "9".repeat(400), format!("1e{}", "9".repeat(4000))] {
+        assert_eq!(codes(&format!("let a = {number}")), ["mavc::syntax::number"], "{number}");
     }
-    assert_eq!(
-        codes("let a = 0e999\nlet b = 0.0e-999\n"),
-        Vec::<&str>::new()
-    );
+    assert_eq!(codes("let a = 0e999\nlet b = 0.0e-999\n"), Vec::<&str>::new());
 }
 
 #[test]
 fn bytes_that_are_no_text_are_refused() {
-    for bytes in [
-        &b"let a = \xff"[..],
-        b"\xe2\x82",
-        b"plan { \xc3( }",
-        b"\xed\xa0\x80",
-    ] {
+    for bytes in [&b"let a = \xff"[..], b"\xe2\x82", b"plan { \xc3( }", b"\xed\xa0\x80"] {
         let error = Source::from_bytes("t.mav", bytes).unwrap_err();
         let mut sources = SourceMap::default();
         let diagnostic = mavc::syntax::not_utf8(sources.add(error.source.clone()), &error);
@@ -250,10 +182,8 @@ fn bytes_that_are_no_text_are_refused() {
 const WHOLE: &str = include_str!("../specs/syntax/everything.mav");
 
 /// A spec that needs no other file.
-const COMPLETE: &str = concat!(
-    include_str!("../../specs/vehicles/octo_ppnnppnn.mav"),
-    include_str!("../specs/syntax/complete.mav")
-);
+const COMPLETE: &str =
+    concat!(include_str!("../../specs/vehicles/octo_ppnnppnn.mav"), include_str!("../specs/syntax/complete.mav"));
 
 /// Pieces that change a text's structure when they appear where they should not.
 const PIECES: &[&str] = &[
@@ -300,12 +230,7 @@ const PIECES: &[&str] = &[
 
 /// Up to eight edits of a text: cut, double, insert.
 fn mutated(whole: &'static str) -> impl Strategy<Value = String> {
-    let edit = (
-        any::<prop::sample::Index>(),
-        0..30usize,
-        0..3u8,
-        prop::sample::select(PIECES),
-    );
+    let edit = (any::<prop::sample::Index>(), 0..30usize, 0..3u8, prop::sample::select(PIECES));
     prop::collection::vec(edit, 1..8).prop_map(|edits| {
         let mut letters: Vec<char> = whole.chars().collect();
         for (at, length, action, piece) in edits {
@@ -330,15 +255,9 @@ fn mutated(whole: &'static str) -> impl Strategy<Value = String> {
 #[test]
 fn the_specs_that_are_mutated_are_right() {
     assert_eq!(parse(WHOLE), vec![]);
-    let (files, _) = load("t.mav", COMPLETE.as_bytes(), &|_: &Path| {
-        unreachable!("it uses no file")
-    });
+    let (files, _) = load("t.mav", COMPLETE.as_bytes(), &|_: &Path| unreachable!("it uses no file"));
     let checked = elaborate(&files, &[]);
-    assert!(
-        checked.value.is_some(),
-        "{}",
-        render_short(&checked.diagnostics, &files.sources)
-    );
+    assert!(checked.value.is_some(), "{}", render_short(&checked.diagnostics, &files.sources));
 }
 
 proptest! {

@@ -13,19 +13,12 @@ fn example() -> (Diagnostic, SourceMap) {
         let start = text.find("octo").unwrap();
         Span::new(file, start, start + 4)
     };
-    let (one, two) = (
-        name(first, &sources.get(first).text),
-        name(second, &sources.get(second).text),
-    );
-    let diagnostic = Diagnostic::error(
-        "mavc::name::duplicate",
-        two,
-        "the name `octo` is given twice",
-    )
-    .here("the second")
-    .also(one, "the first")
-    .also(Span::new(second, 4, 5), "beside it")
-    .help("rename one");
+    let (one, two) = (name(first, &sources.get(first).text), name(second, &sources.get(second).text));
+    let diagnostic = Diagnostic::error("mavc::name::duplicate", two, "the name `octo` is given twice")
+        .here("the second")
+        .also(one, "the first")
+        .also(Span::new(second, 4, 5), "beside it")
+        .help("rename one");
     (diagnostic, sources)
 }
 
@@ -38,9 +31,7 @@ fn labels_in_another_file_are_shown_with_its_lines() {
 #[test]
 fn color_is_only_there_when_asked_for() {
     let (diagnostic, sources) = example();
-    assert!(
-        !render_human(std::slice::from_ref(&diagnostic), &sources, 80, false).contains('\u{1b}')
-    );
+    assert!(!render_human(std::slice::from_ref(&diagnostic), &sources, 80, false).contains('\u{1b}'));
     assert!(render_human(&[diagnostic], &sources, 80, true).contains('\u{1b}'));
 }
 
@@ -72,10 +63,7 @@ fn a_json_line_has_every_place_in_scalars_from_one() {
 fn a_short_line_is_file_line_column() {
     let (diagnostic, sources) = example();
     let short = render_short(&[diagnostic], &sources);
-    assert_eq!(
-        short,
-        "b.mav:2:9: error[mavc::name::duplicate]: the name `octo` is given twice\n"
-    );
+    assert_eq!(short, "b.mav:2:9: error[mavc::name::duplicate]: the name `octo` is given twice\n");
 }
 
 #[test]

@@ -24,20 +24,12 @@ fn bare(tree: &SpecFile) -> String {
         let line = line.trim().trim_start_matches("span: ");
         line.starts_with("0:") && line.contains("..")
     };
-    format!("{tree:#?}")
-        .lines()
-        .filter(|line| !is_place(line))
-        .collect::<Vec<_>>()
-        .join("\n")
+    format!("{tree:#?}").lines().filter(|line| !is_place(line)).collect::<Vec<_>>().join("\n")
 }
 
 /// The expression after `x = `, every operation in brackets.
 fn shape(expr: &str) -> String {
-    let Item::Field(Field {
-        value: FieldValue::Expr(expr),
-        ..
-    }) = &tree(&format!("x = {expr}")).items[0]
-    else {
+    let Item::Field(Field { value: FieldValue::Expr(expr), .. }) = &tree(&format!("x = {expr}")).items[0] else {
         panic!("no field")
     };
     shape_of(expr)
@@ -45,30 +37,15 @@ fn shape(expr: &str) -> String {
 
 fn shape_of(expr: &Expr) -> String {
     let all = |list: &[Expr]| list.iter().map(shape_of).collect::<Vec<_>>().join(" ");
-    let unit = |unit: &Option<UnitText>| {
-        unit.as_ref()
-            .map_or(String::new(), |u| format!("<{}>", u.value))
-    };
+    let unit = |unit: &Option<UnitText>| unit.as_ref().map_or(String::new(), |u| format!("<{}>", u.value));
     match &expr.kind {
         ExprKind::Number { text, unit: u, .. } => format!("{text}{}", unit(u)),
         ExprKind::Text(text) => format!("{text:?}"),
         ExprKind::Name(name) => name.clone(),
-        ExprKind::Call {
-            function,
-            arguments,
-        } => format!("{}({})", function.value, all(arguments)),
+        ExprKind::Call { function, arguments } => format!("{}({})", function.value, all(arguments)),
         ExprKind::Negate(inner) => format!("(-{})", shape_of(inner)),
-        ExprKind::Binary {
-            operator,
-            left,
-            right,
-        } => {
-            format!(
-                "({} {} {})",
-                shape_of(left),
-                operator.value.symbol(),
-                shape_of(right)
-            )
+        ExprKind::Binary { operator, left, right } => {
+            format!("({} {} {})", shape_of(left), operator.value.symbol(), shape_of(right))
         }
         ExprKind::Paren { inner, unit: u } => format!("p{}{}", shape_of(inner), unit(u)),
         ExprKind::List { elements, unit: u } => format!("[{}]{}", all(elements), unit(u)),
@@ -122,29 +99,13 @@ fn units_are_one_run_after_numbers_and_brackets() {
 
 #[test]
 fn words_of_the_statement_are_no_units() {
-    let text = "mission m {\n waypoint at [0, 0, 2] yaw 90 deg weight 2 time 30 s\n curve s in 0 .. 1 in, points = 2 {\n }\n}";
+    let text =
+        "mission m {\n waypoint at [0, 0, 2] yaw 90 deg weight 2 time 30 s\n curve s in 0 .. 1 in, points = 2 {\n }\n}";
     assert!(parse(text).has_errors(), "`in` is no unit");
-    let Item::Block(block) = &parse(text).value.unwrap().items[0] else {
-        panic!("no block")
-    };
-    let Statement::Waypoint(Clauses {
-        name: None,
-        clauses,
-        ..
-    }) = &block.body[0]
-    else {
-        panic!("no waypoint")
-    };
-    let words: Vec<_> = clauses
-        .iter()
-        .map(|c| (c.word.value.as_str(), shape_of(&c.value)))
-        .collect();
-    let wanted = [
-        ("at", "[0 0 2]"),
-        ("yaw", "90<deg>"),
-        ("weight", "2"),
-        ("time", "30<s>"),
-    ];
+    let Item::Block(block) = &parse(text).value.unwrap().items[0] else { panic!("no block") };
+    let Statement::Waypoint(Clauses { name: None, clauses, .. }) = &block.body[0] else { panic!("no waypoint") };
+    let words: Vec<_> = clauses.iter().map(|c| (c.word.value.as_str(), shape_of(&c.value))).collect();
+    let wanted = [("at", "[0 0 2]"), ("yaw", "90<deg>"), ("weight", "2"), ("time", "30<s>")];
     assert_eq!(words, wanted.map(|(word, value)| (word, value.to_string())));
 }
 
@@ -196,9 +157,7 @@ fn docs_belong_to_the_next_statement() {
         .map(|item| match item {
             Item::Let(field) => field.doc.as_deref(),
             Item::Block(block) => {
-                let Statement::Field(field) = &block.body[0] else {
-                    panic!("no field")
-                };
+                let Statement::Field(field) = &block.body[0] else { panic!("no field") };
                 assert_eq!(field.doc.as_deref(), Some("Field."));
                 block.doc.as_deref()
             }
@@ -212,16 +171,10 @@ fn docs_belong_to_the_next_statement() {
 fn places_are_those_of_the_text() {
     let text = "// α\nlet a = [1, // β\n 22] m  // end\n";
     let source = Source::new("t", text);
-    let Item::Let(field) = &tree(text).items[0] else {
-        panic!("no let")
-    };
+    let Item::Let(field) = &tree(text).items[0] else { panic!("no let") };
     let at = |span: Span| &text[span.start as usize..span.end as usize];
     assert_eq!(at(field.name.span), "a");
-    let FieldValue::Expr(Expr {
-        kind: ExprKind::List { elements, unit },
-        span,
-    }) = &field.value
-    else {
+    let FieldValue::Expr(Expr { kind: ExprKind::List { elements, unit }, span }) = &field.value else {
         panic!("no list")
     };
     assert_eq!(at(elements[1].span), "22");
@@ -235,28 +188,17 @@ fn places_are_those_of_the_text() {
 fn good_statements_survive_broken_ones() {
     let text = "let a = 1\nlet b = = 2\nvehicle v {\n mass = 1 kg\n arm 2 m\n inertia = [1, 2\n rotor { max_speed = 1 rad/s }\n}\nmision m {\n hold 4 s\n}\nlet c = 3\n";
     let checked = parse(text);
-    let lines: Vec<_> = checked
-        .diagnostics
-        .iter()
-        .map(|d| Source::new("t", text).place(d.span.start as usize).line)
-        .collect();
+    let lines: Vec<_> =
+        checked.diagnostics.iter().map(|d| Source::new("t", text).place(d.span.start as usize).line).collect();
     assert_eq!(lines, [2, 5, 6, 9]);
     let file = checked.value.unwrap();
     assert_eq!(file.items.len(), 5);
     assert!(matches!(&file.items[1], Item::Broken(_)));
-    let Item::Block(vehicle) = &file.items[2] else {
-        panic!("no vehicle")
-    };
-    let kinds: Vec<_> = vehicle
-        .body
-        .iter()
-        .map(|s| matches!(s, Statement::Broken(_)))
-        .collect();
+    let Item::Block(vehicle) = &file.items[2] else { panic!("no vehicle") };
+    let kinds: Vec<_> = vehicle.body.iter().map(|s| matches!(s, Statement::Broken(_))).collect();
     assert_eq!(kinds, [false, true, true, false]);
     // A misspelt keyword is taken for the one meant, so that its statements are understood.
-    let Item::Block(mission) = &file.items[3] else {
-        panic!("no mission")
-    };
+    let Item::Block(mission) = &file.items[3] else { panic!("no mission") };
     assert_eq!(mission.keyword.value, "mission");
     assert!(matches!(mission.body[0], Statement::Hold { .. }));
 }
@@ -271,16 +213,11 @@ fn printing_is_a_fixed_point() {
 /// Texts of expressions: every operand, operator and spacing.
 fn expression() -> impl Strategy<Value = String> {
     let unit = prop::sample::select(vec!["", "m", " m", " kg*m^2", " 1/h", " %", " m^-1"]);
-    let number = (
-        prop::sample::select(vec!["0", "1.5", "2e-3", "874", "1E6"]),
-        unit.clone(),
-    )
+    let number = (prop::sample::select(vec!["0", "1.5", "2e-3", "874", "1E6"]), unit.clone())
         .prop_map(|(number, unit)| format!("{number}{unit}"));
-    let name = prop::sample::select(vec!["a", "pi", "M1_6", "start", "min", "\"text\""])
-        .prop_map(str::to_string);
+    let name = prop::sample::select(vec!["a", "pi", "M1_6", "start", "min", "\"text\""]).prop_map(str::to_string);
     prop_oneof![number, name].prop_recursive(4, 40, 4, move |inner| {
-        let operator =
-            prop::sample::select(vec![" + ", " - ", "*", "/", " * ", "^", " ^ ", " .. "]);
+        let operator = prop::sample::select(vec![" + ", " - ", "*", "/", " * ", "^", " ^ ", " .. "]);
         let unit = unit.clone().prop_map(|u| if u == "m" { " m" } else { u });
         prop_oneof![
             (inner.clone(), operator, inner.clone()).prop_map(|(a, o, b)| format!("{a}{o}{b}")),
@@ -288,8 +225,7 @@ fn expression() -> impl Strategy<Value = String> {
             (inner.clone(), unit.clone()).prop_map(|(a, u)| format!("({a}){u}")),
             (prop::collection::vec(inner.clone(), 0..4), unit.clone())
                 .prop_map(|(l, u)| format!("[{}]{u}", l.join(",\n"))),
-            (prop::collection::vec(inner, 0..3), unit)
-                .prop_map(|(l, u)| format!("sin({}){u}", l.join(", "))),
+            (prop::collection::vec(inner, 0..3), unit).prop_map(|(l, u)| format!("sin({}){u}", l.join(", "))),
         ]
     })
 }
@@ -307,9 +243,7 @@ fn block() -> impl Strategy<Value = String> {
         6 => format!("faults {{ mode A \"t\" {{ rotor {a} stuck at {b}; rotors {b} lost }} }}\n"),
         7 => format!("vehicle v {{ rotors {{ rotor at {a} spin P max_speed {b} }} }}\n"),
         8 => format!("use \"x.mav\"; {} = 4\n", "g"),
-        _ => format!(
-            "mission m {{ start moving; end moving; waypoints from \"a.csv\"; start at {a} }}\n"
-        ),
+        _ => format!("mission m {{ start moving; end moving; waypoints from \"a.csv\"; start at {a} }}\n"),
     })
 }
 

@@ -25,21 +25,13 @@ impl<'a> Curve<'a> {
         let head = self.parameter.span.to(self.range.span);
         let fields = Fields::of_block(cx, owner.clone(), head, self.body, &KNOWN);
         let mut options = Fields::of_block(cx, owner, head, &[], &[]);
-        self.options
-            .iter()
-            .for_each(|field| options.take_field(cx, field, &["points"]));
-        let points = options.demand(cx, "points", ", points = 21").and_then(|e| {
-            cx.whole(
-                "the number of points",
-                e,
-                2..=MAX_WAYPOINTS,
-                "mavc::mission::curve_points",
-            )
-        });
+        self.options.iter().for_each(|field| options.take_field(cx, field, &["points"]));
+        let points = options
+            .demand(cx, "points", ", points = 21")
+            .and_then(|e| cx.whole("the number of points", e, 2..=MAX_WAYPOINTS, "mavc::mission::curve_points"));
         let range = self.read_range(cx);
         let manner = manner_of(cx, &fields, manner);
-        let axis =
-            |cx: &mut Context<'a>, name: &str, example: &str| fields.demand(cx, name, example);
+        let axis = |cx: &mut Context<'a>, name: &str, example: &str| fields.demand(cx, name, example);
         let x = axis(cx, "x", "x = 4 m * cos(s)");
         let y = axis(cx, "y", "y = 4 m * sin(s)");
         let z = axis(cx, "z", "z = 10 m");
@@ -99,11 +91,7 @@ impl<'a> Curve<'a> {
         if low.value == high.value {
             let message = format!("the range of `{}` has no length", self.parameter.value);
             let error = Diagnostic::error("mavc::mission::curve_range", self.range.span, message);
-            cx.report(
-                error
-                    .here(format!("both ends are {}", number(low.value)))
-                    .help("write it like `0 .. 2*pi`"),
-            );
+            cx.report(error.here(format!("both ends are {}", number(low.value))).help("write it like `0 .. 2*pi`"));
             return None;
         }
         Some((low, high))

@@ -19,11 +19,7 @@ pub(super) fn read<'a>(
     incomplete: bool,
 ) -> Option<Vec<usize>> {
     let expr = match &field.value {
-        FieldValue::Where {
-            field,
-            relation,
-            value,
-        } => {
+        FieldValue::Where { field, relation, value } => {
             return filter(cx, field, relation.value, value, modes, incomplete);
         }
         FieldValue::Expr(expr) => expr,
@@ -35,13 +31,9 @@ pub(super) fn read<'a>(
             one = std::slice::from_ref(expr);
             one
         }
-        ExprKind::List {
-            elements,
-            unit: None,
-        } => elements,
+        ExprKind::List { elements, unit: None } => elements,
         _ => {
-            let message =
-                "`against` takes `all`, a list of fault modes, or `where` and a condition";
+            let message = "`against` takes `all`, a list of fault modes, or `where` and a condition";
             let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
             cx.report(error.help("write `[M1, M2]`, or `where rpn >= 100`"));
             return None;
@@ -53,27 +45,23 @@ pub(super) fn read<'a>(
     let (mut chosen, mut fine) = (Vec::new(), true);
     for element in elements {
         let index = match &element.kind {
-            ExprKind::Name(name) => {
-                match by_name.get(name.as_str()) {
-                    Some(&index) => Some(index),
-                    None if name == "healthy" || name == "all" => {
-                        let message = format!("`{name}` is not a fault mode");
-                        let error =
-                            Diagnostic::error(CHOICE, element.span, message).here("not a fault");
-                        cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
-                        None
-                    }
-                    None => {
-                        if !incomplete {
-                            cx.unknown("fault mode", name, element.span, &names);
-                        }
-                        None
-                    }
+            ExprKind::Name(name) => match by_name.get(name.as_str()) {
+                Some(&index) => Some(index),
+                None if name == "healthy" || name == "all" => {
+                    let message = format!("`{name}` is not a fault mode");
+                    let error = Diagnostic::error(CHOICE, element.span, message).here("not a fault");
+                    cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
+                    None
                 }
-            }
+                None => {
+                    if !incomplete {
+                        cx.unknown("fault mode", name, element.span, &names);
+                    }
+                    None
+                }
+            },
             _ => {
-                let error =
-                    Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
+                let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
                 cx.report(error.here("not a name"));
                 None
             }
@@ -81,8 +69,7 @@ pub(super) fn read<'a>(
         match index {
             Some(index) if taken[index] => {
                 let message = format!("`{}` is listed twice", names[index]);
-                let warning =
-                    Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
+                let warning = Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
                 cx.report(warning.here("listed already").help("take it out"));
             }
             Some(index) => {
@@ -107,24 +94,16 @@ fn filter<'a>(
     const KNOWN: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
     let name = field.value.as_str();
     if !KNOWN.contains(&name) {
-        let error = Diagnostic::error(
-            "mavc::name::unknown_field",
-            field.span,
-            format!("modes have no number `{name}`"),
-        );
+        let error =
+            Diagnostic::error("mavc::name::unknown_field", field.span, format!("modes have no number `{name}`"));
         let error = error.here("unknown here");
         cx.report(match nearest(name, KNOWN) {
-            Some(near) => error
-                .help(format!("did you mean `{near}`?"))
-                .fix(field.span, near),
+            Some(near) => error.help(format!("did you mean `{near}`?")).fix(field.span, near),
             None => error.help(format!("`where` looks at {}", listed(&KNOWN))),
         });
         return None;
     }
-    let bound = cx.number(
-        Due::new(name, if name == "rate" { "1/h" } else { "1" }),
-        value,
-    )?;
+    let bound = cx.number(Due::new(name, if name == "rate" { "1/h" } else { "1" }), value)?;
     let number_of = |mode: &FaultMode| match name {
         "rpn" => mode.rpn().map(f64::from),
         "severity" => mode.severity.map(f64::from),
@@ -139,20 +118,13 @@ fn filter<'a>(
         Relation::GreaterEqual => x >= bound,
         Relation::Equal => x == bound,
     };
-    let chosen: Vec<usize> = (0..modes.len())
-        .filter(|&k| number_of(&modes[k]).is_some_and(holds))
-        .collect();
+    let chosen: Vec<usize> = (0..modes.len()).filter(|&k| number_of(&modes[k]).is_some_and(holds)).collect();
     if chosen.is_empty() && !incomplete {
         let without = modes.iter().filter(|m| number_of(m).is_none()).count();
-        let warning = Diagnostic::warning(
-            "mavc::plan::none_selected",
-            field.span,
-            "no fault mode meets this condition",
-        );
-        let help = format!(
-            "{without} of {} modes have no `{name}`; a mode without the number is never chosen",
-            modes.len()
-        );
+        let warning =
+            Diagnostic::warning("mavc::plan::none_selected", field.span, "no fault mode meets this condition");
+        let help =
+            format!("{without} of {} modes have no `{name}`; a mode without the number is never chosen", modes.len());
         cx.report(warning.here("selects nothing").help(help));
     }
     Some(chosen)

@@ -24,10 +24,7 @@ pub(super) fn give_all<'a>(
             (None, Some(base)) => base.clone(),
             (None, None) => return None,
         };
-        let owner = shared
-            .filter(|_| own.is_none())
-            .or(place.own.as_ref())
-            .or(shared);
+        let owner = shared.filter(|_| own.is_none()).or(place.own.as_ref()).or(shared);
         match (&mut rotors, traits.rotor(cx, place, owner, &mut told)) {
             (Some(list), Some(rotor)) => list.push(rotor),
             (list, _) => *list = None,
@@ -53,11 +50,7 @@ pub(super) struct Traits {
 impl Traits {
     pub fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Self {
         let mut take = |what: &'static str, unit: &'static str, coefficient: bool| {
-            let due = Due {
-                what,
-                unit,
-                coefficient,
-            };
+            let due = Due { what, unit, coefficient };
             match fields.get(what) {
                 Some(expr) => Some(cx.positive(due, expr, POSITIVE)),
                 None => fields.may_have(what).then_some(None),
@@ -71,10 +64,7 @@ impl Traits {
             max_speed: take("max_speed", "rad/s", false),
             time_constant: take("time_constant", "s", false),
         };
-        for (a, b) in [
-            ("thrust_coefficient", "max_thrust"),
-            ("drag_coefficient", "torque_per_thrust"),
-        ] {
+        for (a, b) in [("thrust_coefficient", "max_thrust"), ("drag_coefficient", "torque_per_thrust")] {
             if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
                 let message = format!("`{a}` and `{b}` say the same thing twice");
                 cx.report(
@@ -93,26 +83,10 @@ impl Traits {
         let thrust = self.thrust_coefficient.is_some() || self.max_thrust.is_some();
         let torque = self.drag_coefficient.is_some() || self.torque_per_thrust.is_some();
         Traits {
-            thrust_coefficient: if thrust {
-                self.thrust_coefficient
-            } else {
-                base.thrust_coefficient
-            },
-            max_thrust: if thrust {
-                self.max_thrust
-            } else {
-                base.max_thrust
-            },
-            drag_coefficient: if torque {
-                self.drag_coefficient
-            } else {
-                base.drag_coefficient
-            },
-            torque_per_thrust: if torque {
-                self.torque_per_thrust
-            } else {
-                base.torque_per_thrust
-            },
+            thrust_coefficient: if thrust { self.thrust_coefficient } else { base.thrust_coefficient },
+            max_thrust: if thrust { self.max_thrust } else { base.max_thrust },
+            drag_coefficient: if torque { self.drag_coefficient } else { base.drag_coefficient },
+            torque_per_thrust: if torque { self.torque_per_thrust } else { base.torque_per_thrust },
             max_speed: self.max_speed.or(base.max_speed),
             time_constant: self.time_constant.or(base.time_constant),
         }
@@ -130,22 +104,14 @@ impl Traits {
             missing.push(("`max_speed`", "max_speed = 800 rad/s"));
         }
         if self.thrust_coefficient.is_none() && self.max_thrust.is_none() {
-            missing.push((
-                "`thrust_coefficient` or `max_thrust`",
-                "thrust_coefficient = 9e-6 N*s^2/rad^2",
-            ));
+            missing.push(("`thrust_coefficient` or `max_thrust`", "thrust_coefficient = 9e-6 N*s^2/rad^2"));
         }
         if self.drag_coefficient.is_none() && self.torque_per_thrust.is_none() {
-            missing.push((
-                "`drag_coefficient` or `torque_per_thrust`",
-                "drag_coefficient = 1.5e-7 N*m*s^2/rad^2",
-            ));
+            missing.push(("`drag_coefficient` or `torque_per_thrust`", "drag_coefficient = 1.5e-7 N*m*s^2/rad^2"));
         }
         if !missing.is_empty() {
             if let Some(owner) = owner.filter(|_| !*told) {
-                missing
-                    .iter()
-                    .for_each(|(what, example)| owner.missing(cx, what, example));
+                missing.iter().for_each(|(what, example)| owner.missing(cx, what, example));
                 *told = true;
             }
             return None;

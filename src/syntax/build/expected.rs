@@ -16,24 +16,14 @@ pub(super) fn position(error: &Error<Rule>) -> usize {
 /// Reads one statement alone, by the rule it was probably meant to follow.
 pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Failure {
     let Err(error) = Grammar::parse(strict_rule(text, place, has_body), text) else {
-        return Failure {
-            at: text.len(),
-            expected: vec![Expected::End],
-        };
+        return Failure { at: text.len(), expected: vec![Expected::End] };
     };
     let mut expected: Vec<Expected> = match &error.variant {
         // A word that is no name here: that is all the grammar forbids.
-        ErrorVariant::ParsingError {
-            positives,
-            negatives,
-        } if !negatives.is_empty() => positives
-            .iter()
-            .filter_map(|r| meaning(*r))
-            .chain([Expected::Name])
-            .collect(),
-        ErrorVariant::ParsingError { positives, .. } => {
-            positives.iter().filter_map(|r| meaning(*r)).collect()
+        ErrorVariant::ParsingError { positives, negatives } if !negatives.is_empty() => {
+            positives.iter().filter_map(|r| meaning(*r)).chain([Expected::Name]).collect()
         }
+        ErrorVariant::ParsingError { positives, .. } => positives.iter().filter_map(|r| meaning(*r)).collect(),
         ErrorVariant::CustomError { .. } => Vec::new(),
     };
     // After an operand, `(` would make a call of it; nobody waits for that.
@@ -42,17 +32,12 @@ pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Failure {
     }
     expected.sort();
     expected.dedup();
-    Failure {
-        at: position(&error),
-        expected,
-    }
+    Failure { at: position(&error), expected }
 }
 
 /// The rule for a statement's first word, here.
 fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
-    let word_end = text
-        .find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
-        .unwrap_or(text.len());
+    let word_end = text.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(text.len());
     let rest = text[word_end..].trim_start();
     let is_field = rest.starts_with(['=', ':']);
     match &text[..word_end] {
@@ -88,9 +73,7 @@ fn meaning(rule: Rule) -> Option<Expected> {
         | Rule::expr
         | Rule::filter
         | Rule::kw_where => Expected::Value,
-        Rule::plus | Rule::dash | Rule::times | Rule::over | Rule::power | Rule::dots => {
-            Expected::Operator
-        }
+        Rule::plus | Rule::dash | Rule::times | Rule::over | Rule::power | Rule::dots => Expected::Operator,
         Rule::unit => Expected::Unit,
         Rule::equals => Expected::Equals,
         Rule::name => Expected::Name,

@@ -31,9 +31,7 @@ pub(super) fn expr(file: FileId, pair: Pair<Rule>) -> Built<Expr> {
 fn tree(file: FileId, pair: Pair<Rule>) -> Built<Tree> {
     let pairs = pair.into_inner();
     // These are the ones that the precedence parser recurses on.
-    let mut nested = pairs
-        .clone()
-        .filter(|p| matches!(p.as_rule(), Rule::minus | Rule::power));
+    let mut nested = pairs.clone().filter(|p| matches!(p.as_rule(), Rule::minus | Rule::power));
     if let Some(one_too_many) = nested.nth(MAX_EXPRESSION_DEPTH) {
         return Err(too_high(span_of(file, &one_too_many)));
     }
@@ -43,16 +41,9 @@ fn tree(file: FileId, pair: Pair<Rule>) -> Built<Tree> {
             let operand = operand?;
             let sign = span_of(file, &sign);
             let span = sign.to(operand.expr.span);
-            grow(
-                ExprKind::Negate(Box::new(operand.expr)),
-                span,
-                sign,
-                operand.height,
-            )
+            grow(ExprKind::Negate(Box::new(operand.expr)), span, sign, operand.height)
         })
-        .map_infix(|left, operator, right| {
-            binary(left?, span_of(file, &operator), operator.as_rule(), right?)
-        })
+        .map_infix(|left, operator, right| binary(left?, span_of(file, &operator), operator.as_rule(), right?))
         .parse(pairs)
 }
 
@@ -74,34 +65,17 @@ fn binary(left: Tree, place: Span, rule: Rule, right: Tree) -> Built<Tree> {
                         .help("keep one `..`"),
                 ));
             }
-            let kind = ExprKind::Range {
-                low: Box::new(left.expr),
-                high: Box::new(right.expr),
-            };
+            let kind = ExprKind::Range { low: Box::new(left.expr), high: Box::new(right.expr) };
             return grow(kind, span, place, height);
         }
     };
     let operator = Spanned::new(operator, place);
-    grow(
-        ExprKind::Binary {
-            operator,
-            left: Box::new(left.expr),
-            right: Box::new(right.expr),
-        },
-        span,
-        place,
-        height,
-    )
+    grow(ExprKind::Binary { operator, left: Box::new(left.expr), right: Box::new(right.expr) }, span, place, height)
 }
 
 fn operand(file: FileId, pair: Pair<Rule>) -> Built<Tree> {
     let span = span_of(file, &pair);
-    let leaf = |kind| {
-        Ok(Tree {
-            expr: Expr { kind, span },
-            height: 1,
-        })
-    };
+    let leaf = |kind| Ok(Tree { expr: Expr { kind, span }, height: 1 });
     match pair.as_rule() {
         Rule::text => leaf(ExprKind::Text(unquote(pair.as_str()))),
         Rule::reference => leaf(ExprKind::Name(pair.as_str().to_string())),
@@ -112,82 +86,42 @@ fn operand(file: FileId, pair: Pair<Rule>) -> Built<Tree> {
 
 /// A call, a bracketed expression or a list, with the unit after it.
 fn compound(file: FileId, span: Span, rule: Rule, pair: Pair<Rule>) -> Built<Tree> {
-    let at = Span {
-        end: span.start + 1,
-        ..span
-    };
-    let (mut function, mut inside, mut unit, mut height, mut close) =
-        (None, Vec::new(), None, 0, span.end);
+    let at = Span { end: span.start + 1, ..span };
+    let (mut function, mut inside, mut unit, mut height, mut close) = (None, Vec::new(), None, 0, span.end);
     for part in pair.into_inner() {
         match part.as_rule() {
-            Rule::name => {
-                function = Some(Spanned::new(
-                    part.as_str().to_string(),
-                    span_of(file, &part),
-                ))
-            }
+            Rule::name => function = Some(Spanned::new(part.as_str().to_string(), span_of(file, &part))),
             Rule::expr => {
                 let element = tree(file, part)?;
                 height = height.max(element.height);
                 inside.push(element.expr);
             }
             Rule::rparen => close = span_of(file, &part).end,
-            Rule::unit => {
-                unit = Some(Spanned::new(
-                    part.as_str().to_string(),
-                    span_of(file, &part),
-                ))
-            }
+            Rule::unit => unit = Some(Spanned::new(part.as_str().to_string(), span_of(file, &part))),
             _ => {}
         }
     }
     match (rule, function) {
         (Rule::call, Some(function)) => {
             let call_span = Span { end: close, ..span };
-            let call = grow(
-                ExprKind::Call {
-                    function,
-                    arguments: inside,
-                },
-                call_span,
-                at,
-                height,
-            )?;
+            let call = grow(ExprKind::Call { function, arguments: inside }, call_span, at, height)?;
             match unit {
                 None => Ok(call),
-                Some(_) => grow(
-                    ExprKind::Paren {
-                        inner: Box::new(call.expr),
-                        unit,
-                    },
-                    span,
-                    at,
-                    call.height,
-                ),
+                Some(_) => grow(ExprKind::Paren { inner: Box::new(call.expr), unit }, span, at, call.height),
             }
         }
         (Rule::paren, _) => {
             let inner = Box::new(inside.pop().expect("brackets hold an expression"));
             grow(ExprKind::Paren { inner, unit }, span, at, height)
         }
-        _ => grow(
-            ExprKind::List {
-                elements: inside,
-                unit,
-            },
-            span,
-            at,
-            height,
-        ),
+        _ => grow(ExprKind::List { elements: inside, unit }, span, at, height),
     }
 }
 
 fn quantity(file: FileId, pair: Pair<Rule>) -> Built<ExprKind> {
     let mut parts = pair.into_inner();
     let number = parts.next().expect("a quantity has a number");
-    let unit = parts
-        .next()
-        .map(|p| Spanned::new(p.as_str().to_string(), span_of(file, &p)));
+    let unit = parts.next().map(|p| Spanned::new(p.as_str().to_string(), span_of(file, &p)));
     let text = number.as_str();
     let value: f64 = text.parse().unwrap_or(f64::NAN);
     let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
@@ -195,11 +129,7 @@ fn quantity(file: FileId, pair: Pair<Rule>) -> Built<ExprKind> {
         v if !v.is_finite() => "large",
         0.0 if mantissa.contains(|c: char| ('1'..='9').contains(&c)) => "small",
         _ => {
-            return Ok(ExprKind::Number {
-                value,
-                text: text.to_string(),
-                unit,
-            });
+            return Ok(ExprKind::Number { value, text: text.to_string(), unit });
         }
     };
     let shown: String = text.chars().take(24).collect();
@@ -219,10 +149,7 @@ fn grow(kind: ExprKind, span: Span, at: Span, height: usize) -> Built<Tree> {
     if height >= MAX_EXPRESSION_DEPTH {
         return Err(too_high(at));
     }
-    Ok(Tree {
-        expr: Expr { kind, span },
-        height: height + 1,
-    })
+    Ok(Tree { expr: Expr { kind, span }, height: height + 1 })
 }
 
 fn too_high(at: Span) -> Box<Diagnostic> {

@@ -13,18 +13,12 @@ pub(super) struct Parts<'i> {
 
 impl<'i> Parts<'i> {
     pub fn next(&mut self) -> Pair<'i, Rule> {
-        self.pairs
-            .next()
-            .expect("the grammar gives every part of a statement")
+        self.pairs.next().expect("the grammar gives every part of a statement")
     }
 
     /// Takes the next pair if it is of this rule.
     pub fn take(&mut self, rule: Rule) -> Option<Pair<'i, Rule>> {
-        if self.pairs.peek().is_some_and(|p| p.as_rule() == rule) {
-            self.pairs.next()
-        } else {
-            None
-        }
+        if self.pairs.peek().is_some_and(|p| p.as_rule() == rule) { self.pairs.next() } else { None }
     }
 
     pub fn skip(&mut self, rule: Rule) {
@@ -49,19 +43,10 @@ impl<'i> Parts<'i> {
         let name = self.name();
         self.skip(Rule::equals);
         let value = match self.take(Rule::filter) {
-            Some(filter) => Parts {
-                file: self.file,
-                pairs: filter.into_inner(),
-            }
-            .filter()?,
+            Some(filter) => Parts { file: self.file, pairs: filter.into_inner() }.filter()?,
             None => FieldValue::Expr(self.expr()?),
         };
-        Ok(Field {
-            name,
-            value,
-            doc,
-            span,
-        })
+        Ok(Field { name, value, doc, span })
     }
 
     pub fn filter(&mut self) -> Built<FieldValue> {
@@ -76,11 +61,7 @@ impl<'i> Parts<'i> {
             _ => Relation::Equal,
         };
         let relation = Spanned::new(meaning, span_of(self.file, &relation));
-        Ok(FieldValue::Where {
-            field,
-            relation,
-            value: self.expr()?,
-        })
+        Ok(FieldValue::Where { field, relation, value: self.expr()? })
     }
 
     pub fn limit(&mut self, span: Span) -> Built<Statement> {
@@ -90,20 +71,12 @@ impl<'i> Parts<'i> {
             Rule::at_least => LimitRelation::AtLeast(self.expr()?),
             _ => LimitRelation::In(self.expr()?),
         };
-        Ok(Statement::Limit {
-            name,
-            relation,
-            span,
-        })
+        Ok(Statement::Limit { name, relation, span })
     }
 
     pub fn fault(&mut self, span: Span) -> Built<Statement> {
         self.next();
-        Ok(Statement::Fault {
-            rotors: self.expr()?,
-            effect: self.effect()?,
-            span,
-        })
+        Ok(Statement::Fault { rotors: self.expr()?, effect: self.effect()?, span })
     }
 
     pub fn effect(&mut self) -> Built<Effect> {
@@ -112,16 +85,9 @@ impl<'i> Parts<'i> {
         if rule == Rule::kw_lost {
             return Ok(Effect::Lost(span_of(self.file, &pair)));
         }
-        let value = pair
-            .into_inner()
-            .find(|p| p.as_rule() == Rule::expr)
-            .expect("`to` and `at` have values");
+        let value = pair.into_inner().find(|p| p.as_rule() == Rule::expr).expect("`to` and `at` have values");
         let value = expression::expr(self.file, value)?;
-        Ok(if rule == Rule::reduced {
-            Effect::Reduced(value)
-        } else {
-            Effect::Stuck(value)
-        })
+        Ok(if rule == Rule::reduced { Effect::Reduced(value) } else { Effect::Stuck(value) })
     }
 
     pub fn every(&mut self, span: Span, doc: Option<String>) -> Built<Statement> {
@@ -130,14 +96,7 @@ impl<'i> Parts<'i> {
         self.next();
         let effect = self.effect()?;
         self.skip(Rule::kw_as);
-        Ok(Statement::Every {
-            count,
-            effect,
-            prefix: self.name(),
-            body: Vec::new(),
-            doc,
-            span,
-        })
+        Ok(Statement::Every { count, effect, prefix: self.name(), body: Vec::new(), doc, span })
     }
 
     pub fn curve(&mut self, span: Span, doc: Option<String>) -> Built<Statement> {
@@ -149,65 +108,28 @@ impl<'i> Parts<'i> {
         for pair in self.pairs.by_ref() {
             if pair.as_rule() == Rule::field {
                 let span = span_of(self.file, &pair);
-                options.push(
-                    Parts {
-                        file: self.file,
-                        pairs: pair.into_inner(),
-                    }
-                    .field(span, None)?,
-                );
+                options.push(Parts { file: self.file, pairs: pair.into_inner() }.field(span, None)?);
             }
         }
-        Ok(Statement::Curve {
-            parameter,
-            range,
-            options,
-            body: Vec::new(),
-            doc,
-            span,
-        })
+        Ok(Statement::Curve { parameter, range, options, body: Vec::new(), doc, span })
     }
 
     pub fn block(&mut self, span: Span, doc: Option<String>) -> Built<Block> {
         let keyword = self.name();
-        let name = self
-            .take(Rule::name)
-            .map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
-        let title = self
-            .take(Rule::text)
-            .map(|p| Spanned::new(unquote(p.as_str()), span_of(self.file, &p)));
-        Ok(Block {
-            keyword,
-            name,
-            title,
-            body: Vec::new(),
-            doc,
-            span,
-        })
+        let name = self.take(Rule::name).map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
+        let title = self.take(Rule::text).map(|p| Spanned::new(unquote(p.as_str()), span_of(self.file, &p)));
+        Ok(Block { keyword, name, title, body: Vec::new(), doc, span })
     }
 
     pub fn clauses(&mut self, span: Span, doc: Option<String>) -> Built<Clauses> {
         self.next();
-        let name = self
-            .take(Rule::name)
-            .map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
+        let name = self.take(Rule::name).map(|p| Spanned::new(p.as_str().to_string(), span_of(self.file, &p)));
         let mut clauses = Vec::new();
         for pair in self.pairs.by_ref() {
-            let mut parts = Parts {
-                file: self.file,
-                pairs: pair.into_inner(),
-            };
-            clauses.push(Clause {
-                word: parts.name(),
-                value: parts.expr()?,
-            });
+            let mut parts = Parts { file: self.file, pairs: pair.into_inner() };
+            clauses.push(Clause { word: parts.name(), value: parts.expr()? });
         }
-        Ok(Clauses {
-            name,
-            clauses,
-            doc,
-            span,
-        })
+        Ok(Clauses { name, clauses, doc, span })
     }
 
     pub fn moving(&mut self, span: Span) -> Statement {

@@ -19,12 +19,7 @@ impl Scanner<'_> {
     pub(super) fn open_block(&mut self, brace: usize) {
         self.close_brackets(brace);
         let head = self.statement.unwrap_or(brace);
-        self.blocks.push(OpenBlock {
-            head,
-            brace,
-            line: self.line_start,
-            indent: self.line_indent,
-        });
+        self.blocks.push(OpenBlock { head, brace, line: self.line_start, indent: self.line_indent });
         self.end_statement();
     }
 
@@ -62,8 +57,7 @@ impl Scanner<'_> {
         let (word, _) = self.name_at(at);
         if !word.is_empty() {
             let start = self.skip_while(at, is_blank);
-            let message =
-                format!("`{word}` stands at the top level, but a block is still open here");
+            let message = format!("`{word}` stands at the top level, but a block is still open here");
             diagnostic = diagnostic.also(self.span(start, start + word.len()), message);
         }
         self.report(diagnostic);
@@ -73,8 +67,7 @@ impl Scanner<'_> {
     fn report_stray(&mut self, at: usize) {
         let span = self.span(at, at + 1);
         let mut diagnostic =
-            Diagnostic::error("mavc::syntax::stray_brace", span, "`}` closes nothing")
-                .here("no block is open here");
+            Diagnostic::error("mavc::syntax::stray_brace", span, "`}` closes nothing").here("no block is open here");
         if let Some((block, close)) = self.last_close {
             let message = format!("`{}` was closed here", self.head_text(block));
             diagnostic = diagnostic.also(self.span(close, close + 1), message);
@@ -96,11 +89,7 @@ impl Scanner<'_> {
     /// The block's head as written, cut short where it is long.
     fn head_text(&self, block: OpenBlock) -> String {
         let head = self.text[block.head..block.brace].trim_end();
-        if head.is_empty() {
-            "{".to_string()
-        } else {
-            cut(head)
-        }
+        if head.is_empty() { "{".to_string() } else { cut(head) }
     }
 
     /// Whether a block that only stands at the top level begins at `at`.

@@ -14,17 +14,9 @@ impl Scanner<'_> {
         let span = self.span(at, at + 1);
         let found = closer as char;
         let Some(opener) = self.brackets.pop() else {
-            let diagnostic = Diagnostic::error(
-                "mavc::syntax::stray_bracket",
-                span,
-                format!("`{found}` closes nothing"),
-            );
-            self.report(
-                diagnostic
-                    .here("nothing is open here")
-                    .help("remove it")
-                    .fix(span, ""),
-            );
+            let diagnostic =
+                Diagnostic::error("mavc::syntax::stray_bracket", span, format!("`{found}` closes nothing"));
+            self.report(diagnostic.here("nothing is open here").help("remove it").fix(span, ""));
             self.out[at] = b' ';
             return;
         };
@@ -32,10 +24,7 @@ impl Scanner<'_> {
         if wanted == closer {
             return;
         }
-        let encloses = self
-            .brackets
-            .last()
-            .is_some_and(|&outer| self.closer_of(outer) == closer);
+        let encloses = self.brackets.last().is_some_and(|&outer| self.closer_of(outer) == closer);
         if encloses {
             self.report_unclosed(&[opener], at);
             self.brackets.pop();
@@ -43,15 +32,11 @@ impl Scanner<'_> {
         }
         let opened = self.text.as_bytes()[opener] as char;
         self.report(
-            Diagnostic::error(
-                "mavc::syntax::stray_bracket",
-                span,
-                format!("`{opened}` is closed by `{found}`"),
-            )
-            .here(format!("expected `{}`", wanted as char))
-            .also(self.span(opener, opener + 1), "opened here")
-            .help(format!("write `{}`", wanted as char))
-            .fix(span, (wanted as char).to_string()),
+            Diagnostic::error("mavc::syntax::stray_bracket", span, format!("`{opened}` is closed by `{found}`"))
+                .here(format!("expected `{}`", wanted as char))
+                .also(self.span(opener, opener + 1), "opened here")
+                .help(format!("write `{}`", wanted as char))
+                .fix(span, (wanted as char).to_string()),
         );
         self.out[at] = wanted;
     }
@@ -67,15 +52,8 @@ impl Scanner<'_> {
             return;
         };
         let opened = self.text.as_bytes()[last] as char;
-        let closers: String = open
-            .iter()
-            .rev()
-            .map(|&o| self.closer_of(o) as char)
-            .collect();
-        let kept = self.out[..end]
-            .iter()
-            .rposition(|b| !b.is_ascii_whitespace())
-            .map_or(end, |i| i + 1);
+        let closers: String = open.iter().rev().map(|&o| self.closer_of(o) as char).collect();
+        let kept = self.out[..end].iter().rposition(|b| !b.is_ascii_whitespace()).map_or(end, |i| i + 1);
         let mut diagnostic = Diagnostic::error(
             "mavc::syntax::unclosed_bracket",
             self.span(last, last + 1),
@@ -91,11 +69,7 @@ impl Scanner<'_> {
     }
 
     fn closer_of(&self, opener: usize) -> u8 {
-        if self.text.as_bytes()[opener] == b'(' {
-            b')'
-        } else {
-            b']'
-        }
+        if self.text.as_bytes()[opener] == b'(' { b')' } else { b']' }
     }
 
     /// Whether the line at `at` cannot go on inside a bracket: `name =`, `name <=`, `name value` and `}` never

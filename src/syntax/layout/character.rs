@@ -9,22 +9,10 @@ const LOOK_ALIKES: &[(&str, &str, &str)] = &[
     ("\u{2010}\u{2011}", "a hyphen", "-"),
     ("\u{2012}\u{2013}\u{2014}\u{2015}", "a dash", "-"),
     ("\u{2212}\u{fe63}\u{ff0d}", "a minus sign", "-"),
-    (
-        "\u{d7}\u{22c5}\u{b7}\u{2219}\u{2217}",
-        "a multiplication sign",
-        "*",
-    ),
+    ("\u{d7}\u{22c5}\u{b7}\u{2219}\u{2217}", "a multiplication sign", "*"),
     ("\u{f7}\u{2215}\u{2044}", "a division sign", "/"),
-    (
-        "\u{201c}\u{201d}\u{201e}\u{201f}\u{ab}\u{bb}\u{2033}",
-        "a curly quote",
-        "\"",
-    ),
-    (
-        "\u{2018}\u{2019}\u{201a}\u{2032}\u{b4}",
-        "a curly quote",
-        "\"",
-    ),
+    ("\u{201c}\u{201d}\u{201e}\u{201f}\u{ab}\u{bb}\u{2033}", "a curly quote", "\""),
+    ("\u{2018}\u{2019}\u{201a}\u{2032}\u{b4}", "a curly quote", "\""),
     ("\u{2264}\u{2a7d}", "less than or equal", "<="),
     ("\u{2265}\u{2a7e}", "greater than or equal", ">="),
     ("\u{b0}\u{ba}", "a degree sign", " deg"),
@@ -39,11 +27,7 @@ const LOOK_ALIKES: &[(&str, &str, &str)] = &[
     ("\u{ff1d}", "a wide equals sign", "="),
     ("\u{ff0c}\u{3001}", "a wide comma", ","),
     ("\u{ff1b}", "a wide semicolon", ";"),
-    (
-        "\u{ad}\u{200b}\u{200c}\u{200d}\u{2060}\u{feff}",
-        "an invisible character",
-        "",
-    ),
+    ("\u{ad}\u{200b}\u{200c}\u{200d}\u{2060}\u{feff}", "an invisible character", ""),
 ];
 
 /// Any blank that is not the plain one.
@@ -77,47 +61,30 @@ impl Scanner<'_> {
 
     fn look_alike(&self, start: usize, c: char, name: &str, instead: &str) -> Diagnostic {
         let span = self.span(start, start + c.len_utf8());
-        let shown = if instead.trim().is_empty() {
-            format!("U+{:04X}", c as u32)
-        } else {
-            c.to_string()
-        };
+        let shown = if instead.trim().is_empty() { format!("U+{:04X}", c as u32) } else { c.to_string() };
         let help = match instead {
             "" => "delete it".to_string(),
             " " => "type a plain space".to_string(),
             _ => format!("write `{}`", instead.trim()),
         };
-        Diagnostic::error(
-            "mavc::syntax::character",
-            span,
-            format!("`{shown}` ({name}) is no part of the language"),
-        )
-        .here("this character")
-        .help(help)
-        .fix(span, instead)
+        Diagnostic::error("mavc::syntax::character", span, format!("`{shown}` ({name}) is no part of the language"))
+            .here("this character")
+            .help(help)
+            .fix(span, instead)
     }
 
     fn single_quote(&mut self, start: usize) -> Diagnostic {
         let rest = &self.text[start + 1..];
-        let close = rest
-            .find(['\'', '\n'])
-            .filter(|&i| rest.as_bytes()[i] == b'\'')
-            .map(|i| start + 1 + i);
+        let close = rest.find(['\'', '\n']).filter(|&i| rest.as_bytes()[i] == b'\'').map(|i| start + 1 + i);
         let after = close.map_or(start + 1, |c| c + 1);
         self.at = after;
         let span = self.span(start, after);
-        let diagnostic = Diagnostic::error(
-            "mavc::syntax::character",
-            span,
-            "a text stands between double quotes",
-        )
-        .here("single quotes mean nothing here");
+        let diagnostic = Diagnostic::error("mavc::syntax::character", span, "a text stands between double quotes")
+            .here("single quotes mean nothing here");
         match close {
             Some(c) => {
                 let text = &self.text[start + 1..c];
-                diagnostic
-                    .help(format!("write `\"{}\"`", cut(text)))
-                    .fix(span, format!("\"{text}\""))
+                diagnostic.help(format!("write `\"{}\"`", cut(text))).fix(span, format!("\"{text}\""))
             }
             None => diagnostic.help("write `\"`"),
         }
@@ -126,11 +93,7 @@ impl Scanner<'_> {
     /// A name with letters beyond ASCII, shown whole.
     fn foreign_letter(&mut self, start: usize) -> Diagnostic {
         let bytes = self.text.as_bytes();
-        let before = bytes[..start]
-            .iter()
-            .rev()
-            .take_while(|b| is_name_byte(**b))
-            .count();
+        let before = bytes[..start].iter().rev().take_while(|b| is_name_byte(**b)).count();
         let after = self.text[start..]
             .find(|c: char| !(c.is_alphanumeric() || c == '_'))
             .map_or(self.text.len(), |i| start + i);
@@ -146,21 +109,10 @@ impl Scanner<'_> {
     }
 
     fn unknown_character(&self, start: usize, c: char) -> Diagnostic {
-        let shown = if c.is_control() {
-            String::new()
-        } else {
-            format!("`{c}` ")
-        };
-        let message = format!(
-            "the character {shown}(U+{:04X}) is no part of the language",
-            c as u32
-        );
-        Diagnostic::error(
-            "mavc::syntax::character",
-            self.span(start, start + c.len_utf8()),
-            message,
-        )
-        .here("this character")
-        .help("delete it, or put it in a comment or a text")
+        let shown = if c.is_control() { String::new() } else { format!("`{c}` ") };
+        let message = format!("the character {shown}(U+{:04X}) is no part of the language", c as u32);
+        Diagnostic::error("mavc::syntax::character", self.span(start, start + c.len_utf8()), message)
+            .here("this character")
+            .help("delete it, or put it in a comment or a text")
     }
 }

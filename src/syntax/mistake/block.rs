@@ -8,57 +8,38 @@ use crate::syntax::cut;
 use crate::syntax::place::{Kind, Place};
 
 /// A block whose keyword is unknown, and the block that was probably meant.
-pub(in crate::syntax) fn unknown_block(
-    word: &str,
-    span: Span,
-    place: Place,
-) -> (Diagnostic, Option<Place>) {
+pub(in crate::syntax) fn unknown_block(word: &str, span: Span, place: Place) -> (Diagnostic, Option<Place>) {
     let meant = place.meant(word);
     let shown = cut(word);
-    let diagnostic = Diagnostic::error(
-        "mavc::syntax::unknown_statement",
-        span,
-        format!("there is no block called `{shown}`"),
-    );
+    let diagnostic =
+        Diagnostic::error("mavc::syntax::unknown_statement", span, format!("there is no block called `{shown}`"));
     let diagnostic = match meant {
-        Some(meant) => diagnostic
-            .here(format!("did you mean `{meant}`?"))
-            .help(format!("write `{meant}`"))
-            .fix(span, meant),
+        Some(meant) => {
+            diagnostic.here(format!("did you mean `{meant}`?")).help(format!("write `{meant}`")).fix(span, meant)
+        }
         None => diagnostic.here("unknown here").help(openers(place)),
     };
     (diagnostic, meant.and_then(Place::of_block))
 }
 
 /// A keyword's block has a name, or it has none.
-pub(in crate::syntax) fn check_head(
-    mut block: Block,
-    kind: Place,
-) -> Result<Statement, Box<Diagnostic>> {
+pub(in crate::syntax) fn check_head(mut block: Block, kind: Place) -> Result<Statement, Box<Diagnostic>> {
     let keyword = kind.keyword().unwrap_or(&block.keyword.value).to_string();
     let code = "mavc::syntax::block_head";
     let form = form(&keyword, Place::Unknown).unwrap_or("limits { .. }");
     if let Some(name) = block.name.as_ref().filter(|_| !kind.is_named()) {
         let message = format!("`{keyword}` takes no name");
-        return Err(Box::new(
-            Diagnostic::error(code, name.span, message)
-                .here("not expected")
-                .help("remove the name"),
-        ));
+        return Err(Box::new(Diagnostic::error(code, name.span, message).here("not expected").help("remove the name")));
     }
     if block.name.is_none() && kind.is_named() {
         let message = format!("this `{keyword}` has no name");
-        let diagnostic =
-            Diagnostic::error(code, block.keyword.span, message).here("a name must follow");
+        let diagnostic = Diagnostic::error(code, block.keyword.span, message).here("a name must follow");
         return Err(Box::new(diagnostic.help(format!("write it like `{form}`"))));
     }
     if let Some(title) = block.title.as_ref().filter(|_| kind != Place::Mode) {
         let message = format!("`{keyword}` takes no title");
-        let diagnostic =
-            Diagnostic::error(code, title.span, message).here("only a `mode` has a title");
-        return Err(Box::new(
-            diagnostic.help("write it as a `///` comment above the block"),
-        ));
+        let diagnostic = Diagnostic::error(code, title.span, message).here("only a `mode` has a title");
+        return Err(Box::new(diagnostic.help("write it as a `///` comment above the block")));
     }
     block.keyword.value = keyword;
     Ok(Statement::Block(block))
@@ -67,15 +48,9 @@ pub(in crate::syntax) fn check_head(
 /// A statement that belongs elsewhere.
 pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, word: &str, span: Span) -> Diagnostic {
     if kind == Kind::Field && place == Place::Limits {
-        return Diagnostic::error(
-            "mavc::syntax::relation",
-            span,
-            format!("the limit `{word}` is set with `=`"),
-        )
-        .here("a limit is no single value")
-        .help(format!(
-            "write `{word} <= VALUE` or `{word} in LOW .. HIGH`"
-        ));
+        return Diagnostic::error("mavc::syntax::relation", span, format!("the limit `{word}` is set with `=`"))
+            .here("a limit is no single value")
+            .help(format!("write `{word} <= VALUE` or `{word} in LOW .. HIGH`"));
     }
     let what = match kind {
         Kind::RotorAt => "`rotor at`".to_string(),
@@ -83,13 +58,9 @@ pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, word: &str, span: S
         _ => format!("`{}`", cut(word)),
     };
     let Some(home) = kind.home() else {
-        return Diagnostic::error(
-            "mavc::syntax::misplaced",
-            span,
-            format!("no field stands {}", place.phrase()),
-        )
-        .here("does not belong here")
-        .help(openers(place));
+        return Diagnostic::error("mavc::syntax::misplaced", span, format!("no field stands {}", place.phrase()))
+            .here("does not belong here")
+            .help(openers(place));
     };
     let help = match home {
         Place::Top => "move it out of the block",
@@ -101,9 +72,7 @@ pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, word: &str, span: S
         _ => "move it into a `mission`",
     };
     let message = format!("{what} belongs {}, not {}", home.phrase(), place.phrase());
-    Diagnostic::error("mavc::syntax::misplaced", span, message)
-        .here("does not belong here")
-        .help(help)
+    Diagnostic::error("mavc::syntax::misplaced", span, message).here("does not belong here").help(help)
 }
 
 /// Braces without a keyword, and keywords without braces.
@@ -121,17 +90,11 @@ pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
     if !statement.has_body && opens_block(word, rest) {
         let message = format!("`{}` has no `{{` on its line", cut(statement.text));
         let end = statement.text.len();
-        let diagnostic = Diagnostic::error(
-            "mavc::syntax::missing_brace",
-            statement.span(0, end),
-            message,
-        )
-        .here("a block must open on this line");
+        let diagnostic = Diagnostic::error("mavc::syntax::missing_brace", statement.span(0, end), message)
+            .here("a block must open on this line");
         return Some(match statement.brace_below {
             true => diagnostic.help("move the `{` below to the end of this line"),
-            false => diagnostic
-                .help("write `{` at the end of this line")
-                .fix(statement.span(end, end), " {"),
+            false => diagnostic.help("write `{` at the end of this line").fix(statement.span(end, end), " {"),
         });
     }
     let equals = rest.trim_end_matches([' ', '=', ':']).is_empty() && !rest.is_empty();
@@ -151,12 +114,7 @@ fn opens_block(word: &str, rest: &str) -> bool {
     let title_or_nothing = rest.is_empty() || rest.starts_with('"');
     match word {
         "vehicle" | "mission" | "mode" => {
-            title_or_nothing
-                || rest
-                    .trim_start_matches(super::is_name)
-                    .trim_start()
-                    .chars()
-                    .all(|c| c == '"')
+            title_or_nothing || rest.trim_start_matches(super::is_name).trim_start().chars().all(|c| c == '"')
         }
         "faults" | "plan" | "limits" | "rotor" | "rotors" => title_or_nothing,
         "curve" => rest.contains(".."),
@@ -170,10 +128,7 @@ fn openers(place: Place) -> String {
     match words.split_last() {
         _ if place == Place::Limits => "a limit is written like `speed <= 8 m/s`".to_string(),
         Some((last, [])) => format!("write {last}, or a field like `name = value`"),
-        Some((last, others)) => format!(
-            "write {} or {last}, or a field like `name = value`",
-            others.join(", ")
-        ),
+        Some((last, others)) => format!("write {} or {last}, or a field like `name = value`", others.join(", ")),
         None => format!("only fields like `name = value` stand {}", place.phrase()),
     }
 }

@@ -58,14 +58,10 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let meant = statement.place.meant(word)?;
     let span = statement.span(0, word.len());
     Some(
-        Diagnostic::error(
-            "mavc::syntax::unknown_statement",
-            span,
-            format!("no statement begins with `{}`", cut(word)),
-        )
-        .here(format!("did you mean `{meant}`?"))
-        .help(format!("write `{meant}`"))
-        .fix(span, meant),
+        Diagnostic::error("mavc::syntax::unknown_statement", span, format!("no statement begins with `{}`", cut(word)))
+            .here(format!("did you mean `{meant}`?"))
+            .help(format!("write `{meant}`"))
+            .fix(span, meant),
     )
 }
 
@@ -75,8 +71,7 @@ fn unknown_block(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let rest = statement.text[word.len()..].trim_start();
     let known = Place::of_head(word).is_some() || word.is_empty() || rest.starts_with('=');
     let span = statement.span(0, word.len());
-    (statement.has_body && !known)
-        .then(|| super::block::unknown_block(word, span, statement.place).0)
+    (statement.has_body && !known).then(|| super::block::unknown_block(word, span, statement.place).0)
 }
 
 /// `every rotor lost as M`
@@ -86,23 +81,16 @@ fn uncounted(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let rotors = token(rest, 0, is_name);
     matches!(rotors, "rotor" | "rotors").then(|| {
         let span = statement.span(at, at + rotors.len());
-        Diagnostic::error(
-            "mavc::syntax::missing_value",
-            span,
-            "`every` does not say how many rotors",
-        )
-        .here("a number must stand before this")
-        .help("write it like `every 1 rotor lost as M`")
-        .fix(statement.span(at, at), "1 ")
+        Diagnostic::error("mavc::syntax::missing_value", span, "`every` does not say how many rotors")
+            .here("a number must stand before this")
+            .help("write it like `every 1 rotor lost as M`")
+            .fix(statement.span(at, at), "1 ")
     })
 }
 
 /// `mass: 1.8 kg`, `mass == 1.8 kg`, `mass 1.8 kg`
 fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    if !failure.expects(Expected::Equals)
-        || failure.expects(Expected::Relation)
-        || statement.has_body
-    {
+    if !failure.expects(Expected::Equals) || failure.expects(Expected::Relation) || statement.has_body {
         return None;
     }
     let found = statement.found(failure.at);
@@ -112,11 +100,7 @@ fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if found.is_empty() {
         let message = format!("`{name}` has no value");
         let diagnostic = Diagnostic::error("mavc::syntax::missing_value", name_span, message);
-        return Some(
-            diagnostic
-                .here("`=` and a value must follow")
-                .help(format!("write `{name} = ..`")),
-        );
+        return Some(diagnostic.here("`=` and a value must follow").help(format!("write `{name} = ..`")));
     }
     let span = statement.span(failure.at, failure.at + found.len());
     if found.starts_with([':', '=', '<', '>', '!']) || found.ends_with('=') {
@@ -131,17 +115,10 @@ fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let begins_value = found.starts_with(|c: char| is_name(c) || "\"([-.".contains(c));
     begins_value.then(|| {
         let at = statement.span(failure.at, failure.at);
-        Diagnostic::error(
-            "mavc::syntax::assignment",
-            span,
-            format!("`{name}` has no `=` before its value"),
-        )
-        .here("expected `=` before this")
-        .help(format!(
-            "write `{name} = {}`",
-            cut(&statement.text[failure.at..])
-        ))
-        .fix(at, "= ")
+        Diagnostic::error("mavc::syntax::assignment", span, format!("`{name}` has no `=` before its value"))
+            .here("expected `=` before this")
+            .help(format!("write `{name} = {}`", cut(&statement.text[failure.at..])))
+            .fix(at, "= ")
     })
 }
 
@@ -159,11 +136,7 @@ fn relation(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         _ => return None,
     };
     let span = statement.span(failure.at, failure.at + found.len());
-    let what = if statement.place == Place::Limits {
-        "a limit"
-    } else {
-        "a condition"
-    };
+    let what = if statement.place == Place::Limits { "a limit" } else { "a condition" };
     let message = format!("{what} is not written with `{found}`");
     Some(
         Diagnostic::error("mavc::syntax::relation", span, message)
@@ -181,25 +154,14 @@ fn decimal_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if bytes.get(at) != Some(&b',') || at == 0 || !digit(at - 1) || !digit(at + 1) {
         return None;
     }
-    let start = statement.text[..at]
-        .rfind(|c: char| !c.is_ascii_digit())
-        .map_or(0, |i| i + 1);
-    let end = at
-        + 1
-        + bytes[at + 1..]
-            .iter()
-            .take_while(|b| b.is_ascii_digit())
-            .count();
+    let start = statement.text[..at].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |i| i + 1);
+    let end = at + 1 + bytes[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
     let number = cut(&statement.text[start..end]);
     Some(
-        Diagnostic::error(
-            "mavc::syntax::number",
-            statement.span(start, end),
-            "a number has a decimal point, no comma",
-        )
-        .here("a comma separates the elements of a list")
-        .help(format!("write `{}`", number.replace(',', ".")))
-        .fix(statement.span(at, at + 1), "."),
+        Diagnostic::error("mavc::syntax::number", statement.span(start, end), "a number has a decimal point, no comma")
+            .here("a comma separates the elements of a list")
+            .help(format!("write `{}`", number.replace(',', ".")))
+            .fix(statement.span(at, at + 1), "."),
     )
 }
 
@@ -210,32 +172,16 @@ fn number_point(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if at > 0 && bytes[at - 1].is_ascii_digit() && bytes.get(at) == Some(&b'_') {
         let found = statement.found(at);
         let span = statement.span(at, at + found.len());
-        let diagnostic = Diagnostic::error(
-            "mavc::syntax::number",
-            span,
-            "a number is written without `_`",
-        );
-        return Some(
-            diagnostic
-                .here("not expected in a number")
-                .help("leave out the `_`"),
-        );
+        let diagnostic = Diagnostic::error("mavc::syntax::number", span, "a number is written without `_`");
+        return Some(diagnostic.here("not expected in a number").help("leave out the `_`"));
     }
-    if bytes.get(at) != Some(&b'.')
-        || bytes.get(at + 1) == Some(&b'.')
-        || statement.text[..at].ends_with('.')
-    {
+    if bytes.get(at) != Some(&b'.') || bytes.get(at + 1) == Some(&b'.') || statement.text[..at].ends_with('.') {
         return None;
     }
     let digit = |b: Option<&u8>| b.is_some_and(u8::is_ascii_digit);
     let (before, after) = (at > 0 && digit(bytes.get(at - 1)), digit(bytes.get(at + 1)));
-    let start = statement.text[..at]
-        .rfind(|c: char| !(c.is_ascii_digit() || c == '.'))
-        .map_or(0, |i| i + 1);
-    let end = at
-        + statement.text[at..]
-            .find(|c: char| !(c.is_ascii_digit() || c == '.'))
-            .unwrap_or(bytes.len() - at);
+    let start = statement.text[..at].rfind(|c: char| !(c.is_ascii_digit() || c == '.')).map_or(0, |i| i + 1);
+    let end = at + statement.text[at..].find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(bytes.len() - at);
     let span = statement.span(start, end);
     let error = |message: &str| Diagnostic::error("mavc::syntax::number", span, message);
     let number = cut(&statement.text[start..end]);
@@ -248,9 +194,7 @@ fn number_point(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             .here("no digit after the point")
             .help(format!("write `{number}0`"))
             .fix(statement.span(at + 1, at + 1), "0"),
-        (true, true) => error("a number has one point")
-            .here("more than one point")
-            .help("remove all but one"),
+        (true, true) => error("a number has one point").here("more than one point").help("remove all but one"),
         (false, false) => return None,
     })
 }
@@ -263,14 +207,10 @@ fn range_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         let (start, word) = statement.before(failure.at);
         let message = format!("a comma is missing before `{}`", cut(word));
         return Some(
-            Diagnostic::error(
-                "mavc::syntax::unexpected",
-                statement.span(start, start + word.len()),
-                message,
-            )
-            .here("expected `,` before this")
-            .help("write `,` after the range")
-            .fix(statement.span(start, start), ", "),
+            Diagnostic::error("mavc::syntax::unexpected", statement.span(start, start + word.len()), message)
+                .here("expected `,` before this")
+                .help("write `,` after the range")
+                .fix(statement.span(start, start), ", "),
         );
     }
     let instead_of = match found {
@@ -281,14 +221,10 @@ fn range_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let start = if three { failure.at - 2 } else { failure.at };
     let span = statement.span(start, start + instead_of.len());
     Some(
-        Diagnostic::error(
-            "mavc::syntax::range",
-            span,
-            format!("a range is written with `..`, not `{instead_of}`"),
-        )
-        .here("expected `..`")
-        .help("write `..`")
-        .fix(span, ".."),
+        Diagnostic::error("mavc::syntax::range", span, format!("a range is written with `..`, not `{instead_of}`"))
+            .here("expected `..`")
+            .help("write `..`")
+            .fix(span, ".."),
     )
 }
 
@@ -309,10 +245,7 @@ fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
                 .fix(at, "at "),
         );
     }
-    let word_follows = rest
-        .strip_prefix(',')?
-        .trim_start()
-        .starts_with(|c: char| c.is_ascii_alphabetic());
+    let word_follows = rest.strip_prefix(',')?.trim_start().starts_with(|c: char| c.is_ascii_alphabetic());
     word_follows.then(|| {
         error("no comma stands between the clauses of a statement")
             .here("not expected")
@@ -329,14 +262,10 @@ fn double_star(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     }
     let span = statement.span(at - 1, at + 1);
     Some(
-        Diagnostic::error(
-            "mavc::syntax::power",
-            span,
-            "powers are written with `^`, not `**`",
-        )
-        .here("expected `^`")
-        .help("write `^`")
-        .fix(span, "^"),
+        Diagnostic::error("mavc::syntax::power", span, "powers are written with `^`, not `**`")
+            .here("expected `^`")
+            .help("write `^`")
+            .fix(span, "^"),
     )
 }
 
@@ -347,38 +276,25 @@ fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return None;
     }
     // Longer words, and these, are no units but the beginning of something else.
-    let short =
-        found.len() <= 3 && !["and", "or", "to", "of", "for", "let", "use", "as"].contains(&found);
+    let short = found.len() <= 3 && !["and", "or", "to", "of", "for", "let", "use", "as"].contains(&found);
     if found.starts_with(|c: char| c.is_ascii_digit()) || CLAUSES.contains(&found) || !short {
         return None;
     }
     let before = statement.text[..failure.at].trim_end();
-    let start = before
-        .rfind(|c: char| !(is_name(c) || "*/^%".contains(c)))
-        .map_or(0, |i| i + 1);
+    let start = before.rfind(|c: char| !(is_name(c) || "*/^%".contains(c))).map_or(0, |i| i + 1);
     let unit = &before[start..];
-    let follows_operand = before[..start]
-        .trim_end()
-        .ends_with(|c: char| c.is_ascii_digit() || c == ')' || c == ']');
+    let follows_operand = before[..start].trim_end().ends_with(|c: char| c.is_ascii_digit() || c == ')' || c == ']');
     if !follows_operand || !unit.starts_with(|c: char| c.is_ascii_alphabetic() || c == '%') {
         return None;
     }
-    let found = token(statement.text, failure.at, |c| {
-        is_name(c) || "*/^%".contains(c)
-    });
+    let found = token(statement.text, failure.at, |c| is_name(c) || "*/^%".contains(c));
     let span = statement.span(start, failure.at + found.len());
     let (unit, found) = (cut(unit), cut(found));
     Some(
-        Diagnostic::error(
-            "mavc::syntax::unit_blank",
-            span,
-            format!("the unit `{unit} {found}` has a blank in it"),
-        )
-        .here("a unit is one run without blanks")
-        .help(format!(
-            "write `{unit}*{found}` for a product, `{unit}/{found}` for a quotient"
-        ))
-        .fix(span, format!("{unit}*{found}")),
+        Diagnostic::error("mavc::syntax::unit_blank", span, format!("the unit `{unit} {found}` has a blank in it"))
+            .here("a unit is one run without blanks")
+            .help(format!("write `{unit}*{found}` for a product, `{unit}/{found}` for a quotient"))
+            .fix(span, format!("{unit}*{found}")),
     )
 }
 
@@ -391,9 +307,7 @@ fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<Diagnostic> 
         return None;
     }
     // What stands before may be the end of a unit.
-    let is_unit = statement.text[..start]
-        .trim_end()
-        .ends_with(|c: char| c.is_ascii_digit() || ")]*/^".contains(c));
+    let is_unit = statement.text[..start].trim_end().ends_with(|c: char| c.is_ascii_digit() || ")]*/^".contains(c));
     if is_unit || statement.place.openers().contains(&found) {
         return None;
     }
@@ -401,31 +315,20 @@ fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<Diagnostic> 
     let (name, found) = (cut(name), cut(found));
     let help = match found.as_str() {
         "%" => format!("write `({name}) %`"),
-        _ => format!(
-            "write `{name}*{found}` to multiply, or `({name}) {found}` if `{found}` is a unit"
-        ),
+        _ => format!("write `{name}*{found}` to multiply, or `({name}) {found}` if `{found}` is a unit"),
     };
     Some(
-        Diagnostic::error(
-            "mavc::syntax::unexpected",
-            span,
-            format!("`{found}` cannot follow the name `{name}`"),
-        )
-        .here("an operator must stand before this")
-        .also(
-            statement.span(start, start + name.len()),
-            "a unit follows a number, `)` or `]`, never a name",
-        )
-        .help(help),
+        Diagnostic::error("mavc::syntax::unexpected", span, format!("`{found}` cannot follow the name `{name}`"))
+            .here("an operator must stand before this")
+            .also(statement.span(start, start + name.len()), "a unit follows a number, `)` or `]`, never a name")
+            .help(help),
     )
 }
 
 /// `[1 2 3]`
 fn list_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
-    if !failure.expects(Expected::Comma)
-        || !found.starts_with(|c: char| is_name(c) || "\"([".contains(c))
-    {
+    if !failure.expects(Expected::Comma) || !found.starts_with(|c: char| is_name(c) || "\"([".contains(c)) {
         return None;
     }
     if !failure.expects(Expected::Closing(']')) && !failure.expects(Expected::Closing(')')) {
@@ -434,14 +337,10 @@ fn list_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let span = statement.span(failure.at, failure.at + found.len());
     let at = statement.span(failure.at, failure.at);
     Some(
-        Diagnostic::error(
-            "mavc::syntax::unexpected",
-            span,
-            "a comma is missing between two elements",
-        )
-        .here("expected `,` before this")
-        .help("write `,` between them")
-        .fix(at, ", "),
+        Diagnostic::error("mavc::syntax::unexpected", span, "a comma is missing between two elements")
+            .here("expected `,` before this")
+            .help("write `,` between them")
+            .fix(at, ", "),
     )
 }
 
@@ -460,30 +359,17 @@ fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     let before = statement.before(failure.at);
     let after_number = failure.expects(Expected::Effect) && !words.contains(&before.1);
-    let candidates = [
-        (failure.at, found),
-        if after_number {
-            before
-        } else {
-            (failure.at, "")
-        },
-    ];
+    let candidates = [(failure.at, found), if after_number { before } else { (failure.at, "") }];
     let (at, word, meant) = candidates.into_iter().find_map(|(at, word)| {
         let is_word = word.starts_with(|c: char| c.is_ascii_alphabetic());
-        nearest(word, words.iter().copied())
-            .filter(|_| is_word)
-            .map(|meant| (at, word, meant))
+        nearest(word, words.iter().copied()).filter(|_| is_word).map(|meant| (at, word, meant))
     })?;
     let span = statement.span(at, at + word.len());
     Some(
-        Diagnostic::error(
-            "mavc::syntax::unexpected",
-            span,
-            format!("`{}` cannot stand here", cut(word)),
-        )
-        .here(format!("did you mean `{meant}`?"))
-        .help(format!("write `{meant}`"))
-        .fix(span, meant),
+        Diagnostic::error("mavc::syntax::unexpected", span, format!("`{}` cannot stand here", cut(word)))
+            .here(format!("did you mean `{meant}`?"))
+            .help(format!("write `{meant}`"))
+            .fix(span, meant),
     )
 }
 
@@ -495,12 +381,8 @@ fn wrong_start(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let found = statement.found(0);
     let message = format!("a statement cannot begin with `{}`", cut(found));
     Some(
-        Diagnostic::error(
-            "mavc::syntax::unexpected",
-            statement.span(0, found.len()),
-            message,
-        )
-        .here("expected a name or a keyword")
-        .help("begin with a keyword, or with the name of a field: `name = value`"),
+        Diagnostic::error("mavc::syntax::unexpected", statement.span(0, found.len()), message)
+            .here("expected a name or a keyword")
+            .help("begin with a keyword, or with the name of a field: `name = value`"),
     )
 }

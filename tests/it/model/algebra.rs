@@ -5,41 +5,21 @@ use proptest::prelude::*;
 
 fn dimension() -> impl Strategy<Value = Dimension> {
     prop::array::uniform4((-6i64..=6, 1i64..=3)).prop_map(|exponents| {
-        let bases = [
-            Dimension::MASS,
-            Dimension::LENGTH,
-            Dimension::TIME,
-            Dimension::ANGLE,
-        ];
-        bases
-            .into_iter()
-            .zip(exponents)
-            .fold(Dimension::PLAIN, |product, (base, (n, d))| {
-                product
-                    .times(base.power(Exponent::new(n, d).unwrap()).unwrap())
-                    .unwrap()
-            })
+        let bases = [Dimension::MASS, Dimension::LENGTH, Dimension::TIME, Dimension::ANGLE];
+        bases.into_iter().zip(exponents).fold(Dimension::PLAIN, |product, (base, (n, d))| {
+            product.times(base.power(Exponent::new(n, d).unwrap()).unwrap()).unwrap()
+        })
     })
 }
 
 /// Powers of base units with whole exponents, as one would write them.
 fn unit_text() -> impl Strategy<Value = String> {
-    let factor = (
-        prop::sample::select(vec![
-            "m", "mm", "kg", "g", "s", "ms", "rad", "deg", "N", "h", "rpm",
-        ]),
-        1..=3,
-    );
-    (
-        factor.clone(),
-        prop::collection::vec((prop::bool::ANY, factor), 0..3),
-    )
-        .prop_map(|((first, e), rest)| {
-            rest.into_iter()
-                .fold(format!("{first}^{e}"), |text, (over, (word, e))| {
-                    format!("{text}{}{word}^{e}", if over { "/" } else { "*" })
-                })
+    let factor = (prop::sample::select(vec!["m", "mm", "kg", "g", "s", "ms", "rad", "deg", "N", "h", "rpm"]), 1..=3);
+    (factor.clone(), prop::collection::vec((prop::bool::ANY, factor), 0..3)).prop_map(|((first, e), rest)| {
+        rest.into_iter().fold(format!("{first}^{e}"), |text, (over, (word, e))| {
+            format!("{text}{}{word}^{e}", if over { "/" } else { "*" })
         })
+    })
 }
 
 proptest! {
@@ -118,18 +98,12 @@ fn units_have_their_si_values() {
     ];
     for (x, text, si) in cases {
         let value = Quantity::with_unit(x, parse_unit(text, 9.81).unwrap()).value;
-        assert!(
-            (value - si).abs() <= 1e-15 * si.abs(),
-            "{x} {text} is {value}"
-        );
+        assert!((value - si).abs() <= 1e-15 * si.abs(), "{x} {text} is {value}");
     }
     let newton = parse_unit("N", 9.81).unwrap().dimension;
     assert_eq!(parse_unit("kg*m/s^2", 9.81).unwrap().dimension, newton);
     assert_eq!(parse_unit("J/m", 9.81).unwrap().dimension, newton);
-    assert_ne!(
-        parse_unit("rad/s", 9.81).unwrap().dimension,
-        parse_unit("1/s", 9.81).unwrap().dimension
-    );
+    assert_ne!(parse_unit("rad/s", 9.81).unwrap().dimension, parse_unit("1/s", 9.81).unwrap().dimension);
 }
 
 #[test]
@@ -138,32 +112,13 @@ fn what_is_no_unit_is_told_with_what_was_meant() {
         Err(UnitError::Unknown { meant, .. }) => meant,
         other => panic!("{text}: {other:?}"),
     };
-    for (wrong, right) in [
-        ("Nm", "N*m"),
-        ("Ns", "N*s"),
-        ("kgm", "kg*m"),
-        ("RPM", "rpm"),
-        ("Kg", "kg"),
-        ("sec", "s"),
-        ("kph", "km/h"),
-    ] {
+    for (wrong, right) in
+        [("Nm", "N*m"), ("Ns", "N*s"), ("kgm", "kg*m"), ("RPM", "rpm"), ("Kg", "kg"), ("sec", "s"), ("kph", "km/h")]
+    {
         assert_eq!(meant(wrong).as_deref(), Some(right));
     }
     assert_eq!(meant("parsec"), None);
-    for malformed in [
-        "",
-        "m**s",
-        "m^",
-        "m^x",
-        "/s",
-        "m^99999999999",
-        "m^2000",
-        "km^400",
-    ] {
-        assert_eq!(
-            parse_unit(malformed, 9.81),
-            Err(UnitError::Malformed),
-            "{malformed}"
-        );
+    for malformed in ["", "m**s", "m^", "m^x", "/s", "m^99999999999", "m^2000", "km^400"] {
+        assert_eq!(parse_unit(malformed, 9.81), Err(UnitError::Malformed), "{malformed}");
     }
 }

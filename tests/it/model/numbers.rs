@@ -35,10 +35,7 @@ fn expressions() {
     ];
     for (expression, expected) in cases {
         let found = metres(expression);
-        assert!(
-            (found - expected).abs() < 1e-12,
-            "{expression} is {found}, not {expected}"
-        );
+        assert!((found - expected).abs() < 1e-12, "{expression} is {found}, not {expected}");
     }
 }
 
@@ -48,11 +45,7 @@ fn units_spread_over_bare_elements_only() {
     assert_eq!(mission.waypoints[0].position, [0.5, 2.0, 3.0]);
     assert_eq!(mission.waypoints[1].position, [1.0, 2.0, 5.0]);
     assert_eq!(
-        (
-            mission.limits[0].kind,
-            mission.limits[0].lower,
-            mission.limits[0].upper
-        ),
+        (mission.limits[0].kind, mission.limits[0].lower, mission.limits[0].upper),
         (LimitKind::Z, Some(1.0), Some(30.0))
     );
     assert!((mission.limits[1].lower.unwrap() + PI / 6.0).abs() < 1e-15);
@@ -64,54 +57,30 @@ fn gravity_reaches_weights_and_g0() {
         "gravity = 1.62 m/s^2\nlet rope = 1 kgf\nmission hop {\n start at [0, 0, 2] m\n waypoint at [rope/(1 N/m), g0*(1 s)^2, 5 m]\n}",
     );
     assert_eq!(moon.gravity, 1.62);
-    assert_eq!(
-        moon.mission.unwrap().waypoints[1].position,
-        [1.62, 1.62, 5.0]
-    );
+    assert_eq!(moon.mission.unwrap().waypoints[1].position, [1.62, 1.62, 5.0]);
 }
 
 #[test]
 fn yaw_keeps_the_last_and_turns_the_shorter_way() {
     let mission = model("mission hop {\n start at [0, 0, 2] m yaw 170 deg\n waypoint at [9, 0, 2] m yaw -170 deg\n waypoint at [9, 9, 2] m\n waypoint at [0, 9, 2] m yaw 90 deg\n}").mission.unwrap();
-    let degrees: Vec<f64> = mission
-        .waypoints
-        .iter()
-        .map(|w| (w.yaw.to_degrees() * 1e9).round() / 1e9)
-        .collect();
+    let degrees: Vec<f64> = mission.waypoints.iter().map(|w| (w.yaw.to_degrees() * 1e9).round() / 1e9).collect();
     assert_eq!(degrees, [170.0, 190.0, 190.0, 90.0]);
 }
 
 #[test]
 fn legs_share_time_by_distance_and_evenly_on_curves() {
-    let shares = |text: &str| -> Vec<f64> {
-        model(text)
-            .mission
-            .unwrap()
-            .legs
-            .iter()
-            .map(|l| l.share)
-            .collect()
-    };
+    let shares = |text: &str| -> Vec<f64> { model(text).mission.unwrap().legs.iter().map(|l| l.share).collect() };
     let near = |found: Vec<f64>, due: &[f64]| {
         assert_eq!(found.len(), due.len());
-        assert!(
-            found.iter().zip(due).all(|(a, b)| (a - b).abs() < 1e-12),
-            "{found:?} {due:?}"
-        );
+        assert!(found.iter().zip(due).all(|(a, b)| (a - b).abs() < 1e-12), "{found:?} {due:?}");
     };
     let explicit = "mission m {\n start at [0, 0, 2] m\n waypoint at [3, 0, 2] m\n waypoint at [3, 1, 2] m\n}\n";
     near(shares(explicit), &[0.75, 0.25]);
-    near(
-        shares(&format!("{explicit}plan {{ timing = uniform }}")),
-        &[0.5, 0.5],
-    );
+    near(shares(&format!("{explicit}plan {{ timing = uniform }}")), &[0.5, 0.5]);
     // A curve of 4 m in two unequal legs, then 4 m straight: 2, 2, 4.
     let mixed = "mission m {\n curve s in 0 .. 2, points = 3 { x = 1 m * s^2; y = 0 m; z = 5 m }\n waypoint at [8, 0, 5] m\n}\n";
     near(shares(mixed), &[0.25, 0.25, 0.5]);
-    near(
-        shares(&format!("{mixed}plan {{ timing = distance }}")),
-        &[0.125, 0.375, 0.5],
-    );
+    near(shares(&format!("{mixed}plan {{ timing = distance }}")), &[0.125, 0.375, 0.5]);
     // A turn on the spot counts one metre a radian.
     let turn = "mission m {\n start at [0, 0, 2] m\n waypoint at [0, 0, 2] m yaw 1 rad\n waypoint at [3, 0, 2] m\n}\n";
     near(shares(turn), &[0.25, 0.75]);
@@ -133,25 +102,17 @@ fn rings_turn_clockwise_from_the_left() {
     let side = 0.211 / 2f64.sqrt();
     let corners = [[side, side], [side, -side], [-side, -side], [-side, side]];
     for (rotor, corner) in rotors.iter().zip(corners) {
-        assert!(
-            (rotor.position[0] - corner[0]).abs() < 1e-15
-                && (rotor.position[1] - corner[1]).abs() < 1e-15
-        );
+        assert!((rotor.position[0] - corner[0]).abs() < 1e-15 && (rotor.position[1] - corner[1]).abs() < 1e-15);
     }
     assert_eq!(rotors[0].spin, Spin::P);
 }
 
 #[test]
 fn rotors_one_by_one_may_differ() {
-    let model = super::check_file("specs/vehicles/coaxial_x8.mav")
-        .0
-        .unwrap();
+    let model = super::check_file("specs/vehicles/coaxial_x8.mav").0.unwrap();
     let rotors = model.vehicle.rotors;
     assert_eq!(rotors.len(), 8);
-    assert!(
-        (rotors[0].max_thrust() - 22.0).abs() < 1e-9
-            && (rotors[1].max_thrust() - 18.0).abs() < 1e-9
-    );
+    assert!((rotors[0].max_thrust() - 22.0).abs() < 1e-9 && (rotors[1].max_thrust() - 18.0).abs() < 1e-9);
     assert!((rotors[1].drag_coefficient / rotors[1].thrust_coefficient - 0.018).abs() < 1e-12);
     assert_eq!(rotors[1].position, [0.3, 0.3, -0.03]);
     assert_eq!(rotors[1].time_constant, Some(0.04));
@@ -162,12 +123,7 @@ fn combinations_are_named_and_numbered() {
     let spec = "faults {\n every 2 rotors lost as D { severity = 9; occurrence = 2; detection = 5 }\n every 1 rotor stuck at 50 % as S\n mode W \"worn\" { rotor 3 reduced to 60 %; rate = 1e-5 1/h }\n}";
     let modes = model(spec).modes;
     let names: Vec<&str> = modes.iter().map(|m| m.name.as_str()).collect();
-    assert_eq!(
-        names,
-        [
-            "D1_2", "D1_3", "D1_4", "D2_3", "D2_4", "D3_4", "S1", "S2", "S3", "S4", "W"
-        ]
-    );
+    assert_eq!(names, ["D1_2", "D1_3", "D1_4", "D2_3", "D2_4", "D3_4", "S1", "S2", "S3", "S4", "W"]);
     assert_eq!(modes[4].lost(), [2, 4]);
     assert_eq!(modes[0].rpn(), Some(90));
     assert_eq!((modes[7].stuck[1], modes[7].capacity[1]), (Some(0.5), 1.0));
@@ -185,21 +141,13 @@ fn plans_select_their_modes() {
     assert_eq!(against("against = [W, M2]"), [4, 1]);
     assert_eq!(against("against = where rpn > 84"), [4]);
     assert_eq!(against("against = where severity <= 7"), [0, 1, 2, 3]);
-    let plan = model(&format!(
-        "{faults}plan {{ planner = rcp; time = 20 s; reserve = 0.25; against = all }}"
-    ))
-    .plan;
-    assert_eq!(
-        (plan.planner, plan.time, plan.reserve),
-        (PlannerKind::Rcp, MissionTime::Fixed(20.0), 0.25)
-    );
+    let plan = model(&format!("{faults}plan {{ planner = rcp; time = 20 s; reserve = 0.25; against = all }}")).plan;
+    assert_eq!((plan.planner, plan.time, plan.reserve), (PlannerKind::Rcp, MissionTime::Fixed(20.0), 0.25));
 }
 
 #[test]
 fn defaults_are_listed() {
-    let found = model(
-        "mission m {\n start at [0, 0, 2] m\n waypoint at [3, 0, 2] m\n}\nplan { reserve = 0 % }",
-    );
+    let found = model("mission m {\n start at [0, 0, 2] m\n waypoint at [3, 0, 2] m\n}\nplan { reserve = 0 % }");
     let fields: Vec<&str> = found.defaults.iter().map(|d| d.field.as_str()).collect();
     assert_eq!(
         fields,
@@ -224,26 +172,11 @@ fn defaults_are_listed() {
 #[test]
 fn one_mistake_gives_one_error() {
     // An unknown `let` leaves no missing field behind, nor does a misspelled or broken one.
-    assert_eq!(
-        codes(&QUAD.replace("1.32 kg", "dry")),
-        ["mavc::name::unknown"]
-    );
-    assert_eq!(
-        codes(&QUAD.replace("mass ", "mas ")),
-        ["mavc::name::unknown_field"]
-    );
-    assert_eq!(
-        codes(&QUAD.replace("1.32 kg", "1.32 kg kg")),
-        ["mavc::syntax::unit_blank"]
-    );
-    assert_eq!(
-        codes(&format!("let a = = 3 m\nlet b = 2*a\n{QUAD}")).len(),
-        1
-    );
-    assert_eq!(
-        codes(&format!("use \"gone.mav\"\nlet b = 2*a\n{QUAD}")),
-        ["mavc::file::missing"]
-    );
+    assert_eq!(codes(&QUAD.replace("1.32 kg", "dry")), ["mavc::name::unknown"]);
+    assert_eq!(codes(&QUAD.replace("mass ", "mas ")), ["mavc::name::unknown_field"]);
+    assert_eq!(codes(&QUAD.replace("1.32 kg", "1.32 kg kg")), ["mavc::syntax::unit_blank"]);
+    assert_eq!(codes(&format!("let a = = 3 m\nlet b = 2*a\n{QUAD}")).len(), 1);
+    assert_eq!(codes(&format!("use \"gone.mav\"\nlet b = 2*a\n{QUAD}")), ["mavc::file::missing"]);
     let chain = format!("let a = 1 m + 1 s\nlet b = a\nlet c = b + a\n{QUAD}");
     assert_eq!(codes(&chain), ["mavc::unit::mismatch"]);
 }

@@ -9,14 +9,9 @@ const REST: &str = "let a = 4 m\nfaults { every 1 rotor lost as M }\nmission m {
 
 fn with(sets: &[&str]) -> Checked<Model> {
     let text = format!("{QUAD}{REST}");
-    let (mut files, diagnostics) = load("s.mav", text.as_bytes(), &|_| {
-        Err(io::Error::from(io::ErrorKind::NotFound))
-    });
+    let (mut files, diagnostics) = load("s.mav", text.as_bytes(), &|_| Err(io::Error::from(io::ErrorKind::NotFound)));
     assert_eq!(diagnostics, vec![]);
-    let overrides: Vec<_> = sets
-        .iter()
-        .map(|text| parse_override(text, &mut files.sources).unwrap())
-        .collect();
+    let overrides: Vec<_> = sets.iter().map(|text| parse_override(text, &mut files.sources).unwrap()).collect();
     elaborate(&files, &overrides)
 }
 
@@ -34,32 +29,13 @@ fn fields_of_every_block_can_be_set() {
         "a=5 m",
     ];
     let model = with(&sets).value.unwrap();
-    assert_eq!(
-        (model.plan.time, model.plan.against, model.plan.reserve),
-        (MissionTime::Fixed(20.0), vec![0], 0.05)
-    );
-    assert_eq!(
-        (
-            model.vehicle.mass,
-            model.vehicle.rotors[0].max_speed,
-            model.gravity
-        ),
-        (2.0, 850.0, 9.80665)
-    );
+    assert_eq!((model.plan.time, model.plan.against, model.plan.reserve), (MissionTime::Fixed(20.0), vec![0], 0.05));
+    assert_eq!((model.vehicle.mass, model.vehicle.rotors[0].max_speed, model.gravity), (2.0, 850.0, 9.80665));
     let mission = model.mission.unwrap();
     assert_eq!(mission.waypoints[1].position, [5.0, 0.0, 2.0]);
-    let limits: Vec<(LimitKind, Option<f64>, Option<f64>)> = mission
-        .limits
-        .iter()
-        .map(|l: &Limit| (l.kind, l.lower, l.upper))
-        .collect();
-    assert_eq!(
-        limits,
-        [
-            (LimitKind::Tilt, None, Some(20f64.to_radians())),
-            (LimitKind::Z, Some(1.0), Some(9.0))
-        ]
-    );
+    let limits: Vec<(LimitKind, Option<f64>, Option<f64>)> =
+        mission.limits.iter().map(|l: &Limit| (l.kind, l.lower, l.upper)).collect();
+    assert_eq!(limits, [(LimitKind::Tilt, None, Some(20f64.to_radians())), (LimitKind::Z, Some(1.0), Some(9.0))]);
     assert!(model.defaults.iter().all(|d| d.field != "plan.reserve"));
 }
 
@@ -84,10 +60,7 @@ fn mistakes_in_overrides_have_places_in_them() {
         assert!(checked.value.is_none());
         let found = &checked.diagnostics[0];
         assert_eq!(found.code, code, "{set}");
-        assert_eq!(
-            &set[found.span.start as usize..found.span.end as usize],
-            text
-        );
+        assert_eq!(&set[found.span.start as usize..found.span.end as usize], text);
     }
 }
 

@@ -22,24 +22,14 @@ fn codes_of(text: &str) -> Vec<&'static str> {
     let diagnostics = check(&format!("{text}\n{vehicle}")).1;
     // An unused `let` is the price of a short example.
     let unused = |code: &str| code == "mavc::name::unused" && text.starts_with("let");
-    diagnostics
-        .iter()
-        .map(|d| d.code)
-        .filter(|code| !unused(code))
-        .collect()
+    diagnostics.iter().map(|d| d.code).filter(|code| !unused(code)).collect()
 }
 
 #[test]
 fn examples_give_the_code_they_stand_under_and_mended_they_give_none() {
-    let ours = [
-        "unit", "name", "file", "vehicle", "fault", "mission", "plan",
-    ];
-    let pages = || {
-        codes::all().iter().filter(|p| {
-            ours.iter()
-                .any(|room| p.code.starts_with(&format!("mavc::{room}::")))
-        })
-    };
+    let ours = ["unit", "name", "file", "vehicle", "fault", "mission", "plan"];
+    let pages =
+        || codes::all().iter().filter(|p| ours.iter().any(|room| p.code.starts_with(&format!("mavc::{room}::"))));
     let mut examples = 0;
     for page in pages() {
         for (info, text) in fences(page.page) {
@@ -49,18 +39,9 @@ fn examples_give_the_code_they_stand_under_and_mended_they_give_none() {
                 }
                 "mav wrong" => {
                     let found = codes_of(text);
-                    assert!(
-                        !found.is_empty() && found.iter().all(|c| *c == page.code),
-                        "{}: {found:?}",
-                        page.code
-                    );
+                    assert!(!found.is_empty() && found.iter().all(|c| *c == page.code), "{}: {found:?}", page.code);
                 }
-                "mav" => assert_eq!(
-                    codes_of(text),
-                    Vec::<&str>::new(),
-                    "the mended example of {}",
-                    page.code
-                ),
+                "mav" => assert_eq!(codes_of(text), Vec::<&str>::new(), "the mended example of {}", page.code),
                 _ => continue,
             }
             examples += 1;
@@ -100,13 +81,9 @@ fn fragment(text: &str) -> Vec<String> {
             "vehicle quad {{\n layout = \"PNPN\"\n arm = 11 cm\n mass = 620 g\n inertia = [2, 2, 4] g*m^2\n{text}\n}}\n"
         )
     } else if first.contains("in a mission") {
-        format!(
-            "{QUAD}mission hop {{\n start at [0, 0, 2] m\n{text}\n waypoint at [30, 0, 5] m\n}}\n"
-        )
+        format!("{QUAD}mission hop {{\n start at [0, 0, 2] m\n{text}\n waypoint at [30, 0, 5] m\n}}\n")
     } else if first.contains("in limits") {
-        format!(
-            "{QUAD}mission hop {{\n start at [0, 0, 2] m\n waypoint at [3, 0, 5] m\n limits {{\n{text}\n}}\n}}\n"
-        )
+        format!("{QUAD}mission hop {{\n start at [0, 0, 2] m\n waypoint at [3, 0, 5] m\n limits {{\n{text}\n}}\n}}\n")
     } else if first.contains("in faults") {
         format!("{QUAD}faults {{\n{text}\n}}\n")
     } else if first.contains("in plan") {
@@ -118,7 +95,5 @@ fn fragment(text: &str) -> Vec<String> {
     };
     let diagnostics = check(&spec).1;
     let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
-    errors
-        .map(|d| format!("{}: {}", d.code, d.message))
-        .collect()
+    errors.map(|d| format!("{}: {}", d.code, d.message)).collect()
 }

@@ -12,9 +12,7 @@ fn load_all(files: &[(&str, &[u8])]) -> (FileSet, Vec<Diagnostic>) {
     let map: BTreeMap<&str, &[u8]> = files.iter().copied().collect();
     let read = |path: &Path| {
         let name = path.to_str().unwrap();
-        map.get(name)
-            .map(|bytes| bytes.to_vec())
-            .ok_or(io::Error::from(io::ErrorKind::NotFound))
+        map.get(name).map(|bytes| bytes.to_vec()).ok_or(io::Error::from(io::ErrorKind::NotFound))
     };
     load(files[0].0, files[0].1, &read)
 }
@@ -25,20 +23,13 @@ fn codes(diagnostics: &[Diagnostic]) -> Vec<&'static str> {
 
 #[test]
 fn files_count_from_the_file_that_names_them_and_come_once() {
-    let root =
-        b"use \"../vehicles/quad.mav\"\nuse \"../a/b/deep.mav\"\nuse \"./../vehicles/quad.mav\"\n";
+    let root = b"use \"../vehicles/quad.mav\"\nuse \"../a/b/deep.mav\"\nuse \"./../vehicles/quad.mav\"\n";
     let deep = b"use \"../../vehicles/quad.mav\"\nlet unused = 1\n";
-    let (set, diagnostics) = load_all(&[
-        ("specs/root.mav", root),
-        ("vehicles/quad.mav", QUAD.as_bytes()),
-        ("a/b/deep.mav", deep),
-    ]);
+    let (set, diagnostics) =
+        load_all(&[("specs/root.mav", root), ("vehicles/quad.mav", QUAD.as_bytes()), ("a/b/deep.mav", deep)]);
     assert_eq!(diagnostics, vec![]);
     let names: Vec<&str> = set.sources.iter().map(|(_, s)| s.name.as_str()).collect();
-    assert_eq!(
-        names,
-        ["specs/root.mav", "vehicles/quad.mav", "a/b/deep.mav"]
-    );
+    assert_eq!(names, ["specs/root.mav", "vehicles/quad.mav", "a/b/deep.mav"]);
     assert_eq!(set.files.len(), 3);
     let checked = elaborate(&set, &[]);
     assert!(checked.value.is_some());
@@ -49,16 +40,11 @@ fn files_count_from_the_file_that_names_them_and_come_once() {
 fn circles_and_long_chains_end() {
     let (_, diagnostics) = load_all(&[("a.mav", b"use \"a.mav\"\n")]);
     assert_eq!(codes(&diagnostics), ["mavc::file::cycle"]);
-    let (_, diagnostics) = load_all(&[
-        ("a.mav", b"use \"b.mav\"\n"),
-        ("b.mav", b"use \"c.mav\"\n"),
-        ("c.mav", b"use \"b.mav\"\n"),
-    ]);
+    let (_, diagnostics) =
+        load_all(&[("a.mav", b"use \"b.mav\"\n"), ("b.mav", b"use \"c.mav\"\n"), ("c.mav", b"use \"b.mav\"\n")]);
     assert_eq!(codes(&diagnostics), ["mavc::file::cycle"]);
     let chain = |path: &Path| {
-        let number: u32 = path.file_stem().unwrap().to_str().unwrap()[1..]
-            .parse()
-            .unwrap();
+        let number: u32 = path.file_stem().unwrap().to_str().unwrap()[1..].parse().unwrap();
         Ok(format!("use \"f{}.mav\"\n", number + 1).into_bytes())
     };
     let (set, diagnostics) = load("f0.mav", b"use \"f1.mav\"\n", &chain);
@@ -78,25 +64,18 @@ fn bytes_that_are_no_text_and_files_too_large_are_told() {
     let (_, diagnostics) = load_all(&[("a.mav", &vec![0xff; 10 << 20])]);
     assert_eq!(codes(&diagnostics), ["mavc::file::too_large"]);
     let table = vec![b'1'; MAX_TABLE_BYTES + 1];
-    let (_, diagnostics) = load_all(&[
-        ("a.mav", b"mission m { waypoints from \"t.csv\" }\n"),
-        ("t.csv", &table),
-    ]);
+    let (_, diagnostics) = load_all(&[("a.mav", b"mission m { waypoints from \"t.csv\" }\n"), ("t.csv", &table)]);
     assert_eq!(codes(&diagnostics), ["mavc::file::too_large"]);
 }
 
 #[test]
 fn tables_become_waypoints() {
-    let root =
-        format!("{QUAD}mission m {{\n start at [1, 1, 2] m\n waypoints from \"t.csv\"\n}}\n");
-    let table = "x_m, y_m, z_ft, yaw_deg, within_cm, weight, time_s, name\n# out\n0,0,10,0,,,,home\n4,0,10,90,10,2,30,\n";
-    let (set, diagnostics) =
-        load_all(&[("s/a.mav", root.as_bytes()), ("s/t.csv", table.as_bytes())]);
+    let root = format!("{QUAD}mission m {{\n start at [1, 1, 2] m\n waypoints from \"t.csv\"\n}}\n");
+    let table =
+        "x_m, y_m, z_ft, yaw_deg, within_cm, weight, time_s, name\n# out\n0,0,10,0,,,,home\n4,0,10,90,10,2,30,\n";
+    let (set, diagnostics) = load_all(&[("s/a.mav", root.as_bytes()), ("s/t.csv", table.as_bytes())]);
     assert_eq!(diagnostics, vec![]);
-    assert_eq!(
-        (set.tables.len(), set.tables[0].name.as_str()),
-        (1, "s/t.csv")
-    );
+    assert_eq!((set.tables.len(), set.tables[0].name.as_str()), (1, "s/t.csv"));
     let checked = elaborate(&set, &[]);
     assert_eq!(checked.diagnostics, vec![]);
     let waypoints = checked.value.unwrap().mission.unwrap().waypoints;
@@ -104,10 +83,7 @@ fn tables_become_waypoints() {
     assert_eq!(waypoints[1].name.as_deref(), Some("home"));
     assert_eq!(waypoints[1].position, [0.0, 0.0, 3.048]);
     assert_eq!(waypoints[1].within, 0.05);
-    assert_eq!(
-        (waypoints[2].within, waypoints[2].weight, waypoints[2].time),
-        (0.1, 2.0, Some(30.0))
-    );
+    assert_eq!((waypoints[2].within, waypoints[2].weight, waypoints[2].time), (0.1, 2.0, Some(30.0)));
     assert!((waypoints[2].yaw - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     assert_eq!(set.sources.snippet(waypoints[2].span), "4,0,10,90,10,2,30,");
 }
@@ -122,20 +98,12 @@ fn tables_with_mistakes_are_told_by_row() {
         ("x_m,x_m,y_m,z_m\n1,1,1,1\n", 1),
         ("x_s,y_m,z_m\n1,1,1\n", 1),
         ("x_m,y_m,z_m,weight_kg\n1,1,1,1\n", 1),
-        (
-            "x_m,y_m,z_m,within_m\n1,1,1,0\n2,2,2,-1\n3,3,nan,1\n,1,1,1\n",
-            4,
-        ),
+        ("x_m,y_m,z_m,within_m\n1,1,1,0\n2,2,2,-1\n3,3,nan,1\n,1,1,1\n", 4),
         ("x_m,y_m,z_m,weight\n1,1,1,-1\n1,1\n", 2),
     ] {
         let (set, _) = load_all(&[("a.mav", root.as_bytes()), ("t.csv", table.as_bytes())]);
         let checked = elaborate(&set, &[]);
-        assert_eq!(
-            checked.diagnostics.len(),
-            count,
-            "{table}: {:#?}",
-            checked.diagnostics
-        );
+        assert_eq!(checked.diagnostics.len(), count, "{table}: {:#?}", checked.diagnostics);
         assert!(checked.value.is_none());
     }
     let many = format!("x_m,y_m,z_m\n{}", "bad,0,0\n".repeat(1000));
@@ -151,33 +119,20 @@ fn hostile_sizes_stay_bounded() {
     let curves = format!(" curve s in 0 .. 1, points = 10000 {{ {body} }}\n").repeat(40);
     let (_, found) = super::check(&format!("{QUAD}mission m {{\n{curves}}}\n"));
     assert!(
-        codes(&found).contains(&"mavc::unit::too_much")
-            || codes(&found).contains(&"mavc::mission::too_many_waypoints")
+        codes(&found).contains(&"mavc::unit::too_much") || codes(&found).contains(&"mavc::mission::too_many_waypoints")
     );
-    let unknown: String = (0..5000)
-        .map(|k| format!("let a{k} = b{k} + [c, \n d]\n"))
-        .collect();
+    let unknown: String = (0..5000).map(|k| format!("let a{k} = b{k} + [c, \n d]\n")).collect();
     let found = super::codes(&format!("{QUAD}{unknown}"));
     assert_eq!((found.len(), found[500]), (501, "mavc::name::too_many"));
     let listed = "Z, ".repeat(50_000);
-    let text =
-        format!("{QUAD}faults {{ every 1 rotor lost as M }}\nplan {{ against = [{listed}] }}\n");
+    let text = format!("{QUAD}faults {{ every 1 rotor lost as M }}\nplan {{ against = [{listed}] }}\n");
     assert_eq!(super::codes(&text).len(), 501);
-    let doubling: String = (0..60)
-        .map(|k| format!("let a{} = a{k} + a{k}\n", k + 1))
-        .collect();
+    let doubling: String = (0..60).map(|k| format!("let a{} = a{k} + a{k}\n", k + 1)).collect();
     let (model, _) = super::check(&format!("let a0 = 1\n{doubling}{QUAD}"));
     assert!(model.is_some());
-    assert_eq!(
-        super::codes(&format!("{QUAD}let a = 1e308 * 10\n")),
-        ["mavc::unit::not_finite"]
-    );
-    assert_eq!(
-        super::codes(&format!("{QUAD}let a = (1 m)^999 * (1 m)^999\n")),
-        ["mavc::unit::exponent"]
-    );
+    assert_eq!(super::codes(&format!("{QUAD}let a = 1e308 * 10\n")), ["mavc::unit::not_finite"]);
+    assert_eq!(super::codes(&format!("{QUAD}let a = (1 m)^999 * (1 m)^999\n")), ["mavc::unit::exponent"]);
     let hold = " hold 1e308 s\n".repeat(3);
-    let text =
-        format!("{QUAD}mission m {{\n start at [0, 0, 2] m\n{hold} waypoint at [9, 0, 2] m\n}}\n");
+    let text = format!("{QUAD}mission m {{\n start at [0, 0, 2] m\n{hold} waypoint at [9, 0, 2] m\n}}\n");
     assert_eq!(super::codes(&text), ["mavc::unit::not_finite"; 2]);
 }

@@ -25,10 +25,7 @@ fn shipped_specs_have_models_and_no_diagnostics() {
     for name in names {
         let (model, diagnostics) = check_file(&name);
         assert_eq!(diagnostics, vec![], "{name}");
-        let stem = name
-            .trim_start_matches("specs/")
-            .trim_end_matches(".mav")
-            .replace('/', "_");
+        let stem = name.trim_start_matches("specs/").trim_end_matches(".mav").replace('/', "_");
         insta::assert_snapshot!(stem, model.unwrap().to_string());
     }
 }
@@ -45,32 +42,17 @@ fn the_paper_cases_hold_the_curve_and_the_modes() {
         assert!(mission.limits.is_empty() && mission.start_at_rest && mission.end_at_rest);
         for (k, waypoint) in mission.waypoints.iter().enumerate() {
             let s = 4.0 * std::f64::consts::PI * k as f64 / 20.0;
-            let curve = [
-                4.0 * (1.0 + s.cos()),
-                4.0 * s.sin(),
-                10.0 + 8.0 * (s / 2.0).sin(),
-            ];
+            let curve = [4.0 * (1.0 + s.cos()), 4.0 * s.sin(), 10.0 + 8.0 * (s / 2.0).sin()];
             for (found, due) in waypoint.position.iter().zip(curve) {
                 assert!((found - due).abs() < 1e-12, "{case} {k}");
             }
-            assert_eq!(
-                (waypoint.yaw, waypoint.within, waypoint.weight),
-                (0.0, 0.05, 1.0)
-            );
+            assert_eq!((waypoint.yaw, waypoint.within, waypoint.weight), (0.0, 0.05, 1.0));
         }
-        assert!(
-            mission
-                .legs
-                .iter()
-                .all(|leg| leg.share == mission.legs[0].share)
-        );
+        assert!(mission.legs.iter().all(|leg| leg.share == mission.legs[0].share));
         assert_eq!(model.plan.samples, 200);
         assert_eq!(model.plan.reserve, 0.0);
         assert_eq!(model.plan.time, MissionTime::Minimum);
-        assert_eq!(
-            (model.plan.snap_weight, model.plan.acceleration_weight),
-            (1e-4, 1e-4)
-        );
+        assert_eq!((model.plan.snap_weight, model.plan.acceleration_weight), (1e-4, 1e-4));
     }
     let pair = check_file("specs/paper/case2.mav").0.unwrap();
     assert_eq!(pair.modes[0].lost(), vec![1, 6]);
@@ -80,62 +62,14 @@ fn the_paper_cases_hold_the_curve_and_the_modes() {
 #[test]
 fn the_paper_vehicles_hold_its_table() {
     let rows = [
-        (
-            "quad_pnpn",
-            1.32,
-            0.0128,
-            0.0239,
-            9.9865e-6,
-            1.5978e-7,
-            840.0,
-            4,
-        ),
-        (
-            "hexa_pnpnpn",
-            1.54,
-            0.0168,
-            0.0308,
-            8.5485e-6,
-            1.3678e-7,
-            874.0,
-            6,
-        ),
-        (
-            "hexa_ppnnpn",
-            1.54,
-            0.0168,
-            0.0308,
-            8.5485e-6,
-            1.3678e-7,
-            874.0,
-            6,
-        ),
-        (
-            "octo_pnpnpnpn",
-            1.8,
-            0.0429,
-            0.0748,
-            8.5485e-6,
-            1.3678e-7,
-            874.0,
-            8,
-        ),
-        (
-            "octo_ppnnppnn",
-            1.8,
-            0.0429,
-            0.0748,
-            8.5485e-6,
-            1.3678e-7,
-            874.0,
-            8,
-        ),
+        ("quad_pnpn", 1.32, 0.0128, 0.0239, 9.9865e-6, 1.5978e-7, 840.0, 4),
+        ("hexa_pnpnpn", 1.54, 0.0168, 0.0308, 8.5485e-6, 1.3678e-7, 874.0, 6),
+        ("hexa_ppnnpn", 1.54, 0.0168, 0.0308, 8.5485e-6, 1.3678e-7, 874.0, 6),
+        ("octo_pnpnpnpn", 1.8, 0.0429, 0.0748, 8.5485e-6, 1.3678e-7, 874.0, 8),
+        ("octo_ppnnppnn", 1.8, 0.0429, 0.0748, 8.5485e-6, 1.3678e-7, 874.0, 8),
     ];
     for (name, mass, ixx, izz, b, d, speed, n) in rows {
-        let vehicle = check_file(&format!("specs/vehicles/{name}.mav"))
-            .0
-            .unwrap()
-            .vehicle;
+        let vehicle = check_file(&format!("specs/vehicles/{name}.mav")).0.unwrap().vehicle;
         assert_eq!((vehicle.mass, vehicle.inertia), (mass, [ixx, ixx, izz]));
         assert_eq!(vehicle.rotors.len(), n);
         let layout = name.split('_').nth(1).unwrap().to_uppercase();
