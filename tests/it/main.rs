@@ -8,5 +8,7 @@ mod geometry_properties;
 mod hostile;
 mod model;
 mod render;
+mod reproduction;
+mod schemas;
 mod syntax;
 mod vehicles;
