@@ -9,5 +9,7 @@ mod hostile;
 mod model;
 mod programs;
 mod render;
+mod reproduction;
+mod schemas;
 mod syntax;
 mod vehicles;

@@ -1,0 +1,169 @@
+//! The four machine-readable outputs against their schemas in docs/schema.
+
+use jsonschema::Validator;
+use serde_json::{Value, json};
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+/// Runs `mavc` in the repository's root and gives what it prints.
+fn printed(args: &[&str], input: &str) -> String {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mavc"))
+        .args(args)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    // A command that never reads its input closes the pipe: no matter.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    String::from_utf8(child.wait_with_output().unwrap().stdout).unwrap()
+}
+
+fn json_of(args: &[&str], input: &str) -> Value {
+    let text = printed(args, input);
+    serde_json::from_str(&text).unwrap_or_else(|e| panic!("{args:?}: {e}\n{text}"))
+}
+
+/// The report of a `plan` or `compare` run.
+fn report_of(command: &str, arguments: &[&str], input: &str) -> Value {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("report.json");
+    let mut args = vec![command, "-", "--quiet", "--report", path.to_str().unwrap()];
+    args.extend(arguments);
+    printed(&args, input);
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+fn schema(name: &str) -> Validator {
+    let path = format!("{}/docs/schema/{name}.schema.json", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    let schema: Value = serde_json::from_str(&text).unwrap();
+    assert!(jsonschema::draft202012::meta::is_valid(&schema), "{name} is no schema");
+    jsonschema::draft202012::new(&schema).unwrap()
+}
+
+/// Fails with all that the schema has against the record.
+fn assert_valid(schema: &Validator, record: &Value) {
+    let errors: Vec<String> =
+        schema.iter_errors(record).map(|e| format!("{}: {e}", e.instance_path())).collect();
+    assert_eq!(errors, Vec::<String>::new());
+}
+
+/// Every member of every object is needed, and none may be added.
+fn assert_strict(schema: &Validator, record: &Value, optional: &[&str]) {
+    for pointer in objects(record, String::new()) {
+        let members: Vec<String> = record.pointer(&pointer).unwrap().as_object().unwrap().keys().cloned().collect();
+        let mut more = record.clone();
+        more.pointer_mut(&pointer).unwrap()["surplus"] = json!(1);
+        assert!(!schema.is_valid(&more), "{pointer} may have any member");
+        for member in members.iter().filter(|m| !optional.contains(&m.as_str())) {
+            let mut less = record.clone();
+            less.pointer_mut(&pointer).unwrap().as_object_mut().unwrap().remove(member);
+            assert!(!schema.is_valid(&less), "{pointer} may lack {member}");
+        }
+    }
+}
+
+/// Pointers to the objects in a value, the first of each array only.
+fn objects(value: &Value, at: String) -> Vec<String> {
+    match value {
+        Value::Object(members) => {
+            let inner = members.iter().flat_map(|(k, v)| objects(v, format!("{at}/{k}")));
+            std::iter::once(at.clone()).chain(inner).collect()
+        }
+        Value::Array(items) => items.first().map(|v| objects(v, format!("{at}/0"))).unwrap_or_default(),
+        _ => Vec::new(),
+    }
+}
+
+const QUAD: &str = r#"
+vehicle quad {
+    layout  = "PNPN"
+    arm     = 0.211 m
+    mass    = 1.32 kg
+    inertia = [0.0128, 0.0128, 0.0239] kg*m^2
+    rotor { thrust_coefficient = 9.9865e-6 N*s^2/rad^2; drag_coefficient = 1.5978e-7 N*m*s^2/rad^2; max_speed = 840 rad/s }
+}
+"#;
+
+/// A quadcopter that hops against a weak rotor.
+fn hop(against: &str) -> String {
+    format!(
+        "{QUAD}
+faults {{
+    every 1 rotor lost as M
+    mode weak {{ rotor 1 reduced to 90 % }}
+}}
+mission hop {{
+    start at [0, 0, 1] m
+    waypoint at [1, 0, 1.5] m
+}}
+plan {{
+    planner = rsp
+    against = [{against}]
+    time    = 4 s
+    samples = 20
+}}
+"
+    )
+}
+
+#[test]
+fn analyses_are_as_their_schema_says() {
+    let schema = schema("analyze");
+    for spec in ["vehicles/quad_pnpn", "vehicles/hexa_ppnnpn", "vehicles/coaxial_x8", "paper/case2", "missions/inspection"] {
+        let record = json_of(&["analyze", &format!("specs/{spec}.mav"), "--format", "json"], "");
+        assert_valid(&schema, &record);
+    }
+    // Flat sets, a stuck rotor, and verdicts that flip.
+    let spec = format!("{QUAD}faults {{\n    every 1 rotor lost as M\n    mode held {{ rotor 2 stuck at 40 % }}\n}}\n");
+    let record = json_of(&["analyze", "-", "--format", "json", "--sweep", "mass=1..2.8kg"], &spec);
+    assert_valid(&schema, &record);
+    assert_eq!(record["modes"][1]["facets"], Value::Null);
+    assert_eq!(record["modes"][5]["stuck"][1], json!(0.4));
+    assert!(!record["flips"].as_array().unwrap().is_empty());
+    assert_strict(&schema, &record, &["flips"]);
+}
+
+#[test]
+fn reports_are_as_their_schema_says() {
+    let schema = schema("report");
+    let solved = report_of("compare", &[], &hop("weak"));
+    assert_valid(&schema, &solved);
+    assert!(solved["planners"].as_array().unwrap().iter().all(|p| p["status"] == "solved"));
+    assert_strict(&schema, &solved, &[]);
+
+    // A mode that cannot hover with a reserve, and a time too short.
+    let too_short = report_of("plan", &["--set", "plan.time=0.2s"], &hop("weak"));
+    assert_valid(&schema, &too_short);
+    assert_eq!(too_short["planners"][0]["status"], "infeasible");
+}
+
+#[test]
+fn problems_are_as_their_schema_says() {
+    let schema = schema("check");
+    let spec = hop("M9").replace("1.32 kg", "1.32 s").replace("at [1, 0, 1.5] m", "at [1, 0, 1.5]");
+    let lines = printed(&["check", "-", "--format", "json"], &spec);
+    let records: Vec<Value> = lines.lines().map(|l| serde_json::from_str(l).unwrap()).collect();
+    assert!(records.len() >= 3, "{lines}");
+    for record in &records {
+        assert_valid(&schema, record);
+    }
+    let labelled = records.iter().find(|r| !r["labels"].as_array().unwrap().is_empty());
+    assert_strict(&schema, labelled.expect("some problem has a label"), &[]);
+}
+
+#[test]
+fn exported_programs_are_as_their_schema_says() {
+    let schema = schema("qp");
+    let record = json_of(&["emit", "qp", "-", "--format", "json"], &hop("weak"));
+    assert_valid(&schema, &record);
+    assert_strict(&schema, &record, &[]);
+    let size = |m: &str, of: &str| record[m][of].as_u64().unwrap() as usize;
+    let length = |m: &str| record[m].as_array().unwrap().len();
+    assert_eq!((size("A", "rows"), size("A", "cols")), (length("b"), length("q")));
+    assert_eq!((size("P", "rows"), length("row_origin")), (length("q"), length("b")));
+    let rows: u64 = record["cones"].as_array().unwrap().iter().map(|c| c["rows"].as_u64().unwrap()).sum();
+    assert_eq!(rows as usize, length("b"));
+}
