@@ -9,7 +9,6 @@ mod hostile;
 mod model;
 mod programs;
 mod render;
-mod reproduction;
 mod schemas;
 mod syntax;
 mod vehicles;

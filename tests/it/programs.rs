@@ -27,8 +27,7 @@ fn full_program(model: &Model, mission: &Mission, set: &PlanningSet, total: f64,
     let healthy = AdmissibleSet::healthy(model);
     let layout = Engine::new(model, mission, &healthy).layout(total, model.plan.samples).unwrap().unwrap();
     let maps = layout.yaw.maps(model, layout.profile.nodes());
-    Transcription { model, mission, profile: &layout.profile, set, maps: &maps, axes: layout.yaw.axes() }
-        .full_program(purpose)
+    Transcription::new(model, mission, &layout.profile, set, &maps, layout.yaw.axes()).full_program(purpose)
 }
 
 fn decide(model: &Model, total: f64) -> Decision {
