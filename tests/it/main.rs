@@ -7,6 +7,7 @@ mod errors;
 mod geometry_properties;
 mod hostile;
 mod model;
+mod planning;
 mod programs;
 mod render;
 mod syntax;
