@@ -11,4 +11,5 @@ mod planning;
 mod programs;
 mod render;
 mod syntax;
+mod trajectories;
 mod vehicles;
