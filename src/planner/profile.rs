@@ -92,8 +92,14 @@ pub fn profile(mission: &Mission, total: f64, samples: usize) -> Option<Profile>
         node_times.extend((1..=s.intervals).map(|i| begin + s.duration * i as f64 / s.intervals as f64));
         begin += s.duration;
         if !s.hold {
+            // A time that the spec fixes is met to the last digit.
+            begin = mission.waypoints[s.from + 1].time.unwrap_or(begin);
             waypoint_nodes.push(node_times.len() - 1);
         }
+        node_times[s.first_node + s.intervals] = begin;
+    }
+    if let Some(end) = node_times.last_mut() {
+        *end = total;
     }
     Some(Profile { total, segments, node_times, waypoint_nodes })
 }
