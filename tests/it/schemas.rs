@@ -45,8 +45,7 @@ fn schema(name: &str) -> Validator {
 
 /// Fails with all that the schema has against the record.
 fn assert_valid(schema: &Validator, record: &Value) {
-    let errors: Vec<String> =
-        schema.iter_errors(record).map(|e| format!("{}: {e}", e.instance_path())).collect();
+    let errors: Vec<String> = schema.iter_errors(record).map(|e| format!("{}: {e}", e.instance_path())).collect();
     assert_eq!(errors, Vec::<String>::new());
 }
 
@@ -112,7 +111,9 @@ plan {{
 #[test]
 fn analyses_are_as_their_schema_says() {
     let schema = schema("analyze");
-    for spec in ["vehicles/quad_pnpn", "vehicles/hexa_ppnnpn", "vehicles/coaxial_x8", "paper/case2", "missions/inspection"] {
+    for spec in
+        ["vehicles/quad_pnpn", "vehicles/hexa_ppnnpn", "vehicles/coaxial_x8", "paper/case2", "missions/inspection"]
+    {
         let record = json_of(&["analyze", &format!("specs/{spec}.mav"), "--format", "json"], "");
         assert_valid(&schema, &record);
     }
