@@ -126,8 +126,8 @@ fn steps_are_continuous(trajectory: &Trajectory) {
     for k in 0..trajectory.intervals() {
         let end = trajectory.within(k, trajectory.times[k + 1] - trajectory.times[k]);
         for (axis, &order) in ORDER.iter().enumerate() {
-            for i in 0..=order {
-                let (a, b) = (end[axis][i], trajectory.nodes[k + 1][axis][i]);
+            let pairs = end[axis].iter().zip(&trajectory.nodes[k + 1][axis]);
+            for (i, (a, b)) in pairs.take(order + 1).enumerate() {
                 assert!((a - b).abs() < 1e-6 * (1.0 + b.abs()), "interval {k}, axis {axis}, order {i}: {a} {b}");
             }
         }

@@ -34,8 +34,8 @@ fn integrated(start: NodeState, steps: &[f64], inputs: &[[f64; 4]], linearised_a
         let mut next = NodeState::default();
         for (axis, &r) in ORDER.iter().enumerate() {
             let (from, u) = (nodes[k][axis], inputs[k + 1][axis]);
-            for i in 0..r {
-                next[axis][i] = (i..=r).map(|j| from[j] * h.powi((j - i) as i32) / factorial(j - i)).sum::<f64>()
+            for (i, derivative) in next[axis][..r].iter_mut().enumerate() {
+                *derivative = (i..=r).map(|j| from[j] * h.powi((j - i) as i32) / factorial(j - i)).sum::<f64>()
                     + (u - from[r]) * h.powi((r - i) as i32) / factorial(r + 1 - i);
             }
             next[axis][r] = u;
@@ -235,10 +235,10 @@ proptest! {
         }
 
         let mut builder = Builder::new(n);
-        for k in 0..n {
+        for (k, limit) in most.iter().enumerate() {
             builder.product(k, k, 1.0);
             builder.nonnegative(Affine::term(k, 1.0), RowOrigin::Overshoot);
-            builder.nonnegative(Affine::term(k, -1.0).plus_constant(most[k]), RowOrigin::Overshoot);
+            builder.nonnegative(Affine::term(k, -1.0).plus_constant(*limit), RowOrigin::Overshoot);
         }
         for i in 0..4 {
             let terms = (0..n).map(|k| (k, actuation.full(k)[i] / most[k] / scale[i])).collect();
