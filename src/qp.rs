@@ -122,6 +122,8 @@ pub enum RowOrigin {
     WaypointYaw { waypoint: usize },
     /// The overshoot may not exceed what makes tolerances meaningless.
     Overshoot,
+    /// The excess is not less than it needs to be.
+    Excess,
 }
 
 /// The program; [`crate::solve::solve`] refuses data that is not finite.
@@ -151,6 +153,7 @@ impl RowOrigin {
             RowOrigin::Waypoint { .. } => "waypoints",
             RowOrigin::WaypointYaw { .. } => "waypoint yaw",
             RowOrigin::Overshoot => "overshoot",
+            RowOrigin::Excess => "excess",
         }
     }
 }

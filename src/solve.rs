@@ -9,6 +9,10 @@ use std::time::{Duration, Instant};
 /// A row may be missed by this much (rows are of order one).
 pub const PRIMAL_TOLERANCE: f64 = 1e-6;
 
+/// Iterations after which a solve ends without a verdict. Programs here take 8 to 60; one that takes more has
+/// stalled, and another form of it is quicker.
+const MOST_ITERATIONS: u32 = 80;
+
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     pub x: Vec<f64>,
@@ -102,8 +106,13 @@ pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
             Cone::SecondOrder(n) => SupportedConeT::SecondOrderConeT(n),
         })
         .collect();
-    let settings =
-        DefaultSettings { verbose: false, max_threads: 1, presolve_enable: false, ..DefaultSettings::default() };
+    let settings = DefaultSettings {
+        verbose: false,
+        max_threads: 1,
+        presolve_enable: false,
+        max_iter: MOST_ITERATIONS,
+        ..DefaultSettings::default()
+    };
     let begin = Instant::now();
     let solver = DefaultSolver::new(&matrix(&program.p), &program.q, &matrix(&program.a), &program.b, &cones, settings);
     let Ok(mut solver) = solver else {

@@ -2,7 +2,7 @@
 
 use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
-use super::search::{Hint, NoTime, Shortest};
+use super::search::{Hint, NoTime, RESOLUTION, Shortest};
 use super::select::{PlanningSet, SetRow};
 use crate::admissible::AdmissibleSet;
 use crate::model::{Mission, MissionTime, Model, PlannerKind};
@@ -371,7 +371,12 @@ impl<'a> Setting<'a> {
             let rsp_set = self.rip.with(selected.clone());
             let mut common = vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.rip)];
             let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
-                || self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), selected.is_empty()),
+                || {
+                    let binding = tightest.as_ref().unwrap_or(&rip);
+                    let pool =
+                        binding.pool.translated(if tightest.is_some() { &self.joint } else { &self.rip }, &rsp_set);
+                    self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), selected.is_empty(), pool)
+                },
                 || {
                     let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
                         let label = label(PlannerKind::Rcp, against);
@@ -402,16 +407,31 @@ impl<'a> Setting<'a> {
         rip: &Found,
         above_rip: Hint,
         same_as_rip: bool,
+        pool: Pool,
     ) -> (Found, Ending, Effort) {
         if same_as_rip {
             let (decision, effort) = self.at_or_own("RSP", set, at, rip);
             let own = Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
             return (own, self.common(at, &decision), effort);
         }
-        let (decision, mut effort) = self.at("RSP", set, at, rip.pool.clone());
+        // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
+        let below = at - RESOLUTION;
+        let ((decision, mut effort), shorter) = rayon::join(
+            || self.at("RSP", set, at, pool.clone()),
+            || self.fixed_time().is_none().then(|| self.at("RSP", set, below, pool.clone())),
+        );
         let ending = self.common(at, &decision);
-        let hint = Hint { infeasible: above_rip.infeasible, ..hint_from(at, decision) };
-        let own = self.search("RSP", set, hint, rip.pool.clone());
+        let mut hint = hint_from(at, decision);
+        if let Some((shorter, spent)) = shorter {
+            effort += spent;
+            match shorter {
+                Decision::Infeasible => hint.infeasible = Some(below),
+                feasible @ Decision::Feasible(_) => hint = hint_from(below, feasible),
+                Decision::Inconclusive(_) => {}
+            }
+        }
+        hint.infeasible = hint.infeasible.or(above_rip.infeasible);
+        let own = self.search("RSP", set, hint, pool);
         effort += own.effort;
         (own, ending, effort)
     }

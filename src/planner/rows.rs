@@ -11,7 +11,7 @@ use super::yaw::{YawPlan, plan_yaw};
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
 use crate::model::{Mission, Model};
-use crate::solve::{Effort, Outcome, solve};
+use crate::solve::{Effort, Outcome, Solution, solve};
 use std::collections::BTreeSet;
 
 /// A waypoint may be overshot by this much, m, and the plan still counts as feasible (yaw in proportion).
@@ -31,6 +31,9 @@ const MOST_ROUNDS: usize = 30;
 
 /// The share of [`Purpose::Overshoot`]'s objective that the inputs' cost may take at most, m.
 const COST_SHARE: f64 = 1e-3;
+
+/// The share of [`Purpose::Excess`]'s objective that the inputs' cost may take at most.
+const EXCESS_COST: f64 = 0.05;
 
 /// Directions in which the largest torque is looked for.
 const DIRECTIONS: usize = 64;
@@ -54,9 +57,15 @@ impl Pool {
     /// Moves the rows to a grid with `nodes` nodes, by their share of the mission.
     fn fit(&mut self, nodes: usize) {
         if self.nodes != nodes {
+            // A row stands for the stretch of mission about its node.
             let (from, to) = (self.nodes.max(2) - 1, nodes - 1);
-            let move_to = |r: &FacetAt| FacetAt { facet: r.facet, node: (r.node * to + from / 2) / from };
-            self.rows = self.rows.iter().map(move_to).collect();
+            let nearest = |half_steps: usize| (half_steps * to + from) / (2 * from);
+            let stretch = |r: &FacetAt| {
+                let facet = r.facet;
+                let (first, last) = (nearest((2 * r.node).saturating_sub(1)), nearest(2 * r.node + 1).min(to));
+                (first..=last).map(move |node| FacetAt { facet, node })
+            };
+            self.rows = self.rows.iter().flat_map(stretch).collect();
             self.nodes = nodes;
         }
     }
@@ -90,6 +99,15 @@ pub enum Decision {
     /// Proved by multipliers checked in plain arithmetic.
     Infeasible,
     Inconclusive(String),
+}
+
+/// How far a mission time is from one at which a plan exists, as a share; see [`Purpose::Excess`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Excess {
+    /// Positive: rows and limits would have to be wider by this share. Negative: all keep this distance.
+    pub sigma: f64,
+    /// sigma was not pursued below this.
+    pub least: f64,
 }
 
 /// An optimal plan at one mission time.
@@ -162,8 +180,7 @@ impl<'a> Engine<'a> {
         let before = pool.clone();
         let attempt = self.generate(&layout, set, Purpose::Plan { slack: FEASIBLE }, pool);
         if let Outcome::Solved(_) = &attempt.outcome {
-            let maps = layout.yaw.maps(self.model, layout.profile.nodes());
-            pool.rows.retain(|r| set.rows[r.facet].excess(&maps[r.node].at(&attempt.states[r.node])) > -KEPT);
+            self.keep_near(&layout, set, &attempt.states, 0.0, pool);
         } else {
             *pool = before;
         }
@@ -178,6 +195,46 @@ impl<'a> Engine<'a> {
             Outcome::Inconclusive { status, .. } if quickly => Decision::Inconclusive(status),
             Outcome::Inconclusive { status, .. } => self.decide_by_overshoot(&layout, set, pool, status),
         }
+    }
+
+    /// How far a mission time is from feasible, to within `tolerance`. It grows smoothly as time shrinks, where a
+    /// verdict is only yes or no; so it tells where to look, and claims nothing. `None` where waypoints, rest and
+    /// positions alone cannot be met.
+    pub(super) fn excess(
+        &mut self,
+        total: f64,
+        samples: usize,
+        set: &PlanningSet,
+        pool: &mut Pool,
+        tolerance: f64,
+    ) -> Option<Excess> {
+        self.progress(total);
+        let layout = self.layout(total, samples).ok()??;
+        let hover = self.hover_margin(set);
+        let epsilon = EXCESS_COST / self.cost_scale(&layout);
+        let purpose = Purpose::Excess { epsilon, least: -0.5 * hover };
+        let before = pool.clone();
+        let attempt = self.generate_within(&layout, set, purpose, pool, tolerance);
+        let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = &attempt.outcome
+        else {
+            *pool = before;
+            return None;
+        };
+        let sigma = *x.last()?;
+        self.keep_near(&layout, set, &attempt.states, sigma.min(0.0), pool);
+        Some(Excess { sigma, least: -0.5 * hover })
+    }
+
+    /// How far hover is inside a set, as a share of the healthy set's width.
+    pub(super) fn hover_margin(&self, set: &PlanningSet) -> f64 {
+        let inside = set.rows.iter().filter(|r| !r.equality).map(|r| -r.excess(&self.healthy.hover));
+        inside.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Drops the rows that states keep well clear of.
+    fn keep_near(&self, layout: &Layout, set: &PlanningSet, states: &[NodeState], sigma: f64, pool: &mut Pool) {
+        let maps = layout.yaw.maps(self.model, layout.profile.nodes());
+        pool.rows.retain(|r| set.rows[r.facet].excess(&maps[r.node].at(&states[r.node])) > sigma - KEPT);
     }
 
     /// Where the plan's program gives no verdict: minimise sigma + epsilon J, which always has a solution. With
@@ -196,7 +253,11 @@ impl<'a> Engine<'a> {
     /// An upper bound on (48) over all feasible plans: inputs that the healthy set allows, waypoints at the edge
     /// of their tolerance. `None` where yaw was planned first, for then the rows hold states too.
     fn largest_cost(&self, layout: &Layout) -> Option<f64> {
-        let YawPlan::Free { .. } = layout.yaw else { return None };
+        matches!(layout.yaw, YawPlan::Free { .. }).then(|| self.cost_scale(layout))
+    }
+
+    /// The bound itself; where yaw was planned first, only a figure of the right size.
+    fn cost_scale(&self, layout: &Layout) -> f64 {
         let zonotope = &self.healthy.zonotope;
         let reach = |n: Wrench| zonotope.support(&n).abs().max(zonotope.support(&-n).abs());
         let extent = |axis: usize| reach(Wrench::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 }));
@@ -221,11 +282,24 @@ impl<'a> Engine<'a> {
             self.mission.waypoints.iter().map(|w| {
                 w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
             });
-        Some(inputs * layout.profile.total + misses.sum::<f64>())
+        inputs * layout.profile.total + misses.sum::<f64>()
     }
 
-    /// Solves with facet rows added where they are passed, until none is.
+    /// Solves with facet rows added where they are passed by more than [`ACCEPTED`], until none is.
     fn generate(&mut self, layout: &Layout, set: &PlanningSet, purpose: Purpose, pool: &mut Pool) -> Attempt {
+        self.generate_within(layout, set, purpose, pool, ACCEPTED)
+    }
+
+    /// The same for any other share. An excess is not pursued below its `least`, nor more closely than a fifth of
+    /// itself: far from zero it need not be known well.
+    fn generate_within(
+        &mut self,
+        layout: &Layout,
+        set: &PlanningSet,
+        purpose: Purpose,
+        pool: &mut Pool,
+        accepted: f64,
+    ) -> Attempt {
         let nodes = layout.profile.nodes();
         let maps = layout.yaw.maps(self.model, nodes);
         let (model, mission) = (self.model, self.mission);
@@ -234,12 +308,12 @@ impl<'a> Engine<'a> {
         pool.fit(nodes);
         let most = match purpose {
             Purpose::Plan { .. } => self.largest_cost(layout).unwrap_or(f64::INFINITY),
-            Purpose::Overshoot { .. } => f64::INFINITY,
+            _ => f64::INFINITY,
         };
         let mut round = 0;
         loop {
             let chosen: Vec<FacetAt> = pool.rows.iter().copied().collect();
-            let few = chosen.len() <= FEW_ROWS && matches!(purpose, Purpose::Plan { .. });
+            let few = chosen.len() <= FEW_ROWS && !matches!(purpose, Purpose::Overshoot { .. });
             let mut form = if few { &splines } else { &stages };
             let (mut outcome, spent) = solve(&form.program(purpose, &chosen));
             self.effort += spent;
@@ -261,7 +335,15 @@ impl<'a> Engine<'a> {
                 _ => return Attempt { outcome, states: Vec::new(), rows: chosen.len() },
             };
             let mut states = form.states(x);
-            pool.rows.extend(passed(&states, &maps, set));
+            let most_passed = match purpose {
+                Purpose::Excess { least, .. } => {
+                    let sigma = x.last().copied().unwrap_or(0.0);
+                    let far = round >= 2 && sigma <= 0.99 * least;
+                    if far { f64::INFINITY } else { sigma + accepted.max(0.2 * sigma.abs()) }
+                }
+                _ => accepted,
+            };
+            pool.rows.extend(passed(&states, &maps, set, most_passed));
             if pool.rows.len() == chosen.len() {
                 layout.yaw.fill(&mut states);
                 return Attempt { outcome, states, rows: chosen.len() };
@@ -275,8 +357,8 @@ impl<'a> Engine<'a> {
     }
 }
 
-/// At each node the row that the states pass furthest, there and at the neighbouring nodes.
-fn passed(states: &[NodeState], maps: &[WrenchMap], set: &PlanningSet) -> Vec<FacetAt> {
+/// At each node the row that the states pass furthest by more than `accepted`, there and at the neighbouring nodes.
+fn passed(states: &[NodeState], maps: &[WrenchMap], set: &PlanningSet, accepted: f64) -> Vec<FacetAt> {
     let last = states.len() - 1;
     let mut found = Vec::new();
     for (node, (state, map)) in states.iter().zip(maps).enumerate() {
@@ -286,7 +368,7 @@ fn passed(states: &[NodeState], maps: &[WrenchMap], set: &PlanningSet) -> Vec<Fa
             .filter(|&f| !set.rows[f].equality)
             .map(|f| (f, set.rows[f].excess(&wrench)))
             .max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((facet, _)) = worst.filter(|w| w.1 > ACCEPTED) {
+        if let Some((facet, _)) = worst.filter(|w| w.1 > accepted) {
             let around = node.saturating_sub(1)..=(node + 1).min(last);
             found.extend(around.map(|node| FacetAt { facet, node }));
         }

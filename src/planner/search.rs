@@ -1,6 +1,6 @@
 //! The smallest mission time at which a planner's program is feasible, and what shows it.
 //!
-//! A coarse program (few intervals) brackets, the full one decides. Times are tried on multiples of
+//! An excess on a coarse grid tells where to look, the full program decides. Times are tried on multiples of
 //! [`RESOLUTION`], and on the finer [`GRID`] only where the solver gives no verdict at one of those.
 
 use super::profile::{determined, earliest};
@@ -62,8 +62,15 @@ fn seconds(t: Ticks) -> f64 {
     t as f64 / (1.0 / GRID).round()
 }
 
-/// Shortest times on the full grid are about this share of those on the coarse one.
-const FINE_TO_COARSE: f64 = 0.985;
+/// Relative precision of estimates.
+const PRECISION: f64 = 0.005;
+
+/// With k intervals a leg shortest times are longer by about this share of 1/k^2 (measured on Viviani's curve; a
+/// hint only).
+const GRID_ERROR: f64 = 0.85;
+
+/// An estimate is given up after this many times tried.
+const MOST_STEPS: usize = 60;
 
 /// Times without a verdict after which a search gives up.
 const MOST_UNKNOWN: usize = 20;
@@ -102,14 +109,14 @@ impl<'a> Engine<'a> {
         let ticks = |t: Option<f64>| t.map(|t| (t / GRID).round() as Ticks);
         let (low, high) = (ticks(hint.infeasible), ticks(hint.feasible));
         let start = match (low, high) {
+            (Some(l), Some(h)) if hint.planned.is_some() && h - l <= STEP => None,
             // A smaller set's shortest time is often this set's too.
-            (_, Some(h)) if hint.planned.is_some() => h - STEP,
+            (_, Some(h)) if hint.planned.is_some() => Some(h - STEP),
             _ => {
-                let guess = hint.near.unwrap_or_else(|| search.engine.guess());
-                let rough = search.rough(guess)?;
-                // The full grid does with a little less time than the coarse one.
-                let start = search.floor + steps((rough - search.floor) as f64 * FINE_TO_COARSE);
-                start.clamp(low.map_or(start, |l| l + STEP), high.map_or(start.max(low.unwrap_or(start) + STEP), |h| h))
+                let time = search.estimate(hint.near, samples)?;
+                let start = ((time / RESOLUTION - 0.1).ceil() as Ticks) * STEP;
+                let least = low.map_or(start, |l| l + STEP);
+                Some(start.clamp(least, high.unwrap_or(start).max(least)))
             }
         };
         let mut found = search.exact(start, Known { low, high, planned: hint.planned }, samples)?;
@@ -140,6 +147,55 @@ impl Search<'_, '_> {
         self.engine.decide(seconds(t), samples, self.set, self.pool)
     }
 
+    /// A time near the shortest, s, found on a coarse grid and moved to where the full one's should lie. Claims
+    /// nothing.
+    fn estimate(&mut self, guess: Option<f64>, samples: usize) -> Result<f64, NoTime> {
+        let coarse = self.engine.coarse_samples();
+        let floor = seconds(self.floor);
+        let near = guess.unwrap_or_else(|| self.engine.guess());
+        let found = self.root(near, coarse)?;
+        // The error of a grid goes with the square of its step.
+        let legs = self.engine.mission.legs.len() as f64;
+        let late = |n: usize| 1.0 + GRID_ERROR * (legs / n as f64).powi(2);
+        Ok(floor + (found - floor) * late(samples) / late(coarse))
+    }
+
+    /// The time at which the excess vanishes, by interpolation in 1/T^2: an acceleration goes with 1/T^2, and the
+    /// wrench with acceleration where torques are small.
+    fn root(&mut self, guess: f64, samples: usize) -> Result<f64, NoTime> {
+        let floor = seconds(self.floor);
+        let hover = self.engine.hover_margin(self.set).max(1e-3);
+        // Far away, standing still is as far inside as can be.
+        let mut known: Vec<(f64, f64)> = vec![(0.0, -hover)];
+        let (mut low, mut high) = (0.0_f64, f64::INFINITY);
+        let mut time = (guess - floor).max(GRID);
+        for _ in 0..MOST_STEPS {
+            if floor + time > LONGEST {
+                return Err(NoTime::Infeasible { up_to: floor + low });
+            }
+            let excess = self.engine.excess(floor + time, samples, self.set, self.pool, PRECISION * hover);
+            match excess {
+                Some(e) if e.sigma <= 0.0 => high = high.min(time),
+                _ => low = low.max(time),
+            }
+            let interpolated = excess.filter(|e| e.sigma > 0.99 * e.least).and_then(|e| {
+                known.push((time.powi(-2), e.sigma));
+                Some(root_of(&known)?.powf(-0.5).clamp(0.4 * time, 2.5 * time))
+            });
+            let next = match interpolated {
+                Some(next) if low < next && next < high => next,
+                _ if high.is_infinite() => 1.3 * low,
+                _ if low == 0.0 => 0.7 * high,
+                _ => 0.5 * (low + high),
+            };
+            if (next - time).abs() <= PRECISION * time {
+                return Ok(floor + next);
+            }
+            time = next;
+        }
+        Ok(floor + if high.is_finite() { high } else { low })
+    }
+
     fn roughly_feasible(&mut self, t: Ticks) -> bool {
         if t <= self.floor {
             return false;
@@ -148,52 +204,15 @@ impl Search<'_, '_> {
         matches!(self.engine.decide_roughly(seconds(t), self.set, self.pool), Decision::Feasible(_))
     }
 
-    /// A time feasible on a coarse grid, within 0.5 % of the shortest there. Claims nothing.
-    fn rough(&mut self, guess: f64) -> Result<Ticks, NoTime> {
-        let share = |t: Ticks, floor: Ticks, part: f64| steps((t - floor) as f64 * part);
-        let mut high = self.floor + steps(guess / GRID - self.floor as f64);
-        let mut low;
-        if self.roughly_feasible(high) {
-            loop {
-                let t = high - share(high, self.floor, 0.2);
-                if !self.roughly_feasible(t) {
-                    low = t;
-                    break;
-                }
-                high = t;
-            }
-        } else {
-            loop {
-                low = high;
-                high += share(high, self.floor, 0.3);
-                if seconds(high) > LONGEST {
-                    return Err(NoTime::Infeasible { up_to: seconds(low) });
-                }
-                if self.roughly_feasible(high) {
-                    break;
-                }
-            }
-        }
-        while (high - low) as f64 > 0.005 * (high - self.floor) as f64 && high - low > STEP {
-            let middle = low + (high - low) / (2 * STEP) * STEP;
-            if self.roughly_feasible(middle) {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        Ok(high)
-    }
-
-    /// Brackets and bisects on the full grid, from a time thought near the shortest.
-    fn exact(&mut self, start: Ticks, known: Known, samples: usize) -> Result<Shortest, NoTime> {
+    /// Brackets and bisects on the full grid, from a time thought near the shortest; from none where all is known.
+    fn exact(&mut self, start: Option<Ticks>, known: Known, samples: usize) -> Result<Shortest, NoTime> {
         let mut high: Option<(Ticks, Planned)> = known.high.and_then(|h| Some((h, *known.planned?)));
         let mut low = known.low;
         // A lower end known beforehand may lie far off; one found here lies near, and halving pays.
         let mut near = false;
         let mut unknown: Vec<(Ticks, String)> = Vec::new();
         let mut stride = STEP;
-        let mut next = Some(start);
+        let mut next = start;
         while let Some(t) = next {
             match self.try_at(t, samples) {
                 Decision::Feasible(planned) => high = Some((t, *planned)),
@@ -244,6 +263,15 @@ impl Search<'_, '_> {
             |t: &Ticks| !self.roughly_feasible(*t) && matches!(self.try_at(*t, samples), Decision::Infeasible);
         longer.into_iter().filter(&mut infeasible).map(seconds).collect()
     }
+}
+
+/// Where the line through the two points nearest to zero vanishes.
+fn root_of(known: &[(f64, f64)]) -> Option<f64> {
+    let mut nearest = known.to_vec();
+    nearest.sort_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    let [(qa, a), (qb, b), ..] = nearest[..] else { return None };
+    let q = qa - a * (qb - qa) / (b - a);
+    (q.is_finite() && q > 0.0).then_some(q)
 }
 
 /// A whole number of steps, at least one, in ticks.

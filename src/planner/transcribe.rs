@@ -26,6 +26,9 @@ pub enum Purpose {
     /// The smallest sigma + epsilon J, where every waypoint is met within its tolerance plus sigma (m) and J
     /// is the cost (48).
     Overshoot { epsilon: f64 },
+    /// The smallest sigma + epsilon J, where facet rows are widened by sigma (a share of the healthy set's width),
+    /// limits by sigma times themselves, and sigma is at least `least`. Tolerances and positions stand.
+    Excess { epsilon: f64, least: f64 },
 }
 
 /// One facet row at one node.
@@ -141,7 +144,11 @@ impl<'a> Transcription<'a> {
     /// The program with facet rows only at `chosen`; equality rows of the set always stand.
     pub fn program(&self, purpose: Purpose, chosen: &[FacetAt]) -> QuadraticProgram {
         let sigma = self.variables();
-        let extra = usize::from(matches!(purpose, Purpose::Overshoot { .. }));
+        let extra = usize::from(!matches!(purpose, Purpose::Plan { .. }));
+        let widening = match purpose {
+            Purpose::Excess { .. } => Affine::term(sigma, 1.0),
+            _ => Affine::constant(0.0),
+        };
         let mut builder = Builder::new(self.variables() + extra);
         self.dynamics(&mut builder);
         self.rest(&mut builder);
@@ -153,13 +160,20 @@ impl<'a> Transcription<'a> {
         }
         for &FacetAt { facet, node } in chosen {
             let row = &self.set.rows[facet];
-            let expression = self.along(node, &row.normal).plus_constant(-row.offset).times(-1.0);
+            let mut expression = self.along(node, &row.normal).plus_constant(-row.offset).times(-1.0);
+            expression.add(&widening, 1.0);
             builder.nonnegative(expression, RowOrigin::Facet { facet, node });
         }
         for (index, limit) in self.mission.limits.iter().enumerate() {
-            self.limit(&mut builder, index, limit);
+            self.limit(&mut builder, index, limit, &widening);
         }
         match purpose {
+            Purpose::Excess { epsilon, least } => {
+                self.waypoints(&mut builder, &Affine::constant(0.0));
+                builder.nonnegative(Affine::term(sigma, 1.0).plus_constant(-least), RowOrigin::Excess);
+                builder.linear(sigma, 1.0);
+                self.cost(&mut builder, epsilon);
+            }
             Purpose::Plan { slack } => {
                 self.waypoints(&mut builder, &Affine::constant(slack));
                 self.cost(&mut builder, 1.0);
@@ -282,7 +296,7 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    fn limit(&self, builder: &mut Builder, index: usize, limit: &Limit) {
+    fn limit(&self, builder: &mut Builder, index: usize, limit: &Limit, widening: &Affine) {
         for node in 0..self.nodes() {
             let origin = RowOrigin::Limit { limit: index, node };
             let mut interval = |axis: usize, order: usize, sign: f64| {
@@ -290,11 +304,17 @@ impl<'a> Transcription<'a> {
                     return;
                 }
                 let value = self.derivative(node, axis, order).times(sign);
+                let widened =
+                    |bound: f64| if order > 0 { widening.clone().times(bound.abs()) } else { Affine::default() };
                 if let Some(upper) = limit.upper {
-                    builder.nonnegative(value.clone().times(-1.0).plus_constant(upper), origin);
+                    let mut row = value.clone().times(-1.0).plus_constant(upper);
+                    row.add(&widened(upper), 1.0);
+                    builder.nonnegative(row, origin);
                 }
                 if let Some(lower) = limit.lower {
-                    builder.nonnegative(value.plus_constant(-lower), origin);
+                    let mut row = value.plus_constant(-lower);
+                    row.add(&widened(lower), 1.0);
+                    builder.nonnegative(row, origin);
                 }
             };
             match limit.kind {
@@ -308,7 +328,7 @@ impl<'a> Transcription<'a> {
                 LimitKind::Descent => interval(Z, 1, -1.0),
                 _ => {
                     if let (true, Some(upper)) = (self.plans(X), limit.upper) {
-                        self.norm_limit(builder, limit.kind, upper, node, origin);
+                        self.norm_limit(builder, limit.kind, upper, widening, node, origin);
                     }
                 }
             }
@@ -316,19 +336,30 @@ impl<'a> Transcription<'a> {
     }
 
     /// Bounds on a norm, as second-order cones.
-    fn norm_limit(&self, builder: &mut Builder, kind: LimitKind, upper: f64, node: usize, origin: RowOrigin) {
+    fn norm_limit(
+        &self,
+        builder: &mut Builder,
+        kind: LimitKind,
+        upper: f64,
+        widening: &Affine,
+        node: usize,
+        origin: RowOrigin,
+    ) {
+        let mut most = Affine::constant(upper);
+        most.add(widening, upper);
         let mut bound = |reach: Affine, axes: &[usize], order: usize| {
             let parts = axes.iter().map(|&a| self.derivative(node, a, order));
             builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
         };
         match kind {
-            LimitKind::Speed => bound(Affine::constant(upper), &[X, Y, Z], 1),
-            LimitKind::SpeedHorizontal => bound(Affine::constant(upper), &[X, Y], 1),
-            LimitKind::Acceleration => bound(Affine::constant(upper), &[X, Y, Z], 2),
-            LimitKind::AccelerationHorizontal => bound(Affine::constant(upper), &[X, Y], 2),
+            LimitKind::Speed => bound(most, &[X, Y, Z], 1),
+            LimitKind::SpeedHorizontal => bound(most, &[X, Y], 1),
+            LimitKind::Acceleration => bound(most, &[X, Y, Z], 2),
+            LimitKind::AccelerationHorizontal => bound(most, &[X, Y], 2),
             // The thrust points along (x'', y'', z'' + g): tan(tilt) = |(x'', y'')| / (g + z'').
             LimitKind::Tilt => {
-                let reach = self.derivative(node, Z, 2).plus_constant(self.model.gravity).times(upper.tan());
+                let mut reach = self.derivative(node, Z, 2).plus_constant(self.model.gravity).times(upper.tan());
+                reach.add(widening, self.model.gravity * upper.tan());
                 bound(reach, &[X, Y], 2);
             }
             LimitKind::Jerk => {
@@ -338,7 +369,7 @@ impl<'a> Transcription<'a> {
                     let mut slope = self.derivative(interval + 1, Z, 2);
                     slope.add(&self.derivative(interval, Z, 2), -1.0);
                     let cone = vec![
-                        Affine::constant(upper),
+                        most.clone(),
                         self.derivative(node, X, 3),
                         self.derivative(node, Y, 3),
                         slope.times(1.0 / step),
