@@ -9,7 +9,7 @@ use super::plan::Draft;
 use super::{DefaultUsed, Model, mission, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
 use crate::report::number::number;
-use crate::source::{Span, Spanned};
+use crate::source::{SourceMap, Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile, Statement};
 use crate::unit::GRAVITY;
 
@@ -25,8 +25,9 @@ pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     let mut trees = files.files.clone();
     let mut diagnostics = apply(&mut trees, overrides);
     let broken = broken(&trees);
-    let mut cx = Context::new(&files.sources, files.incomplete, &broken);
-    let whole_text = !files.incomplete && broken.is_empty();
+    let incomplete = files.incomplete || use_broken(&trees, &files.sources);
+    let mut cx = Context::new(&files.sources, incomplete, &broken);
+    let whole_text = !incomplete && broken.is_empty();
     // What could not be read may be what makes a model of the rest wrong, or a `let` used.
     let value = whole(&mut cx, &trees, files).filter(|_| whole_text);
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
@@ -67,6 +68,16 @@ fn broken(trees: &[SpecFile]) -> Vec<Span> {
         }
     }
     spans
+}
+
+/// Whether some `use` could not be read: then nobody knows what it brings in.
+fn use_broken(trees: &[SpecFile], sources: &SourceMap) -> bool {
+    let brings_in = |span: Span| {
+        let text = sources.snippet(span);
+        // By its keyword, or by what it names where the keyword is misspelt or another language's.
+        text.split(|c: char| !c.is_ascii_alphanumeric()).next() == Some("use") || text.contains(".mav")
+    };
+    trees.iter().flat_map(|tree| &tree.items).any(|item| matches!(item, Item::Broken(span) if brings_in(*span)))
 }
 
 #[derive(Default)]

@@ -91,7 +91,6 @@ fn header(cx: &Context, record: &csv::StringRecord, table: &Table) -> Result<Vec
     let fail = |message: String| Diagnostic::error(CODE, span, message).here("the header");
     let mut columns: Vec<Column> = Vec::new();
     for cell in record {
-        let cell = cell.trim_start_matches('\u{feff}');
         let matching = |(name, ..): &(&str, &str, bool)| cell == *name || cell.starts_with(&format!("{name}_"));
         let Some(kind) = COLUMNS.iter().position(matching) else {
             let names = COLUMNS.map(|c| c.0);
