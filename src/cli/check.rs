@@ -27,7 +27,8 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
         CheckFormat::Human => {
             files::print(&loaded.human(colored(&std::io::stdout())));
             if !options.quiet {
-                files::print(&format!("{}: {}\n", args.spec.spec, verdict(errors, warnings)));
+                let name = spec::name(&args.spec.spec);
+                files::print(&format!("{name}: {}\n", verdict(errors, warnings)));
             }
         }
     }

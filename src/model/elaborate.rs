@@ -3,6 +3,7 @@
 use super::context::{Context, State, duplicate};
 use super::due::Due;
 use super::fault::Modes;
+use super::fields::elsewhere;
 use super::load::FileSet;
 use super::overrides::{Override, apply};
 use super::plan::Draft;
@@ -122,7 +123,8 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     let mut draft = Draft::read(cx, blocks.plans.first().copied());
     let named: Vec<(&str, Span)> = vehicles.iter().map(|v| (v.name.as_str(), v.span)).collect();
     let vehicle = choose(cx, &draft, "vehicle", &named).map(|index| &vehicles[index]);
-    if vehicles.is_empty() && !cx.may_exist("vehicle") {
+    let readable = items().all(|item| !matches!(item, Item::Broken(_)));
+    if vehicles.is_empty() && readable && !cx.may_exist("vehicle") {
         let span = items().next().map_or(Span::default(), start_of);
         let error = Diagnostic::error("mavc::name::no_vehicle", span, "the spec describes no vehicle");
         cx.report(error.help("add a `vehicle` block, or bring one in with `use \"vehicles/...\"`"));
@@ -175,9 +177,10 @@ fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'
     if name.value != "gravity" {
         let message = format!("`{}` is not a field of the top level", name.value);
         let error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
-        let error = match nearest(&name.value, ["gravity"]) {
-            Some(near) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
-            None => error.help(format!("to name a value, write `let {} = ...`", name.value)),
+        let error = match (nearest(&name.value, ["gravity"]), elsewhere(&name.value)) {
+            (Some(near), _) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
+            (None, Some(place)) => error.help(place),
+            (None, None) => error.help(format!("to name a value, write `let {} = ...`", name.value)),
         };
         cx.report(error);
     } else if let Some(first) = gravity {
@@ -238,6 +241,8 @@ fn choose<'a>(cx: &mut Context<'a>, draft: &Draft<'a>, what: &str, named: &[(&st
     match named {
         [] => None,
         [_] => Some(0),
+        // Two of one name are told of already, and `plan` could not tell them apart.
+        [first, rest @ ..] if rest.iter().all(|other| other.0 == first.0) => Some(0),
         [first, second, ..] => {
             let message = format!("the spec has {} {what}s, and none is chosen", named.len());
             let help = format!("write `{what} = {}` in `plan`", first.0);

@@ -32,6 +32,11 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("name", "is written after the block's keyword, as in `vehicle octo`"),
 ];
 
+/// Where a field that people write in the wrong place belongs.
+pub(super) fn elsewhere(word: &str) -> Option<String> {
+    ELSEWHERE.iter().find(|(field, _)| *field == word).map(|(_, place)| format!("`{word}` {place}"))
+}
+
 /// The fields or clauses of one block or statement, by name.
 pub(super) struct Fields<'a> {
     /// As one says it: "vehicle `octo`".
@@ -107,8 +112,8 @@ impl<'a> Fields<'a> {
         let message = format!("{} has no field `{word}`", self.owner);
         let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
         let near = nearest(word, known.iter().copied());
-        if let Some((_, place)) = ELSEWHERE.iter().find(|(field, _)| *field == word) {
-            error = error.help(format!("`{word}` {place}"));
+        if let Some(place) = elsewhere(word) {
+            error = error.help(place);
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
         } else {

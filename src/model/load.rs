@@ -179,11 +179,16 @@ impl Loader<'_> {
 fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error) -> Diagnostic {
     let message = match error.kind() {
         io::ErrorKind::NotFound => format!("there is no file `{}`", target.display()),
+        io::ErrorKind::IsADirectory => format!("`{}` is a folder", target.display()),
+        io::ErrorKind::PermissionDenied => format!("`{}` may not be read: permission denied", target.display()),
         _ => format!("`{}` cannot be read: {error}", target.display()),
     };
-    Diagnostic::error("mavc::file::missing", path.span, message)
-        .here("named here")
-        .help(format!("paths count from the file that names them, here `{from}`"))
+    let diagnostic = Diagnostic::error("mavc::file::missing", path.span, message).here("named here");
+    match error.kind() {
+        io::ErrorKind::NotFound => diagnostic.help(format!("paths count from the file that names them, here `{from}`")),
+        io::ErrorKind::IsADirectory => diagnostic.help("name a file in it"),
+        _ => diagnostic.help("see that the file can be read"),
+    }
 }
 
 enum Wanted {

@@ -269,8 +269,12 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
     let weight = vehicle.mass * cx.gravity;
     let finite = vehicle.rotors.iter().all(|r| r.max_thrust().is_finite() && r.drag_coefficient.is_finite());
     if !finite || !thrust.is_finite() || !weight.is_finite() {
-        let error = Diagnostic::error("mavc::unit::not_finite", vehicle.span, "the rotors' thrust is not finite");
-        cx.report(error.here("these rotors").help("check the coefficients and speeds"));
+        let (span, what) = match weight.is_finite() {
+            true => (vehicle.span, "the rotors' thrust"),
+            false => (vehicle.mass_span, "the vehicle's weight"),
+        };
+        let error = Diagnostic::error("mavc::unit::not_finite", span, format!("{what} is too large for a number"));
+        cx.report(error.here("too much").help("check the numbers, their exponents and units"));
         return;
     }
     if thrust <= weight {
@@ -283,7 +287,7 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
         cx.report(
             Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
                 .here("too heavy for these rotors")
-                .also(vehicle.span, format!("{} rotors", vehicle.rotors.len()))
+                .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
                 .help(format!("at full thrust it could carry {} kg", number(thrust / cx.gravity))),
         );
     }

@@ -74,12 +74,21 @@ fn shortened(text: &str) -> String {
     out
 }
 
-/// A mission time that every spec has a plan for and few samples: no search, small programs, the same rows.
+/// The planner's rows: those of the healthy set become their number, since `sets` shows them; those of fault modes
+/// stay, since the choice of them is what the stage is for.
+fn faults_only(text: &str) -> String {
+    let of_healthy = |line: &&str| line.split_whitespace().last().is_some_and(|origin| origin.starts_with("0."));
+    let kept: String = text.lines().filter(|line| !of_healthy(line)).map(|line| format!("{line}\n")).collect();
+    format!("{kept}  and {} rows of the healthy set\n", text.lines().filter(of_healthy).count())
+}
+
+/// A mission time at which each case passes facets of its faults' sets, and few samples: no search, small programs,
+/// the same rows. Facets are passed or not by far more than a solver's digits.
 fn quick(name: &str) -> Vec<&'static str> {
     let mut more = vec!["--set", "plan.samples=60"];
     // The inspection's last waypoint fixes its time.
     if name != "missions/inspection" {
-        more.extend(["--set", "plan.time=30s"]);
+        more.extend(["--set", "plan.time=20s"]);
     }
     more
 }
@@ -131,7 +140,7 @@ fn sets_are_printed() {
 #[test]
 fn rows_of_plans_are_printed() {
     for name in MISSIONS {
-        compare("constraints", name, &shortened(&printed("constraints", name, &quick(name))));
+        compare("constraints", name, &faults_only(&printed("constraints", name, &quick(name))));
     }
 }
 

@@ -11,6 +11,15 @@ use crate::syntax::place::{Kind, Place};
 pub(in crate::syntax) fn unknown_block(word: &str, span: Span, place: Place) -> (Diagnostic, Option<Place>) {
     let meant = place.meant(word);
     let shown = cut(word);
+    if Place::opens_statement(word) && Place::of_block(word).is_none() {
+        let message = format!("`{shown}` takes no braces");
+        let diagnostic = Diagnostic::error("mavc::syntax::block_head", span, message).here("a `{` follows");
+        let help = match form(word, place) {
+            Some(form) => format!("write it like `{form}`"),
+            None => "remove the braces".to_string(),
+        };
+        return (diagnostic.help(help), None);
+    }
     let diagnostic =
         Diagnostic::error("mavc::syntax::unknown_statement", span, format!("there is no block called `{shown}`"));
     let diagnostic = match meant {

@@ -24,7 +24,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-const CLAUSES: [&str; 13] = [
+pub(super) const CLAUSES: [&str; 13] = [
     "at",
     "yaw",
     "yaw_within",
