@@ -126,7 +126,11 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     let readable = items().all(|item| !matches!(item, Item::Broken(_)));
     if vehicles.is_empty() && readable && !cx.may_exist("vehicle") {
         let span = items().next().map_or(Span::default(), start_of);
-        let error = Diagnostic::error("mavc::name::no_vehicle", span, "the spec describes no vehicle");
+        let message = match items().next() {
+            Some(_) => "the spec describes no vehicle".to_string(),
+            None => format!("`{}` holds no statement, so there is no vehicle", cx.sources.get(span.file).name),
+        };
+        let error = Diagnostic::error("mavc::name::no_vehicle", span, message);
         cx.report(error.help("add a `vehicle` block, or bring one in with `use \"vehicles/...\"`"));
     }
 

@@ -169,6 +169,11 @@ fn numbers_beyond_floats_are_refused() {
 }
 
 #[test]
+fn one_error_for_lines_that_end_with_a_carriage_return_alone() {
+    assert_eq!(parse(&WHOLE.replace('\n', "\r")).len(), 1);
+}
+
+#[test]
 fn bytes_that_are_no_text_are_refused() {
     for bytes in [&b"let a = \xff"[..], b"\xe2\x82", b"plan { \xc3( }", b"\xed\xa0\x80"] {
         let error = Source::from_bytes("t.mav", bytes).unwrap_err();

@@ -135,6 +135,10 @@ fn opens_block(word: &str, rest: &str) -> bool {
 fn openers(place: Place) -> String {
     let words: Vec<String> = place.openers().iter().map(|w| format!("`{w}`")).collect();
     match words.split_last() {
+        _ if place == Place::Rotors => {
+            "only `rotor at [..] m  spin P` stands here; what all share stands in a `rotor { .. }` block beside it"
+                .to_string()
+        }
         _ if place == Place::Limits => "a limit is written like `speed <= 8 m/s`".to_string(),
         Some((last, [])) => format!("write {last}, or a field like `name = value`"),
         Some((last, others)) => format!("write {} or {last}, or a field like `name = value`", others.join(", ")),

@@ -105,8 +105,8 @@ fn rotor_numbers(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     let (start, before) = statement.before(failure.at);
     let at = match (found, before) {
-        (_, "and" | "or" | "to") => start,
-        ("," | "and" | "or" | "to" | "&" | "&&" | "-", _) => failure.at,
+        (_, "and" | "or") => start,
+        ("," | "and" | "or" | "&" | "&&" | "-", _) => failure.at,
         _ => return None,
     };
     let mark = token(statement.text, at, |c| is_name(c) || "&,-".contains(c));
