@@ -25,6 +25,8 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("time_constant", "is a field of `rotor` in a `vehicle`"),
     ("points", "follows the range of a `curve`, after a comma"),
     ("rate", "is a field of a fault mode"),
+    ("rpn", "is the product of `severity`, `occurrence` and `detection`: write those"),
+    ("probability", "is written as a failure rate, such as `rate = 1e-5 1/h`"),
     ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
     ("tilt", "is a limit, written `tilt <= 35 deg` in `limits`"),
     ("heading", "is written `yaw`, counter-clockwise from east: a compass heading h is `yaw = 90 deg - h`"),

@@ -185,6 +185,13 @@ fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error)
     };
     let diagnostic = Diagnostic::error("mavc::file::missing", path.span, message).here("named here");
     match error.kind() {
+        io::ErrorKind::NotFound if path.value.contains("://") => {
+            diagnostic.help("only files on this machine can be named")
+        }
+        io::ErrorKind::NotFound if path.value.contains('\\') => diagnostic.help("paths are written with `/`"),
+        io::ErrorKind::NotFound if target.extension().is_none() => {
+            diagnostic.help(format!("write the whole name, as in `{}.mav`", path.value))
+        }
         io::ErrorKind::NotFound => diagnostic.help(format!("paths count from the file that names them, here `{from}`")),
         io::ErrorKind::IsADirectory => diagnostic.help("name a file in it"),
         _ => diagnostic.help("see that the file can be read"),

@@ -237,7 +237,8 @@ fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Optio
         cx.report(error.here(format!("{} rotors follow", rotors.len())));
         return (None, None);
     }
-    let mut places = Some(Vec::new());
+    // With a rotor that could not be read, nothing can be said of the whole.
+    let mut places = (!broken).then(Vec::new);
     for (k, rotor) in rotors.iter().enumerate() {
         let place = placed(cx, rotor, k + 1);
         match (&mut places, place) {

@@ -62,7 +62,7 @@ pub(super) fn read<'a>(
             },
             _ => {
                 let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
-                cx.report(error.here("not a name"));
+                cx.report(error.here("not a name").help("write names of modes, as in `[M1, M2]`"));
                 None
             }
         };

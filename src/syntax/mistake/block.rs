@@ -57,9 +57,10 @@ pub(in crate::syntax) fn check_head(mut block: Block, kind: Place) -> Result<Sta
 /// A statement that belongs elsewhere.
 pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, word: &str, span: Span) -> Diagnostic {
     if kind == Kind::Field && place == Place::Limits {
+        let limit = word.strip_prefix("max_").unwrap_or(word);
         return Diagnostic::error("mavc::syntax::relation", span, format!("the limit `{word}` is set with `=`"))
             .here("a limit is no single value")
-            .help(format!("write `{word} <= VALUE` or `{word} in LOW .. HIGH`"));
+            .help(format!("write `{limit} <= VALUE` or `{limit} in LOW .. HIGH`"));
     }
     let what = match kind {
         Kind::RotorAt => "`rotor at`".to_string(),

@@ -17,6 +17,8 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     joined_conditions,
     per,
     clause_word,
+    all_rotors,
+    comma_at_end,
 ];
 
 fn unexpected(statement: &Broken, from: usize, to: usize, message: impl Into<String>) -> Diagnostic {
@@ -49,7 +51,9 @@ fn name_form(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     let (start, before) = statement.before(failure.at);
     let is_head = statement.has_body && Place::of_block(statement.word()).is_some();
-    let declares = is_head || statement.word() == "let";
+    let end = failure.at + token(statement.text, failure.at, |c| is_name(c) || c == '-').len();
+    let is_field = start == 0 && !statement.has_body && statement.text[end..].trim_start().starts_with('=');
+    let declares = is_head || is_field || statement.word() == "let";
     if is_head && failure.expects(Expected::Name) && found.starts_with(|c: char| c.is_ascii_digit()) {
         let message = format!("the name `{}` begins with a digit", cut(found));
         let diagnostic = unexpected(statement, failure.at, failure.at + found.len(), message);
@@ -201,8 +205,34 @@ fn clause_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         "speed" | "velocity" | "altitude" | "tilt" => {
             format!("clauses are {clauses}; limits stand in `limits {{ .. }}`")
         }
+        "heading" | "course" | "bearing" => {
+            "say it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
+        }
         "hold" | "wait" | "for" => format!("clauses are {clauses}; `hold 3 s` is a statement on the next line"),
         _ => format!("clauses are {clauses}"),
     };
     follows_value.then(|| diagnostic.here("no clause of a waypoint").help(help))
+}
+
+/// `all rotors lost`
+fn all_rotors(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    let is_all = statement.place == Place::Mode && matches!(statement.word(), "all" | "both" | "any");
+    let word = statement.word();
+    is_all.then(|| {
+        unexpected(statement, 0, word.len(), format!("no fault begins with `{word}`"))
+            .here("expected `rotor` or `rotors`")
+            .help("say which rotors: `rotors [1, 2] lost`")
+    })
+}
+
+/// `arm = 0.2 m,` at the end of a line
+fn comma_at_end(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let is_last = statement.text[failure.at..].trim_end() == ",";
+    (is_last && failure.expects(Expected::End)).then(|| {
+        let span = statement.span(failure.at, failure.at + 1);
+        Diagnostic::error("mavc::syntax::unexpected", span, "no comma ends a statement")
+            .here("not expected")
+            .help("remove it: the end of the line is enough")
+            .fix(span, "")
+    })
 }
