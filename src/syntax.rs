@@ -71,7 +71,11 @@ pub fn not_utf8(file: FileId, error: &NotUtf8) -> Diagnostic {
     let message = format!("`{}` is no UTF-8 text: byte {} is {:#04x}", error.source.name, error.offset + 1, error.byte);
     Diagnostic::error("mavc::file::encoding", Span::new(file, error.offset, error.offset + end), message)
         .here("the text breaks off here")
-        .help("save the file as UTF-8")
+        .help(match (error.offset, error.byte) {
+            // A byte order mark of another encoding.
+            (0, 0xff | 0xfe) => "this seems to be UTF-16: save the file as UTF-8",
+            _ => "save the file as UTF-8",
+        })
 }
 
 /// Long words are cut where a message quotes them.

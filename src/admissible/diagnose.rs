@@ -65,13 +65,15 @@ impl Answer {
             many => format!("with each of {} fault modes ({}, ...)", many.len(), many[..NAMED].join(", ")),
         };
         let message = format!("{who} {}", self.what);
+        let pointed = !self.modes.is_empty() && is_written(model, "plan.against");
         let help = if self.modes.len() > 1 { self.help.replace("the mode", "these modes") } else { self.help.into() };
+        // Without `against` the plan stands every mode, and no place asks for these.
+        let listing = "out by listing the others in `against`";
+        let help = if pointed { help } else { help.replace("out of `against`", listing) };
         let mut diagnostic = Diagnostic::new(self.severity, self.code, self.span, message).here(self.label).help(help);
         if self.reserve && is_written(model, "plan.reserve") {
             diagnostic = diagnostic.also(model.plan.reserve_span, "the reserve asked for");
         }
-        // Without `against` there is no place that asks for these modes.
-        let pointed = !self.modes.is_empty() && is_written(model, "plan.against");
         let them = if self.modes.len() == 1 { "it" } else { "them" };
         if pointed {
             diagnostic.also(model.plan.against_span, format!("the plan must stand {them}"))

@@ -199,6 +199,7 @@ fn usage_and_files_end_with_2() {
         vec!["explain", "mavc::no::such"],
         vec!["emit", "model", CASE_1, "--format", "mps"],
         vec!["analyze", CASE_1, "--sweep", "mass=2kg"],
+        vec!["check", CASE_1, "--explain-defaults", "--format", "json"],
         vec!["nonsense"],
     ] {
         let ran = mavc(&args);

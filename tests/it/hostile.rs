@@ -175,11 +175,12 @@ fn one_error_for_lines_that_end_with_a_carriage_return_alone() {
 
 #[test]
 fn bytes_that_are_no_text_are_refused() {
-    for bytes in [&b"let a = \xff"[..], b"\xe2\x82", b"plan { \xc3( }", b"\xed\xa0\x80"] {
+    for bytes in [&b"let a = \xff"[..], b"\xe2\x82", b"plan { \xc3( }", b"\xff\xfep\0", b"\xed\xa0\x80"] {
         let error = Source::from_bytes("t.mav", bytes).unwrap_err();
         let mut sources = SourceMap::default();
         let diagnostic = mavc::syntax::not_utf8(sources.add(error.source.clone()), &error);
         assert_eq!(diagnostic.code, "mavc::file::encoding");
+        assert_eq!(diagnostic.help.as_ref().unwrap().contains("UTF-16"), bytes.starts_with(b"\xff\xfe"));
         assert!(render_human(&[diagnostic], &sources, 100, false).contains("t.mav"));
     }
 }
