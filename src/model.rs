@@ -22,7 +22,7 @@ mod vehicle;
 pub use elaborate::elaborate;
 pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
 pub use mission::MAX_WAYPOINTS;
-pub use overrides::{Override, parse_override};
+pub use overrides::{OVERRIDE, Override, parse_override};
 pub use plan::MAX_SAMPLES;
 
 use crate::source::Span;

@@ -38,9 +38,7 @@ pub const MAX_ERRORS: usize = 200;
 pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
     let bytes = source.text.len();
     if bytes > MAX_FILE_BYTES {
-        let message = format!("`{}` has {bytes} bytes; a spec has at most {MAX_FILE_BYTES}", source.name);
-        let diagnostic = Diagnostic::error("mavc::syntax::file_size", Span::new(file, 0, 0), message)
-            .help("spread the spec over several files and bring them together with `use`");
+        let diagnostic = too_large(&source.name, Span::new(file, 0, 0), MAX_FILE_BYTES);
         return Checked { value: None, diagnostics: vec![diagnostic] };
     }
     let layout = layout::lay_out(file, &source.text);
@@ -61,13 +59,23 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
     Checked { value: Some(value), diagnostics }
 }
 
+/// The diagnostic for a spec or a table that passes `limit` bytes.
+pub fn too_large(name: &str, span: Span, limit: usize) -> Diagnostic {
+    let message = format!("`{name}` is larger than {} MiB ({limit} bytes)", limit >> 20);
+    Diagnostic::error("mavc::file::too_large", span, message).help("spread it over several files")
+}
+
 /// The diagnostic for a file that is not text; `file` is where [`NotUtf8::source`] was added.
 pub fn not_utf8(file: FileId, error: &NotUtf8) -> Diagnostic {
     let end = error.source.text[error.offset..].chars().next().map_or(0, char::len_utf8);
     let message = format!("`{}` is no UTF-8 text: byte {} is {:#04x}", error.source.name, error.offset + 1, error.byte);
-    Diagnostic::error("mavc::syntax::encoding", Span::new(file, error.offset, error.offset + end), message)
+    Diagnostic::error("mavc::file::encoding", Span::new(file, error.offset, error.offset + end), message)
         .here("the text breaks off here")
-        .help("save the file as UTF-8")
+        .help(match (error.offset, error.byte) {
+            // A byte order mark of another encoding.
+            (0, 0xff | 0xfe) => "this seems to be UTF-16: save the file as UTF-8",
+            _ => "save the file as UTF-8",
+        })
 }
 
 /// Long words are cut where a message quotes them.

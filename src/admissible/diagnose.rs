@@ -1,70 +1,122 @@
 //! What the sets say about the spec: modes that the plan must stand but cannot.
 
-use super::AdmissibleSet;
 use super::verdict::{ModeAnalysis, Verdict, analyze};
-use crate::diagnostic::Diagnostic;
+use super::{AdmissibleSet, HEALTHY};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::Model;
 use crate::report::number::{number, significant};
+use crate::source::Span;
 
 /// A mode that the plan must stand has lost control over some axis.
 pub const CANNOT_HOVER: &str = "mavc::analysis::cannot_hover";
 /// Hover lies on the edge of a set.
 pub const HOVER_ON_EDGE: &str = "mavc::analysis::hover_on_edge";
 
-/// Diagnostics of the healthy vehicle and of every mode that the plan stands against.
+/// Modes named one by one in a message; of more, the first ones and the number.
+const NAMED: usize = 8;
+
+/// Diagnostics of the healthy vehicle and of every mode that the plan stands against; where no mission is planned,
+/// of the healthy vehicle alone. Modes of one statement with the same answer share a diagnostic.
 ///
 /// A mode without full control, or with hover on its edge where a reserve is asked for, is an error; it is an
 /// answer about the spec rather than a mistake in it, and has an exit code of its own.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    let healthy = analyze(model, &AdmissibleSet::healthy(model));
-    judge(model, &healthy, None, &mut found);
-    for &index in &model.plan.against {
-        let set = AdmissibleSet::of_mode(model, index);
-        judge(model, &analyze(model, &set), Some(index), &mut found);
+    let healthy = judge(model, &analyze(model, &AdmissibleSet::healthy(model)), model.vehicle.mass_span);
+    let mut found: Vec<Answer> = Vec::new();
+    let against = if model.mission.is_some() { model.plan.against.as_slice() } else { &[] };
+    for &index in against {
+        let mode = analyze(model, &AdmissibleSet::of_mode(model, index));
+        let Some(answer) = judge(model, &mode, model.modes[index].span) else { continue };
+        match found.iter_mut().find(|earlier| earlier.is_same(&answer)) {
+            Some(earlier) => earlier.modes.push(mode.name),
+            None => found.push(Answer { modes: vec![mode.name], ..answer }),
+        }
     }
-    found
+    healthy.into_iter().chain(found).map(|answer| answer.diagnostic(model)).collect()
 }
 
-fn judge(model: &Model, mode: &ModeAnalysis, index: Option<usize>, found: &mut Vec<Diagnostic>) {
-    let who = match index {
-        Some(_) => format!("with fault mode {}", mode.name),
-        None => "even without a fault".to_string(),
-    };
-    let span = index.map_or(model.vehicle.mass_span, |i| model.modes[i].span);
-    let planned = |d: Diagnostic| match index {
-        Some(_) => d.also(model.plan.against_span, "the plan must stand it"),
-        None => d,
+/// What is wrong with the healthy vehicle or with some modes.
+struct Answer {
+    severity: Severity,
+    code: &'static str,
+    span: Span,
+    /// The headline without its subject: "the vehicle cannot hover".
+    what: String,
+    label: String,
+    help: &'static str,
+    /// The reserve is a part of the problem.
+    reserve: bool,
+    /// None for the healthy vehicle.
+    modes: Vec<String>,
+}
+
+impl Answer {
+    fn is_same(&self, other: &Answer) -> bool {
+        (self.span, &self.what, &self.label) == (other.span, &other.what, &other.label)
+    }
+
+    fn diagnostic(self, model: &Model) -> Diagnostic {
+        let who = match self.modes.as_slice() {
+            [] => "even without a fault".to_string(),
+            [mode] => format!("with fault mode {mode}"),
+            [first @ .., last] if first.len() < NAMED => {
+                format!("with each of the fault modes {} and {last}", first.join(", "))
+            }
+            many => format!("with each of {} fault modes ({}, ...)", many.len(), many[..NAMED].join(", ")),
+        };
+        let message = format!("{who} {}", self.what);
+        let pointed = !self.modes.is_empty() && is_written(model, "plan.against");
+        let help = if self.modes.len() > 1 { self.help.replace("the mode", "these modes") } else { self.help.into() };
+        // Without `against` the plan stands every mode, and no place asks for these.
+        let listing = "out by listing the others in `against`";
+        let help = if pointed { help } else { help.replace("out of `against`", listing) };
+        let mut diagnostic = Diagnostic::new(self.severity, self.code, self.span, message).here(self.label).help(help);
+        if self.reserve && is_written(model, "plan.reserve") {
+            diagnostic = diagnostic.also(model.plan.reserve_span, "the reserve asked for");
+        }
+        let them = if self.modes.len() == 1 { "it" } else { "them" };
+        if pointed {
+            diagnostic.also(model.plan.against_span, format!("the plan must stand {them}"))
+        } else {
+            diagnostic
+        }
+    }
+}
+
+/// Whether the spec says a field rather than leaving it to its default.
+fn is_written(model: &Model, field: &str) -> bool {
+    model.defaults.iter().all(|default| default.field != field)
+}
+
+fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
+    let is_healthy = mode.name == HEALTHY;
+    let answer = |severity, code, what: &str, label: String, help| {
+        Some(Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new() })
     };
     match (mode.verdict, mode.interior) {
-        (Verdict::Controllable, true) => {}
+        (Verdict::Controllable, true) => None,
         (Verdict::Controllable, false) if model.plan.reserve > 0.0 => {
             let share = number(100.0 * model.plan.reserve);
-            found.push(planned(
-                Diagnostic::error(
-                    HOVER_ON_EDGE,
-                    span,
-                    format!("{who} hover lies on the edge of what the vehicle can do, so no reserve is left"),
-                )
-                .here(format!("nothing of the {share} % reserve can be kept"))
-                .also(model.plan.reserve_span, "the reserve asked for")
-                .help("set `reserve = 0 %`, or leave the mode out of `against`"),
-            ));
-        }
-        (Verdict::Controllable, false) => found.push(planned(
-            Diagnostic::warning(
+            let error = answer(
+                Severity::Error,
                 HOVER_ON_EDGE,
-                span,
-                format!("{who} hover lies on the edge of what the vehicle can do"),
-            )
-            .here("the smallest disturbance in one direction cannot be countered")
-            .help("a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much"),
-        )),
+                "hover lies on the edge of what the vehicle can do, so no reserve is left",
+                format!("nothing of the {share} % reserve can be kept"),
+                match is_healthy {
+                    true => "set `reserve = 0 %` in `plan`, make the vehicle lighter or change its layout",
+                    false => "set `reserve = 0 %` in `plan`, or leave the mode out of `against`",
+                },
+            );
+            error.map(|error| Answer { reserve: true, ..error })
+        }
+        (Verdict::Controllable, false) => answer(
+            Severity::Warning,
+            HOVER_ON_EDGE,
+            "hover lies on the edge of what the vehicle can do",
+            "the smallest disturbance in one direction cannot be countered".into(),
+            "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
+        ),
         (verdict, _) => {
-            let lacking = match verdict {
-                Verdict::Stabilizable => "cannot hold its yaw",
-                _ => "cannot hover",
-            };
             let mass = match mode.critical_mass_kg {
                 Some(m) if m > 0.0 => format!(
                     "it could at {} kg or less; the spec says {} kg",
@@ -73,13 +125,15 @@ fn judge(model: &Model, mode: &ModeAnalysis, index: Option<usize>, found: &mut V
                 ),
                 _ => "no mass makes it possible".to_string(),
             };
-            let help = match index {
-                Some(_) => "leave the mode out of `against`, make the vehicle lighter or change its layout",
-                None => "make the vehicle lighter or change its layout",
+            let what = match verdict {
+                Verdict::Stabilizable => "the vehicle cannot hold its yaw",
+                _ => "the vehicle cannot hover",
             };
-            found.push(planned(
-                Diagnostic::error(CANNOT_HOVER, span, format!("{who} the vehicle {lacking}")).here(mass).help(help),
-            ));
+            let help = match is_healthy {
+                true => "make the vehicle lighter or change its layout",
+                false => "leave the mode out of `against`, make the vehicle lighter or change its layout",
+            };
+            answer(Severity::Error, CANNOT_HOVER, what, mass, help)
         }
     }
 }

@@ -6,6 +6,9 @@ use crate::report::table::Table;
 
 /// `mavc check`
 pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
+    if args.explain_defaults && args.format != CheckFormat::Human {
+        return Err("--explain-defaults prints a table for people: leave --format out".into());
+    }
     let mut loaded = spec::read(&args.spec, options)?;
     let mut code = if loaded.has_errors() { SPEC_ERRORS } else { FINE };
     if let Some(model) = &loaded.model {
@@ -27,7 +30,8 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
         CheckFormat::Human => {
             files::print(&loaded.human(colored(&std::io::stdout())));
             if !options.quiet {
-                files::print(&format!("{}: {}\n", args.spec.spec, verdict(errors, warnings)));
+                let name = spec::name(&args.spec.spec);
+                files::print(&format!("{name}: {}\n", verdict(errors, warnings)));
             }
         }
     }

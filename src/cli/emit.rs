@@ -1,3 +1,4 @@
+use super::plan::no_mission;
 use super::spec::{self, Loaded};
 use super::{EmitArgs, EmitFormat, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
 use crate::actuation::Actuation;
@@ -49,14 +50,13 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
 /// The stages that need the planner's choice of rows and a mission time.
 fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Options) -> Result<u8, Problem> {
     loaded.diagnostics.extend(diagnose(model));
+    loaded.diagnostics.extend(no_mission(model));
     sort(&mut loaded.diagnostics);
     loaded.tell(options);
+    let Some(mission) = &model.mission else { return Ok(SPEC_ERRORS) };
     if loaded.diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Ok(NO_PLAN);
     }
-    let Some(mission) = &model.mission else {
-        return Err("this spec has no mission, so there is nothing to plan".into());
-    };
     let comparison = compare(model, mission, Scope::Plan, None);
     let Some(run) = comparison.runs.last() else { return Ok(INCONCLUSIVE) };
     if args.stage == Stage::Constraints {

@@ -1,5 +1,5 @@
 use super::{FINE, Problem, files};
-use crate::diagnostic::codes;
+use crate::diagnostic::{codes, nearest};
 
 /// `mavc explain`
 pub fn run(code: Option<&str>) -> Result<u8, Problem> {
@@ -14,6 +14,13 @@ pub fn run(code: Option<&str>) -> Result<u8, Problem> {
             files::print(&format!("{}\n\n{}\n", page.code, page.page.trim()));
             Ok(FINE)
         }
-        None => Err(format!("there is no code {code}; `mavc explain` lists all")),
+        None => {
+            let written = if code.starts_with("mavc::") { code.to_string() } else { format!("mavc::{code}") };
+            let near = nearest(&written, codes::all().iter().map(|page| page.code));
+            Err(match near {
+                Some(near) => format!("there is no code {code}; did you mean {near}?"),
+                None => format!("there is no code {code}; `mavc explain` lists all"),
+            })
+        }
     }
 }

@@ -92,20 +92,21 @@ fn ready(loaded: &mut Loaded, options: &Options) -> Option<(Model, Mission)> {
     if let Some(model) = &loaded.model {
         let answers = diagnose(model);
         loaded.diagnostics.extend(answers);
-        if model.mission.is_none() {
-            let span = model.vehicle.span;
-            loaded.diagnostics.push(
-                Diagnostic::error(NO_MISSION, span, "this spec describes a vehicle but no mission to plan")
-                    .here("only a vehicle stands here")
-                    .help("add a `mission` block, or use `mavc analyze` for the vehicle alone"),
-            );
-        }
+        loaded.diagnostics.extend(no_mission(model));
         sort(&mut loaded.diagnostics);
     }
     loaded.tell(options);
     let model = loaded.model.clone()?;
     let mission = model.mission.clone()?;
     Some((model, mission))
+}
+
+/// What to say where a plan is asked for and none is described.
+pub(super) fn no_mission(model: &Model) -> Option<Diagnostic> {
+    let error =
+        Diagnostic::error(NO_MISSION, model.vehicle.span, "this spec describes a vehicle but no mission to plan");
+    let error = error.here("only a vehicle stands here");
+    model.mission.is_none().then(|| error.help("add a `mission` block, or use `mavc analyze` for the vehicle alone"))
 }
 
 /// Runs the planners unless some mode cannot be stood.

@@ -2,7 +2,7 @@
 
 use super::{Options, Problem, SpecArgs, files};
 use crate::diagnostic::{Diagnostic, Severity, render_human, render_short, sort, to_json_line};
-use crate::model::{FileSet, MAX_TABLE_BYTES, Model, elaborate, load, parse_override};
+use crate::model::{FileSet, MAX_TABLE_BYTES, Model, OVERRIDE, elaborate, load, parse_override};
 use sha2::{Digest, Sha256};
 use std::io::IsTerminal;
 use std::time::Instant;
@@ -15,11 +15,16 @@ pub struct Loaded {
     pub diagnostics: Vec<Diagnostic>,
 }
 
+/// The spec as messages call it.
+pub fn name(spec: &str) -> &str {
+    if spec == "-" { "<stdin>" } else { spec }
+}
+
 /// Reads, parses and elaborates.
 pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
     let begin = Instant::now();
     let bytes = files::read_spec(&args.spec, crate::syntax::MAX_FILE_BYTES)?;
-    let name = if args.spec == "-" { "<stdin>" } else { &args.spec };
+    let name = name(&args.spec);
     let reader = |path: &std::path::Path| {
         use std::io::Read;
         let mut bytes = Vec::new();
@@ -41,6 +46,11 @@ pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
     let broken = diagnostics.iter().any(|d| d.severity == Severity::Error) || checked.has_errors();
     let model = checked.value.filter(|_| !broken);
     diagnostics.extend(checked.diagnostics);
+    // Until every `--set` is understood, the spec is not the one that is meant, and warnings may be about the other.
+    let of_set = |d: &Diagnostic| files.sources.get(d.span.file).name == OVERRIDE;
+    if diagnostics.iter().any(|d| d.severity == Severity::Error && of_set(d)) {
+        diagnostics.retain(|d| d.severity == Severity::Error);
+    }
     sort(&mut diagnostics);
     timing(options, "model", begin);
     Ok(Loaded { files, model, diagnostics })

@@ -53,9 +53,14 @@ impl<'a> Report<'a> {
         let (here, apart): (Vec<_>, Vec<_>) = diagnostic.labels.iter().partition(|l| near(l.span));
         let mut labels = vec![LabeledSpan::new_primary_with_span(worded(&diagnostic.label), place(source, own))];
         labels.extend(here.iter().map(|l| LabeledSpan::new_with_span(worded(&l.message), place(source, l.span))));
-        let elsewhere = apart
-            .into_iter()
-            .map(|label| Elsewhere { label, excerpt: Excerpt(sources.get(label.span.file)) })
+        let last = apart.len();
+        let elsewhere: Vec<_> = (1..)
+            .zip(apart)
+            .map(|(k, label)| Elsewhere {
+                label,
+                excerpt: Excerpt(sources.get(label.span.file)),
+                help: diagnostic.help.as_deref().filter(|_| k == last),
+            })
             .collect();
         Report { diagnostic, excerpt: Excerpt(source), labels, elsewhere }
     }
@@ -100,7 +105,9 @@ impl miette::Diagnostic for Report<'_> {
     }
 
     fn help<'b>(&'b self) -> Option<Box<dyn fmt::Display + 'b>> {
-        self.diagnostic.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
+        // What to do comes after all that is shown.
+        let help = self.diagnostic.help.as_ref().filter(|_| self.elsewhere.is_empty());
+        help.map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -116,6 +123,8 @@ impl miette::Diagnostic for Report<'_> {
 struct Elsewhere<'a> {
     label: &'a Label,
     excerpt: Excerpt<'a>,
+    /// The diagnostic's, where this is its last place.
+    help: Option<&'a str>,
 }
 
 impl fmt::Display for Elsewhere<'_> {
@@ -135,6 +144,10 @@ impl std::error::Error for Elsewhere<'_> {}
 impl miette::Diagnostic for Elsewhere<'_> {
     fn severity(&self) -> Option<miette::Severity> {
         Some(miette::Severity::Advice)
+    }
+
+    fn help<'b>(&'b self) -> Option<Box<dyn fmt::Display + 'b>> {
+        self.help.map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {

@@ -177,9 +177,15 @@ impl<'a> Context<'a> {
 
     fn unit_missing(&self, due: Due, expr: &Expr) -> Diagnostic {
         let kind = due.dimension().named().map_or("a quantity", |(name, _)| name);
-        let error =
-            Diagnostic::error("mavc::unit::missing", expr.span, format!("`{}` is {kind} and needs a unit", due.what))
-                .here("a plain number");
+        let message = format!("{} is {kind} and needs a unit", called(due.what));
+        let error = Diagnostic::error("mavc::unit::missing", expr.span, message).here("a plain number");
+        if let ExprKind::Number { text, unit: Some(percent), .. } = &expr.kind {
+            let mended = format!("{text} {}", due.unit);
+            return error
+                .here(format!("`{}` makes a share of it", percent.value))
+                .help(format!("write `{mended}`"))
+                .fix(expr.span, mended);
+        }
         if matches!(expr.kind, ExprKind::Range { .. }) {
             return error.help(format!("put the unit at the end, as in `0 .. 1 {}`", due.unit));
         }
@@ -206,14 +212,18 @@ impl<'a> Context<'a> {
         let takes = if expected.is_plain() { "a plain number".into() } else { expected.describe() };
         let found = q.dimension.describe();
         let told = mismatch(expected, q.dimension);
-        let error =
-            Diagnostic::error("mavc::unit::mismatch", expr.span, format!("`{}` takes {takes}, not {found}", due.what))
-                .here(format!("this is {found}"));
+        let error = Diagnostic::error(
+            "mavc::unit::mismatch",
+            expr.span,
+            format!("{} takes {takes}, not {found}", called(due.what)),
+        )
+        .here(format!("this is {found}"));
         let action = match self.likely_slip(expected, expr) {
             Some(slip) => slip,
-            None if q.dimension == expected.without_angle() => {
-                format!("say the angle too, as in `{}`: one turn is 2*pi rad", due.unit)
-            }
+            None if q.dimension == expected.without_angle() => match due.unit {
+                "rad/s" => "say the angle too: turns in a second are written `rev/s`, in a minute `rpm`".to_string(),
+                unit => format!("say the angle too, as in `{unit}`: one turn is 2*pi rad"),
+            },
             None => told.action.unwrap_or_default(),
         };
         error.help(format!("{}\n{action}", told.table).trim_end().to_string())
@@ -234,6 +244,11 @@ impl<'a> Context<'a> {
     fn in_scope(&self, name: &str) -> bool {
         self.lets.contains_key(name) || self.parameter.is_some_and(|(parameter, _)| parameter == name)
     }
+}
+
+/// A field by its name in backquotes, anything else as it is said.
+fn called(what: &str) -> String {
+    if what.contains([' ', '`']) { what.to_string() } else { format!("`{what}`") }
 }
 
 fn collect_units<'e>(expr: &'e Expr, into: &mut Vec<&'e str>) {

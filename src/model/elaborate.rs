@@ -3,13 +3,14 @@
 use super::context::{Context, State, duplicate};
 use super::due::Due;
 use super::fault::Modes;
+use super::fields::elsewhere;
 use super::load::FileSet;
 use super::overrides::{Override, apply};
 use super::plan::Draft;
 use super::{DefaultUsed, Model, mission, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
 use crate::report::number::number;
-use crate::source::{Span, Spanned};
+use crate::source::{SourceMap, Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile, Statement};
 use crate::unit::GRAVITY;
 
@@ -25,8 +26,9 @@ pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     let mut trees = files.files.clone();
     let mut diagnostics = apply(&mut trees, overrides);
     let broken = broken(&trees);
-    let mut cx = Context::new(&files.sources, files.incomplete, &broken);
-    let whole_text = !files.incomplete && broken.is_empty();
+    let incomplete = files.incomplete || use_broken(&trees, &files.sources);
+    let mut cx = Context::new(&files.sources, incomplete, &broken);
+    let whole_text = !incomplete && broken.is_empty();
     // What could not be read may be what makes a model of the rest wrong, or a `let` used.
     let value = whole(&mut cx, &trees, files).filter(|_| whole_text);
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
@@ -67,6 +69,16 @@ fn broken(trees: &[SpecFile]) -> Vec<Span> {
         }
     }
     spans
+}
+
+/// Whether some `use` could not be read: then nobody knows what it brings in.
+fn use_broken(trees: &[SpecFile], sources: &SourceMap) -> bool {
+    let brings_in = |span: Span| {
+        let text = sources.snippet(span);
+        // By its keyword, or by what it names where the keyword is misspelt or another language's.
+        text.split(|c: char| !c.is_ascii_alphanumeric()).next() == Some("use") || text.contains(".mav")
+    };
+    trees.iter().flat_map(|tree| &tree.items).any(|item| matches!(item, Item::Broken(span) if brings_in(*span)))
 }
 
 #[derive(Default)]
@@ -111,9 +123,14 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     let mut draft = Draft::read(cx, blocks.plans.first().copied());
     let named: Vec<(&str, Span)> = vehicles.iter().map(|v| (v.name.as_str(), v.span)).collect();
     let vehicle = choose(cx, &draft, "vehicle", &named).map(|index| &vehicles[index]);
-    if vehicles.is_empty() && !cx.may_exist("vehicle") {
+    let readable = items().all(|item| !matches!(item, Item::Broken(_)));
+    if vehicles.is_empty() && readable && !cx.may_exist("vehicle") {
         let span = items().next().map_or(Span::default(), start_of);
-        let error = Diagnostic::error("mavc::name::no_vehicle", span, "the spec describes no vehicle");
+        let message = match items().next() {
+            Some(_) => "the spec describes no vehicle".to_string(),
+            None => format!("`{}` holds no statement, so there is no vehicle", cx.sources.get(span.file).name),
+        };
+        let error = Diagnostic::error("mavc::name::no_vehicle", span, message);
         cx.report(error.help("add a `vehicle` block, or bring one in with `use \"vehicles/...\"`"));
     }
 
@@ -164,9 +181,10 @@ fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'
     if name.value != "gravity" {
         let message = format!("`{}` is not a field of the top level", name.value);
         let error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
-        let error = match nearest(&name.value, ["gravity"]) {
-            Some(near) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
-            None => error.help(format!("to name a value, write `let {} = ...`", name.value)),
+        let error = match (nearest(&name.value, ["gravity"]), elsewhere(&name.value)) {
+            (Some(near), _) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
+            (None, Some(place)) => error.help(place),
+            (None, None) => error.help(format!("to name a value, write `let {} = ...`", name.value)),
         };
         cx.report(error);
     } else if let Some(first) = gravity {
@@ -227,6 +245,8 @@ fn choose<'a>(cx: &mut Context<'a>, draft: &Draft<'a>, what: &str, named: &[(&st
     match named {
         [] => None,
         [_] => Some(0),
+        // Two of one name are told of already, and `plan` could not tell them apart.
+        [first, rest @ ..] if rest.iter().all(|other| other.0 == first.0) => Some(0),
         [first, second, ..] => {
             let message = format!("the spec has {} {what}s, and none is chosen", named.len());
             let help = format!("write `{what} = {}` in `plan`", first.0);

@@ -25,12 +25,19 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("time_constant", "is a field of `rotor` in a `vehicle`"),
     ("points", "follows the range of a `curve`, after a comma"),
     ("rate", "is a field of a fault mode"),
+    ("rpn", "is the product of `severity`, `occurrence` and `detection`: write those"),
+    ("probability", "is written as a failure rate, such as `rate = 1e-5 1/h`"),
     ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
     ("tilt", "is a limit, written `tilt <= 35 deg` in `limits`"),
     ("heading", "is written `yaw`, counter-clockwise from east: a compass heading h is `yaw = 90 deg - h`"),
     ("altitude", "is a limit, written `altitude in 1 m .. 30 m` in `limits`"),
     ("name", "is written after the block's keyword, as in `vehicle octo`"),
 ];
+
+/// Where a field that people write in the wrong place belongs.
+pub(super) fn elsewhere(word: &str) -> Option<String> {
+    ELSEWHERE.iter().find(|(field, _)| *field == word).map(|(_, place)| format!("`{word}` {place}"))
+}
 
 /// The fields or clauses of one block or statement, by name.
 pub(super) struct Fields<'a> {
@@ -107,8 +114,8 @@ impl<'a> Fields<'a> {
         let message = format!("{} has no field `{word}`", self.owner);
         let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
         let near = nearest(word, known.iter().copied());
-        if let Some((_, place)) = ELSEWHERE.iter().find(|(field, _)| *field == word) {
-            error = error.help(format!("`{word}` {place}"));
+        if let Some(place) = elsewhere(word) {
+            error = error.help(place);
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
         } else {

@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use crate::diagnostic::{Diagnostic, sort};
 use crate::source::{FileId, Source, SourceMap, Span, Spanned};
 use crate::syntax::ast::{Item, SpecFile, Statement};
-use crate::syntax::{MAX_FILE_BYTES, parse};
+use crate::syntax::{MAX_FILE_BYTES, not_utf8, parse, too_large};
 
 /// Files of one file set.
 pub const MAX_FILES: usize = 256;
@@ -74,35 +74,24 @@ impl Loader<'_> {
         let path = normal(Path::new(&name));
         self.seen.insert(path.clone(), ());
         let id = FileId(self.set.sources.iter().count() as u32);
-        let limit = bytes.len().min(MAX_FILE_BYTES + 1);
-        let text = match std::str::from_utf8(bytes) {
-            Ok(text) => text,
-            Err(error) if bytes.len() <= MAX_FILE_BYTES => {
-                let good = std::str::from_utf8(&bytes[..error.valid_up_to()]).unwrap_or("");
-                self.set.sources.add(Source::new(&name, good));
-                let at = Span::new(id, good.len(), good.len());
-                self.fail(
-                    Diagnostic::error("mavc::file::encoding", at, format!("`{name}` is not UTF-8 text"))
-                        .here(format!("byte {} cannot be read", error.valid_up_to()))
-                        .help("save the file as UTF-8"),
-                );
-                return;
-            }
-            // Too long anyway: the parser says so.
-            Err(_) => {
-                self.set.sources.add(Source::new(&name, ""));
-                let span = asked.unwrap_or(Span::new(id, 0, 0));
-                self.fail(too_large(&name, span, MAX_FILE_BYTES));
-                return;
-            }
-        };
-        if limit > MAX_FILE_BYTES {
+        if bytes.len() > MAX_FILE_BYTES {
             self.set.sources.add(Source::new(&name, ""));
             let span = asked.unwrap_or(Span::new(id, 0, 0));
             self.fail(too_large(&name, span, MAX_FILE_BYTES));
             return;
         }
-        self.set.sources.add(Source::new(&name, text));
+        match Source::from_bytes(&name, bytes) {
+            Ok(source) => self.set.sources.add(source),
+            Err(error) => {
+                let file = self.set.sources.add(error.source.clone());
+                let told = not_utf8(file, &error);
+                self.fail(match asked {
+                    Some(span) => told.also(span, "named here"),
+                    None => told,
+                });
+                return;
+            }
+        };
         let checked = parse(id, self.set.sources.get(id));
         self.diagnostics.extend(checked.diagnostics);
         let Some(tree) = checked.value else {
@@ -165,15 +154,16 @@ impl Loader<'_> {
         }
         match (self.read)(&target) {
             Ok(bytes) if bytes.len() > MAX_TABLE_BYTES => self.fail(too_large(&name, path.span, MAX_TABLE_BYTES)),
-            Ok(bytes) => match String::from_utf8(bytes.clone()) {
-                Ok(text) => {
-                    let file = self.set.sources.add(Source::new(&name, text));
+            Ok(bytes) => match Source::from_bytes(&name, &bytes) {
+                Ok(source) => {
+                    // Without a byte order mark, so that offsets in the bytes are offsets in the text.
+                    let bytes = source.text.clone().into_bytes();
+                    let file = self.set.sources.add(source);
                     self.set.tables.push(Table { name, bytes, file });
                 }
-                Err(_) => {
-                    let message = format!("`{name}` is not UTF-8 text");
-                    let error = Diagnostic::error("mavc::file::encoding", path.span, message);
-                    self.fail(error.here("named here").help("save the file as UTF-8"));
+                Err(error) => {
+                    let file = self.set.sources.add(error.source.clone());
+                    self.fail(not_utf8(file, &error).also(path.span, "named here"));
                 }
             },
             Err(error) => self.fail(missing(&target, path, from, &error)),
@@ -189,16 +179,23 @@ impl Loader<'_> {
 fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error) -> Diagnostic {
     let message = match error.kind() {
         io::ErrorKind::NotFound => format!("there is no file `{}`", target.display()),
+        io::ErrorKind::IsADirectory => format!("`{}` is a folder", target.display()),
+        io::ErrorKind::PermissionDenied => format!("`{}` may not be read: permission denied", target.display()),
         _ => format!("`{}` cannot be read: {error}", target.display()),
     };
-    Diagnostic::error("mavc::file::missing", path.span, message)
-        .here("named here")
-        .help(format!("paths count from the file that names them, here `{from}`"))
-}
-
-fn too_large(name: &str, span: Span, limit: usize) -> Diagnostic {
-    let message = format!("`{name}` is larger than {limit} bytes");
-    Diagnostic::error("mavc::file::too_large", span, message).help("spread it over several files")
+    let diagnostic = Diagnostic::error("mavc::file::missing", path.span, message).here("named here");
+    match error.kind() {
+        io::ErrorKind::NotFound if path.value.contains("://") => {
+            diagnostic.help("only files on this machine can be named")
+        }
+        io::ErrorKind::NotFound if path.value.contains('\\') => diagnostic.help("paths are written with `/`"),
+        io::ErrorKind::NotFound if target.extension().is_none() => {
+            diagnostic.help(format!("write the whole name, as in `{}.mav`", path.value))
+        }
+        io::ErrorKind::NotFound => diagnostic.help(format!("paths count from the file that names them, here `{from}`")),
+        io::ErrorKind::IsADirectory => diagnostic.help("name a file in it"),
+        _ => diagnostic.help("see that the file can be read"),
+    }
 }
 
 enum Wanted {

@@ -153,7 +153,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     let yaw_defaulted = matches!(route.yaws.first(), Some(None));
     unwrap_yaw(&mut route.waypoints, &route.yaws);
     if !route.broken {
-        check_times(cx, &route.waypoints);
+        route.broken = !check_times(cx, &route.waypoints);
         warn_close(cx, &route.waypoints);
         if let Some(limits) = &limits {
             limits::check(cx, limits, &route.waypoints);
@@ -249,8 +249,9 @@ fn hold<'a>(cx: &mut Context<'a>, duration: &'a Expr, span: Span, route: &mut Ro
     }
 }
 
-/// Fixed times rise, and leave room for the holds between them; the mission starts at zero.
-fn check_times(cx: &mut Context, waypoints: &[Waypoint]) {
+/// Fixed times rise, and leave room for the holds between them; the mission starts at zero. False where they do not.
+fn check_times(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
+    let mut fine = true;
     const CODE: &str = "mavc::mission::time_order";
     // The time at which the vehicle may leave the last waypoint with a fixed time, and where that was said.
     let mut free_at = 0.0;
@@ -258,11 +259,13 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) {
     for (i, waypoint) in waypoints.iter().enumerate() {
         if let (Some(time), Some(span)) = (waypoint.time, waypoint.time_span) {
             if i == 0 && time != 0.0 {
+                fine = false;
                 let error = Diagnostic::error(CODE, span, "the mission starts at time zero");
                 cx.report(
                     error.here(format!("this is {} s", number(time))).help("take the time of the first waypoint out"),
                 );
             } else if i > 0 && time <= free_at {
+                fine = false;
                 let message = match said {
                     Some((before, _)) if before == time => {
                         format!("two waypoints at one time, {} s", number(time))
@@ -284,6 +287,7 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) {
         }
         free_at += waypoint.hold;
     }
+    fine
 }
 
 /// Warns of waypoints that their successor makes idle, once a statement.

@@ -7,6 +7,8 @@ use crate::syntax::ast::{Block, ExprKind, Field, Item, LimitRelation, Name, Spec
 use crate::syntax::parse;
 
 const CODE: &str = "mavc::name::override";
+/// The name of an override's text among the sources.
+pub const OVERRIDE: &str = "--set";
 
 /// One `--set`: where it goes and the field to put there.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +26,7 @@ pub struct Override {
 /// The first thing that cannot be read.
 #[expect(clippy::result_large_err, reason = "a few a command line")]
 pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, Diagnostic> {
-    let file = sources.add(Source::new("--set", text));
+    let file = sources.add(Source::new(OVERRIDE, text));
     let whole = Span::new(file, 0, text.len());
     let shape = |message: &str| {
         Diagnostic::error(CODE, whole, message).help("write it like `plan.time=20s` or `vehicle.mass=2kg`")
@@ -45,7 +47,7 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
     }
     // The path is blanked out, so that the field stands where it was written.
     let field_alone = " ".repeat(dot) + &text[dot..];
-    let checked = parse(file, &Source::new("--set", field_alone));
+    let checked = parse(file, &Source::new(OVERRIDE, field_alone));
     if let Some(error) = checked.diagnostics.into_iter().next() {
         return Err(error);
     }

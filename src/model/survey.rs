@@ -46,7 +46,9 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
     for record in reader.records() {
         let outcome = match (&columns, record) {
             (_, Err(error)) => {
-                Err(Box::new(Diagnostic::error(CODE, place(table, error.position()), broken_row(&error))))
+                let error =
+                    Diagnostic::error(CODE, place(table, error.position()), broken_row(&error)).here("this row");
+                Err(Box::new(error.help("commas separate cells, and numbers have a decimal point, no comma")))
             }
             (None, Ok(record)) => header(cx, &record, table).map(|found| columns = Some(found)),
             (Some(columns), Ok(record)) => row(columns, &record, table, manner).map(|stop| route.push(cx, stop, None)),
@@ -89,16 +91,25 @@ fn broken_row(error: &csv::Error) -> String {
 fn header(cx: &Context, record: &csv::StringRecord, table: &Table) -> Result<Vec<Column>, Box<Diagnostic>> {
     let span = place(table, record.position());
     let fail = |message: String| Diagnostic::error(CODE, span, message).here("the header");
+    if record.len() == 1 && record[0].contains([';', '\t']) {
+        let error = fail("the cells of a table are separated by commas".into());
+        return Err(Box::new(error.help("save it as `CSV, comma delimited`, with decimal points")));
+    }
     let mut columns: Vec<Column> = Vec::new();
     for cell in record {
-        let cell = cell.trim_start_matches('\u{feff}');
         let matching = |(name, ..): &(&str, &str, bool)| cell == *name || cell.starts_with(&format!("{name}_"));
         let Some(kind) = COLUMNS.iter().position(matching) else {
+            if cell.parse::<f64>().is_ok() {
+                let error = fail("the first line of a table names its columns".into());
+                return Err(Box::new(error.help("put a line such as `x_m,y_m,z_m,yaw_deg` above it")));
+            }
             let names = COLUMNS.map(|c| c.0);
-            return Err(Box::new(
-                fail(format!("the table has an unknown column `{cell}`"))
-                    .help(format!("columns are {}, each with its unit, as in `x_m`", listed(&names))),
-            ));
+            let lower = cell.to_lowercase();
+            let error = fail(format!("the table has an unknown column `{cell}`"));
+            return Err(Box::new(match names.iter().any(|name| lower.starts_with(&format!("{name}_"))) {
+                true => error.help(format!("names of columns are small letters: write `{lower}`")),
+                false => error.help(format!("columns are {}, with their units, as in `x_m`", listed(&names))),
+            }));
         };
         let (name, unit, _) = COLUMNS[kind];
         let written = cell.strip_prefix(name).and_then(|rest| rest.strip_prefix('_'));

@@ -46,7 +46,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     let owner = format!("vehicle `{name}`");
     let fields = Fields::of_block(cx, owner.clone(), span, &block.body, &VEHICLE_FIELDS);
-    let (shared, placed) = blocks(cx, block);
+    let (shared, placed, twice) = blocks(cx, block);
 
     let mass_expr = fields.demand(cx, "mass", "mass = 1.8 kg");
     let mass = mass_expr.and_then(|e| cx.positive(Due::new("mass", "kg"), e, POSITIVE));
@@ -76,7 +76,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         let example = "rotor { thrust_coefficient = ...; drag_coefficient = ...; max_speed = ... }";
         fields.missing(cx, "`rotor` block", example);
     }
-    let rotors = places.and_then(|places| rotor::give_all(cx, places, rotor_fields.as_ref(), base));
+    // Which of two blocks is meant is not known, nor what they say together.
+    let rotors = places.filter(|_| !twice).and_then(|places| rotor::give_all(cx, places, rotor_fields.as_ref(), base));
     let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
@@ -101,8 +102,9 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     Outline { name, span, rotors: count, vehicle }
 }
 
-/// The `rotor` and `rotors` blocks; a second one of either is an error.
-fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Option<&'a Block>) {
+/// The `rotor` and `rotors` blocks, and whether one of them stands twice, which is an error.
+fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Option<&'a Block>, bool) {
+    let mut twice = false;
     let (mut shared, mut placed): (Option<&Block>, Option<&Block>) = (None, None);
     for statement in &block.body {
         let Statement::Block(inner) = statement else {
@@ -114,11 +116,12 @@ fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Opt
                 let message = format!("a vehicle has one `{}` block", inner.keyword.value);
                 let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
                 cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
+                twice = true;
             }
             None => *slot = Some(inner),
         }
     }
-    (shared, placed)
+    (shared, placed, twice)
 }
 
 fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
@@ -237,7 +240,8 @@ fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Optio
         cx.report(error.here(format!("{} rotors follow", rotors.len())));
         return (None, None);
     }
-    let mut places = Some(Vec::new());
+    // With a rotor that could not be read, nothing can be said of the whole.
+    let mut places = (!broken).then(Vec::new);
     for (k, rotor) in rotors.iter().enumerate() {
         let place = placed(cx, rotor, k + 1);
         match (&mut places, place) {
@@ -269,8 +273,12 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
     let weight = vehicle.mass * cx.gravity;
     let finite = vehicle.rotors.iter().all(|r| r.max_thrust().is_finite() && r.drag_coefficient.is_finite());
     if !finite || !thrust.is_finite() || !weight.is_finite() {
-        let error = Diagnostic::error("mavc::unit::not_finite", vehicle.span, "the rotors' thrust is not finite");
-        cx.report(error.here("these rotors").help("check the coefficients and speeds"));
+        let (span, what) = match weight.is_finite() {
+            true => (vehicle.span, "the rotors' thrust"),
+            false => (vehicle.mass_span, "the vehicle's weight"),
+        };
+        let error = Diagnostic::error("mavc::unit::not_finite", span, format!("{what} is too large for a number"));
+        cx.report(error.here("too much").help("check the numbers, their exponents and units"));
         return;
     }
     if thrust <= weight {
@@ -283,7 +291,7 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
         cx.report(
             Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
                 .here("too heavy for these rotors")
-                .also(vehicle.span, format!("{} rotors", vehicle.rotors.len()))
+                .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
                 .help(format!("at full thrust it could carry {} kg", number(thrust / cx.gravity))),
         );
     }

@@ -177,7 +177,14 @@ impl Builder<'_> {
             _ => match self.block_kind(&head, place) {
                 Some(inside) => (Kind::Block(inside), inside),
                 None => {
-                    self.body(body, Place::Unknown);
+                    let word = head.as_str().split(|c: char| !c.is_ascii_alphanumeric()).next();
+                    match word.is_some_and(Place::opens_statement) {
+                        // `start at { 0, 0, 2 } m`: neither what the braces hold nor what follows them is a statement.
+                        true => {
+                            self.settle(self.text.len() - self.text[span.end as usize..].trim_start_matches(' ').len())
+                        }
+                        false => drop(self.body(body, Place::Unknown)),
+                    }
                     return Ok(Statement::Broken(span));
                 }
             },
@@ -277,8 +284,13 @@ impl Builder<'_> {
             .help("start a new line here")
             .fix(Span::new(self.file, start, start), "\n"),
         );
-        let at = self.settled.partition_point(|&s| s < next.start);
-        self.settled.insert(at, next.start);
+        self.settle(start);
+    }
+
+    /// No more errors for the statement around `at`.
+    fn settle(&mut self, at: usize) {
+        let place = self.settled.partition_point(|&s| (s as usize) < at);
+        self.settled.insert(place, at as u32);
     }
 
     /// Whether an error has been reported for the statement from `start` to `end`.

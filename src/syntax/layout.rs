@@ -100,6 +100,12 @@ impl Scanner<'_> {
             self.blank(0, 3);
             self.at = 3;
         }
+        if let Some(at) = self.text.find('\r').filter(|_| !self.text.contains('\n')) {
+            let message = "lines end with a carriage return alone, so the file is one long line";
+            let diagnostic = Diagnostic::error("mavc::syntax::character", self.span(at, at + 1), message);
+            self.report(diagnostic.here("the first one").help("save the file with Unix or Windows line ends"));
+            self.layout.too_much = true;
+        }
         self.begin_line();
         while self.at < self.text.len() && !self.layout.too_much {
             self.step();
@@ -249,12 +255,14 @@ impl Scanner<'_> {
         }
         let end = self.line_end(start);
         let content = start + self.text[start..end].trim_end().len();
-        self.report(
-            Diagnostic::error("mavc::syntax::unclosed_text", self.span(start, content), "this text is never closed")
-                .here("no `\"` follows on this line")
-                .help("close it with `\"`")
-                .fix(self.span(content, content), "\""),
-        );
+        let span = self.span(start, content);
+        let diagnostic = Diagnostic::error("mavc::syntax::unclosed_text", span, "this text is never closed")
+            .here("no `\"` follows on this line");
+        let after_number = self.text[..start].ends_with(|c: char| c.is_ascii_digit());
+        self.report(match after_number {
+            true => diagnostic.help("the inch is written `inch`").fix(self.span(start, start + 1), " inch"),
+            false => diagnostic.help("close it with `\"`").fix(self.span(content, content), "\""),
+        });
         self.blank(start + 1, end);
         self.at = end;
     }

@@ -1,10 +1,11 @@
 //! What is wrong with a statement that cannot be read, said in its author's terms.
 //!
 //! [`explain`] asks first whether the mistake is one that people often make (`habit`: other languages' marks, blanks
-//! in units, misspelt words); what is left is told by what was expected and what was found.
+//! in units, misspelt words; `wording`: what is said so elsewhere); what is left is told by what was expected and what was found.
 
 mod block;
 mod habit;
+mod wording;
 
 pub(super) use block::{check_head, misplaced, unknown_block};
 
@@ -93,6 +94,10 @@ impl Broken<'_> {
         }
         let word =
             text.rfind(|c: char| !is_name(c)).map_or(0, |i| i + text[i..].chars().next().map_or(1, char::len_utf8));
+        // A number is one word, decimal point and all.
+        let whole = text[..word].strip_suffix('.').map(|t| t.trim_end_matches(|c: char| c.is_ascii_digit()).len());
+        let is_fraction = text[word..].starts_with(|c: char| c.is_ascii_digit());
+        let word = whole.filter(|&w| is_fraction && w + 1 < word).unwrap_or(word);
         let start = if word < text.len() { word } else { text.char_indices().next_back().map_or(0, |(i, _)| i) };
         (start, &text[start..])
     }
@@ -101,6 +106,7 @@ impl Broken<'_> {
 /// One error for the statement.
 pub(super) fn explain(statement: &Broken, failure: &Failure) -> Diagnostic {
     block::headless(statement)
+        .or_else(|| wording::WORDINGS.iter().find_map(|wording| wording(statement, failure)))
         .or_else(|| habit::recognise(statement, failure))
         .unwrap_or_else(|| general(statement, failure))
 }
@@ -110,7 +116,10 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
     let found = statement.found(failure.at);
     let (_, before) = statement.before(failure.at);
     let after = if before.is_empty() { String::new() } else { format!(" after `{}`", cut(before)) };
-    let wanted = list(&failure.expected, statement.has_body);
+    let mut due = failure.expected.clone();
+    // Of all blocks only a mode has a title.
+    due.retain(|e| !(statement.has_body && statement.word() != "mode" && *e == Expected::Text));
+    let wanted = list(&due, statement.has_body);
     if found.is_empty() {
         let at = statement.text.len();
         let value_only = failure.expects(Expected::Value);

@@ -62,10 +62,40 @@ const OPENERS: &[(Place, &[&str])] = &[
     (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits"]),
 ];
 
+/// Words that other languages and ground stations have for ours.
+const OTHER_WORDS: &[(&str, &str)] = &[
+    ("import", "use"),
+    ("include", "use"),
+    ("require", "use"),
+    ("const", "let"),
+    ("var", "let"),
+    ("def", "let"),
+    ("drone", "vehicle"),
+    ("aircraft", "vehicle"),
+    ("copter", "vehicle"),
+    ("uav", "vehicle"),
+    ("failures", "faults"),
+    ("flight", "mission"),
+    ("goto", "waypoint"),
+    ("fly", "waypoint"),
+    ("wait", "hold"),
+    ("hover", "hold"),
+    ("loiter", "hold"),
+    ("takeoff", "start"),
+    ("motor", "rotor"),
+    ("motors", "rotors"),
+    ("propeller", "rotor"),
+];
+
 impl Place {
     /// The block that `keyword` opens.
     pub fn of_block(keyword: &str) -> Option<Place> {
         BLOCKS.iter().find(|b| b.0 == keyword).map(|b| b.1)
+    }
+
+    /// Whether `word` begins some statement, in whatever block.
+    pub fn opens_statement(word: &str) -> bool {
+        OPENERS.iter().any(|o| o.1.contains(&word))
     }
 
     /// The block that a broken head was probably to open.
@@ -113,7 +143,8 @@ impl Place {
     /// The opening word that `word` was probably meant to be: one that fits here if any does.
     pub fn meant(self, word: &str) -> Option<&'static str> {
         let all = || OPENERS.iter().flat_map(|o| o.1.iter().copied());
-        nearest(word, self.openers().iter().copied()).or_else(|| nearest(word, all()))
+        let other = || OTHER_WORDS.iter().find(|(other, _)| *other == word).map(|(_, ours)| *ours);
+        nearest(word, self.openers().iter().copied()).or_else(other).or_else(|| nearest(word, all()))
     }
 }
 

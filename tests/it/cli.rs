@@ -149,6 +149,34 @@ fn a_mode_that_cannot_hover_ends_with_3_and_a_report() {
 }
 
 #[test]
+fn modes_with_one_answer_share_a_diagnostic() {
+    let args = ["check", "-", "--format", "json", "--set", "plan.against=all"];
+    let ran = mavc_with(&args, HOP);
+    assert_eq!(code(&ran), 3);
+    let records: Vec<Value> = out(&ran).lines().map(|l| serde_json::from_str(l).unwrap()).collect();
+    assert_eq!(records.len(), 1, "{}", out(&ran));
+    assert_eq!(records[0]["message"], "with each of the fault modes M1, M2, M3 and M4 the vehicle cannot hold its yaw");
+    assert_eq!(records[0]["labels"][1]["file"], "--set");
+    // Where no mission is planned, nothing has to be stood.
+    let vehicle = HOP.split("mission").next().unwrap();
+    assert_eq!(code(&mavc_with(&["check", "-", "--deny", "warnings"], vehicle)), 0);
+    // Where `against` is not written, no place asks for the modes.
+    let ran =
+        mavc_with(&["check", "-", "--format", "json", "--set", "plan.reserve=0"], &HOP.replace("against = [weak]", ""));
+    assert!(!out(&ran).contains("must stand"), "{}", out(&ran));
+}
+
+#[test]
+fn a_broken_override_is_all_that_is_told() {
+    for set in ["plan.against", "plan.against=[", "plan.agianst=[M1]", "wind.speed=3"] {
+        let ran = mavc_with(&["check", "-", "--format", "short", "--set", set], HOP);
+        assert_eq!(code(&ran), 1);
+        assert_eq!(out(&ran).lines().count(), 1, "{}", out(&ran));
+        assert!(out(&ran).starts_with("--set:1:"), "{}", out(&ran));
+    }
+}
+
+#[test]
 fn no_plan_in_time_ends_with_3_and_a_report() {
     let dir = folder();
     let (table, report) = (dir.path().join("traj.csv"), dir.path().join("report.json"));
@@ -171,6 +199,7 @@ fn usage_and_files_end_with_2() {
         vec!["explain", "mavc::no::such"],
         vec!["emit", "model", CASE_1, "--format", "mps"],
         vec!["analyze", CASE_1, "--sweep", "mass=2kg"],
+        vec!["check", CASE_1, "--explain-defaults", "--format", "json"],
         vec!["nonsense"],
     ] {
         let ran = mavc(&args);
@@ -289,6 +318,16 @@ fn every_code_is_explained() {
         let ran = mavc(&["explain", code_name]);
         assert_eq!(code(&ran), 0);
         assert!(out(&ran).len() > code_name.len() + 40, "{code_name}");
+    }
+}
+
+#[test]
+fn a_code_written_almost_right_is_found() {
+    for (written, meant) in [("unit::mismtach", "mavc::unit::mismatch"), ("mavc::sytax::depth", "mavc::syntax::depth")]
+    {
+        let ran = mavc(&["explain", written]);
+        assert_eq!(code(&ran), 2);
+        assert_eq!(err(&ran), format!("mavc: there is no code {written}; did you mean {meant}?\n"));
     }
 }
 

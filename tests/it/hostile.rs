@@ -90,8 +90,8 @@ fn broken_nests_cost_no_more_than_whole_ones() {
 fn large_files_are_refused_by_size() {
     let garbage: String =
         (0..10_000_000u32).map(|i| char::from(b' ' + (i.wrapping_mul(2654435761) >> 25) as u8 % 95)).collect();
-    assert_eq!(codes(&garbage), ["mavc::syntax::file_size"]);
-    assert_eq!(codes(&"x".repeat(MAX_FILE_BYTES + 1)), ["mavc::syntax::file_size"]);
+    assert_eq!(codes(&garbage), ["mavc::file::too_large"]);
+    assert_eq!(codes(&"x".repeat(MAX_FILE_BYTES + 1)), ["mavc::file::too_large"]);
 }
 
 #[test]
@@ -169,12 +169,18 @@ fn numbers_beyond_floats_are_refused() {
 }
 
 #[test]
+fn one_error_for_lines_that_end_with_a_carriage_return_alone() {
+    assert_eq!(parse(&WHOLE.replace('\n', "\r")).len(), 1);
+}
+
+#[test]
 fn bytes_that_are_no_text_are_refused() {
-    for bytes in [&b"let a = \xff"[..], b"\xe2\x82", b"plan { \xc3( }", b"\xed\xa0\x80"] {
+    for bytes in [&b"let a = \xff"[..], b"\xe2\x82", b"plan { \xc3( }", b"\xff\xfep\0", b"\xed\xa0\x80"] {
         let error = Source::from_bytes("t.mav", bytes).unwrap_err();
         let mut sources = SourceMap::default();
         let diagnostic = mavc::syntax::not_utf8(sources.add(error.source.clone()), &error);
-        assert_eq!(diagnostic.code, "mavc::syntax::encoding");
+        assert_eq!(diagnostic.code, "mavc::file::encoding");
+        assert_eq!(diagnostic.help.as_ref().unwrap().contains("UTF-16"), bytes.starts_with(b"\xff\xfe"));
         assert!(render_human(&[diagnostic], &sources, 100, false).contains("t.mav"));
     }
 }

@@ -11,6 +11,7 @@ mod planning;
 mod programs;
 mod render;
 mod schemas;
+mod stages;
 mod syntax;
 mod trajectories;
 mod vehicles;

@@ -168,6 +168,42 @@ fn docs_belong_to_the_next_statement() {
 }
 
 #[test]
+fn docs_are_kept_with_what_can_be_described() {
+    let text = "/// 1\nuse \"a.mav\"\n/// 2\nlet a = 1\n/// 3\nvehicle v {\n/// 4\nmass = 1 kg\n/// 5\nrotors {\n/// 6\nrotor at [0, 0, 0] m spin P\n}\n}\n/// 7\nfaults {\n/// 8\nmode A {\n/// 9\nrotor 1 lost\n}\n/// 10\nevery 1 rotor lost as M\n}\n/// 11\nmission m {\n/// 12\nstart moving\n/// 13\nstart at [0, 0, 2] m\n/// 14\nwaypoint at [1, 0, 2] m\n/// 15\nhold 1 s\n/// 16\nwaypoints from \"a.csv\"\n/// 17\ncurve s in 0 .. 1, points = 2 {\n/// 18\nx = 1 m\n}\n/// 19\nlimits {\n/// 20\nspeed <= 1 m/s\n}\n/// 21\nend moving\n}\n";
+    let printed = tree(text).to_string();
+    let kept: Vec<u32> = printed.lines().filter_map(|l| l.trim().strip_prefix("/// ")?.parse().ok()).collect();
+    // Not: use, a rotor's fault, start moving, hold, waypoints from, a limit, end moving.
+    assert_eq!(kept, [2, 3, 4, 5, 6, 7, 8, 10, 11, 13, 14, 17, 18, 19]);
+}
+
+#[test]
+fn lists_may_end_with_a_comma_and_nothing_else_may() {
+    assert_eq!(shape("[1, 2,] m"), "[1 2]<m>");
+    for text in ["x = max(1, 2,)", "x = [,]", "x = [1,,2]", "mission m { curve s in 0 .. 1, points = 2, { x = 1 m } }"]
+    {
+        assert!(parse(text).has_errors(), "{text}");
+    }
+}
+
+#[test]
+fn texts_have_no_escapes() {
+    assert_eq!(shape(r#""a\nb\""#), format!("{:?}", r"a\nb\"));
+    assert!(parse(r#"x = "a \" b""#).has_errors());
+}
+
+#[test]
+fn a_block_left_open_ends_where_the_next_top_level_block_begins() {
+    let text =
+        "faults {\n mode A {\n rotor 1 lost\nmission m {\n limits {\n speed <= 1 m/s\nplan { time = 1 s }\nlet a = 1\n";
+    let checked = parse(text);
+    assert_eq!(checked.diagnostics.len(), 2, "{:#?}", checked.diagnostics);
+    let items = checked.value.unwrap().items;
+    let blocks: Vec<_> =
+        items.iter().map(|i| if let Item::Block(b) = i { b.keyword.value.as_str() } else { "" }).collect();
+    assert_eq!(blocks, ["faults", "mission", "plan", ""]);
+}
+
+#[test]
 fn places_are_those_of_the_text() {
     let text = "// α\nlet a = [1, // β\n 22] m  // end\n";
     let source = Source::new("t", text);

@@ -47,7 +47,7 @@ pub(super) fn read<'a>(
         let index = match &element.kind {
             ExprKind::Name(name) => match by_name.get(name.as_str()) {
                 Some(&index) => Some(index),
-                None if name == "healthy" || name == "all" => {
+                None if matches!(name.as_str(), "healthy" | "all" | "none") => {
                     let message = format!("`{name}` is not a fault mode");
                     let error = Diagnostic::error(CHOICE, element.span, message).here("not a fault");
                     cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
@@ -62,7 +62,7 @@ pub(super) fn read<'a>(
             },
             _ => {
                 let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
-                cx.report(error.here("not a name"));
+                cx.report(error.here("not a name").help("write names of modes, as in `[M1, M2]`"));
                 None
             }
         };

@@ -78,6 +78,14 @@ impl Scanner<'_> {
         let close = rest.find(['\'', '\n']).filter(|&i| rest.as_bytes()[i] == b'\'').map(|i| start + 1 + i);
         let after = close.map_or(start + 1, |c| c + 1);
         self.at = after;
+        if self.text[..start].ends_with(|c: char| c.is_ascii_digit()) {
+            self.at = start + 1;
+            let span = self.span(start, start + 1);
+            return Diagnostic::error("mavc::syntax::character", span, "`'` is no unit")
+                .here("not expected after a number")
+                .help("the foot is written `ft`")
+                .fix(span, " ft");
+        }
         let span = self.span(start, after);
         let diagnostic = Diagnostic::error("mavc::syntax::character", span, "a text stands between double quotes")
             .here("single quotes mean nothing here");
@@ -111,8 +119,12 @@ impl Scanner<'_> {
     fn unknown_character(&self, start: usize, c: char) -> Diagnostic {
         let shown = if c.is_control() { String::new() } else { format!("`{c}` ") };
         let message = format!("the character {shown}(U+{:04X}) is no part of the language", c as u32);
-        Diagnostic::error("mavc::syntax::character", self.span(start, start + c.len_utf8()), message)
-            .here("this character")
-            .help("delete it, or put it in a comment or a text")
+        let span = self.span(start, start + c.len_utf8());
+        let diagnostic = Diagnostic::error("mavc::syntax::character", span, message).here("this character");
+        // The wide forms of East Asian keyboards stand in the order of ASCII.
+        match u32::from(c).checked_sub(0xfee0).and_then(char::from_u32).filter(char::is_ascii_graphic) {
+            Some(plain) => diagnostic.help(format!("write `{plain}`")).fix(span, plain.to_string()),
+            None => diagnostic.help("delete it, or put it in a comment or a text"),
+        }
     }
 }

@@ -11,6 +11,15 @@ use crate::syntax::place::{Kind, Place};
 pub(in crate::syntax) fn unknown_block(word: &str, span: Span, place: Place) -> (Diagnostic, Option<Place>) {
     let meant = place.meant(word);
     let shown = cut(word);
+    if Place::opens_statement(word) && Place::of_block(word).is_none() {
+        let message = format!("`{shown}` takes no braces");
+        let diagnostic = Diagnostic::error("mavc::syntax::block_head", span, message).here("a `{` follows");
+        let help = match form(word, place) {
+            Some(form) => format!("write it like `{form}`"),
+            None => "remove the braces".to_string(),
+        };
+        return (diagnostic.help(help), None);
+    }
     let diagnostic =
         Diagnostic::error("mavc::syntax::unknown_statement", span, format!("there is no block called `{shown}`"));
     let diagnostic = match meant {
@@ -48,9 +57,10 @@ pub(in crate::syntax) fn check_head(mut block: Block, kind: Place) -> Result<Sta
 /// A statement that belongs elsewhere.
 pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, word: &str, span: Span) -> Diagnostic {
     if kind == Kind::Field && place == Place::Limits {
+        let limit = word.strip_prefix("max_").unwrap_or(word);
         return Diagnostic::error("mavc::syntax::relation", span, format!("the limit `{word}` is set with `=`"))
             .here("a limit is no single value")
-            .help(format!("write `{word} <= VALUE` or `{word} in LOW .. HIGH`"));
+            .help(format!("write `{limit} <= VALUE` or `{limit} in LOW .. HIGH`"));
     }
     let what = match kind {
         Kind::RotorAt => "`rotor at`".to_string(),
@@ -126,6 +136,10 @@ fn opens_block(word: &str, rest: &str) -> bool {
 fn openers(place: Place) -> String {
     let words: Vec<String> = place.openers().iter().map(|w| format!("`{w}`")).collect();
     match words.split_last() {
+        _ if place == Place::Rotors => {
+            "only `rotor at [..] m  spin P` stands here; what all share stands in a `rotor { .. }` block beside it"
+                .to_string()
+        }
         _ if place == Place::Limits => "a limit is written like `speed <= 8 m/s`".to_string(),
         Some((last, [])) => format!("write {last}, or a field like `name = value`"),
         Some((last, others)) => format!("write {} or {last}, or a field like `name = value`", others.join(", ")),

@@ -24,7 +24,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-const CLAUSES: [&str; 13] = [
+pub(super) const CLAUSES: [&str; 13] = [
     "at",
     "yaw",
     "yaw_within",
@@ -103,7 +103,12 @@ fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return Some(diagnostic.here("`=` and a value must follow").help(format!("write `{name} = ..`")));
     }
     let span = statement.span(failure.at, failure.at + found.len());
-    if found.starts_with([':', '=', '<', '>', '!']) || found.ends_with('=') {
+    let arrow = statement.text[failure.at..].starts_with("->");
+    let (found, span) = match arrow {
+        true => ("->", statement.span(failure.at, failure.at + 2)),
+        false => (found, span),
+    };
+    if arrow || found.starts_with([':', '=', '<', '>', '!']) || found.ends_with('=') {
         let message = format!("`{name}` is set with `=`, not `{found}`");
         return Some(
             Diagnostic::error("mavc::syntax::assignment", span, message)
@@ -383,6 +388,9 @@ fn wrong_start(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     Some(
         Diagnostic::error("mavc::syntax::unexpected", statement.span(0, found.len()), message)
             .here("expected a name or a keyword")
-            .help("begin with a keyword, or with the name of a field: `name = value`"),
+            .help(match statement.place {
+                Place::Limits => "begin with the limit: `speed <= 8 m/s`, `altitude in 1 m .. 30 m`",
+                _ => "begin with a keyword, or with the name of a field: `name = value`",
+            }),
     )
 }

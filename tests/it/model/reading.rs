@@ -56,8 +56,16 @@ fn circles_and_long_chains_end() {
 fn bytes_that_are_no_text_and_files_too_large_are_told() {
     let (set, diagnostics) = load_all(&[("a.mav", b"let a = 1\n\xff\xfe")]);
     assert_eq!(codes(&diagnostics), ["mavc::file::encoding"]);
-    assert_eq!(diagnostics[0].span.start, 10);
+    assert_eq!((diagnostics[0].span.start, set.sources.snippet(diagnostics[0].span)), (10, "\u{fffd}"));
     assert!(set.incomplete && elaborate(&set, &[]).value.is_none());
+    // The same for a table, with the place that names it; a byte order mark is no part of either.
+    let root = b"mission m { waypoints from \"t.csv\" }\n";
+    let (set, diagnostics) = load_all(&[("a.mav", root), ("t.csv", b"x_m,y_m,z_m\n1,2,\xff\n")]);
+    assert_eq!(codes(&diagnostics), ["mavc::file::encoding"]);
+    assert_eq!(set.sources.get(diagnostics[0].span.file).name, "t.csv");
+    assert_eq!(set.sources.snippet(diagnostics[0].labels[0].span), "\"t.csv\"");
+    let (set, diagnostics) = load_all(&[("a.mav", b"\xef\xbb\xbflet a = 1\n")]);
+    assert_eq!((diagnostics.len(), set.sources.get(mavc::source::FileId(0)).text.as_str()), (0, "let a = 1\n"));
     let (set, diagnostics) = load_all(&[("a.mav", &vec![b'x'; 10 << 20])]);
     assert_eq!(codes(&diagnostics), ["mavc::file::too_large"]);
     assert!(elaborate(&set, &[]).value.is_none());
@@ -66,6 +74,19 @@ fn bytes_that_are_no_text_and_files_too_large_are_told() {
     let table = vec![b'1'; MAX_TABLE_BYTES + 1];
     let (_, diagnostics) = load_all(&[("a.mav", b"mission m { waypoints from \"t.csv\" }\n"), ("t.csv", &table)]);
     assert_eq!(codes(&diagnostics), ["mavc::file::too_large"]);
+}
+
+#[test]
+fn files_that_cannot_be_read_say_why() {
+    for (kind, why) in [
+        (io::ErrorKind::NotFound, "there is no file `v.mav`"),
+        (io::ErrorKind::IsADirectory, "`v.mav` is a folder"),
+        (io::ErrorKind::PermissionDenied, "`v.mav` may not be read: permission denied"),
+    ] {
+        let (_, diagnostics) = load("a.mav", b"use \"v.mav\"\n", &|_| Err(io::Error::from(kind)));
+        assert_eq!(codes(&diagnostics), ["mavc::file::missing"]);
+        assert_eq!(diagnostics[0].message, why);
+    }
 }
 
 #[test]
@@ -95,6 +116,9 @@ fn tables_with_mistakes_are_told_by_row() {
         ("", 1),
         ("a,b\n1,2\n", 1),
         ("x_m,y_m\n1,2\n", 1),
+        ("x_m;y_m;z_m\n1;2;3\n", 1),
+        ("X_m,y_m,z_m\n1,2,3\n", 1),
+        ("1,2,3\n4,5,6\n", 1),
         ("x_m,x_m,y_m,z_m\n1,1,1,1\n", 1),
         ("x_s,y_m,z_m\n1,1,1\n", 1),
         ("x_m,y_m,z_m,weight_kg\n1,1,1,1\n", 1),

@@ -1,0 +1,238 @@
+//! Words, marks and brackets that people bring along from speech, drawings and data files.
+
+use super::{Broken, Expected, Failure, is_name, token};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::syntax::cut;
+use crate::syntax::place::Place;
+
+/// Asked before the habits that hold for any statement; each looks for one wording.
+pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
+    keyword_colon,
+    name_form,
+    inch,
+    position_in_parentheses,
+    rotor_numbers,
+    effect_word,
+    reduced_by,
+    joined_conditions,
+    per,
+    clause_word,
+    all_rotors,
+    comma_at_end,
+];
+
+fn unexpected(statement: &Broken, from: usize, to: usize, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::error("mavc::syntax::unexpected", statement.span(from, to), message)
+}
+
+/// `vehicle:` and `waypoint: at [..]`, as in YAML.
+fn keyword_colon(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let word = statement.word();
+    let is_block = Place::of_block(word).is_some();
+    if statement.found(failure.at) != ":" || !(is_block || Place::opens_statement(word)) {
+        return None;
+    }
+    if statement.text[..failure.at].trim_end() != word {
+        return None;
+    }
+    let diagnostic = unexpected(statement, failure.at, failure.at + 1, format!("no `:` follows `{word}`"));
+    let diagnostic = diagnostic.here("not expected");
+    let form = super::form(word, statement.place).unwrap_or(word);
+    Some(match is_block {
+        true => {
+            diagnostic.help(format!("a block stands in braces: `{}`", form.split(" {").next()?.to_owned() + " { .. }"))
+        }
+        false => diagnostic.help("remove it").fix(statement.span(failure.at, failure.at + 1), ""),
+    })
+}
+
+/// `mission my-mission {`, `mission 3d {`
+fn name_form(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let (start, before) = statement.before(failure.at);
+    let is_head = statement.has_body && Place::of_block(statement.word()).is_some();
+    let end = failure.at + token(statement.text, failure.at, |c| is_name(c) || c == '-').len();
+    let is_field = start == 0 && !statement.has_body && statement.text[end..].trim_start().starts_with('=');
+    let declares = is_head || is_field || statement.word() == "let";
+    if is_head && failure.expects(Expected::Name) && found.starts_with(|c: char| c.is_ascii_digit()) {
+        let message = format!("the name `{}` begins with a digit", cut(found));
+        let diagnostic = unexpected(statement, failure.at, failure.at + found.len(), message);
+        return Some(diagnostic.here("a letter comes first").help("begin it with a letter or `_`"));
+    }
+    let follows = statement.text.as_bytes().get(failure.at + 1).is_some_and(u8::is_ascii_alphanumeric);
+    let touches = failure.at > 0 && is_name(statement.text.as_bytes()[failure.at - 1] as char);
+    if !declares || found != "-" || !follows || !touches || !before.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return None;
+    }
+    let name = token(statement.text, start, |c| is_name(c) || c == '-');
+    let span = statement.span(start, start + name.len());
+    let mended = name.replace('-', "_");
+    Some(
+        Diagnostic::error("mavc::syntax::unexpected", span, format!("the name `{}` has a `-` in it", cut(name)))
+            .here("a name is made of letters, digits and `_`")
+            .help(format!("write `{}`", cut(&mended)))
+            .fix(span, mended),
+    )
+}
+
+/// `arm = 8 in`: a keyword, so no unit.
+fn inch(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (_, before) = statement.before(failure.at);
+    let after_value = before.starts_with(|c: char| c.is_ascii_digit() || c == ')' || c == ']');
+    if statement.found(failure.at) != "in" || !failure.expects(Expected::Operator) || !after_value {
+        return None;
+    }
+    let span = statement.span(failure.at, failure.at + 2);
+    Some(
+        Diagnostic::error("mavc::syntax::unexpected", span, "`in` is no unit")
+            .here("a word of the language")
+            .help("the inch is written `inch`")
+            .fix(span, "inch"),
+    )
+}
+
+/// `start at (0, 0, 2) m`
+fn position_in_parentheses(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    if statement.found(failure.at) != "," || !failure.expects(Expected::Closing(')')) {
+        return None;
+    }
+    // Nothing that nests stands before the comma, or the parenthesis would be another's.
+    let open =
+        statement.text[..failure.at].rfind(['(', ')', '[', ']']).filter(|&i| statement.text[i..].starts_with('('))?;
+    let diagnostic = unexpected(statement, open, open + 1, "a list stands in `[ ]`, not in `( )`");
+    Some(diagnostic.here("opens an expression, which has no commas").help("write `[x, y, z]`, the unit behind it"))
+}
+
+/// `rotors 1, 2 lost`, `rotors 1 and 2 lost`
+fn rotor_numbers(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let is_fault = matches!(statement.word(), "rotor" | "rotors") && failure.expects(Expected::Effect);
+    let found = statement.found(failure.at);
+    let (start, before) = statement.before(failure.at);
+    let at = match (found, before) {
+        (_, "and" | "or") => start,
+        ("," | "and" | "or" | "&" | "&&" | "-", _) => failure.at,
+        _ => return None,
+    };
+    let mark = token(statement.text, at, |c| is_name(c) || "&,-".contains(c));
+    let diagnostic = unexpected(statement, at, at + mark.len().max(1), "several rotors stand in a list");
+    is_fault.then(|| diagnostic.here("does not join rotors").help("write them like `rotors [1, 2] lost`"))
+}
+
+/// `rotor 1 fails`, where any word after a number looks like a unit.
+fn effect_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    if !matches!(statement.word(), "rotor" | "rotors" | "every") || !failure.expects(Expected::Effect) {
+        return None;
+    }
+    let (start, before) = statement.before(failure.at);
+    let number = |text: &str| text.trim_end().ends_with(|c: char| c.is_ascii_digit() || c == ']');
+    let found = statement.found(failure.at);
+    let is_word = |w: &str| w.starts_with(|c: char| c.is_ascii_alphabetic());
+    let (at, word) = match () {
+        _ if is_word(before) && number(&statement.text[..start]) => (start, before),
+        _ if is_word(found) => (failure.at, found),
+        _ => return None,
+    };
+    let meant = match word {
+        "fails" | "failed" | "fail" | "dead" | "dies" | "off" | "out" | "broken" | "gone" | "missing" | "stops" => {
+            "lost"
+        }
+        "jammed" | "locked" | "fixed" | "frozen" => "stuck at 50 %",
+        "limited" | "degraded" | "weak" | "worn" | "down" => "reduced to 60 %",
+        _ if nearest(word, ["lost", "reduced", "stuck"]).is_some() => return None,
+        _ => "",
+    };
+    let message = format!("`{}` is not said of a rotor", cut(word));
+    let diagnostic = unexpected(statement, at, at + word.len(), message);
+    let diagnostic = diagnostic.here("expected `lost`, `reduced to` or `stuck at`");
+    Some(match meant {
+        "" => diagnostic.help("write it like `rotor 3 lost`, `rotor 3 reduced to 60 %` or `rotor 3 stuck at 50 %`"),
+        meant => diagnostic.help(format!("write `{meant}`")),
+    })
+}
+
+/// `rotor 1 reduced by 10 %`
+fn reduced_by(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let is_by = statement.found(failure.at) == "by" && statement.before(failure.at).1 == "reduced";
+    is_by.then(|| {
+        unexpected(statement, failure.at, failure.at + 2, "a rotor is reduced `to` what is left, not `by` what is lost")
+            .here("expected `to`")
+            .help("a tenth lost is `reduced to 90 %`")
+    })
+}
+
+/// `against = where rpn > 50 and severity > 3`
+fn joined_conditions(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let (start, before) = statement.before(failure.at);
+    let joins = |w: &str| matches!(w, "and" | "or" | "&&" | "||" | "&" | "|");
+    let (at, word) = if joins(before) { (start, before) } else { (failure.at, found) };
+    let is_filter = statement.text.contains("where") && failure.expects(Expected::Operator) && joins(word);
+    is_filter.then(|| {
+        unexpected(statement, at, at + word.len(), format!("`{word}` cannot join conditions"))
+            .here("a filter has one condition")
+            .help("where one condition is not enough, list the modes: `against = [M1, M2]`")
+    })
+}
+
+/// `1e-5 per hour`
+fn per(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, before) = statement.before(failure.at);
+    let (at, found) = (failure.at, statement.found(failure.at));
+    let at = if before == "per" { start } else { at };
+    let is_word = before == "per" || found == "per";
+    (is_word && failure.expects(Expected::Operator)).then(|| {
+        unexpected(statement, at, at + 3, "`per` is written `/`")
+            .here("a word, where a unit is one run of names and marks")
+            .help("write units like `m/s` or `1/h`")
+    })
+}
+
+/// `waypoint at [..] m speed 3 m/s`
+fn clause_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let clauses = match statement.word() {
+        "waypoint" | "start" => "`at`, `yaw`, `within`, `yaw_within`, `weight` and `time`",
+        _ => return None,
+    };
+    let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
+    if !failure.expects(Expected::Clause) || !is_word || nearest(found, super::habit::CLAUSES).is_some() {
+        return None;
+    }
+    let follows_value = failure.expects(Expected::End);
+    let diagnostic =
+        unexpected(statement, failure.at, failure.at + found.len(), format!("a waypoint has no `{}`", cut(found)));
+    let help = match found {
+        "speed" | "velocity" | "altitude" | "tilt" => {
+            format!("clauses are {clauses}; limits stand in `limits {{ .. }}`")
+        }
+        "heading" | "course" | "bearing" => {
+            "say it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
+        }
+        "hold" | "wait" | "for" => format!("clauses are {clauses}; `hold 3 s` is a statement on the next line"),
+        _ => format!("clauses are {clauses}"),
+    };
+    follows_value.then(|| diagnostic.here("no clause of a waypoint").help(help))
+}
+
+/// `all rotors lost`
+fn all_rotors(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    let is_all = statement.place == Place::Mode && matches!(statement.word(), "all" | "both" | "any");
+    let word = statement.word();
+    is_all.then(|| {
+        unexpected(statement, 0, word.len(), format!("no fault begins with `{word}`"))
+            .here("expected `rotor` or `rotors`")
+            .help("say which rotors: `rotors [1, 2] lost`")
+    })
+}
+
+/// `arm = 0.2 m,` at the end of a line
+fn comma_at_end(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let is_last = statement.text[failure.at..].trim_end() == ",";
+    (is_last && failure.expects(Expected::End)).then(|| {
+        let span = statement.span(failure.at, failure.at + 1);
+        Diagnostic::error("mavc::syntax::unexpected", span, "no comma ends a statement")
+            .here("not expected")
+            .help("remove it: the end of the line is enough")
+            .fix(span, "")
+    })
+}
