@@ -1,0 +1,123 @@
+//! What the paper leaves open about its plans, and what the shipped cases put there.
+
+use super::markdown::{paragraph, printed, table};
+use super::paper_plans::{WAYPOINTS, own_times};
+use super::plans::{self, Plans};
+use mavc::planner::search::RESOLUTION;
+use mavc::planner::select::VIOLATED;
+use mavc::report::number::{number, percent};
+
+pub fn section() -> String {
+    let cases = [1, 2, 3].map(plans::of_case);
+    introduction() + &table(&["what", "the paper", "specs/paper/case1.mav to case3.mav"], &rows(&cases)) + &marks()
+}
+
+fn introduction() -> String {
+    paragraph(
+        "Tables 8 to 13 rest on choices that the paper does not print, so their digits cannot be compared. Orders can: \
+         who is faster than whom, and which violations vanish.",
+    )
+}
+
+fn marks() -> String {
+    paragraph(&format!(
+        "A facet counts as violated where the wrench passes it by more than {} of the healthy set's width along its \
+         normal. *Positions* are nodes with a violated facet, *pairs* are violated facets counted at every node, \
+         *worst* is the largest excess as a share of that width, *outside* is the time spent outside and *last* the \
+         last instant outside. The paper counts hull inequalities of a set where mavc counts facets of its minimal \
+         description, so the counts cannot be compared, but none is none in both.",
+        percent(VIOLATED)
+    ))
+}
+
+/// One value that all cases share.
+fn shared<T: PartialEq + Clone>(cases: &[&Plans], of: impl Fn(&Plans) -> T) -> T {
+    let first = of(cases[0]);
+    assert!(cases.iter().all(|c| of(c) == first), "the cases are set up alike");
+    first
+}
+
+fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
+    let row = |what: &str, paper: String, here: String| vec![what.into(), paper, here];
+    let waypoints = shared(cases, |c| c.mission.waypoints.iter().map(|w| w.position).collect::<Vec<_>>());
+    let middle = waypoints[0][0] / 2.0;
+    let altitude = waypoints[0][2];
+    assert!(
+        waypoints.iter().enumerate().all(|(i, p)| {
+            let s = 4.0 * std::f64::consts::PI * i as f64 / (waypoints.len() - 1) as f64;
+            let curve = [middle * (1.0 + s.cos()), middle * s.sin(), altitude + 2.0 * middle * (0.5 * s).sin()];
+            (0..3).all(|k| (p[k] - curve[k]).abs() < 1e-9)
+        }),
+        "the curve is as described below"
+    );
+    let within = shared(cases, |c| c.mission.waypoints.iter().map(|w| w.within).collect::<Vec<_>>());
+    let yaw_within = shared(cases, |c| c.mission.waypoints.iter().map(|w| w.yaw_within).collect::<Vec<_>>());
+    assert!(within.iter().all(|w| *w == within[0]) && yaw_within.iter().all(|w| *w == yaw_within[0]));
+    let weights = shared(cases, |c| c.mission.waypoints.iter().map(|w| w.weight).collect::<Vec<_>>());
+    assert!(weights.iter().all(|w| *w == weights[0]));
+    let limits = shared(cases, |c| c.mission.limits.len());
+    let samples = shared(cases, |c| c.model.plan.samples);
+    let times: Vec<String> = cases.iter().map(|c| format!("{} s", number(c.common_time()))).collect();
+    let even = own_times().all(|t| t % 2.0 == 0.0);
+    vec![
+        row(
+            "layout",
+            "not named in section 5.4; section 2.4 flies the curve with PPNNPPNN".into(),
+            shared(cases, |c| c.model.vehicle.layout.clone()).unwrap_or_default(),
+        ),
+        row(
+            "curve",
+            "Viviani's; neither size nor orientation".into(),
+            format!(
+                "x = a (1 + cos s), y = a sin s, z = {} m + 2 a sin(s/2), a = {} m, s from 0 to 4 pi",
+                number(altitude),
+                number(middle)
+            ),
+        ),
+        row(
+            "waypoints",
+            format!("{WAYPOINTS}, uniformly along the curve"),
+            format!("{}, evenly spaced in s and in time", waypoints.len()),
+        ),
+        row("start and end", "not said".into(), "at rest".into()),
+        row(
+            "positions",
+            "210 in Case 1".into(),
+            format!("{} nodes, {} an interval between waypoints", samples + 1, samples / (waypoints.len() - 1)),
+        ),
+        row(
+            "feasible",
+            "\"passing through waypoints\"".into(),
+            format!("every waypoint within {} cm and {} rad", number(100.0 * within[0]), number(yaw_within[0])),
+        ),
+        row(
+            "bounds on q and its derivatives",
+            "in (48), without figures".into(),
+            if limits == 0 { "none".into() } else { format!("{limits} limits") },
+        ),
+        row(
+            "weights of (48)",
+            "alpha_i = 1; not how the derivative term is scaled or sampled".into(),
+            format!(
+                "alpha_i = {}/m^2; integrals of squared snap and acceleration times {} and {}",
+                number(weights[0]),
+                number(shared(cases, |c| c.model.plan.snap_weight)),
+                number(shared(cases, |c| c.model.plan.acceleration_weight))
+            ),
+        ),
+        row(
+            "shortest time",
+            format!(
+                "found by decreasing the time; the step is not given{}",
+                if even { ", and every printed time is an even number of seconds" } else { "" }
+            ),
+            format!("a time at most {} s shorter is shown infeasible", printed(RESOLUTION)),
+        ),
+        row(
+            "common time T_d",
+            "the largest RCP time: 20, 26 and 28 s".into(),
+            format!("the joint RCP's shortest time: {}", times.join(", ")),
+        ),
+        row("reserve for feedback", "none".into(), percent(shared(cases, |c| c.model.plan.reserve))),
+    ]
+}
