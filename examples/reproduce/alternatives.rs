@@ -1,6 +1,7 @@
 //! Other readings of (31): what they give tells which of them the paper's figures fit.
 
 use mavc::actuation::{Actuation, Wrench};
+use mavc::admissible::verdict::analyze;
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::geometry::zonotope::Zonotope;
 use mavc::model::Model;
@@ -39,4 +40,26 @@ pub fn with_printed_twelve(model: &Model) -> Model {
         printed.vehicle.rotors[rotor - 1].position[0] *= -1.0;
     }
     printed
+}
+
+/// The mass (kg, from the model's to thrice it) at which the least residual of a loss has a given length, and that
+/// residual.
+pub fn mass_that_leaves(model: &Model, lost: &[usize], length: f64) -> Option<(f64, [f64; 4])> {
+    let mode = model.modes.iter().position(|m| m.lost() == lost)?;
+    let residual = |mass: f64| {
+        let mut heavier = model.clone();
+        heavier.vehicle.mass = mass;
+        let e = analyze(&heavier, &AdmissibleSet::of_mode(&heavier, mode)).residual4;
+        (e.iter().map(|v| v * v).sum::<f64>().sqrt(), e)
+    };
+    let (mut low, mut high) = (model.vehicle.mass, 3.0 * model.vehicle.mass);
+    if residual(low).0 > length || residual(high).0 < length {
+        return None;
+    }
+    // The residual grows with the mass: 20 halvings leave less than a gram.
+    for _ in 0..20 {
+        let middle = 0.5 * (low + high);
+        if residual(middle).0 < length { low = middle } else { high = middle }
+    }
+    Some((high, residual(high).1))
 }

@@ -94,7 +94,8 @@ fn judged_time(run: &PlannerRun, rip: f64, paper: Option<&Own>, paper_rip: f64) 
     for (what, [sum, mean]) in [("e_R/N", paper.position), ("e_psi/N", paper.yaw)] {
         let ratio = mean / (sum / WAYPOINTS as f64);
         if !(0.8..=1.25).contains(&ratio) {
-            judged += &format!("; the printed {what} is {} times the printed sum over {WAYPOINTS}", rounded(ratio));
+            let sum = what.trim_end_matches("/N");
+            judged += &format!("; the printed {what} is {} times {sum}/{WAYPOINTS}", rounded(ratio));
         }
     }
     judged
@@ -165,8 +166,8 @@ fn last(out: &Outside) -> String {
 fn judged_count(paper: usize, out: &Outside) -> String {
     match (paper, out.rows) {
         (0, 0) => "agrees: none violated".into(),
-        (0, _) => differs("violated here"),
-        (_, 0) => differs("nothing violated here"),
+        (0, _) => differs("violated here, see the statements below"),
+        (_, 0) => differs("nothing violated here, see the statements below"),
         _ => format!("agrees: violated; counts not comparable ({MISSING})"),
     }
 }
@@ -232,14 +233,17 @@ fn zeros(paper: &[usize; 8], outside: &[Outside], modes: &[&str]) -> String {
     let both = where_(&|p, o| p == 0 && o == 0);
     let mut reasons = Vec::new();
     if !violated_here.is_empty() {
-        reasons.push(format!("{} violated here alone", listed(&violated_here)));
+        reasons.push(format!("{} violated here only", listed(&violated_here)));
     }
     if !violated_there.is_empty() {
-        reasons.push(format!("{} in the paper alone", listed(&violated_there)));
+        reasons.push(format!("{} violated in the paper only", listed(&violated_there)));
     }
-    let agreement = format!("none violated in both: {}", listed(&both));
-    match reasons.as_slice() {
-        [] => format!("agrees: {agreement}; counts not comparable"),
-        some => differs(&format!("{}; {agreement}", some.join(", "))),
+    if !both.is_empty() {
+        reasons.push(format!("none violated in both: {}", listed(&both)));
+    }
+    let text = reasons.join("; ");
+    match violated_here.is_empty() && violated_there.is_empty() {
+        true => format!("agrees: {text}; counts not comparable"),
+        false => differs(&text),
     }
 }

@@ -1,5 +1,6 @@
 //! What the paper's text says about sets and layouts.
 
+use super::faults::LAST_DIGIT;
 use super::judgement::{STATEMENTS, agrees_if, differs, listed, statement};
 use super::markdown::{fixed, table};
 use super::specs;
@@ -71,8 +72,8 @@ fn hover_speed(quad: &Studied) -> Vec<String> {
     let furthest = furthest.expect("a quadcopter has rotors");
     statement(
         format!("the quadcopter hovers with every rotor at {PRINTED} rad/s"),
-        format!("{} rad/s", fixed(furthest, 2)),
-        agrees_if((furthest - PRINTED).abs() <= 0.0051, "the parameters give another speed"),
+        format!("{} rad/s", fixed(furthest, 3)),
+        agrees_if((furthest - PRINTED).abs() <= LAST_DIGIT, "the parameters give another speed"),
     )
 }
 

@@ -29,7 +29,7 @@ order can be compared the row says so. Cells of the paper are as printed.
 /// The whole page.
 pub fn whole() -> String {
     let cases: Vec<String> = (1..=3).map(case).collect();
-    [INTRODUCTION.into(), faults(), claims(), setting(), cases.join("\n")].join("")
+    [INTRODUCTION.into(), faults(), claims(), setting(), cases.concat()].concat()
 }
 
 pub const FAULTS: &str = "## What faults leave: Tables 1 to 7\n\n";

@@ -1,6 +1,6 @@
 //! Tables 1 to 7: residuals of (31) and verdicts.
 
-use super::alternatives::{clipped_pseudo_inverse, torque_with_thrust_held, with_printed_twelve};
+use super::alternatives::{clipped_pseudo_inverse, mass_that_leaves, torque_with_thrust_held, with_printed_twelve};
 use super::judgement::differs;
 use super::markdown::{fixed, none, paragraph, table, vector};
 use super::paper_faults::{Row, TABLES, Table};
@@ -10,7 +10,7 @@ use mavc::admissible::verdict::{ModeAnalysis, Verdict, ZERO_RESIDUAL, analyze_al
 use mavc::model::Model;
 
 /// One unit of the paper's last digit, and rounding.
-const LAST_DIGIT: f64 = 0.0101;
+pub const LAST_DIGIT: f64 = 0.0101;
 
 pub fn sections() -> String {
     explanation() + &TABLES.iter().map(section).collect::<String>()
@@ -152,10 +152,23 @@ fn other_verdict(row: &Row, found: &ModeAnalysis, model: &Model, printed_twelve:
     if printed_twelve.is_some_and(|t| t.mode(row.rotors).verdict == paper_verdict(row)) {
         reason += "; the verdict fits (12) as printed, where rotors 2 and 6, and 3 and 5, coincide";
     }
-    let clipped = clipped_pseudo_inverse(model, row.rotors);
-    if found.verdict == Verdict::Controllable && clipped.norm() > ZERO_RESIDUAL {
-        reason +=
-            &format!("; a pseudo-inverse clipped to what the rotors give leaves {}", vector(clipped.as_slice(), 4));
+    if found.verdict == Verdict::Controllable {
+        if let Some((mass, left)) = mass_that_leaves(model, row.rotors, norm(&row.full)) {
+            let apart = |sign: f64| row.full.iter().zip(&left).map(|(p, l)| (sign * p - l).abs()).fold(0.0, f64::max);
+            let sign = match (apart(1.0) <= LAST_DIGIT, apart(-1.0) <= LAST_DIGIT) {
+                (true, _) => Some(""),
+                (false, true) => Some(", with the other sign"),
+                _ => None,
+            };
+            if let Some(sign) = sign {
+                reason += &format!("; the printed residual is what {} kg would leave{sign}", fixed(mass, 2));
+            }
+        }
+        let clipped = clipped_pseudo_inverse(model, row.rotors);
+        if clipped.norm() > ZERO_RESIDUAL {
+            let clipped = vector(clipped.as_slice(), 4);
+            reason += &format!("; a pseudo-inverse clipped to the rotors' range misses hover, by {clipped}");
+        }
     }
     reason
 }

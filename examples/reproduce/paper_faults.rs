@@ -68,7 +68,7 @@ pub const TABLES: [Table; 9] = [
     },
     Table {
         number: 3,
-        title: "hexacopter PNPNPN, two rotors lost",
+        title: "hexacopter, two rotors lost",
         vehicle: "hexa_pnpnpn",
         rows: &[
             double(&[1, 2], [0.0, -0.44, 0.25, 0.0], [0.0, -0.44, 0.25]),
@@ -90,7 +90,7 @@ pub const TABLES: [Table; 9] = [
     },
     Table {
         number: 4,
-        title: "hexacopter PPNNPN, two rotors lost",
+        title: "hexacopter, two rotors lost",
         vehicle: "hexa_ppnnpn",
         rows: &[
             double(&[1, 2], [0.0, -0.43, 0.27, 0.18], [0.0, -0.44, 0.25]),
@@ -142,7 +142,7 @@ pub const TABLES: [Table; 9] = [
     },
     Table {
         number: 6,
-        title: "octocopter PNPNPNPN, two rotors lost",
+        title: "octocopter, two rotors lost",
         vehicle: "octo_pnpnpnpn",
         rows: &[
             double(&[1, 2], NONE, NONE_3),
@@ -177,7 +177,7 @@ pub const TABLES: [Table; 9] = [
     },
     Table {
         number: 7,
-        title: "octocopter PPNNPPNN, two rotors lost",
+        title: "octocopter, two rotors lost",
         vehicle: "octo_ppnnppnn",
         rows: &[
             double(&[1, 2], [0.0, 0.0, 0.0, 0.13], NONE_3),
