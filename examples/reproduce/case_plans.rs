@@ -168,7 +168,7 @@ fn judged_count(paper: usize, out: &Outside) -> String {
         (0, 0) => "agrees: none violated".into(),
         (0, _) => differs("violated here, see the statements below"),
         (_, 0) => differs("nothing violated here, see the statements below"),
-        _ => format!("agrees: violated; counts not comparable ({MISSING})"),
+        _ => format!("agrees: some violated; counts not comparable ({MISSING})"),
     }
 }
 

@@ -123,8 +123,13 @@ fn hexacopters(hexas: &[Studied; 2]) -> Vec<String> {
     let described = hexas.iter().map(|h| {
         let failing: Vec<String> =
             h.losing(1).filter(|m| m.verdict != Verdict::Controllable).map(|m| m.name.clone()).collect();
+        let reach = match failing.as_slice() {
+            [] => "hover in reach after every loss".to_string(),
+            some => format!("hover out of reach after {}", listed(some)),
+        };
         let (least, most) = (fixed(h.smallest_single_margin(), 4), fixed(h.largest_single_margin(), 4));
-        format!("{}: margins from {least} to {most}, hover out of reach after {}", h.layout(), listed(&failing))
+        let margin = if least == most { format!("margin {least}") } else { format!("margins from {least} to {most}") };
+        format!("{}: {reach}, {margin}", h.layout())
     });
     statement(
         "both hexacopters stand the loss of any rotor",

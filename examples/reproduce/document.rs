@@ -28,34 +28,23 @@ order can be compared the row says so. Cells of the paper are as printed.
 
 /// The whole page.
 pub fn whole() -> String {
-    let cases: Vec<String> = (1..=3).map(case).collect();
-    [INTRODUCTION.into(), faults(), claims(), setting(), cases.concat()].concat()
+    let parts = [
+        INTRODUCTION.to_string(),
+        "## What faults leave: Tables 1 to 7\n\n".into(),
+        faults::sections(),
+        "## Statements about sets and layouts\n\n".into(),
+        claims::section(),
+        "## How the plans are set up\n\n".into(),
+        setting::section(),
+        case(1),
+        case(2),
+        case(3),
+    ];
+    parts.concat().trim_end().to_string() + "\n"
 }
 
-pub const FAULTS: &str = "## What faults leave: Tables 1 to 7\n\n";
-
-/// Tables 1 to 7.
-pub fn faults() -> String {
-    FAULTS.to_string() + &faults::sections()
-}
-
-pub const CLAIMS: &str = "## Statements about sets and layouts\n\n";
-
-/// What the paper's text says about sets.
-pub fn claims() -> String {
-    CLAIMS.to_string() + &claims::section()
-}
-
-fn setting() -> String {
-    "## How the plans are set up\n\n".to_string() + &setting::section()
-}
-
-/// The heading of a case.
-pub fn case_heading(number: usize) -> String {
-    format!("## Case {number}: Tables {} and {}\n\n", 6 + 2 * number, 7 + 2 * number)
-}
-
-/// Tables 8 and 9, 10 and 11, or 12 and 13.
-pub fn case(number: usize) -> String {
-    case_heading(number) + &case_plans::section(number) + &case_orders::section(number)
+/// Tables 8 and 9, 10 and 11, or 12 and 13, with what the text says about them.
+fn case(number: usize) -> String {
+    let heading = format!("## Case {number}: Tables {} and {}\n\n", 6 + 2 * number, 7 + 2 * number);
+    heading + &case_plans::section(number) + &case_orders::section(number)
 }

@@ -2,7 +2,7 @@
 
 use super::alternatives::{clipped_pseudo_inverse, mass_that_leaves, torque_with_thrust_held, with_printed_twelve};
 use super::judgement::differs;
-use super::markdown::{fixed, none, paragraph, table, vector};
+use super::markdown::{as_printed, fixed, none, paragraph, table, vector};
 use super::paper_faults::{Row, TABLES, Table};
 use super::specs;
 use mavc::admissible::AdmissibleSet;
@@ -22,17 +22,17 @@ fn explanation() -> String {
     let printed = TABLES.iter().filter(|t| t.number == 3).flat_map(|t| t.rows).find(|r| r.rotors == neighbours);
     let printed = printed.expect("Table 3 holds the loss of rotors 1 and 2");
     paragraph(
-        "e_p is A Omega_s - u_ref of (31) in N and N m, first with all four components, then without tau_z. (The \
-         paper's headings print u - A Omega_s, but the signs below them are those of A Omega_s - u.) The paper's verdict \
-         is read off its zeros. The margin is the signed distance from hover to the set's boundary in the plain (N, N m) \
-         norm (the index of Du and Quan; outside the set it is the most violated facet's), `flat` where the set has no \
-         inside. The last mass is the heaviest that can hover with all four components held.",
+        "e_p is A Omega_s - u_ref of (31) in N and N m, first with all four components, then without tau_z. (Table 1's \
+         heading prints u - A Omega_s, but its signs are those of A Omega_s - u_ref.) The paper's verdict is read off \
+         its zeros. The margin is the signed distance from hover to the set's boundary in the plain (N, N m) norm (the \
+         index of Du and Quan; outside the set it is the most violated facet's), `flat` where the set has no inside. \
+         The last mass is the heaviest that can hover with all four components held.",
     ) + &paragraph(&format!(
         "A row agrees where the verdict is the same and no component is further off than one unit of the paper's last \
-         digit (0.01). The least residual of a bounded least-squares problem is unique, so a printed vector longer than \
-         it does not solve (31) with the printed parameters, and a shorter one needs other parameters. The paper does \
-         not say how its solver weighs newtons against newton metres. Holding the thrust exactly at m g gives a torque \
-         residual of {} N m for rotors 1 and 2 of PNPNPN, where Table 3 prints {}.",
+         digit (0.01). The least residual of a bounded least-squares problem is unique, so a printed vector longer \
+         than it does not solve (31) with the printed parameters, and a shorter one needs other parameters. The paper \
+         does not say how its solver weighs newtons against newton metres. Holding the thrust exactly at m g gives a \
+         torque residual of {} N m for rotors 1 and 2 of PNPNPN, where Table 3 prints {}.",
         fixed(torque_with_thrust_held(&held.model, held.set(neighbours)), 3),
         fixed(norm(&printed.full[1..]), 3),
     ))
@@ -103,17 +103,19 @@ fn section(paper: &Table) -> String {
 
 /// How many faults cost control, and how many hover altogether.
 fn totals<'a>(paper: &Table, of: &dyn Fn(&Row) -> &'a ModeAnalysis) -> String {
-    let count = |lost: &dyn Fn(&Row) -> bool| {
-        let n = paper.rows.iter().filter(|r| lost(r)).count();
-        format!("{n} of {} ({:.0} %)", paper.rows.len(), 100.0 * n as f64 / paper.rows.len() as f64)
+    let rows = paper.rows.len();
+    let compared = |lost: &dyn Fn(Verdict) -> bool| {
+        let printed = paper.rows.iter().filter(|r| lost(paper_verdict(r))).count();
+        let here = paper.rows.iter().filter(|r| lost(of(r).verdict)).count();
+        let share = |n: usize| format!("{n} of {rows} ({:.0} %)", 100.0 * n as f64 / rows as f64);
+        let judged = if printed == here { "agrees" } else { "**differs**" };
+        format!("paper {}, here {}: {judged}.", share(printed), share(here))
     };
-    format!(
-        "Control lost: {} in the paper, {} here. Unstable: {} in the paper, {} here.\n\n",
-        count(&|r| paper_verdict(r) != Verdict::Controllable),
-        count(&|r| of(r).verdict != Verdict::Controllable),
-        count(&|r| paper_verdict(r) == Verdict::Unstable),
-        count(&|r| of(r).verdict == Verdict::Unstable),
-    )
+    paragraph(&format!(
+        "Control lost: {} Unstable: {}",
+        compared(&|v| v != Verdict::Controllable),
+        compared(&|v| v == Verdict::Unstable)
+    ))
 }
 
 /// Zeros with tau_z: controllable; zeros without: stabilizable. Table 1 prints no second residual, and the text
@@ -131,9 +133,9 @@ fn cells(row: &Row, found: &ModeAnalysis, judged: String) -> Vec<String> {
     let rotors: Vec<String> = row.rotors.iter().map(usize::to_string).collect();
     vec![
         rotors.join(", "),
-        vector(&row.full, 2),
+        as_printed(&row.full),
         vector(&found.residual4, 4),
-        row.yaw_free.map_or_else(none, |e| vector(&e, 2)),
+        row.yaw_free.map_or_else(none, |e| as_printed(&e)),
         vector(&found.residual3, 4),
         paper_verdict(row).name().into(),
         found.verdict.name().into(),

@@ -9,10 +9,9 @@ mod document;
 
 fn main() -> std::io::Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let text = document::whole();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => print!("{text}"),
-        ["--write"] => std::fs::write(document::specs::root().join("docs/reproduction.md"), text)?,
+        [] => print!("{}", document::whole()),
+        ["--write"] => std::fs::write(document::specs::root().join("docs/reproduction.md"), document::whole())?,
         _ => {
             eprintln!("usage: reproduce [--write]");
             std::process::exit(2);

@@ -23,6 +23,12 @@ pub fn vector(values: &[f64], decimals: usize) -> String {
     format!("[{}]", cells.join(" "))
 }
 
+/// A vector of the paper with its digits: `[0.0 -0.03]`
+pub fn as_printed(values: &[f64]) -> String {
+    let cells: Vec<String> = values.iter().map(|v| format!("{v:?}")).collect();
+    format!("[{}]", cells.join(" "))
+}
+
 /// A number of the paper: plain, or with an exponent where it is tiny.
 pub fn printed(value: f64) -> String {
     if value != 0.0 && value.abs() < 1e-3 { format!("{value:e}") } else { value.to_string() }

@@ -142,7 +142,8 @@ fn the_page_says_what_is_computed() {
 #[test]
 fn a_changed_page_is_noticed() {
     let page = "## What faults leave\n\n| 1 | 0.1956 | agrees |\n\n## Case 1\n\n\
-                | planner | T, paper | T | e_R m | pairs |\n|---|---|---|---|---|\n| RCP M1 | 20 s | 16.00 s | 0.8951 | 57 |\n";
+                | planner | T, paper | T | e_R m | pairs |\n|---|---|---|---|---|\n\
+                | RCP M1 | 20 s | 16.00 s | 0.8951 | 57 |\n";
     assert!(differences(page, page).is_empty());
     let changes = [
         ("0.1956", "0.1958", true),
