@@ -1,7 +1,7 @@
 //! Tables 8 to 13: shortest times and errors, and what the plans at one common time violate.
 
 use super::judgement::{agrees_if, differs, listed, not_comparable};
-use super::markdown::{fixed, none, printed, table};
+use super::markdown::{fixed, none, paragraph, printed, table};
 use super::paper_plans::{Common, Own, TABLE_8, TABLE_9, TABLE_10, TABLE_11, TABLE_12, TABLE_13, WAYPOINTS};
 use super::plans::{self, Plans, name};
 use mavc::planner::compare::{Ending, PlannerRun, Run};
@@ -190,7 +190,10 @@ fn all_modes(plans: &Plans) -> String {
     };
     [
         format!("### Table 13: all planners at {}, against every mode\n\n", seconds(plans.common_time())),
-        "Violated inequalities at 28 s in the paper / violated pairs here.\n\n".into(),
+        paragraph(
+            "Violated inequalities at 28 s in the paper / violated pairs here. A row differs where only one of the two \
+             has none; the statements below say more.",
+        ),
         beside,
         "Facets violated, at how many positions.\n\n".into(),
         plain(&|o| if o.last.is_none() { none() } else { format!("{} at {}", o.facets.len(), o.positions) }),

@@ -98,7 +98,20 @@ fn section(paper: &Table) -> String {
         "heaviest kg",
         "row",
     ];
-    heading + &table(&header, &rows) + &totals(paper, &of)
+    let note = printed_twelve.as_ref().map(|t| two_matrices(paper, &study, t)).unwrap_or_default();
+    heading + &table(&header, &rows) + &totals(paper, &of) + &note
+}
+
+/// Which of the two matrices for PPNNPN a table was computed with.
+fn two_matrices(paper: &Table, geometry: &Study, printed: &Study) -> String {
+    let misfits = |s: &Study| paper.rows.iter().filter(|r| s.mode(r.rotors).verdict != paper_verdict(r)).count();
+    paragraph(&format!(
+        "Of these {} verdicts of the paper {} differ from what evenly spaced rotors give, and {} from what (12) gives as \
+         its third row reads.",
+        paper.rows.len(),
+        misfits(geometry),
+        misfits(printed)
+    ))
 }
 
 /// How many faults cost control, and how many hover altogether.
@@ -152,7 +165,7 @@ fn other_verdict(row: &Row, found: &ModeAnalysis, model: &Model, printed_twelve:
         None => "these parameters hover at no mass".into(),
     };
     if printed_twelve.is_some_and(|t| t.mode(row.rotors).verdict == paper_verdict(row)) {
-        reason += "; the verdict fits (12) as printed, where rotors 2 and 6, and 3 and 5, coincide";
+        reason += "; the verdict fits (12) as its third row reads, where rotors 2 and 6, and 3 and 5, coincide";
     }
     if found.verdict == Verdict::Controllable {
         if let Some((mass, left)) = mass_that_leaves(model, row.rotors, norm(&row.full)) {

@@ -3,6 +3,7 @@
 use super::markdown::{fixed, paragraph, printed, table};
 use super::paper_plans::{WAYPOINTS, own_times};
 use super::plans::{self, Plans};
+use mavc::model::Waypoint;
 use mavc::planner::compare::Run;
 use mavc::planner::search::RESOLUTION;
 use mavc::planner::select::VIOLATED;
@@ -56,6 +57,15 @@ fn shared<T: PartialEq + Clone>(cases: &[&Plans], of: impl Fn(&Plans) -> T) -> T
     first
 }
 
+/// Do all plans take the same time from each waypoint to the next?
+fn even_times(cases: &[&Plans]) -> bool {
+    cases.iter().flat_map(|c| &c.comparison.runs).filter_map(plans::solved).all(|s| {
+        let times: Vec<f64> = s.trajectory.waypoint_nodes.iter().map(|&n| s.trajectory.times[n]).collect();
+        let leg = s.time / (times.len() - 1) as f64;
+        times.windows(2).all(|pair| (pair[1] - pair[0] - leg).abs() < 1e-9)
+    })
+}
+
 fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
     let row = |what: &str, paper: String, here: String| vec![what.into(), paper, here];
     let waypoints = shared(cases, |c| c.mission.waypoints.iter().map(|w| w.position).collect::<Vec<_>>());
@@ -69,11 +79,12 @@ fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
         }),
         "the curve is as described below"
     );
-    let within = shared(cases, |c| c.mission.waypoints.iter().map(|w| w.within).collect::<Vec<_>>());
-    let yaw_within = shared(cases, |c| c.mission.waypoints.iter().map(|w| w.yaw_within).collect::<Vec<_>>());
-    assert!(within.iter().all(|w| *w == within[0]) && yaw_within.iter().all(|w| *w == yaw_within[0]));
-    let weights = shared(cases, |c| c.mission.waypoints.iter().map(|w| w.weight).collect::<Vec<_>>());
-    assert!(weights.iter().all(|w| *w == weights[0]));
+    let [within, yaw_within, weight] = shared(cases, |c| {
+        let manner = |w: &Waypoint| [w.within, w.yaw_within, w.weight];
+        let first = manner(&c.mission.waypoints[0]);
+        assert!(c.mission.waypoints.iter().all(|w| manner(w) == first), "the waypoints are treated alike");
+        first
+    });
     let limits = shared(cases, |c| c.mission.limits.len());
     let samples = shared(cases, |c| c.model.plan.samples);
     let times: Vec<String> = cases.iter().map(|c| format!("{} s", number(c.common_time()))).collect();
@@ -96,9 +107,16 @@ fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
         row(
             "waypoints",
             format!("{WAYPOINTS}, uniformly along the curve"),
-            format!("{}, evenly spaced in s and in time", waypoints.len()),
+            format!("{}, evenly spaced in s{}", waypoints.len(), if even_times(cases) { " and in time" } else { "" }),
         ),
-        row("start and end", "not said".into(), "at rest".into()),
+        row(
+            "start and end",
+            "not said".into(),
+            match shared(cases, |c| (c.mission.start_at_rest, c.mission.end_at_rest)) {
+                (true, true) => "at rest".into(),
+                (start, end) => format!("start at rest: {start}, end at rest: {end}"),
+            },
+        ),
         row(
             "positions",
             "210 in Case 1".into(),
@@ -107,7 +125,7 @@ fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
         row(
             "feasible",
             "\"passing through waypoints\"".into(),
-            format!("every waypoint within {} cm and {} rad", number(100.0 * within[0]), number(yaw_within[0])),
+            format!("every waypoint within {} cm and {} rad", number(100.0 * within), number(yaw_within)),
         ),
         row(
             "bounds on q and its derivatives",
@@ -119,7 +137,7 @@ fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
             "alpha_i = 1; not how the derivative term is scaled or sampled".into(),
             format!(
                 "alpha_i = {}/m^2; integrals of squared snap and acceleration times {} and {}",
-                number(weights[0]),
+                number(weight),
                 number(shared(cases, |c| c.model.plan.snap_weight)),
                 number(shared(cases, |c| c.model.plan.acceleration_weight))
             ),
