@@ -32,7 +32,7 @@ pub fn torque_with_thrust_held(model: &Model, set: &AdmissibleSet) -> f64 {
     (zonotope.nearest(&u) - u).fixed_rows::<3>(1).norm()
 }
 
-/// The PPNNPN hexacopter with the rows of (12) as they are printed: the sines of rotors 3 and 6 have the other sign,
+/// The PPNNPN hexacopter with the third row of (12) as it reads: the sines of rotors 3 and 6 have the other sign,
 /// which puts rotor 6 on rotor 2 and rotor 3 on rotor 5.
 pub fn with_printed_twelve(model: &Model) -> Model {
     let mut printed = model.clone();

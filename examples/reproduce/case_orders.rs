@@ -330,11 +330,13 @@ fn third_violations(plans: &Plans, first: &Plans) -> Rows {
     let [early, late] = [first, plans].map(|p| p.outside("RIP", "M1").rows);
     let paper_rip = counts("RIP");
     let same_as_rip = ["RCP M2", "RCP M5"].iter().all(|p| counts(p) == paper_rip);
-    let contradiction = match paper_rip[1] == 0 && paper_rip[4] == 0 && !same_as_rip {
-        true => {
-            not_comparable("the paper's rows contradict each other, and here RIP leaves every set it is held against")
-        }
-        false => not_comparable("the paper's rows"),
+    let contradiction = not_comparable(match paper_rip[1] == 0 && paper_rip[4] == 0 && !same_as_rip {
+        true => "the paper's rows contradict each other",
+        false => "a curve of unknown size",
+    });
+    let rip_inside = match rip_inside.as_slice() {
+        [] => "RIP's plan lies in no mode's set".to_string(),
+        some => format!("RIP's plan lies in the sets of {}", listed(some)),
     };
     vec![
         statement(
@@ -349,7 +351,7 @@ fn third_violations(plans: &Plans, first: &Plans) -> Rows {
         statement(
             "RIP's plan at 28 s lies in the sets of M2 and M5, which lie in the healthy one; so it is also the plan of \
              RCP M2 and of RCP M5, as (48) has one minimiser; yet Table 13 prints other counts for these",
-            format!("RIP's plan lies in the sets of {}", listed(&rip_inside)),
+            rip_inside,
             contradiction,
         ),
         statement(

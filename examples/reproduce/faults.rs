@@ -170,7 +170,9 @@ fn other_verdict(row: &Row, found: &ModeAnalysis, model: &Model, printed_twelve:
     if found.verdict == Verdict::Controllable {
         if let Some((mass, left)) = mass_that_leaves(model, row.rotors, norm(&row.full)) {
             let apart = |sign: f64| row.full.iter().zip(&left).map(|(p, l)| (sign * p - l).abs()).fold(0.0, f64::max);
-            let sign = match (apart(1.0) <= LAST_DIGIT, apart(-1.0) <= LAST_DIGIT) {
+            // Rounding alone: a whole unit is as long as these vectors.
+            let rounding = 0.5 * LAST_DIGIT;
+            let sign = match (apart(1.0) <= rounding, apart(-1.0) <= rounding) {
                 (true, _) => Some(""),
                 (false, true) => Some(", with the other sign"),
                 _ => None,

@@ -1,5 +1,7 @@
 //! Tables and numbers as they stand on the page.
 
+pub use mavc::report::number::fixed;
+
 /// A table; every row has as many cells as the header.
 pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
     let line = |cells: Vec<&str>| format!("| {} |\n", cells.join(" | "));
@@ -8,16 +10,7 @@ pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
     line(header.to_vec()) + &rule + &body.collect::<String>() + "\n"
 }
 
-/// With a fixed number of decimals and no negative zero.
-pub fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.bytes().all(|b| b == b'0' || b == b'.') => rest.into(),
-        _ => text,
-    }
-}
-
-/// `[0.00 -0.03]`
+/// `[0.00 -0.03]`, of what is computed.
 pub fn vector(values: &[f64], decimals: usize) -> String {
     let cells: Vec<String> = values.iter().map(|&v| fixed(v, decimals)).collect();
     format!("[{}]", cells.join(" "))
