@@ -106,8 +106,8 @@ fn section(paper: &Table) -> String {
 fn two_matrices(paper: &Table, geometry: &Study, printed: &Study) -> String {
     let misfits = |s: &Study| paper.rows.iter().filter(|r| s.mode(r.rotors).verdict != paper_verdict(r)).count();
     paragraph(&format!(
-        "Of these {} verdicts of the paper {} differ from what evenly spaced rotors give, and {} from what (12) gives as \
-         its third row reads.",
+        "Of these {} verdicts of the paper {} differ from what evenly spaced rotors give, and {} from what (12) gives \
+         as its third row reads.",
         paper.rows.len(),
         misfits(geometry),
         misfits(printed)
