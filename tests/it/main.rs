@@ -10,6 +10,7 @@ mod model;
 mod planning;
 mod programs;
 mod render;
+mod reproduction;
 mod schemas;
 mod stages;
 mod syntax;

@@ -1,0 +1,50 @@
+//! The document's parts, each under one heading of the second level.
+
+pub mod alternatives;
+pub mod case_orders;
+pub mod case_plans;
+pub mod claims;
+pub mod faults;
+pub mod judgement;
+pub mod markdown;
+pub mod paper_faults;
+pub mod paper_plans;
+pub mod plans;
+pub mod setting;
+pub mod specs;
+
+const INTRODUCTION: &str = "\
+# The paper's tables beside what mavc computes
+
+The paper is N. Osmic, A. Tahirovic and I. Petrovic, *Risk-sensitive motion planning for MAVs based on mission-related
+fault-tolerant analysis*, Automatika 61:2 (2020), doi 10.1080/00051144.2020.1733324. This page is written by
+`cargo run --release --example reproduce -- --write` from the specs in `specs/`, and the tests hold its numbers
+against a new computation.
+
+Each row says **agrees**, **differs** (and why), or **not comparable** (and what the paper leaves out). Where only an
+order can be compared the row says so. Cells of the paper are as printed.
+
+";
+
+/// The whole page.
+pub fn whole() -> String {
+    let parts = [
+        INTRODUCTION.to_string(),
+        "## What faults leave: Tables 1 to 7\n\n".into(),
+        faults::sections(),
+        "## Statements about sets and layouts\n\n".into(),
+        claims::section(),
+        "## How the plans are set up\n\n".into(),
+        setting::section(),
+        case(1),
+        case(2),
+        case(3),
+    ];
+    parts.concat().trim_end().to_string() + "\n"
+}
+
+/// Tables 8 and 9, 10 and 11, or 12 and 13, with what the text says about them.
+fn case(number: usize) -> String {
+    let heading = format!("## Case {number}: Tables {} and {}\n\n", 6 + 2 * number, 7 + 2 * number);
+    heading + &case_plans::section(number) + &case_orders::section(number)
+}

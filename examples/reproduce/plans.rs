@@ -1,0 +1,83 @@
+//! The comparison of planners for each of the paper's cases, run once.
+
+use super::specs;
+use mavc::model::{Mission, Model, PlannerKind};
+use mavc::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, Solved, compare, label};
+use mavc::report::record::{Errors, errors};
+use mavc::trajectory::outside::Outside;
+use std::sync::OnceLock;
+
+pub struct Plans {
+    pub model: Model,
+    pub mission: Mission,
+    pub comparison: Comparison,
+}
+
+/// Case 1, 2 or 3.
+pub fn of_case(number: usize) -> &'static Plans {
+    static CASES: [OnceLock<Plans>; 3] = [const { OnceLock::new() }; 3];
+    CASES[number - 1].get_or_init(|| {
+        let model = specs::case(number);
+        let mission = model.mission.clone().unwrap_or_else(|| panic!("case {number} has a mission"));
+        let comparison = compare(&model, &mission, Scope::Everything, None);
+        Plans { model, mission, comparison }
+    })
+}
+
+/// `RIP`, `RCP M1`, `RCP jointly`, `RSP`.
+pub fn name(run: &PlannerRun) -> String {
+    match (run.planner, run.against.len()) {
+        (PlannerKind::Rcp, modes) if modes > 1 => JOINTLY.into(),
+        _ => label(run.planner, &run.against),
+    }
+}
+
+pub const JOINTLY: &str = "RCP jointly";
+
+impl Plans {
+    pub fn runs(&self, which: Run) -> impl Iterator<Item = &PlannerRun> {
+        self.comparison.runs.iter().filter(move |r| r.run == which)
+    }
+
+    /// The planner's plan, where it has one.
+    pub fn found(&self, planner: &str, which: Run) -> Option<&Solved> {
+        self.runs(which).find(|r| name(r) == planner).and_then(solved)
+    }
+
+    /// The same where the page cannot do without.
+    pub fn plan(&self, planner: &str, which: Run) -> &Solved {
+        self.found(planner, which).unwrap_or_else(|| panic!("{planner} has no plan ({which:?})"))
+    }
+
+    /// Own shortest time, s.
+    pub fn shortest(&self, planner: &str) -> f64 {
+        self.plan(planner, Run::Own).time
+    }
+
+    pub fn errors(&self, planner: &str, which: Run) -> Errors {
+        errors(&self.mission, self.plan(planner, which))
+    }
+
+    /// T_d, s.
+    pub fn common_time(&self) -> f64 {
+        self.comparison.common_time.expect("some mode has a plan")
+    }
+
+    /// How a planner's plan at T_d stands to a mode.
+    pub fn outside(&self, planner: &str, mode: &str) -> &Outside {
+        let place = self.comparison.modes.iter().position(|m| m == mode);
+        &self.plan(planner, Run::Common).outside[place.unwrap_or_else(|| panic!("no mode {mode}"))]
+    }
+
+    /// Violated (facet, node) pairs over all modes at T_d.
+    pub fn violations(&self, planner: &str) -> usize {
+        self.plan(planner, Run::Common).outside.iter().map(|o| o.rows).sum()
+    }
+}
+
+pub fn solved(run: &PlannerRun) -> Option<&Solved> {
+    match &run.ending {
+        Ending::Solved(s) => Some(s),
+        _ => None,
+    }
+}

@@ -1,0 +1,30 @@
+//! Where the models come from: the specs that ship.
+
+use mavc::model::{Model, elaborate, load};
+use std::path::{Path, PathBuf};
+
+/// The repository.
+pub fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A spec given as text, its `use` paths relative to the repository. Panics with what is wrong.
+fn model(name: &str, text: &str) -> Model {
+    let (files, mut diagnostics) = load(name, text.as_bytes(), &|path: &Path| std::fs::read(root().join(path)));
+    let checked = elaborate(&files, &[]);
+    diagnostics.extend(checked.diagnostics);
+    checked.value.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"))
+}
+
+/// A vehicle of specs/vehicles with every single and double loss as modes (`M1`, `M1_2`).
+pub fn vehicle(name: &str) -> Model {
+    let faults = "faults {\n    every 1 rotor lost as M\n    every 2 rotors lost as M\n}\n";
+    model("faults.mav", &format!("use \"specs/vehicles/{name}.mav\"\n{faults}"))
+}
+
+/// The paper's case 1, 2 or 3.
+pub fn case(number: usize) -> Model {
+    let name = format!("specs/paper/case{number}.mav");
+    let text = std::fs::read_to_string(root().join(&name)).unwrap_or_else(|e| panic!("{name}: {e}"));
+    model(&name, &text)
+}
