@@ -107,7 +107,7 @@ def named(timings, *words):
 
 
 def sets_rows(table, options):
-    done = run([options.mavc, "analyze", str(options.sets_spec), "--timings"], options.repeat)
+    done = run([options.mavc, "analyze", str(options.sets_spec), "--timings"], 10 * options.repeat)
     hull = hull_seconds("PPNNPPNN")
     table.add("36 fault sets against ConvexHull", hull, named(done.timings, "admissible", "sets"), 100)
     table.add("  the same, whole `analyze` process", hull, done.seconds, 1)

@@ -1,0 +1,127 @@
+//! How long the stages take, and how that grows. `cargo bench` prints criterion's figures, then two tables: sets by
+//! number of rotors and RIP plans by number of samples.
+
+#[path = "../tests/it/vehicles.rs"]
+#[allow(dead_code)]
+mod vehicles;
+
+use criterion::Criterion;
+use mavc::admissible::{AdmissibleSet, intersection};
+use mavc::model::{Model, PlannerKind};
+use mavc::planner::rows::{Decision, Engine, Pool};
+use mavc::planner::select::PlanningSet;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+use vehicles::{lost, octocopter, paper_case, ring_model};
+
+/// Every single and double loss.
+fn faults(model: &mut Model) {
+    let rotors = model.vehicle.rotors.len();
+    for i in 1..=rotors {
+        model.modes.push(lost(model, &[i]));
+        for j in i + 1..=rotors {
+            model.modes.push(lost(model, &[i, j]));
+        }
+    }
+}
+
+fn ring(rotors: usize) -> Model {
+    ring_model(&"PN".repeat(rotors / 2), 0.25 * rotors as f64, [0.1, 0.1, 0.2], 8.5485e-6, 1.3678e-7, 874.0)
+}
+
+fn sets(criterion: &mut Criterion) {
+    let mut model = octocopter("PPNNPPNN");
+    model.modes.clear();
+    faults(&mut model);
+    assert_eq!(model.modes.len(), 36);
+    criterion.bench_function("octocopter, 36 fault sets", |b| {
+        b.iter(|| {
+            for mode in 0..model.modes.len() {
+                black_box(AdmissibleSet::of_mode(&model, mode));
+            }
+        });
+    });
+    let singles: Vec<AdmissibleSet> = (0..model.modes.len())
+        .filter(|&i| model.modes[i].name.len() == 2)
+        .map(|i| AdmissibleSet::of_mode(&model, i))
+        .collect();
+    let singles: Vec<&AdmissibleSet> = singles.iter().collect();
+    criterion.bench_function("octocopter, minimal intersection of the single faults", |b| {
+        b.iter(|| black_box(intersection(&singles)));
+    });
+    let large = ring(32);
+    criterion.bench_function("32-rotor ring, healthy set", |b| b.iter(|| black_box(AdmissibleSet::healthy(&large))));
+}
+
+fn plans(criterion: &mut Criterion) {
+    let model = paper_case(PlannerKind::Rip, &[]);
+    let (healthy, set) = healthy_set(&model);
+    let mission = model.mission.as_ref().expect("a mission");
+    criterion.bench_function("RIP plan of case 1 at 20 s", |b| {
+        b.iter(|| Engine::new(&model, mission, &healthy).decide(20.0, 200, &set, &mut Pool::default()));
+    });
+}
+
+fn healthy_set(model: &Model) -> (AdmissibleSet, PlanningSet) {
+    let healthy = AdmissibleSet::healthy(model);
+    let set = PlanningSet::of(&[&healthy], &healthy);
+    (healthy, set)
+}
+
+/// The least of several runs.
+fn least(runs: usize, mut work: impl FnMut()) -> Duration {
+    let once = |_| {
+        let begin = Instant::now();
+        work();
+        begin.elapsed()
+    };
+    (0..runs).map(once).min().expect("at least one run")
+}
+
+/// Exponent of growth between two measurements.
+fn exponent(sizes: [usize; 2], times: [f64; 2]) -> f64 {
+    (times[1] / times[0]).ln() / (sizes[1] as f64 / sizes[0] as f64).ln()
+}
+
+fn by_rotors() {
+    println!("\nHealthy set of a ring PNPN...\n  rotors  facets        ms  exponent");
+    let mut before: Option<(usize, f64)> = None;
+    for rotors in [4, 8, 12, 16, 20, 24, 28, 32] {
+        let model = ring(rotors);
+        let facets = AdmissibleSet::healthy(&model).polytope.facets.len();
+        let time = 1e3 * least(20, || drop(black_box(AdmissibleSet::healthy(&model)))).as_secs_f64();
+        let grown = before.map_or(String::new(), |(n, t)| format!("{:.2}", exponent([n, rotors], [t, time])));
+        println!("  {rotors:>6}  {facets:>6}  {time:>8.3}  {grown:>8}");
+        before = Some((rotors, time));
+    }
+}
+
+fn by_samples() {
+    println!(
+        "\nRIP plan of case 1 at 20 s\n  samples  solves  iterations  solver s  ms per iteration  us per iteration and sample"
+    );
+    let model = paper_case(PlannerKind::Rip, &[]);
+    let (healthy, set) = healthy_set(&model);
+    let mission = model.mission.as_ref().expect("a mission");
+    for samples in [200, 500, 1_000, 2_000, 5_000, 10_000] {
+        let mut engine = Engine::new(&model, mission, &healthy);
+        let decision = engine.decide(20.0, samples, &set, &mut Pool::default());
+        let verdict = if let Decision::Feasible(_) = decision { "" } else { "  no plan" };
+        let (solves, iterations) = (engine.effort.solves, engine.effort.iterations);
+        let seconds = engine.effort.time.as_secs_f64();
+        let each = 1e3 * seconds / iterations as f64;
+        let per_sample = 1e3 * each / samples as f64;
+        println!(
+            "  {samples:>7}  {solves:>6}  {iterations:>10}  {seconds:>8.3}  {each:>16.3}  {per_sample:>27.2}{verdict}"
+        );
+    }
+}
+
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    sets(&mut criterion);
+    plans(&mut criterion);
+    criterion.final_summary();
+    by_rotors();
+    by_samples();
+}
