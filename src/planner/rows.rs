@@ -26,6 +26,10 @@ const KEPT: f64 = 0.05;
 /// Up to this many facet rows a program is solved in spline coefficients, beyond in stage variables (measured).
 const FEW_ROWS: usize = 1_000;
 
+/// On finer grids than this the weights of fourth derivatives in spline coefficients span too many decades, and the
+/// solver stalls (measured: at 500 intervals).
+const MOST_SPLINE_INTERVALS: usize = 300;
+
 /// After this many rounds every row is imposed.
 const MOST_ROUNDS: usize = 30;
 
@@ -313,11 +317,12 @@ impl<'a> Engine<'a> {
         let mut round = 0;
         loop {
             let chosen: Vec<FacetAt> = pool.rows.iter().copied().collect();
-            let few = chosen.len() <= FEW_ROWS && !matches!(purpose, Purpose::Overshoot { .. });
-            let mut form = if few { &splines } else { &stages };
+            let splined = chosen.len() <= FEW_ROWS && nodes <= MOST_SPLINE_INTERVALS + 1;
+            let splined = splined && !matches!(purpose, Purpose::Overshoot { .. });
+            let mut form = if splined { &splines } else { &stages };
             let (mut outcome, spent) = solve(&form.program(purpose, &chosen));
             self.effort += spent;
-            if few && matches!(outcome, Outcome::Inconclusive { .. }) {
+            if splined && matches!(outcome, Outcome::Inconclusive { .. }) {
                 form = &stages;
                 let (again, spent) = solve(&stages.program(purpose, &chosen));
                 self.effort += spent;
