@@ -7,7 +7,7 @@ use std::fmt;
 /// A wrench [T, tau_x, tau_y, tau_z]: N, N m, N m, N m, body frame.
 pub type Wrench = Vector4<f64>;
 
-/// The matrix A (4 x n, per squared rotor speed) and the bounds 0 <= w_k^2 <= max_square[k].
+/// The matrix A (4 x n, per squared rotor speed) and the bounds `0 <= w_k^2 <= max_square[k]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Actuation {
     /// Rows T (N s^2), tau_x, tau_y, tau_z (N m s^2); one column per rotor.

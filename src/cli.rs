@@ -70,7 +70,7 @@ enum Command {
 pub(crate) struct SpecArgs {
     /// The spec, or `-` for standard input
     spec: String,
-    /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.against=[M1]
+    /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
     #[arg(long = "set", value_name = "FIELD=VALUE")]
     set: Vec<String>,
 }

@@ -20,14 +20,15 @@ pub struct Solution {
     pub z: Vec<f64>,
     /// Value of the program at x.
     pub objective: f64,
-    /// Value of the dual function at z: no feasible point has a smaller objective (up to the dual residual).
+    /// No feasible point with entries up to [`reach()`] has a smaller objective: the value of the dual function at z,
+    /// less what its residual could make up for.
     pub bound: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
     Solved(Solution),
-    /// A'z = 0, b'z < 0, z in the dual cone: nothing satisfies all rows.
+    /// A'z = 0, b'z < 0, z in the dual cone: nothing within [`reach`] satisfies all rows.
     Infeasible {
         certificate: Vec<f64>,
     },
@@ -126,6 +127,12 @@ pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
     (judge(program, solver.solution.status, solver.solution.x, solver.solution.z), effort)
 }
 
+/// Entries of points that count, in the program's scaling: ten times the largest number on a right-hand side (which
+/// holds the waypoints), at least 100. Proofs in floating point need some such bound.
+pub fn reach(program: &QuadraticProgram) -> f64 {
+    program.b.iter().fold(10.0_f64, |m, b| m.max(b.abs())) * 10.0
+}
+
 /// Believes a status only where plain arithmetic agrees.
 fn judge(program: &QuadraticProgram, status: SolverStatus, x: Vec<f64>, z: Vec<f64>) -> Outcome {
     let stopped = |x: Option<Vec<f64>>| Outcome::Inconclusive { status: format!("{status:?}"), point: x };
@@ -135,20 +142,29 @@ fn judge(program: &QuadraticProgram, status: SolverStatus, x: Vec<f64>, z: Vec<f
             let px = program.hessian_times(&x);
             let quadratic: f64 = x.iter().zip(&px).map(|(x, p)| x * p).sum();
             let bz: f64 = program.b.iter().zip(&z).map(|(b, z)| b * z).sum();
-            let solution = Solution { bound: program.constant - 0.5 * quadratic - bz, objective, x, z };
+            // f(y) >= f(x) + f'(x)(y - x) and f'(x) = r - A'z, so r'(y - x) is all that can be missing.
+            let reach = reach(program);
+            let mut residual = px;
+            for (r, (q, az)) in residual.iter_mut().zip(program.q.iter().zip(program.a.transposed_times(&z))) {
+                *r += q + az;
+            }
+            let missing: f64 = residual.iter().zip(&x).map(|(r, x)| r.abs() * (reach + x.abs())).sum();
+            let bound = program.constant - 0.5 * quadratic - bz - missing;
+            let solution = Solution { bound, objective, x, z };
             let r = residuals(program, &solution);
             let scale = 1.0 + objective.abs();
             let loose = if status == SolverStatus::Solved { 1e3 } else { 1.0 };
             let good = r.primal <= PRIMAL_TOLERANCE
                 && r.dual <= 1e-6 * scale * loose
                 && r.stationarity <= 1e-6 * scale * loose
-                && (solution.objective - solution.bound).abs() <= 1e-6 * scale * loose;
+                && (solution.objective - solution.bound - missing).abs() <= 1e-6 * scale * loose;
             if good { Outcome::Solved(solution) } else { stopped(Some(solution.x)) }
         }
         SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
             let bz: f64 = program.b.iter().zip(&z).map(|(b, z)| b * z).sum();
-            let largest = program.a.transposed_times(&z).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            if bz < 0.0 && largest <= 1e-6 * bz.abs() && program.dual_violation(&z) <= 1e-6 * bz.abs() {
+            // 0 <= z's = z'b - (A'z)'x < 0 for every x whose entries are within reach.
+            let residual: f64 = program.a.transposed_times(&z).iter().map(|v| v.abs()).sum();
+            if bz < 0.0 && residual * reach(program) < 0.5 * bz.abs() && program.dual_violation(&z) <= 1e-9 * bz.abs() {
                 Outcome::Infeasible { certificate: z }
             } else {
                 stopped(None)

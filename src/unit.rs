@@ -3,7 +3,7 @@
 //! A [`Dimension`] is a product of powers of mass, length, time and angle. Angle counts, so that
 //! degrees, radians and turns cannot be mistaken for plain numbers; it disappears when a value is
 //! lowered to SI. A [`Unit`] is a scale and a dimension; a [`Quantity`] is a value in SI and a
-//! dimension. [`mismatch`] tells two dimensions apart factor by factor.
+//! dimension. The function `mismatch` tells two dimensions apart factor by factor.
 mod dimension;
 mod mismatch;
 mod quantity;

@@ -6,18 +6,19 @@
 use super::hover_model::WrenchMap;
 use super::profile::{Profile, profile};
 use super::select::{PlanningSet, SetRow};
-use super::transcribe::{FacetAt, NodeState, Purpose, Transcription};
+use super::transcribe::{FacetAt, NodeState, Purpose, Transcription, UNBOUNDED};
 use super::yaw::{YawPlan, plan_yaw};
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
-use crate::model::{Mission, Model};
+use crate::model::{LimitKind, Mission, Model};
 use crate::solve::{Effort, Outcome, Solution, solve};
 use std::collections::BTreeSet;
 
 /// A waypoint may be overshot by this much, m, and the plan still counts as feasible (yaw in proportion).
 pub const FEASIBLE: f64 = 1e-6;
 
-/// Rows are added until none is passed by more than this share of the healthy set's width.
+/// Rows are added until no other is passed by more than this share of the healthy set's width. (Those of the program
+/// itself hold to the solver's tolerance.)
 pub const ACCEPTED: f64 = 1e-7;
 
 /// Rows with more slack than this at a plan are not carried on to other mission times.
@@ -235,6 +236,24 @@ impl<'a> Engine<'a> {
         inside.fold(f64::INFINITY, f64::min)
     }
 
+    /// Whether a plan flown `factor` times slower still keeps every row and limit, so that a longer mission needs no
+    /// program of its own. Not told of missions with fixed times, holds or changing yaw.
+    pub(super) fn slowed_down_keeps(&self, planned: &Planned, set: &PlanningSet, factor: f64) -> bool {
+        let YawPlan::Free { .. } = planned.layout.yaw else { return false };
+        let own_times = self.mission.waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some());
+        let place = |kind: LimitKind| matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw);
+        let least_rates = self.mission.limits.iter().any(|l| !place(l.kind) && l.lower.is_some_and(|b| b > 0.0));
+        if own_times || least_rates {
+            return false;
+        }
+        let maps = planned.layout.yaw.maps(self.model, planned.layout.profile.nodes());
+        planned.states.iter().zip(&maps).all(|(state, map)| {
+            let slow = state.map(|axis| std::array::from_fn(|order| axis[order] * factor.powi(-(order as i32))));
+            let wrench = map.at(&slow);
+            set.rows.iter().all(|row| row.excess(&wrench) <= ACCEPTED)
+        })
+    }
+
     /// Drops the rows that states keep well clear of.
     fn keep_near(&self, layout: &Layout, set: &PlanningSet, states: &[NodeState], sigma: f64, pool: &mut Pool) {
         let maps = layout.yaw.maps(self.model, layout.profile.nodes());
@@ -257,7 +276,8 @@ impl<'a> Engine<'a> {
     /// An upper bound on (48) over all feasible plans: inputs that the healthy set allows, waypoints at the edge
     /// of their tolerance. `None` where yaw was planned first, for then the rows hold states too.
     fn largest_cost(&self, layout: &Layout) -> Option<f64> {
-        matches!(layout.yaw, YawPlan::Free { .. }).then(|| self.cost_scale(layout))
+        let bounded = self.mission.waypoints.iter().all(|w| w.within < UNBOUNDED);
+        (bounded && matches!(layout.yaw, YawPlan::Free { .. })).then(|| self.cost_scale(layout))
     }
 
     /// The bound itself; where yaw was planned first, only a figure of the right size.

@@ -32,7 +32,7 @@ pub struct Shortest {
 /// Why there is no shortest time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NoTime {
-    /// No time up to the given one is feasible.
+    /// Every time tried was shown infeasible, the given one the longest.
     Infeasible { up_to: f64 },
     /// The solver gave no verdict where one was needed.
     Inconclusive { at: f64, status: String },
@@ -113,14 +113,14 @@ impl<'a> Engine<'a> {
             // A smaller set's shortest time is often this set's too.
             (_, Some(h)) if hint.planned.is_some() => Some(h - STEP),
             _ => {
-                let time = search.estimate(hint.near, samples)?;
+                let time = search.estimate(hint.near, samples);
                 let start = ((time / RESOLUTION - 0.1).ceil() as Ticks) * STEP;
                 let least = low.map_or(start, |l| l + STEP);
                 Some(start.clamp(least, high.unwrap_or(start).max(least)))
             }
         };
         let mut found = search.exact(start, Known { low, high, planned: hint.planned }, samples)?;
-        found.infeasible_above = search.scan_above(found.time, samples);
+        found.infeasible_above = search.scan_above(&found, samples);
         Ok(found)
     }
 
@@ -149,20 +149,20 @@ impl Search<'_, '_> {
 
     /// A time near the shortest, s, found on a coarse grid and moved to where the full one's should lie. Claims
     /// nothing.
-    fn estimate(&mut self, guess: Option<f64>, samples: usize) -> Result<f64, NoTime> {
+    fn estimate(&mut self, guess: Option<f64>, samples: usize) -> f64 {
         let coarse = self.engine.coarse_samples();
         let floor = seconds(self.floor);
         let near = guess.unwrap_or_else(|| self.engine.guess());
-        let found = self.root(near, coarse)?;
+        let found = self.root(near, coarse);
         // The error of a grid goes with the square of its step.
         let legs = self.engine.mission.legs.len() as f64;
         let late = |n: usize| 1.0 + GRID_ERROR * (legs / n as f64).powi(2);
-        Ok(floor + (found - floor) * late(samples) / late(coarse))
+        floor + (found - floor) * late(samples) / late(coarse)
     }
 
     /// The time at which the excess vanishes, by interpolation in 1/T^2: an acceleration goes with 1/T^2, and the
     /// wrench with acceleration where torques are small.
-    fn root(&mut self, guess: f64, samples: usize) -> Result<f64, NoTime> {
+    fn root(&mut self, guess: f64, samples: usize) -> f64 {
         let floor = seconds(self.floor);
         let hover = self.engine.hover_margin(self.set).max(1e-3);
         // Far away, standing still is as far inside as can be.
@@ -171,7 +171,7 @@ impl Search<'_, '_> {
         let mut time = (guess - floor).max(GRID);
         for _ in 0..MOST_STEPS {
             if floor + time > LONGEST {
-                return Err(NoTime::Infeasible { up_to: floor + low });
+                return guess; // the full grid decides whether there is any time at all
             }
             let excess = self.engine.excess(floor + time, samples, self.set, self.pool, PRECISION * hover);
             match excess {
@@ -189,11 +189,11 @@ impl Search<'_, '_> {
                 _ => 0.5 * (low + high),
             };
             if (next - time).abs() <= PRECISION * time {
-                return Ok(floor + next);
+                return floor + next;
             }
             time = next;
         }
-        Ok(floor + if high.is_finite() { high } else { low })
+        floor + if high.is_finite() { high } else { low }
     }
 
     fn roughly_feasible(&mut self, t: Ticks) -> bool {
@@ -222,7 +222,10 @@ impl Search<'_, '_> {
             let highest = unknown.iter().map(|u| u.0).chain(low).max().unwrap_or(self.floor);
             next = match (low, &high) {
                 _ if unknown.len() > MOST_UNKNOWN => None,
-                (_, None) if seconds(highest) > LONGEST => return Err(NoTime::Infeasible { up_to: LONGEST }),
+                (_, None) if seconds(highest) > LONGEST && unknown.is_empty() => {
+                    return Err(NoTime::Infeasible { up_to: seconds(highest) });
+                }
+                (_, None) if seconds(highest) > LONGEST => None,
                 (_, None) => {
                     let up = highest + stride;
                     stride *= 2;
@@ -251,16 +254,16 @@ impl Search<'_, '_> {
         Ok(Shortest { time: seconds(time), planned, infeasible_at, infeasible_above: Vec::new() })
     }
 
-    /// Without fixed times and holds a plan slowed down stays feasible (every wrench moves towards hover), so only
-    /// missions with them are scanned: on the coarse grid, and where that finds no plan on the full one.
-    fn scan_above(&mut self, time: f64, samples: usize) -> Vec<f64> {
-        if !self.engine.mission.waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some()) {
-            return Vec::new();
-        }
-        let first = (time / GRID).round();
+    /// Longer times without a plan. Where the plan found is still one when flown slower there is one; else the coarse
+    /// grid is tried, and where that finds none the full one.
+    fn scan_above(&mut self, found: &Shortest, samples: usize) -> Vec<f64> {
+        let first = (found.time / GRID).round();
         let longer = [1.05, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0].map(|f| steps(first * f));
-        let mut infeasible =
-            |t: &Ticks| !self.roughly_feasible(*t) && matches!(self.try_at(*t, samples), Decision::Infeasible);
+        let mut infeasible = |t: &Ticks| {
+            !self.engine.slowed_down_keeps(&found.planned, self.set, seconds(*t) / found.time)
+                && !self.roughly_feasible(*t)
+                && matches!(self.try_at(*t, samples), Decision::Infeasible)
+        };
         longer.into_iter().filter(&mut infeasible).map(seconds).collect()
     }
 }

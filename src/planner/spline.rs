@@ -42,7 +42,7 @@ impl NodeSpline {
     }
 }
 
-/// Weights of the m-th derivative at t in [knots[span], knots[span + 1]]:
+/// Weights of the m-th derivative at t in `[knots[span], knots[span + 1]]`:
 /// `s^(m) = sum_j c^(m)_j N_{j, p-m}`, `c^(m)_j = (p-m+1) (c^(m-1)_j - c^(m-1)_{j-1}) / (t_{j+p-m+1} - t_j)`.
 fn derivative(knots: &[f64], degree: usize, span: usize, t: f64, m: usize) -> Weights {
     let first = span - degree;

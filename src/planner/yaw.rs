@@ -1,4 +1,4 @@
-//! Yaw, planned first where it changes: the smallest integral of psi''^2 within the yaw tolerances.
+//! Yaw, planned first where it changes: the terms of (48) that hold psi, least within the yaw tolerances.
 
 use super::hover_model::{WrenchMap, X, Y, YAW, YawState, Z};
 use super::profile::Profile;

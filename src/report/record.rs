@@ -97,6 +97,10 @@ impl Record {
 }
 
 fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
+    let nodes = match &run.ending {
+        Ending::Solved(solved) => solved.trajectory.times.len(),
+        _ => model.plan.samples + 1,
+    };
     let mut record = PlannerRecord {
         name: run.planner.name(),
         against: run.against.clone(),
@@ -110,7 +114,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         position_error_m: None,
         yaw_error_rad: None,
         max_waypoint_error_m: None,
-        rows: run.set.rows.len() * (model.plan.samples + 1),
+        rows: run.set.rows.len() * nodes,
         modes: Vec::new(),
     };
     match &run.ending {

@@ -59,7 +59,9 @@ pub fn no_plan(run: &PlannerRun, ending: &Ending) -> String {
         (Ending::Infeasible { at }, Run::Common) => {
             format!("no plan meets every waypoint within its tolerance in {} s (proved)", number(*at))
         }
-        (Ending::Infeasible { at }, Run::Own) => format!("no plan exists in any time up to {} s", number(*at)),
+        (Ending::Infeasible { at }, Run::Own) => {
+            format!("no plan at any time tried, up to {} s (each proved)", number(*at))
+        }
         (Ending::Inconclusive { at, status }, _) => {
             format!("the solver gave no verdict at {} s ({status})", number(*at))
         }
