@@ -60,7 +60,14 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
             let right = (t, if p == parts { wrenches[k + 1] } else { at(t) });
             for row in rows {
                 found.max_violation = found.max_violation.max(row.excess(&right.1));
-                spans.extend(span_outside(row, left, right, curved.then_some(&at as &dyn Fn(f64) -> Wrench)));
+                let at = curved.then_some(&at as &dyn Fn(f64) -> Wrench);
+                // A plane can be left on either side.
+                let sides: &[f64] = if row.equality { &[1.0, -1.0] } else { &[1.0] };
+                let spans_of = |&side| {
+                    let over = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
+                    span_outside(over, left, right, at)
+                };
+                spans.extend(sides.iter().filter_map(spans_of));
             }
             left = right;
         }
@@ -72,21 +79,21 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     found
 }
 
-/// The part of [left, right] in which one row is violated; at most one crossing is looked for.
+/// The part of [left, right] in which `over` is positive; at most one crossing is looked for.
 fn span_outside(
-    row: &SetRow,
+    over: impl Fn(&Wrench) -> f64,
     left: (f64, Wrench),
     right: (f64, Wrench),
     curved: Option<&dyn Fn(f64) -> Wrench>,
 ) -> Option<(f64, f64)> {
-    let (a, b) = (row.excess(&left.1) - VIOLATED, row.excess(&right.1) - VIOLATED);
+    let (a, b) = (over(&left.1), over(&right.1));
     match (a > 0.0, b > 0.0) {
         (false, false) => None,
         (true, true) => Some((left.0, right.0)),
         (out_first, _) => {
             let t = match curved {
                 None => left.0 + (right.0 - left.0) * a / (a - b),
-                Some(at) => bisect(left.0, right.0, |t| (row.excess(&at(t)) - VIOLATED > 0.0) == out_first),
+                Some(at) => bisect(left.0, right.0, |t| (over(&at(t)) > 0.0) == out_first),
             };
             Some(if out_first { (left.0, t) } else { (t, right.0) })
         }

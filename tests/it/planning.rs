@@ -135,6 +135,21 @@ fn two_runs_and_any_number_of_threads_give_the_same_numbers() {
     assert!(once == text(1), "one thread differs from two");
 }
 
+/// Fine grids are badly scaled in spline coefficients; stage variables take them in a few iterations.
+#[test]
+fn a_fine_grid_takes_few_iterations() {
+    let model = paper_case(PlannerKind::Rip, &[]);
+    let healthy = AdmissibleSet::healthy(&model);
+    let set = PlanningSet::of(&[&healthy], &healthy);
+    let mut engine = Engine::new(&model, model.mission.as_ref().unwrap(), &healthy);
+    let Decision::Feasible(planned) = engine.decide(20.0, 600, &set, &mut Pool::default()) else {
+        panic!("20 s are enough");
+    };
+    // Within a discretisation error of the 200-sample optimum.
+    assert!(planned.objective < 2.9416513 && planned.objective > 2.9, "{}", planned.objective);
+    assert!(engine.effort.iterations <= 20 * engine.effort.solves, "{:?}", engine.effort);
+}
+
 #[test]
 fn a_fixed_time_is_the_common_time() {
     let mut model = paper_case(PlannerKind::Rsp, &[0, 8]);
