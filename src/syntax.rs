@@ -47,6 +47,7 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
     }
     let (value, mut diagnostics) = build::build(file, layout);
     crate::diagnostic::sort(&mut diagnostics);
+    one_brace_one_error(&mut diagnostics);
     if diagnostics.len() > MAX_ERRORS {
         diagnostics.truncate(MAX_ERRORS);
         let end = Span::new(file, bytes, bytes);
@@ -57,6 +58,22 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
         ));
     }
     Checked { value: Some(value), diagnostics }
+}
+
+/// A block that does not open leaves its closing brace over: that brace is no second mistake. In source order.
+fn one_brace_one_error(diagnostics: &mut Vec<Diagnostic>) {
+    let mut unopened = 0;
+    diagnostics.retain(|d| match d.code {
+        "mavc::syntax::missing_brace" => {
+            unopened += 1;
+            true
+        }
+        "mavc::syntax::stray_brace" if unopened > 0 => {
+            unopened -= 1;
+            false
+        }
+        _ => true,
+    });
 }
 
 /// The diagnostic for a spec or a table that passes `limit` bytes.

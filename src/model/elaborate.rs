@@ -93,17 +93,23 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     let items = || trees.iter().flat_map(|tree| &tree.items);
     let mut blocks = Blocks::default();
     let mut gravity: Option<&Field> = None;
-    for item in items() {
-        match item {
-            Item::Block(block) => match block.keyword.value.as_str() {
-                "vehicle" => blocks.vehicles.push(block),
-                "faults" => blocks.faults.push(block),
-                "mission" => blocks.missions.push(block),
-                "plan" => blocks.plans.push(block),
-                _ => {}
-            },
-            Item::Field(field) => top_field(cx, field, &mut gravity),
-            Item::Let(_) | Item::Use(_) | Item::Broken(_) => {}
+    for tree in trees {
+        // Below a statement that could not be read, a field may belong to the block that it should have opened.
+        let mut homeless = false;
+        for item in &tree.items {
+            match item {
+                Item::Block(block) => match block.keyword.value.as_str() {
+                    "vehicle" => blocks.vehicles.push(block),
+                    "faults" => blocks.faults.push(block),
+                    "mission" => blocks.missions.push(block),
+                    "plan" => blocks.plans.push(block),
+                    _ => {}
+                },
+                Item::Field(field) if homeless && field.name.value != "gravity" => {}
+                Item::Field(field) => top_field(cx, field, &mut gravity),
+                Item::Broken(_) => homeless = true,
+                Item::Let(_) | Item::Use(_) => {}
+            }
         }
     }
     no_second(cx, "vehicle", &blocks.vehicles);
