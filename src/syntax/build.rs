@@ -221,14 +221,18 @@ impl Builder<'_> {
     fn broken(&mut self, pair: Pair<Rule>, place: Place) -> Statement {
         let span = self.span(&pair);
         let (mut head, mut body) = ("", None);
+        let mut start = span.start as usize;
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::broken_text => head = part.as_str().trim_end(),
+                Rule::broken_text => {
+                    // The grammar's blanks are ASCII; here all of Unicode's go.
+                    head = part.as_str().trim();
+                    start += part.as_str().len() - part.as_str().trim_start().len();
+                }
                 Rule::body => body = Some(part),
                 _ => {}
             }
         }
-        let start = span.start as usize;
         let late = self.late_brace.take().filter(|(brace, _)| *brace == start);
         let word = head.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or(head);
         let inside = late.map(|(_, inside)| inside).or(Place::of_head(word)).unwrap_or(Place::Unknown);

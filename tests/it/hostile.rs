@@ -266,6 +266,12 @@ fn the_specs_that_are_mutated_are_right() {
     assert!(checked.value.is_some(), "{}", render_short(&checked.diagnostics, &files.sources));
 }
 
+#[test]
+fn blanks_of_unicode_before_a_brace_split_no_character() {
+    parse("'{\u{2000}{'");
+    parse("\u{3000}{\n}\u{2000}\n\u{a0}{");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
 
