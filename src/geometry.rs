@@ -1,6 +1,7 @@
 //! Pure mathematics of small polytopes: zonotopes, half-space descriptions, nearest points.
 //! Nothing here knows a vehicle.
 
+mod cone;
 pub mod nearest;
 pub mod polytope;
 pub mod zonotope;

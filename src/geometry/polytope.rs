@@ -1,6 +1,6 @@
 //! Half-space descriptions `{ w : C w = d, N w <= e }`, equalities first, and minimal intersections.
 
-use super::nearest::nearest_to_origin;
+use super::cone::{Ray, distance_to_cone};
 use nalgebra::SVector;
 use std::cmp::Ordering;
 
@@ -91,6 +91,9 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
 
 /// Two unit normals are one when they differ by less.
 const SAME_NORMAL: f64 = 1e-9;
+
+/// A row is redundant when it lies nearer than this to the cone of the others (unit rays).
+const REDUNDANT: f64 = 1e-9;
 
 /// The minimal description of an intersection.
 ///
@@ -185,78 +188,27 @@ fn tightest<const D: usize, O: Clone>(sets: &[&Polytope<D, O>], scale: &SVector<
 
 /// Drops every row that the others imply.
 ///
-/// About a strictly inner point c, row i becomes the polar point p_i = n_i / (e_i - n_i.c); it is redundant
-/// exactly when p_i lies in the convex hull of the other polar points and the origin (Ziegler, *Lectures on
-/// Polytopes*, section 2.3).
+/// About a point c of the set, rows read n.w <= s with slacks s >= 0. Row i is implied by the others exactly when
+/// n_i = sum l_j n_j and sum l_j s_j <= s_i for some l >= 0 (Farkas; Ziegler, *Lectures on Polytopes*, section
+/// 1.4), that is when (n_i, s_i) lies in the cone of the other (n_j, s_j) and (0, 1). A row at distance d from
+/// that cone would let a point w of the set past it by no more than d |(w, 1)|.
 fn irredundant<const D: usize, O: Clone>(
     rows: Vec<Facet<D, O>>,
     equalities: &[Equality<D>],
     inside: &SVector<f64, D>,
     scale: &SVector<f64, D>,
 ) -> Vec<Facet<D, O>> {
-    let Some(center) = strictly_inside(&rows, equalities, inside, scale) else {
-        return rows; // the set is thinner than rounding: every row may matter
+    let ray = |r: &Facet<D, O>| {
+        let length = r.normal.component_mul(scale).norm();
+        Ray::new(remainder(&r.normal, equalities, scale), r.slack(inside).max(0.0) / length)
     };
-    let polar: Vec<SVector<f64, D>> = rows
-        .iter()
-        .map(|r| {
-            let scaled = r.normal.component_mul(scale);
-            remainder(&r.normal, equalities, scale) * (scaled.norm() / r.slack(&center))
-        })
-        .collect();
+    let rays: Vec<Ray<D>> = rows.iter().map(ray).collect();
+    let up = Ray::new(SVector::zeros(), 1.0);
     let mut needed: Vec<bool> = vec![true; rows.len()];
     for i in 0..rows.len() {
-        let target = polar[i];
-        let candidates: Vec<_> = (0..rows.len()).filter(|&j| j != i && needed[j]).map(|j| polar[j] - target).collect();
-        let size = target.norm();
-        let distance = nearest_to_origin(
-            -target,
-            |v| {
-                candidates
-                    .iter()
-                    .copied()
-                    .chain(std::iter::once(-target))
-                    .min_by(|a, b| v.dot(a).total_cmp(&v.dot(b)))
-                    .unwrap_or(-target)
-            },
-            1e-9 * size,
-        )
-        .norm();
-        needed[i] = distance > 1e-8 * size;
+        let others = (0..rows.len()).filter(|&j| j != i && needed[j]).map(|j| rays[j]);
+        let cone: Vec<Ray<D>> = std::iter::once(up).chain(others).collect();
+        needed[i] = distance_to_cone(&rays[i], &cone, REDUNDANT) > REDUNDANT;
     }
     rows.into_iter().zip(needed).filter(|(_, n)| *n).map(|(r, _)| r).collect()
-}
-
-/// A point with positive slack in every row, found from `inside`, which may lie on some of them.
-fn strictly_inside<const D: usize, O: Clone>(
-    rows: &[Facet<D, O>],
-    equalities: &[Equality<D>],
-    inside: &SVector<f64, D>,
-    scale: &SVector<f64, D>,
-) -> Option<SVector<f64, D>> {
-    let slack = |r: &Facet<D, O>, at: &SVector<f64, D>| r.slack(at) / r.normal.component_mul(scale).norm();
-    let touching: Vec<SVector<f64, D>> = rows
-        .iter()
-        .filter(|r| slack(r, inside) < 1e-9)
-        .map(|r| remainder(&r.normal, equalities, scale).normalize())
-        .collect();
-    let Some(first) = touching.first() else { return Some(*inside) };
-    // The nearest point of the hull of the touching normals points out of all of them at once.
-    let out = nearest_to_origin(
-        *first,
-        |v| *touching.iter().min_by(|a, b| v.dot(a).total_cmp(&v.dot(b))).unwrap_or(first),
-        1e-9,
-    );
-    if out.norm() < 1e-9 {
-        return None;
-    }
-    let direction = -out.component_mul(scale);
-    let mut reach = f64::INFINITY;
-    for r in rows {
-        let rate = r.normal.dot(&direction);
-        if rate > 0.0 {
-            reach = reach.min(r.slack(inside).max(0.0) / rate);
-        }
-    }
-    (reach > 0.0 && reach.is_finite()).then(|| inside + direction * (reach / 2.0))
 }
