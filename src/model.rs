@@ -145,6 +145,13 @@ pub struct Mission {
     pub span: Span,
 }
 
+impl Mission {
+    /// Whether all waypoints ask for the same yaw, to rounding (1e-12 rad).
+    pub fn has_one_yaw(&self) -> bool {
+        self.waypoints.iter().all(|w| (w.yaw - self.waypoints[0].yaw).abs() < 1e-12)
+    }
+}
+
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waypoint {
     pub name: Option<String>,

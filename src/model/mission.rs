@@ -17,6 +17,15 @@ use crate::unit::Quantity;
 /// Waypoints of one mission.
 pub const MAX_WAYPOINTS: usize = 10_000;
 
+/// How far a coordinate may lie from the origin, m: further than any multirotor flies, and little enough for the
+/// tolerances of centimetres to survive rounding.
+const MAX_DISTANCE: f64 = 1e6;
+
+/// How long a mission may be, s: over a day.
+pub const MAX_DURATION: f64 = 100_000.0;
+
+const TOO_LONG: &str = "mavc::mission::too_long";
+
 /// What a waypoint takes where it says nothing itself.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Manner {
@@ -58,6 +67,7 @@ pub(super) struct Route {
     /// A statement had an error, so points may be missing.
     pub broken: bool,
     too_many: bool,
+    too_far: bool,
 }
 
 impl Route {
@@ -69,6 +79,16 @@ impl Route {
                 cx.report(error.here("the limit is passed here"));
             }
             (self.too_many, self.broken) = (true, true);
+            return;
+        }
+        if let Some(far) = stop.position.iter().find(|p| p.abs() > MAX_DISTANCE) {
+            if !self.too_far {
+                let message = "a waypoint lies more than 1000 km from the origin";
+                let error = Diagnostic::error("mavc::mission::too_far", stop.span, message);
+                let help = "put the origin where the mission begins: x east, y north, z up";
+                cx.report(error.here(format!("a coordinate of {} km", number(far / 1e3))).help(help));
+            }
+            (self.too_far, self.broken) = (true, true);
             return;
         }
         if !self.waypoints.is_empty() {
@@ -95,8 +115,14 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     let name = block.name.as_ref().map_or("mission", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, &[]);
-    let mut route =
-        Route { waypoints: Vec::new(), yaws: Vec::new(), curves: Vec::new(), broken: false, too_many: false };
+    let mut route = Route {
+        waypoints: Vec::new(),
+        yaws: Vec::new(),
+        curves: Vec::new(),
+        broken: false,
+        too_many: false,
+        too_far: false,
+    };
     let (mut start_at_rest, mut end_at_rest) = (true, true);
     let mut limit_block: Option<&Block> = None;
     let mut limits = Some(Vec::new());
@@ -286,8 +312,20 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
             said = Some((time, span));
         }
         free_at += waypoint.hold;
+        if fine && free_at > MAX_DURATION {
+            let held = waypoint.hold_span.filter(|_| waypoint.hold > 0.0);
+            let span = held.or(waypoint.time_span).unwrap_or(waypoint.span);
+            cx.report(too_long(span, free_at));
+            return false;
+        }
     }
     fine
+}
+
+/// The mission lasts `duration` seconds at least, which is more than [`MAX_DURATION`].
+pub(super) fn too_long(span: Span, duration: f64) -> Diagnostic {
+    Diagnostic::error(TOO_LONG, span, "a mission lasts at most 100,000 s, over a day")
+        .here(format!("it comes to {} s here", number(duration)))
 }
 
 /// Warns of waypoints that their successor makes idle, once a statement.

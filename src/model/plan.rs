@@ -6,7 +6,7 @@ use super::context::{Context, listed};
 use super::due::Due;
 use super::fields::Fields;
 use super::legs::Timing;
-use super::mission::Manner;
+use super::mission::{MAX_DURATION, Manner, too_long};
 use super::{DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
@@ -255,7 +255,12 @@ impl<'a> Draft<'a> {
             cx.report(error.here("neither").help("did you mean `minimum`?").fix(expr.span, "minimum"));
             return None;
         }
-        cx.positive(Due::new("time", "s"), expr, "mavc::plan::time").map(MissionTime::Fixed)
+        let time = cx.positive(Due::new("time", "s"), expr, "mavc::plan::time")?;
+        if time > MAX_DURATION {
+            cx.report(too_long(expr.span, time));
+            return None;
+        }
+        Some(MissionTime::Fixed(time))
     }
 
     fn reserve(&mut self, cx: &mut Context<'a>, expr: &'a Expr) -> Option<f64> {

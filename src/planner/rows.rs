@@ -34,6 +34,9 @@ const MOST_SPLINE_INTERVALS: usize = 300;
 /// After this many rounds every row is imposed.
 const MOST_ROUNDS: usize = 30;
 
+/// Bounds on inputs are widened by this factor where they prove something: rows hold to tolerances.
+const LEEWAY: f64 = 1.001;
+
 /// The share of [`Purpose::Overshoot`]'s objective that the inputs' cost may take at most, m.
 const COST_SHARE: f64 = 1e-3;
 
@@ -182,6 +185,9 @@ impl<'a> Engine<'a> {
             Err(Outcome::Inconclusive { status, .. }) => return Decision::Inconclusive(status),
             Err(Outcome::Solved(_)) => return Decision::Inconclusive("yaw".into()),
         };
+        if self.out_of_reach(&layout) {
+            return Decision::Infeasible;
+        }
         let before = pool.clone();
         let attempt = self.generate(&layout, set, Purpose::Plan { slack: FEASIBLE }, pool);
         if let Outcome::Solved(_) = &attempt.outcome {
@@ -282,6 +288,19 @@ impl<'a> Engine<'a> {
 
     /// The bound itself; where yaw was planned first, only a figure of the right size.
     fn cost_scale(&self, layout: &Layout) -> f64 {
+        let [snap, climb, turn] = self.largest_inputs();
+        let plan = &self.model.plan;
+        let inputs = plan.snap_weight * snap * snap + plan.acceleration_weight * (climb * climb + turn * turn);
+        let misses =
+            self.mission.waypoints.iter().map(|w| {
+                w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
+            });
+        inputs * layout.profile.total + misses.sum::<f64>()
+    }
+
+    /// Upper bounds on the inputs that the healthy set allows: |(x'''', y'''')| (m/s^4, with one yaw throughout),
+    /// |z''| (m/s^2) and |psi''| (rad/s^2).
+    fn largest_inputs(&self) -> [f64; 3] {
         let zonotope = &self.healthy.zonotope;
         let reach = |n: Wrench| zonotope.support(&n).abs().max(zonotope.support(&-n).abs());
         let extent = |axis: usize| reach(Wrench::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 }));
@@ -297,16 +316,29 @@ impl<'a> Engine<'a> {
                 reach(Wrench::new(0.0, roll * cos, pitch * sin, 0.0))
             })
             .fold(0.0, f64::max);
-        let tilting = widest / (slice / 2.0).cos();
+        let snap = widest / (slice / 2.0).cos();
         let climb = (extent(0) / vehicle.mass - self.model.gravity).abs().max(self.model.gravity);
         let turn = extent(3) / izz;
-        let plan = &self.model.plan;
-        let inputs = plan.snap_weight * tilting * tilting + plan.acceleration_weight * (climb * climb + turn * turn);
-        let misses =
-            self.mission.waypoints.iter().map(|w| {
-                w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
-            });
-        inputs * layout.profile.total + misses.sum::<f64>()
+        [snap, climb, turn]
+    }
+
+    /// Whether some waypoint lies further from the start than the largest inputs carry the vehicle from rest:
+    /// |x(t) - x(0)| <= t^4/4! max |x''''| and |z(t) - z(0)| <= t^2/2! max |z''|. Such short times are beyond the
+    /// solver, whose numbers then span too many decades.
+    fn out_of_reach(&self, layout: &Layout) -> bool {
+        if !self.mission.start_at_rest {
+            return false;
+        }
+        let [snap, climb, _] = self.largest_inputs().map(|u| LEEWAY * u);
+        let start = &self.mission.waypoints[0];
+        self.mission.waypoints.iter().zip(&layout.profile.waypoint_nodes).any(|(w, &node)| {
+            let t = layout.profile.node_times[node];
+            let apart: [f64; 3] = std::array::from_fn(|i| w.position[i] - start.position[i]);
+            let allowed = LEEWAY * (start.within + w.within + 2.0 * FEASIBLE);
+            let horizontally = matches!(layout.yaw, YawPlan::Free { .. })
+                && apart[0].hypot(apart[1]) - allowed > snap * t.powi(4) / 24.0;
+            horizontally || apart[2].abs() - allowed > climb * t.powi(2) / 2.0
+        })
     }
 
     /// Solves with facet rows added where they are passed by more than [`ACCEPTED`], until none is.

@@ -51,9 +51,8 @@ impl YawPlan {
 
 /// Plans yaw for one profile, or says what the solver said.
 pub fn plan_yaw(model: &Model, mission: &Mission, profile: &Profile, effort: &mut Effort) -> Result<YawPlan, Outcome> {
-    let first = mission.waypoints[0].yaw;
-    if mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12) {
-        return Ok(YawPlan::Free { psi: first });
+    if mission.has_one_yaw() {
+        return Ok(YawPlan::Free { psi: mission.waypoints[0].yaw });
     }
     let nothing = PlanningSet::default();
     let transcription = Transcription::new(model, mission, profile, &nothing, &[], &ALL_AXES[3..]);

@@ -20,13 +20,17 @@ fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
         [] => "no fault modes".to_string(),
         modes => format!("fault modes {}", modes.join(", ")),
     };
-    format!(
+    let mut out = format!(
         "Mission {} with {}\nagainst {against}; reserve {} of each set; {} samples\n",
         mission.name,
         vehicle_line(model),
         percent(model.plan.reserve),
         model.plan.samples
-    )
+    );
+    if !mission.has_one_yaw() {
+        out.push_str("Yaw changes: it was planned first, alone; what is infeasible is so for that yaw motion\n");
+    }
+    out
 }
 
 /// The report of `mavc plan`: the last run is the one written out.

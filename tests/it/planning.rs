@@ -247,3 +247,18 @@ fn a_flat_set_is_planned_on_its_plane() {
     let comparison = run(&model, Scope::Plan);
     assert!(solved(&comparison.runs[0]).time < 20.0);
 }
+
+#[test]
+fn times_out_of_all_reach_are_infeasible() {
+    let model = paper_case(PlannerKind::Rip, &[]);
+    let mission = model.mission.as_ref().unwrap();
+    let healthy = AdmissibleSet::healthy(&model);
+    let set = PlanningSet::of(&[&healthy], &healthy);
+    for exponent in -30..=1 {
+        for time in [1.0, 2.0, 5.0].map(|f| f * 10.0_f64.powi(exponent)).into_iter().filter(|t| *t < 15.5) {
+            let mut engine = Engine::new(&model, mission, &healthy);
+            let decision = engine.decide(time, model.plan.samples, &set, &mut Pool::default());
+            assert!(matches!(decision, Decision::Infeasible), "{time} s: {decision:?}");
+        }
+    }
+}
