@@ -354,3 +354,15 @@ fn the_readme_tells_the_truth() {
         assert_eq!(code(&ran), 0, "{}", out(&ran));
     }
 }
+
+#[test]
+fn yaw_planned_first_is_said() {
+    let dir = folder();
+    let plan = |spec: &str| {
+        let output = mavc(&["plan", spec, "-o", text(&dir.path().join("t.csv")), "--quiet"]);
+        assert_eq!(code(&output), 0);
+        out(&output).contains("Yaw changes: it was planned first")
+    };
+    assert!(plan("specs/missions/inspection.mav"));
+    assert!(!plan("specs/paper/case1.mav"));
+}
