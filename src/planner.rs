@@ -2,6 +2,7 @@
 
 pub mod compare;
 pub mod hover_model;
+mod limits;
 pub mod profile;
 pub mod rows;
 pub mod search;

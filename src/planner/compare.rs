@@ -39,7 +39,7 @@ pub struct Solved {
     pub trajectory: Trajectory,
     /// Value of (48).
     pub objective: f64,
-    /// Facet rows in the last program (of rows times nodes).
+    /// Rows in the last program (facets and limits, each at one node).
     pub rows: usize,
     /// Against every mode of the comparison, in their order.
     pub outside: Vec<Outside>,

@@ -1,12 +1,11 @@
-//! One program at one mission time, with facet rows added only where they are passed.
+//! One program at one mission time, with rows of sets and limits added only where they are passed.
 //!
-//! Few of a set's rows ever bind. A program that lacks rows is a relaxation: where it is infeasible, so is the
+//! Few rows ever bind. A program that lacks rows is a relaxation: where it is infeasible, so is the
 //! full one; where its solution passes no row, it solves the full one.
 
-use super::hover_model::WrenchMap;
 use super::profile::{Profile, profile};
 use super::select::{PlanningSet, SetRow};
-use super::transcribe::{FacetAt, NodeState, Purpose, Transcription, UNBOUNDED};
+use super::transcribe::{NodeState, Purpose, Row, RowAt, Transcription, UNBOUNDED};
 use super::yaw::{YawPlan, plan_yaw};
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
@@ -17,14 +16,14 @@ use std::collections::BTreeSet;
 /// A waypoint may be overshot by this much, m, and the plan still counts as feasible (yaw in proportion).
 pub const FEASIBLE: f64 = 1e-6;
 
-/// Rows are added until no other is passed by more than this share of the healthy set's width. (Those of the program
+/// Rows are added until no other is passed by more than this share of the healthy set's width (of a limit). (Those of the program
 /// itself hold to the solver's tolerance.)
 pub const ACCEPTED: f64 = 1e-7;
 
 /// Rows with more slack than this at a plan are not carried on to other mission times.
 const KEPT: f64 = 0.05;
 
-/// Up to this many facet rows a program is solved in spline coefficients, beyond in stage variables (measured).
+/// Up to this many rows a program is solved in spline coefficients, beyond in stage variables (measured).
 const FEW_ROWS: usize = 1_000;
 
 /// On finer grids than this the weights of fourth derivatives in spline coefficients span too many decades, and the
@@ -53,11 +52,11 @@ pub struct Layout {
     pub yaw: YawPlan,
 }
 
-/// Facet rows of one planning set found binding so far. They carry over to other mission times and grids, and to
+/// Rows of one planning set and of the mission's limits found binding so far. They carry over to other mission times and grids, and to
 /// sets that begin with the same rows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Pool {
-    rows: BTreeSet<FacetAt>,
+    rows: BTreeSet<RowAt>,
     nodes: usize,
 }
 
@@ -68,10 +67,10 @@ impl Pool {
             // A row stands for the stretch of mission about its node.
             let (from, to) = (self.nodes.max(2) - 1, nodes - 1);
             let nearest = |half_steps: usize| (half_steps * to + from) / (2 * from);
-            let stretch = |r: &FacetAt| {
-                let facet = r.facet;
+            let stretch = |r: &RowAt| {
+                let row = r.row;
                 let (first, last) = (nearest((2 * r.node).saturating_sub(1)), nearest(2 * r.node + 1).min(to));
-                (first..=last).map(move |node| FacetAt { facet, node })
+                (first..=last).map(move |node| RowAt { row, node })
             };
             self.rows = self.rows.iter().flat_map(stretch).collect();
             self.nodes = nodes;
@@ -80,12 +79,15 @@ impl Pool {
 }
 
 impl Pool {
-    /// The rows of another set with the same normals.
+    /// The rows of another set with the same normals, and all of limits.
     pub fn translated(&self, from: &PlanningSet, to: &PlanningSet) -> Pool {
         let same = |a: &SetRow, b: &SetRow| (a.normal - b.normal).amax() <= 1e-9 * a.normal.amax();
         let image: Vec<Option<usize>> =
             from.rows.iter().map(|a| to.rows.iter().position(|b| !b.equality && same(a, b))).collect();
-        let moved = |r: &FacetAt| Some(FacetAt { facet: image[r.facet]?, node: r.node });
+        let moved = |r: &RowAt| match r.row {
+            Row::Facet(facet) => Some(RowAt { row: Row::Facet(image[facet]?), ..*r }),
+            Row::Limit(_) => Some(*r),
+        };
         Pool { rows: self.rows.iter().filter_map(moved).collect(), nodes: self.nodes }
     }
 }
@@ -125,7 +127,7 @@ pub struct Planned {
     pub states: Vec<NodeState>,
     /// Value of (48).
     pub objective: f64,
-    /// Facet rows in the last program.
+    /// Rows in the last program (facets and limits, each at one node).
     pub rows: usize,
 }
 
@@ -263,7 +265,11 @@ impl<'a> Engine<'a> {
     /// Drops the rows that states keep well clear of.
     fn keep_near(&self, layout: &Layout, set: &PlanningSet, states: &[NodeState], sigma: f64, pool: &mut Pool) {
         let maps = layout.yaw.maps(self.model, layout.profile.nodes());
-        pool.rows.retain(|r| set.rows[r.facet].excess(&maps[r.node].at(&states[r.node])) > sigma - KEPT);
+        let stages = Transcription::new(self.model, self.mission, &layout.profile, set, &maps, layout.yaw.axes());
+        pool.rows.retain(|r| match r.row {
+            Row::Facet(facet) => set.rows[facet].excess(&maps[r.node].at(&states[r.node])) > sigma - KEPT,
+            Row::Limit(limit) => stages.limit_excess(&self.mission.limits[limit], states, r.node, sigma) > -KEPT,
+        });
     }
 
     /// Where the plan's program gives no verdict: minimise sigma + epsilon J, which always has a solution. With
@@ -341,7 +347,7 @@ impl<'a> Engine<'a> {
         })
     }
 
-    /// Solves with facet rows added where they are passed by more than [`ACCEPTED`], until none is.
+    /// Solves with rows added where they are passed by more than [`ACCEPTED`], until none is.
     fn generate(&mut self, layout: &Layout, set: &PlanningSet, purpose: Purpose, pool: &mut Pool) -> Attempt {
         self.generate_within(layout, set, purpose, pool, ACCEPTED)
     }
@@ -368,7 +374,7 @@ impl<'a> Engine<'a> {
         };
         let mut round = 0;
         loop {
-            let chosen: Vec<FacetAt> = pool.rows.iter().copied().collect();
+            let chosen: Vec<RowAt> = pool.rows.iter().copied().collect();
             let splined = chosen.len() <= FEW_ROWS && nodes <= MOST_SPLINE_INTERVALS + 1;
             let splined = splined && !matches!(purpose, Purpose::Overshoot { .. });
             let mut form = if splined { &splines } else { &stages };
@@ -392,42 +398,45 @@ impl<'a> Engine<'a> {
                 _ => return Attempt { outcome, states: Vec::new(), rows: chosen.len() },
             };
             let mut states = form.states(x);
-            let most_passed = match purpose {
+            let (sigma, accepted) = match purpose {
                 Purpose::Excess { least, .. } => {
                     let sigma = x.last().copied().unwrap_or(0.0);
                     let far = round >= 2 && sigma <= 0.99 * least;
-                    if far { f64::INFINITY } else { sigma + accepted.max(0.2 * sigma.abs()) }
+                    (sigma, if far { f64::INFINITY } else { accepted.max(0.2 * sigma.abs()) })
                 }
-                _ => accepted,
+                _ => (0.0, accepted),
             };
-            pool.rows.extend(passed(&states, &maps, set, most_passed));
+            pool.rows.extend(passed(&stages, &states, sigma, accepted));
             if pool.rows.len() == chosen.len() {
                 layout.yaw.fill(&mut states);
                 return Attempt { outcome, states, rows: chosen.len() };
             }
             round += 1;
             if round == MOST_ROUNDS {
-                let facets = (0..set.rows.len()).filter(|&f| !set.rows[f].equality);
-                pool.rows = facets.flat_map(|facet| (0..nodes).map(move |node| FacetAt { facet, node })).collect();
+                pool.rows = stages.every_row().into_iter().collect();
             }
         }
     }
 }
 
-/// At each node the row that the states pass furthest by more than `accepted`, there and at the neighbouring nodes.
-fn passed(states: &[NodeState], maps: &[WrenchMap], set: &PlanningSet, accepted: f64) -> Vec<FacetAt> {
-    let last = states.len() - 1;
+/// At each node the facet that the states pass furthest by more than `accepted`, and every limit passed by more, there
+/// and at the neighbouring nodes. All rows are taken as widened by `sigma`.
+fn passed(form: &Transcription, states: &[NodeState], sigma: f64, accepted: f64) -> Vec<RowAt> {
+    let (rows, last) = (&form.set.rows, states.len() - 1);
     let mut found = Vec::new();
-    for (node, (state, map)) in states.iter().zip(maps).enumerate() {
+    for (node, (state, map)) in states.iter().zip(form.maps).enumerate() {
         let wrench = map.at(state);
-        // The row passed furthest speaks for those beside it; the others get their turn if they still need one.
-        let worst = (0..set.rows.len())
-            .filter(|&f| !set.rows[f].equality)
-            .map(|f| (f, set.rows[f].excess(&wrench)))
+        // The facet passed furthest speaks for those beside it; the others get their turn if they still need one.
+        let worst = (0..rows.len())
+            .filter(|&f| !rows[f].equality)
+            .map(|f| (f, rows[f].excess(&wrench) - sigma))
             .max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((facet, _)) = worst.filter(|w| w.1 > accepted) {
+        let facet = worst.filter(|w| w.1 > accepted).map(|(f, _)| Row::Facet(f));
+        let limits = form.mission.limits.iter().enumerate();
+        let limits = limits.filter(|(_, l)| form.limit_excess(l, states, node, sigma) > accepted);
+        for row in facet.into_iter().chain(limits.map(|(i, _)| Row::Limit(i))) {
             let around = node.saturating_sub(1)..=(node + 1).min(last);
-            found.extend(around.map(|node| FacetAt { facet, node }));
+            found.extend(around.map(|node| RowAt { row, node }));
         }
     }
     found

@@ -10,7 +10,7 @@ use super::hover_model::{ORDER, WrenchMap, X, Y, YAW, Z};
 use super::profile::Profile;
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
-use crate::model::{Limit, LimitKind, Mission, Model};
+use crate::model::{Mission, Model};
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
 
@@ -31,14 +31,23 @@ pub enum Purpose {
     Excess { epsilon: f64, least: f64 },
 }
 
-/// One facet row at one node.
+/// A row that a program may do without: an inequality of the set or a limit, at one node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct FacetAt {
-    pub facet: usize,
+pub struct RowAt {
+    pub row: Row,
     pub node: usize,
 }
 
-/// All that a program is made of but the choice of facet rows.
+/// Which row; see [`RowAt`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Row {
+    /// Of the planning set, by place.
+    Facet(usize),
+    /// Of the mission, by place.
+    Limit(usize),
+}
+
+/// All that a program is made of but the choice of rows.
 pub struct Transcription<'a> {
     pub model: &'a Model,
     pub mission: &'a Mission,
@@ -104,7 +113,7 @@ impl<'a> Transcription<'a> {
     }
 
     /// The derivative in SI units as an expression.
-    fn derivative(&self, node: usize, axis: usize, order: usize) -> Affine {
+    pub(super) fn derivative(&self, node: usize, axis: usize, order: usize) -> Affine {
         match &self.form {
             Form::Stages => Affine::term(self.var(node, axis, order), self.tau().powi(-(order as i32))),
             Form::Splines(splines) => {
@@ -116,7 +125,7 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    fn plans(&self, axis: usize) -> bool {
+    pub(super) fn plans(&self, axis: usize) -> bool {
         self.axes.contains(&axis)
     }
 
@@ -133,16 +142,20 @@ impl<'a> Transcription<'a> {
         sum
     }
 
-    /// The program with every facet row.
-    pub fn full_program(&self, purpose: Purpose) -> QuadraticProgram {
-        let facets = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality);
-        let all: Vec<FacetAt> =
-            facets.flat_map(|facet| (0..self.nodes()).map(move |node| FacetAt { facet, node })).collect();
-        self.program(purpose, &all)
+    /// Every row that a program may do without.
+    pub fn every_row(&self) -> Vec<RowAt> {
+        let facets = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality).map(Row::Facet);
+        let rows = facets.chain((0..self.mission.limits.len()).map(Row::Limit));
+        rows.flat_map(|row| (0..self.nodes()).map(move |node| RowAt { row, node })).collect()
     }
 
-    /// The program with facet rows only at `chosen`; equality rows of the set always stand.
-    pub fn program(&self, purpose: Purpose, chosen: &[FacetAt]) -> QuadraticProgram {
+    /// The program with every row.
+    pub fn full_program(&self, purpose: Purpose) -> QuadraticProgram {
+        self.program(purpose, &self.every_row())
+    }
+
+    /// The program with facets and limits only as `chosen`; equality rows of the set always stand.
+    pub fn program(&self, purpose: Purpose, chosen: &[RowAt]) -> QuadraticProgram {
         let sigma = self.variables();
         let extra = usize::from(!matches!(purpose, Purpose::Plan { .. }));
         let widening = match purpose {
@@ -158,14 +171,16 @@ impl<'a> Transcription<'a> {
                 builder.zero(expression, RowOrigin::Facet { facet, node });
             }
         }
-        for &FacetAt { facet, node } in chosen {
-            let row = &self.set.rows[facet];
-            let mut expression = self.along(node, &row.normal).plus_constant(-row.offset).times(-1.0);
-            expression.add(&widening, 1.0);
-            builder.nonnegative(expression, RowOrigin::Facet { facet, node });
-        }
-        for (index, limit) in self.mission.limits.iter().enumerate() {
-            self.limit(&mut builder, index, limit, &widening);
+        for &RowAt { row, node } in chosen {
+            match row {
+                Row::Facet(facet) => {
+                    let row = &self.set.rows[facet];
+                    let mut expression = self.along(node, &row.normal).plus_constant(-row.offset).times(-1.0);
+                    expression.add(&widening, 1.0);
+                    builder.nonnegative(expression, RowOrigin::Facet { facet, node });
+                }
+                Row::Limit(limit) => self.limit(&mut builder, limit, node, &widening),
+            }
         }
         match purpose {
             Purpose::Excess { epsilon, least } => {
@@ -293,91 +308,6 @@ impl<'a> Transcription<'a> {
                 let miss = self.derivative(node, axis, 0).plus_constant(-targets[axis]);
                 builder.inner_product(&miss, &miss, factor * w.weight);
             }
-        }
-    }
-
-    fn limit(&self, builder: &mut Builder, index: usize, limit: &Limit, widening: &Affine) {
-        for node in 0..self.nodes() {
-            let origin = RowOrigin::Limit { limit: index, node };
-            let mut interval = |axis: usize, order: usize, sign: f64| {
-                if !self.plans(axis) {
-                    return;
-                }
-                let value = self.derivative(node, axis, order).times(sign);
-                let widened =
-                    |bound: f64| if order > 0 { widening.clone().times(bound.abs()) } else { Affine::default() };
-                if let Some(upper) = limit.upper {
-                    let mut row = value.clone().times(-1.0).plus_constant(upper);
-                    row.add(&widened(upper), 1.0);
-                    builder.nonnegative(row, origin);
-                }
-                if let Some(lower) = limit.lower {
-                    let mut row = value.plus_constant(-lower);
-                    row.add(&widened(lower), 1.0);
-                    builder.nonnegative(row, origin);
-                }
-            };
-            match limit.kind {
-                LimitKind::X => interval(X, 0, 1.0),
-                LimitKind::Y => interval(Y, 0, 1.0),
-                LimitKind::Z => interval(Z, 0, 1.0),
-                LimitKind::Yaw => interval(YAW, 0, 1.0),
-                LimitKind::YawRate => interval(YAW, 1, 1.0),
-                LimitKind::YawAcceleration => interval(YAW, 2, 1.0),
-                LimitKind::Climb => interval(Z, 1, 1.0),
-                LimitKind::Descent => interval(Z, 1, -1.0),
-                _ => {
-                    if let (true, Some(upper)) = (self.plans(X), limit.upper) {
-                        self.norm_limit(builder, limit.kind, upper, widening, node, origin);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Bounds on a norm, as second-order cones.
-    fn norm_limit(
-        &self,
-        builder: &mut Builder,
-        kind: LimitKind,
-        upper: f64,
-        widening: &Affine,
-        node: usize,
-        origin: RowOrigin,
-    ) {
-        let mut most = Affine::constant(upper);
-        most.add(widening, upper);
-        let mut bound = |reach: Affine, axes: &[usize], order: usize| {
-            let parts = axes.iter().map(|&a| self.derivative(node, a, order));
-            builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
-        };
-        match kind {
-            LimitKind::Speed => bound(most, &[X, Y, Z], 1),
-            LimitKind::SpeedHorizontal => bound(most, &[X, Y], 1),
-            LimitKind::Acceleration => bound(most, &[X, Y, Z], 2),
-            LimitKind::AccelerationHorizontal => bound(most, &[X, Y], 2),
-            // The thrust points along (x'', y'', z'' + g): tan(tilt) = |(x'', y'')| / (g + z'').
-            LimitKind::Tilt => {
-                let mut reach = self.derivative(node, Z, 2).plus_constant(self.model.gravity).times(upper.tan());
-                reach.add(widening, self.model.gravity * upper.tan());
-                bound(reach, &[X, Y], 2);
-            }
-            LimitKind::Jerk => {
-                // z''' is constant over an interval: both ends of each are bounded.
-                let mut steps = self.profile.steps().enumerate().skip(node.saturating_sub(1)).take(2);
-                while let Some((interval, step)) = steps.next().filter(|(i, _)| *i <= node) {
-                    let mut slope = self.derivative(interval + 1, Z, 2);
-                    slope.add(&self.derivative(interval, Z, 2), -1.0);
-                    let cone = vec![
-                        most.clone(),
-                        self.derivative(node, X, 3),
-                        self.derivative(node, Y, 3),
-                        slope.times(1.0 / step),
-                    ];
-                    builder.cone(cone, origin);
-                }
-            }
-            _ => {}
         }
     }
 

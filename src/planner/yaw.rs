@@ -56,7 +56,7 @@ pub fn plan_yaw(model: &Model, mission: &Mission, profile: &Profile, effort: &mu
     }
     let nothing = PlanningSet::default();
     let transcription = Transcription::new(model, mission, profile, &nothing, &[], &ALL_AXES[3..]);
-    let (outcome, spent) = solve(&transcription.program(Purpose::Plan { slack: 0.0 }, &[]));
+    let (outcome, spent) = solve(&transcription.full_program(Purpose::Plan { slack: 0.0 }));
     *effort += spent;
     let Outcome::Solved(solution) = outcome else { return Err(outcome) };
     let states = transcription.states(&solution.x);

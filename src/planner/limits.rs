@@ -1,0 +1,130 @@
+//! A mission's limits as rows: linear for one axis, second-order cones for norms.
+
+use super::hover_model::{X, Y, YAW, Z};
+use super::transcribe::{NodeState, Transcription};
+use crate::model::{Limit, LimitKind};
+use crate::qp::RowOrigin;
+use crate::qp::build::{Affine, Builder};
+
+/// What a limit bounds: `sign` times one derivative of one axis, or the norm of some.
+enum Bounded {
+    Axis {
+        axis: usize,
+        order: usize,
+        sign: f64,
+    },
+    Norm {
+        axes: &'static [usize],
+        order: usize,
+    },
+    /// tan(tilt) = |(x'', y'')| / (g + z''): the thrust points along (x'', y'', g + z'').
+    Tilt,
+    /// |(x''', y''', z''')|, where z''' is constant over an interval.
+    Jerk,
+}
+
+fn bounded(kind: LimitKind) -> Bounded {
+    let axis = |axis, order, sign| Bounded::Axis { axis, order, sign };
+    let norm = |axes, order| Bounded::Norm { axes, order };
+    match kind {
+        LimitKind::X => axis(X, 0, 1.0),
+        LimitKind::Y => axis(Y, 0, 1.0),
+        LimitKind::Z => axis(Z, 0, 1.0),
+        LimitKind::Yaw => axis(YAW, 0, 1.0),
+        LimitKind::YawRate => axis(YAW, 1, 1.0),
+        LimitKind::YawAcceleration => axis(YAW, 2, 1.0),
+        LimitKind::Climb => axis(Z, 1, 1.0),
+        LimitKind::Descent => axis(Z, 1, -1.0),
+        LimitKind::Speed => norm(&[X, Y, Z], 1),
+        LimitKind::SpeedHorizontal => norm(&[X, Y], 1),
+        LimitKind::Acceleration => norm(&[X, Y, Z], 2),
+        LimitKind::AccelerationHorizontal => norm(&[X, Y], 2),
+        LimitKind::Tilt => Bounded::Tilt,
+        LimitKind::Jerk => Bounded::Jerk,
+    }
+}
+
+/// How much wider a bound becomes per unit of sigma: itself, but positions stand.
+fn widens(order: usize, bound: f64) -> f64 {
+    if order > 0 { bound.abs() } else { 0.0 }
+}
+
+impl Transcription<'_> {
+    /// Adds one limit's rows at one node; `widening` is the share by which they are wider.
+    pub(super) fn limit(&self, builder: &mut Builder, index: usize, node: usize, widening: &Affine) {
+        let limit = &self.mission.limits[index];
+        let origin = RowOrigin::Limit { limit: index, node };
+        let parts = |axes: &[usize], order: usize| -> Vec<Affine> {
+            axes.iter().map(|&a| self.derivative(node, a, order)).collect()
+        };
+        let mut cone = |reach: Affine, parts: Vec<Affine>| {
+            builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
+        };
+        let most = |upper: f64| {
+            let mut most = Affine::constant(upper);
+            most.add(widening, upper);
+            most
+        };
+        match (bounded(limit.kind), limit.upper) {
+            (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
+                let value = self.derivative(node, axis, order).times(sign);
+                for (bound, side) in [(limit.upper, -1.0), (limit.lower, 1.0)] {
+                    let Some(bound) = bound else { continue };
+                    let mut row = value.clone().times(side).plus_constant(-side * bound);
+                    row.add(widening, widens(order, bound));
+                    builder.nonnegative(row, origin);
+                }
+            }
+            (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => cone(most(upper), parts(axes, order)),
+            (Bounded::Tilt, Some(upper)) if self.plans(X) => {
+                let mut reach = self.derivative(node, Z, 2).plus_constant(self.model.gravity).times(upper.tan());
+                reach.add(widening, self.model.gravity * upper.tan());
+                cone(reach, parts(&[X, Y], 2));
+            }
+            (Bounded::Jerk, Some(upper)) if self.plans(X) => {
+                for (interval, step) in self.intervals_beside(node) {
+                    let mut slope = self.derivative(interval + 1, Z, 2);
+                    slope.add(&self.derivative(interval, Z, 2), -1.0);
+                    let mut parts = parts(&[X, Y], 3);
+                    parts.push(slope.times(1.0 / step));
+                    cone(most(upper), parts);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// How far states pass a limit at a node when it is widened by `sigma`, as a share of the limit (m or rad for
+    /// positions and yaw); negative inside.
+    pub(super) fn limit_excess(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
+        let state = &states[node];
+        let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
+        let share = |excess: f64, scale: f64| if scale > 0.0 { excess / scale - sigma } else { excess };
+        match (bounded(limit.kind), limit.upper) {
+            (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
+                let value = sign * state[axis][order];
+                let over = limit.upper.map(|upper| share(value - upper, widens(order, upper)));
+                let under = limit.lower.map(|lower| share(lower - value, widens(order, lower)));
+                over.into_iter().chain(under).fold(f64::NEG_INFINITY, f64::max)
+            }
+            (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => share(length(axes, order) - upper, upper),
+            (Bounded::Tilt, Some(upper)) if self.plans(X) => {
+                let (g, tan) = (self.model.gravity, upper.tan());
+                share(length(&[X, Y], 2) - tan * (g + state[Z][2]), g * tan)
+            }
+            (Bounded::Jerk, Some(upper)) if self.plans(X) => {
+                let slope =
+                    |(interval, step): (usize, f64)| (states[interval + 1][Z][2] - states[interval][Z][2]) / step;
+                let steepest = self.intervals_beside(node).map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
+                share(length(&[X, Y], 3).hypot(steepest) - upper, upper)
+            }
+            _ => f64::NEG_INFINITY,
+        }
+    }
+
+    /// The intervals that begin or end at a node, with their steps (s).
+    fn intervals_beside(&self, node: usize) -> impl Iterator<Item = (usize, f64)> {
+        let first = node.saturating_sub(1);
+        self.profile.steps().enumerate().skip(first).take_while(move |(interval, _)| *interval <= node)
+    }
+}
