@@ -146,6 +146,20 @@ pub struct Mission {
 }
 
 impl Mission {
+    /// Intervals that leg `leg` needs for a motion near the best: from rest and to rest are four derivatives each to
+    /// meet, and with fewer than five intervals a leg from rest to rest has no choice left, or no motion at all.
+    pub fn least_intervals(&self, leg: usize) -> usize {
+        let last = self.waypoints.len() - 1;
+        let rests = |at: usize| self.waypoints[at].hold > 0.0;
+        let from = rests(leg) || leg == 0 && self.start_at_rest;
+        let to = rests(leg + 1) || leg + 1 == last && self.end_at_rest;
+        match (from, to) {
+            (true, true) => 10,
+            (true, false) | (false, true) => 5,
+            (false, false) => 1,
+        }
+    }
+
     /// Whether all waypoints ask for the same yaw, to rounding (1e-12 rad).
     pub fn has_one_yaw(&self) -> bool {
         self.waypoints.iter().all(|w| (w.yaw - self.waypoints[0].yaw).abs() < 1e-12)

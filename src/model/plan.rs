@@ -287,6 +287,15 @@ fn check_samples(cx: &mut Context, samples: usize, span: Span, mission: &Mission
         cx.report(
             error.also(mission.span, "this mission").help(format!("write `samples = {}` or more", least.max(200))),
         );
+        return;
+    }
+    let needed = holds + (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>();
+    if samples < needed {
+        let message = format!("{samples} samples are few for a mission with {} legs", mission.legs.len());
+        let warning = Diagnostic::warning("mavc::plan::few_samples", span, message).here("few");
+        cx.report(warning.also(mission.span, "this mission").help(format!(
+            "write `samples = {needed}` or more, so that legs from rest to rest get ten and others beside a rest five"
+        )));
     }
 }
 

@@ -68,7 +68,8 @@ pub fn earliest(mission: &Mission) -> f64 {
     at
 }
 
-/// Lays out the mission over `total` seconds with `samples` intervals (at least one a segment).
+/// Lays out the mission over `total` seconds with `samples` intervals: one for each hold, at least one for each leg
+/// ([`Mission::least_intervals`] where there are enough).
 ///
 /// Between fixed times, what holds leave is shared among the legs in proportion to [`crate::model::Leg::share`].
 /// `None` where some leg would get no time.
@@ -83,7 +84,7 @@ pub fn profile(mission: &Mission, total: f64, samples: usize) -> Option<Profile>
             segments.push(Segment { from: i, hold: false, first_node: 0, intervals: 1, duration });
         }
     }
-    share_intervals(&mut segments, samples);
+    share_intervals(mission, &mut segments, samples);
     let mut node_times = vec![0.0];
     let mut waypoint_nodes = vec![0];
     let mut begin = 0.0;
@@ -130,32 +131,41 @@ fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
     Some(durations)
 }
 
-/// Whole numbers of intervals in proportion to duration, at least one each (largest remainders).
-fn share_intervals(segments: &mut [Segment], samples: usize) {
-    let total: f64 = segments.iter().map(|s| s.duration).sum();
-    let samples = samples.max(segments.len());
-    let ideal: Vec<f64> = segments.iter().map(|s| s.duration / total * samples as f64).collect();
-    for (s, i) in segments.iter_mut().zip(&ideal) {
-        s.intervals = ((i + 1e-9).floor() as usize).max(1);
+/// One interval for each hold, where nothing changes; legs share the others.
+fn share_intervals(mission: &Mission, segments: &mut [Segment], samples: usize) {
+    let (holds, mut legs): (Vec<_>, Vec<_>) = segments.iter_mut().partition(|s| s.hold);
+    let left = samples.saturating_sub(holds.len()).max(legs.len());
+    let durations: Vec<f64> = legs.iter().map(|l| l.duration).collect();
+    let needs: Vec<usize> = legs.iter().map(|l| mission.least_intervals(l.from)).collect();
+    for (leg, intervals) in legs.iter_mut().zip(shared(&durations, needs, left)) {
+        leg.intervals = intervals;
     }
-    let mut used: usize = segments.iter().map(|s| s.intervals).sum();
-    // Hand out what is left where most is missing; take back where most is too much.
-    while used != samples {
-        let lack = |i: usize| ideal[i] - segments[i].intervals as f64;
-        let chosen = if used < samples {
-            (0..segments.len())
-                .rev()
-                .max_by(|&a, &b| (lack(a) - 1e-9 * a as f64).total_cmp(&(lack(b) - 1e-9 * b as f64)))
-        } else {
-            (0..segments.len()).filter(|&i| segments[i].intervals > 1).min_by(|&a, &b| lack(a).total_cmp(&lack(b)))
-        };
-        let Some(i) = chosen else { break };
-        if used < samples {
-            segments[i].intervals += 1;
-            used += 1;
-        } else {
-            segments[i].intervals -= 1;
-            used -= 1;
+}
+
+/// Whole numbers that sum to `left`, in proportion to durations (largest remainders), but none below what its leg
+/// needs; where there are too few for that, none below one.
+fn shared(durations: &[f64], mut needs: Vec<usize>, left: usize) -> Vec<usize> {
+    if needs.iter().sum::<usize>() > left {
+        needs.fill(1);
+    }
+    let mut intervals = needs.clone();
+    let mut free: Vec<usize> = (0..durations.len()).collect();
+    let mut spare = left;
+    loop {
+        let total: f64 = free.iter().map(|&i| durations[i]).sum();
+        let ideal = |i: usize| durations[i] / total * spare as f64;
+        let (more, enough): (Vec<usize>, Vec<usize>) = free.iter().partition(|&&i| ideal(i) >= needs[i] as f64);
+        if enough.is_empty() {
+            more.iter().for_each(|&i| intervals[i] = (ideal(i) + 1e-9).floor() as usize);
+            let used: usize = more.iter().map(|&i| intervals[i]).sum();
+            let remainder = |i: usize| ideal(i) - intervals[i] as f64;
+            let mut order = more.clone();
+            order.sort_by(|&a, &b| remainder(b).total_cmp(&remainder(a)));
+            order.iter().take(spare - used).for_each(|&i| intervals[i] += 1);
+            return intervals;
         }
+        // These take what they need; what that costs the others may leave some of them short, too.
+        spare -= enough.iter().map(|&i| needs[i]).sum::<usize>();
+        free = more;
     }
 }

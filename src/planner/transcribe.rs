@@ -2,7 +2,7 @@
 //!
 //! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input
 //! (4 for x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is
-//! exact. A derivative of order i is stored times tau^i, tau four mean steps, which brings all variables to like
+//! exact. A derivative of order i is stored times tau^i, tau four mean steps of legs, which brings all variables to like
 //! size. With splines the states are eliminated: fewer variables and no joining rows, but each row couples more of
 //! them.
 
@@ -102,9 +102,11 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    /// Unit of time of the scaled variables, s.
+    /// Unit of time of the scaled variables, s: steps of legs, for in holds nothing changes.
     fn tau(&self) -> f64 {
-        self.profile.total / self.profile.intervals() as f64 * TAU_STEPS
+        let legs = self.profile.segments.iter().filter(|s| !s.hold);
+        let (time, intervals) = legs.fold((0.0, 0), |(t, n), s| (t + s.duration, n + s.intervals));
+        time / intervals as f64 * TAU_STEPS
     }
 
     fn var(&self, node: usize, axis: usize, order: usize) -> usize {

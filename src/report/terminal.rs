@@ -51,20 +51,24 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison) -> String
         out.push('\n');
         match &run.ending {
             Ending::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved)),
-            ending => out.push_str(&format!("{}: {}\n", label(run.planner, &run.against), no_plan(run, ending))),
+            ending => {
+                out.push_str(&format!("{}: {}\n", label(run.planner, &run.against), no_plan(model, run, ending)));
+            }
         }
     }
     out
 }
 
-/// Why a run ended without a plan.
-pub fn no_plan(run: &PlannerRun, ending: &Ending) -> String {
+/// Why a run ended without a plan. What is proved is proved of motions with the spec's samples.
+pub fn no_plan(model: &Model, run: &PlannerRun, ending: &Ending) -> String {
+    let samples = model.plan.samples;
     match (ending, run.run) {
-        (Ending::Infeasible { at }, Run::Common) => {
-            format!("no plan meets every waypoint within its tolerance in {} s (proved)", number(*at))
-        }
+        (Ending::Infeasible { at }, Run::Common) => format!(
+            "no plan with {samples} samples meets every waypoint within its tolerance in {} s (proved)",
+            number(*at)
+        ),
         (Ending::Infeasible { at }, Run::Own) => {
-            format!("no plan at any time tried, up to {} s (each proved)", number(*at))
+            format!("no plan with {samples} samples at any time tried, up to {} s (each proved)", number(*at))
         }
         (Ending::Inconclusive { at, status }, _) => {
             format!("the solver gave no verdict at {} s ({status})", number(*at))
@@ -77,7 +81,11 @@ fn solved_run(model: &Model, mission: &Mission, comparison: &Comparison, run: &P
     let e = errors(mission, solved);
     let mut out = format!("{}: {} s", label(run.planner, &run.against), number(solved.time));
     match (run.run, solved.infeasible_at) {
-        (Run::Own, Some(t)) => out.push_str(&format!(", the shortest time ({} s is infeasible)\n", number(t))),
+        (Run::Own, Some(t)) => out.push_str(&format!(
+            ", the shortest time with {} samples ({} s is infeasible)\n",
+            model.plan.samples,
+            number(t)
+        )),
         (Run::Own, None) => out.push_str(", the only time that the mission's fixed times allow\n"),
         (Run::Common, _) => out.push('\n'),
     }

@@ -183,7 +183,7 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     let args = ["plan", "-", "-o", text(&table), "--report", text(&report), "--set", "plan.time=0.7s"];
     let ran = mavc_with(&args, HOP);
     assert_eq!(code(&ran), 3, "{}{}", out(&ran), err(&ran));
-    assert!(out(&ran).contains("no plan meets every waypoint"), "{}", out(&ran));
+    assert!(out(&ran).contains("no plan with 40 samples meets every waypoint"), "{}", out(&ran));
     assert!(!table.exists() && report.exists());
 }
 

@@ -290,11 +290,24 @@ proptest! {
         for (k, step) in p.steps().enumerate() {
             prop_assert!((p.node_times[k + 1] - p.node_times[k] - step).abs() < 1e-9 * total.max(1.0));
         }
-        // Nobody has more than one interval above or, but for the one due to all, below a fair share.
-        let crowded = p.segments.iter().any(|s| s.duration / total * (samples as f64) < 1.0);
-        for s in &p.segments {
-            let fair = s.duration / total * intervals as f64;
-            prop_assert!(crowded || (s.intervals as f64 - fair).abs() < 1.0 + 1e-6, "{} for {fair}", s.intervals);
+        // A hold takes one interval; legs get a fair share of the others, unless they need more.
+        prop_assert!(p.segments.iter().all(|s| !s.hold || s.intervals == 1));
+        let legs: Vec<_> = p.segments.iter().filter(|s| !s.hold).collect();
+        let need = |from: usize| mission.least_intervals(from);
+        let enough = legs.iter().map(|s| need(s.from)).sum::<usize>() + holds <= samples;
+        let least = |from: usize| if enough { need(from) } else { 1 };
+        let above: Vec<_> = legs.iter().filter(|s| s.intervals > least(s.from)).collect();
+        for s in &legs {
+            prop_assert!(s.intervals >= least(s.from));
+            for longer in above.iter().filter(|l| l.duration <= s.duration) {
+                prop_assert!(s.intervals + 1 >= longer.intervals.min(s.intervals + 2), "the longer leg has fewer");
+            }
+        }
+        let time: f64 = above.iter().map(|s| s.duration).sum();
+        let shared: usize = above.iter().map(|s| s.intervals).sum();
+        for s in &above {
+            let fair = s.duration / time * shared as f64;
+            prop_assert!((s.intervals as f64 - fair).abs() < 1.0 + 1e-6 * fair, "{} for {fair}", s.intervals);
         }
         prop_assert_eq!(p.waypoint_nodes.len(), points.len());
         let arrival = |i: usize| p.node_times[p.waypoint_nodes[i]];
