@@ -9,6 +9,7 @@ mod new;
 mod plan;
 mod progress;
 mod spec;
+mod target;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -56,7 +57,7 @@ enum Command {
     Emit(EmitArgs),
     /// Write a commented spec that plans as it stands
     New {
-        /// The file to write; it must not exist
+        /// The file to write, which must not exist, or `-` for standard output
         file: PathBuf,
     },
     /// Explain a diagnostic's code
@@ -125,8 +126,8 @@ pub(crate) struct PlanArgs {
     spec: SpecArgs,
     /// Where the trajectory goes (CSV); `-` for standard output
     #[arg(short, long, value_name = "TRAJ.CSV")]
-    output: Option<String>,
-    /// Where the report goes (JSON)
+    output: Option<PathBuf>,
+    /// Where the report goes (JSON); `-` for standard output, without the one for people
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
     /// Resample the trajectory, such as 100Hz; waypoints keep their rows
@@ -138,7 +139,7 @@ pub(crate) struct PlanArgs {
 pub(crate) struct CompareArgs {
     #[command(flatten)]
     spec: SpecArgs,
-    /// Where the report goes (JSON)
+    /// Where the report goes (JSON); `-` for standard output, without the one for people
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
 }
@@ -188,8 +189,11 @@ pub fn run() -> u8 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(e) => {
-            let _ = e.print();
-            return if e.use_stderr() { USAGE } else { FINE };
+            return match files::told(e.print()) {
+                Ok(()) if !e.use_stderr() => FINE,
+                Err(problem) if !e.use_stderr() => usage(&problem),
+                _ => USAGE,
+            };
         }
     };
     let options = Options { quiet: cli.quiet, timings: cli.timings };
@@ -202,10 +206,12 @@ pub fn run() -> u8 {
         Command::New { file } => new::run(file, &options),
         Command::Explain { code } => explain::run(code.as_deref()),
     };
-    result.unwrap_or_else(|problem| {
-        anstream::eprintln!("mavc: {problem}");
-        USAGE
-    })
+    result.unwrap_or_else(|problem| usage(&problem))
+}
+
+fn usage(problem: &Problem) -> u8 {
+    files::tell(&format!("mavc: {problem}\n"));
+    USAGE
 }
 
 /// A problem with usage or files, told on one line.

@@ -43,11 +43,11 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
                 flips: flips.as_ref().map(|f| f.flips.as_slice()),
             };
             let text = serde_json::to_string(&record).map_err(|e| e.to_string())?;
-            files::print(&(text + "\n"));
+            files::print(&(text + "\n"))?;
         }
         Format::Human => match &flips {
-            None => files::print(&terminal::analysis(model, &modes)),
-            Some(f) => files::print(&f.to_text(model)),
+            None => files::print(&terminal::analysis(model, &modes))?,
+            Some(f) => files::print(&f.to_text(model))?,
         },
     }
     Ok(FINE)

@@ -89,8 +89,7 @@ impl Loaded {
         if options.quiet {
             self.diagnostics.retain(|d| d.severity == Severity::Error);
         }
-        let text = self.human(colored(&std::io::stderr()));
-        eprint!("{text}");
+        files::tell(&self.human(colored(&std::io::stderr())));
     }
 }
 
@@ -101,6 +100,6 @@ pub fn colored(stream: &impl IsTerminal) -> bool {
 
 pub fn timing(options: &Options, stage: &str, begin: Instant) {
     if options.timings {
-        eprintln!("{stage:<10} {:>9.2} ms", begin.elapsed().as_secs_f64() * 1e3);
+        files::tell(&format!("{stage:<10} {:>9.2} ms\n", begin.elapsed().as_secs_f64() * 1e3));
     }
 }
