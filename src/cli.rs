@@ -9,8 +9,10 @@ mod new;
 mod plan;
 mod progress;
 mod spec;
+mod sweep;
 mod target;
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -115,7 +117,7 @@ pub(crate) struct AnalyzeArgs {
     spec: SpecArgs,
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
-    /// Vary a field and print where verdicts flip: mass=1.5..2.5kg
+    /// Vary a field of the vehicle, gravity or a `let` and print where verdicts flip: mass=1.5..2.5kg
     #[arg(long, value_name = "FIELD=LOW..HIGH")]
     sweep: Option<String>,
 }
@@ -188,7 +190,8 @@ pub(crate) struct Options {
 pub fn run() -> u8 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(e) => {
+        Err(mut e) => {
+            without_escape(&mut e);
             return match files::told(e.print()) {
                 Ok(()) if !e.use_stderr() => FINE,
                 Err(problem) if !e.use_stderr() => usage(&problem),
@@ -207,6 +210,16 @@ pub fn run() -> u8 {
         Command::Explain { code } => explain::run(code.as_deref()),
     };
     result.unwrap_or_else(|problem| usage(&problem))
+}
+
+/// Takes out the tip to pass an unknown option as a value, after `--`: no argument of mavc looks like an option.
+fn without_escape(error: &mut clap::Error) {
+    if let Some(ContextValue::StyledStrs(mut tips)) = error.remove(ContextKind::Suggested) {
+        tips.retain(|tip| !tip.to_string().contains(" as a value, use "));
+        if !tips.is_empty() {
+            error.insert(ContextKind::Suggested, ContextValue::StyledStrs(tips));
+        }
+    }
 }
 
 fn usage(problem: &Problem) -> u8 {

@@ -20,15 +20,10 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
     if args.stage != Stage::Qp && args.format != EmitFormat::Text {
         return Err("--format json and mps are for the stage qp".into());
     }
-    let mut loaded = spec::read(&args.spec, options)?;
     if args.stage == Stage::Ast {
-        loaded.tell(options);
-        for file in &loaded.files.files {
-            let name = &loaded.files.sources.get(file.file).name;
-            files::print(&format!("// {name}\n{file}"))?;
-        }
-        return Ok(if loaded.has_errors() { SPEC_ERRORS } else { FINE });
+        return ast(args, options);
     }
+    let mut loaded = spec::read(&args.spec, options)?;
     let Some(model) = loaded.model.clone() else {
         loaded.tell(options);
         return Ok(SPEC_ERRORS);
@@ -44,6 +39,21 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
         Stage::Constraints | Stage::Qp => return planned(args, &mut loaded, &model, options),
     }
     loaded.tell(options);
+    Ok(FINE)
+}
+
+/// The stage that needs no meaning, only syntax.
+fn ast(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
+    let (mut loaded, _) = spec::parse(&args.spec, options)?;
+    sort(&mut loaded.diagnostics);
+    loaded.tell(options);
+    if loaded.has_errors() {
+        return Ok(SPEC_ERRORS);
+    }
+    for file in &loaded.files.files {
+        let name = &loaded.files.sources.get(file.file).name;
+        files::print(&format!("// {name}\n{file}"))?;
+    }
     Ok(FINE)
 }
 

@@ -248,6 +248,80 @@ fn analysis_sweeps_find_the_critical_mass() {
 }
 
 #[test]
+fn a_sweep_goes_on_where_the_vehicle_is_too_heavy() {
+    let sweep = |args: &[&str]| {
+        let ran = mavc_with(&[&["analyze", "-", "--sweep"], args].concat(), HOP);
+        assert_eq!(code(&ran), 0, "{args:?}: {}", err(&ran));
+        out(&ran)
+    };
+    let flips_of_healthy = |what: &str| -> Vec<(f64, Value)> {
+        let record: Value = serde_json::from_str(&sweep(&[what, "--format", "json"])).unwrap();
+        let flips = record["flips"].as_array().unwrap().iter().filter(|f| f["mode"] == "healthy");
+        flips.map(|f| (f["at"].as_f64().unwrap(), f["above"].clone())).collect()
+    };
+    // Four rotors lift 4 b w^2.
+    let lift = 4.0 * 9.9865e-6 * 840.0 * 840.0;
+    let found = flips_of_healthy("mass=1..6kg");
+    assert!(found.len() == 1 && found[0].1 == "unstable", "{found:?}");
+    assert!((found[0].0 - lift / 9.81).abs() < 1e-4, "{found:?}");
+    // Too heavy at both ends of the range, and gravity for the mass.
+    assert_eq!(flips_of_healthy("mass=5..6kg"), []);
+    let found = flips_of_healthy("gravity=9..40 m/s^2");
+    assert!(found.len() == 1 && (found[0].0 - lift / 1.32).abs() < 1e-4, "{found:?}");
+    // A slower rotor cannot lift what it lifted.
+    let told = sweep(&["vehicle.rotor.max_speed=400..840rad/s"]);
+    assert!(told.contains("  healthy: unstable, controllable above "), "{told}");
+}
+
+#[test]
+fn sweeps_of_what_no_verdict_depends_on_are_refused() {
+    for (sweep, told) in [
+        ("masss=1..2kg", "no verdict depends on a field `masss`; did you mean `mass`?"),
+        ("max_speed=1..2rad/s", "no verdict depends on a field `max_speed`; did you mean `rotor.max_speed`?"),
+        ("plan.time=10s..20s", "no verdict depends on `plan.time`; sweep mass, arm, first, rotor.max_thrust, "),
+        ("mass=-1..2kg", "at -1kg: `mass` has to be greater than zero"),
+        ("mass=1..2m", "at 1m: "),
+    ] {
+        let ran = mavc_with(&["analyze", "-", "--sweep", sweep], HOP);
+        assert_eq!(code(&ran), 2, "{sweep}: {}", err(&ran));
+        assert!(out(&ran).is_empty());
+        assert!(err(&ran).contains(&format!("mavc: --sweep {sweep}: {told}")), "{}", err(&ran));
+    }
+}
+
+#[test]
+fn the_tree_needs_only_syntax() {
+    let meant_otherwise = HOP.replace("1.32 kg", "1.32 m");
+    let ran = mavc_with(&["emit", "ast", "-"], &meant_otherwise);
+    assert_eq!((code(&ran), err(&ran)), (0, String::new()));
+    assert!(out(&ran).contains("mass = 1.32 m"), "{}", out(&ran));
+    let torn = HOP.replace("mass    = 1.32 kg", "mass    = = 1.32 kg");
+    for (stage, spec) in [
+        ("ast", &torn),
+        ("model", &torn),
+        ("model", &meant_otherwise),
+        ("actuation", &meant_otherwise),
+        ("sets", &meant_otherwise),
+        ("constraints", &meant_otherwise),
+        ("qp", &meant_otherwise),
+    ] {
+        let ran = mavc_with(&["emit", stage, "-"], spec);
+        assert_eq!(code(&ran), 1, "{stage}: {}", err(&ran));
+        assert!(out(&ran).is_empty() && err(&ran).contains("mavc::"), "{stage}: {}", err(&ran));
+    }
+}
+
+#[test]
+fn an_unknown_option_is_no_value() {
+    let ran = mavc_with(&["plan", "-", "--format", "json"], HOP);
+    assert_eq!(code(&ran), 2);
+    let told = "error: unexpected argument '--format' found\n\nUsage: mavc plan <SPEC>\n";
+    assert!(err(&ran).starts_with(told), "{}", err(&ran));
+    let ran = mavc_with(&["plan", "-", "--reprot", "r.json"], HOP);
+    assert!(err(&ran).contains("--report") && !err(&ran).contains("-- --"), "{}", err(&ran));
+}
+
+#[test]
 fn every_stage_of_every_shipped_spec_can_be_printed() {
     for spec in shipped() {
         let name = text(&spec);
@@ -308,6 +382,10 @@ fn new_writes_a_spec_that_plans_and_never_overwrites() {
     let ran = mavc(&["plan", text(&spec), "-o", text(&table)]);
     assert_eq!(code(&ran), 0, "{}{}", out(&ran), err(&ran));
     assert!(table.exists());
+    for warning in ["Between samples", "Past the linear model"] {
+        assert!(!out(&ran).contains(warning), "{}", out(&ran));
+    }
+    assert_eq!(out(&mavc(&["new", "-"])).as_bytes(), before);
 }
 
 #[test]
