@@ -9,7 +9,10 @@ mod new;
 mod plan;
 mod progress;
 mod spec;
+mod sweep;
+mod target;
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -56,7 +59,7 @@ enum Command {
     Emit(EmitArgs),
     /// Write a commented spec that plans as it stands
     New {
-        /// The file to write; it must not exist
+        /// The file to write, which must not exist, or `-` for standard output
         file: PathBuf,
     },
     /// Explain a diagnostic's code
@@ -114,7 +117,7 @@ pub(crate) struct AnalyzeArgs {
     spec: SpecArgs,
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
-    /// Vary a field and print where verdicts flip: mass=1.5..2.5kg
+    /// Vary a field of the vehicle, gravity or a `let` and print where verdicts flip: mass=1.5..2.5kg
     #[arg(long, value_name = "FIELD=LOW..HIGH")]
     sweep: Option<String>,
 }
@@ -125,8 +128,8 @@ pub(crate) struct PlanArgs {
     spec: SpecArgs,
     /// Where the trajectory goes (CSV); `-` for standard output
     #[arg(short, long, value_name = "TRAJ.CSV")]
-    output: Option<String>,
-    /// Where the report goes (JSON)
+    output: Option<PathBuf>,
+    /// Where the report goes (JSON); `-` for standard output, without the one for people
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
     /// Resample the trajectory, such as 100Hz; waypoints keep their rows
@@ -138,7 +141,7 @@ pub(crate) struct PlanArgs {
 pub(crate) struct CompareArgs {
     #[command(flatten)]
     spec: SpecArgs,
-    /// Where the report goes (JSON)
+    /// Where the report goes (JSON); `-` for standard output, without the one for people
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
 }
@@ -187,9 +190,13 @@ pub(crate) struct Options {
 pub fn run() -> u8 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(e) => {
-            let _ = e.print();
-            return if e.use_stderr() { USAGE } else { FINE };
+        Err(mut e) => {
+            without_escape(&mut e);
+            return match files::told(e.print()) {
+                Ok(()) if !e.use_stderr() => FINE,
+                Err(problem) if !e.use_stderr() => usage(&problem),
+                _ => USAGE,
+            };
         }
     };
     let options = Options { quiet: cli.quiet, timings: cli.timings };
@@ -202,10 +209,22 @@ pub fn run() -> u8 {
         Command::New { file } => new::run(file, &options),
         Command::Explain { code } => explain::run(code.as_deref()),
     };
-    result.unwrap_or_else(|problem| {
-        anstream::eprintln!("mavc: {problem}");
-        USAGE
-    })
+    result.unwrap_or_else(|problem| usage(&problem))
+}
+
+/// Takes out the tip to pass an unknown option as a value, after `--`: no argument of mavc looks like an option.
+fn without_escape(error: &mut clap::Error) {
+    if let Some(ContextValue::StyledStrs(mut tips)) = error.remove(ContextKind::Suggested) {
+        tips.retain(|tip| !tip.to_string().contains(" as a value, use "));
+        if !tips.is_empty() {
+            error.insert(ContextKind::Suggested, ContextValue::StyledStrs(tips));
+        }
+    }
+}
+
+fn usage(problem: &Problem) -> u8 {
+    files::tell(&format!("mavc: {problem}\n"));
+    USAGE
 }
 
 /// A problem with usage or files, told on one line.

@@ -25,13 +25,13 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
         code = SPEC_ERRORS;
     }
     match args.format {
-        CheckFormat::Json => files::print(&loaded.json()),
-        CheckFormat::Short => files::print(&loaded.short()),
+        CheckFormat::Json => files::print(&loaded.json())?,
+        CheckFormat::Short => files::print(&loaded.short())?,
         CheckFormat::Human => {
-            files::print(&loaded.human(colored(&std::io::stdout())));
+            files::print(&loaded.human(colored(&std::io::stdout())))?;
             if !options.quiet {
                 let name = spec::name(&args.spec.spec);
-                files::print(&format!("{name}: {}\n", verdict(errors, warnings)));
+                files::print(&format!("{name}: {}\n", verdict(errors, warnings)))?;
             }
         }
     }
@@ -40,7 +40,7 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
         for d in &model.defaults {
             table.row(vec![d.field.clone(), d.value.clone(), d.reason.clone()]);
         }
-        files::print(&table.render_left(0));
+        files::print(&table.render_left(0))?;
     }
     Ok(code)
 }

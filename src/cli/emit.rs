@@ -20,30 +20,40 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
     if args.stage != Stage::Qp && args.format != EmitFormat::Text {
         return Err("--format json and mps are for the stage qp".into());
     }
-    let mut loaded = spec::read(&args.spec, options)?;
     if args.stage == Stage::Ast {
-        loaded.tell(options);
-        for file in &loaded.files.files {
-            let name = &loaded.files.sources.get(file.file).name;
-            files::print(&format!("// {name}\n{file}"));
-        }
-        return Ok(if loaded.has_errors() { SPEC_ERRORS } else { FINE });
+        return ast(args, options);
     }
+    let mut loaded = spec::read(&args.spec, options)?;
     let Some(model) = loaded.model.clone() else {
         loaded.tell(options);
         return Ok(SPEC_ERRORS);
     };
     match args.stage {
         Stage::Ast => {}
-        Stage::Model => files::print(&model.to_string()),
-        Stage::Actuation => files::print(&Actuation::of(&model.vehicle).to_string()),
+        Stage::Model => files::print(&model.to_string())?,
+        Stage::Actuation => files::print(&Actuation::of(&model.vehicle).to_string())?,
         Stage::Sets => {
             let sets: Vec<String> = AdmissibleSet::all(&model).iter().map(|s| s.to_string()).collect();
-            files::print(&sets.join("\n"));
+            files::print(&sets.join("\n"))?;
         }
         Stage::Constraints | Stage::Qp => return planned(args, &mut loaded, &model, options),
     }
     loaded.tell(options);
+    Ok(FINE)
+}
+
+/// The stage that needs no meaning, only syntax.
+fn ast(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
+    let (mut loaded, _) = spec::parse(&args.spec, options)?;
+    sort(&mut loaded.diagnostics);
+    loaded.tell(options);
+    if loaded.has_errors() {
+        return Ok(SPEC_ERRORS);
+    }
+    for file in &loaded.files.files {
+        let name = &loaded.files.sources.get(file.file).name;
+        files::print(&format!("// {name}\n{file}"))?;
+    }
     Ok(FINE)
 }
 
@@ -60,7 +70,7 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
     let comparison = compare(model, mission, Scope::Plan, None);
     let Some(run) = comparison.runs.last() else { return Ok(INCONCLUSIVE) };
     if args.stage == Stage::Constraints {
-        files::print(&run.set.to_string());
+        files::print(&run.set.to_string())?;
         return Ok(FINE);
     }
     let time = match &run.ending {
@@ -71,17 +81,17 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
         return Err(format!("the mission cannot be laid out over {time} s"));
     };
     match args.format {
-        EmitFormat::Text => files::print(&summary(&program, time)),
+        EmitFormat::Text => files::print(&summary(&program, time))?,
         EmitFormat::Json => {
             let text = serde_json::to_string(&Exported::of(&program, time)).map_err(|e| e.to_string())?;
-            files::print(&(text + "\n"));
+            files::print(&(text + "\n"))?;
         }
         EmitFormat::Mps => match mps::render(&program, "mavc") {
-            Some(text) => files::print(&text),
+            Some(text) => files::print(&text)?,
             None => {
-                eprintln!(
-                    "error[{NO_CONES_IN_MPS}]: this program has second-order cones, and MPS cannot say them\n  help: use `--format json`; without waypoint tolerances (`--set plan.within=1km`) and without limits on\n        norms there are none"
-                );
+                files::tell(&format!(
+                    "error[{NO_CONES_IN_MPS}]: this program has second-order cones, and MPS cannot say them\n  help: use `--format json`; without waypoint tolerances (`--set plan.within=1km`) and without limits on\n        norms there are none\n"
+                ));
                 return Ok(USAGE);
             }
         },

@@ -5,13 +5,13 @@ use crate::diagnostic::{codes, nearest};
 pub fn run(code: Option<&str>) -> Result<u8, Problem> {
     let Some(code) = code else {
         for page in codes::all() {
-            files::print(&format!("{}\n", page.code));
+            files::print(&format!("{}\n", page.code))?;
         }
         return Ok(FINE);
     };
     match codes::lookup(code) {
         Some(page) => {
-            files::print(&format!("{}\n\n{}\n", page.code, page.page.trim()));
+            files::print(&format!("{}\n\n{}\n", page.code, page.page.trim()))?;
             Ok(FINE)
         }
         None => {

@@ -1,17 +1,18 @@
-use super::{FINE, Options, Problem, USAGE, files};
+use super::target::{Target, write};
+use super::{FINE, Options, Problem, files};
 use std::path::Path;
 
 /// `mavc new`: never overwrites.
 pub fn run(file: &Path, options: &Options) -> Result<u8, Problem> {
-    if file.exists() {
-        eprintln!("mavc: {} exists; nothing was written", file.display());
-        return Ok(USAGE);
+    let name = file.display();
+    if file.as_os_str() != "-" && file.symlink_metadata().is_ok() {
+        return Err(format!("{name} exists; nothing was written"));
     }
-    files::must_be_writable(file)?;
-    files::write_whole(file, include_str!("../template.mav").as_bytes())?;
-    if !options.quiet {
-        let name = file.display();
-        files::print(&format!("{name} written. Next: mavc plan {name} -o traj.csv\n"));
+    let target = Target::new(file)?;
+    write(&[(&target, include_str!("../template.mav").to_string())])?;
+    if !options.quiet && !target.is_stdout() {
+        // The file is there, told or not.
+        let _ = files::print(&format!("{name} written. Next: mavc plan {name} -o traj.csv\n"));
     }
     Ok(FINE)
 }

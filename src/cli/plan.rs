@@ -2,6 +2,7 @@
 
 use super::progress::Progress;
 use super::spec::{self, Loaded, timing};
+use super::target::{Target, write};
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
 use crate::diagnostic::{Diagnostic, Severity, sort};
@@ -17,66 +18,62 @@ pub const NO_MISSION: &str = "mavc::plan::no_mission";
 
 pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let rate = args.rate.as_deref().map(parse_rate).transpose()?;
-    if let Some(path) = args.output.as_deref().filter(|o| *o != "-") {
-        files::must_be_writable(Path::new(path))?;
-    }
-    if let Some(path) = &args.report {
-        files::must_be_writable(path)?;
-    }
+    let (table, report) = targets(args.output.as_deref(), args.report.as_deref())?;
     let mut loaded = spec::read(&args.spec, options)?;
+    spare(&loaded, &[&table, &report])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = run(&loaded, &model, &mission, Scope::Plan, options) else {
-        return refused(&loaded, &model, args.report.as_deref());
+        return refused(&loaded, &model, report.as_ref());
     };
     let begin = Instant::now();
-    if let Some(path) = &args.report {
-        write_record(&loaded, &model, &mission, &comparison, path)?;
-    }
-    let text = terminal::plan(&model, &mission, &comparison);
+    let mut results = Vec::new();
     let code = match comparison.runs.last().map(|r| &r.ending) {
         Some(Ending::Solved(solved)) => {
-            match args.output.as_deref() {
-                Some("-") => {
-                    // The table has standard output to itself.
-                    files::print(&trajectory_csv::render(&solved.trajectory, &model, rate));
-                    eprint!("{text}");
-                    return Ok(FINE);
-                }
-                Some(path) => {
-                    let table = trajectory_csv::render(&solved.trajectory, &model, rate);
-                    files::write_whole(Path::new(path), table.as_bytes())?;
-                }
-                None => {}
-            }
+            let rows = |target| (target, trajectory_csv::render(&solved.trajectory, &model, rate));
+            results.extend(table.as_ref().map(rows));
             FINE
         }
         Some(Ending::Inconclusive { .. }) => INCONCLUSIVE,
         _ => NO_PLAN,
     };
-    files::print(&text);
-    if code == FINE && !options.quiet {
-        match args.output.as_deref() {
-            Some(path) => files::print(&format!("\nTrajectory written to {path}\n")),
-            None => files::print("\nNo trajectory was written: say where with -o traj.csv\n"),
-        }
+    if let Some(target) = &report {
+        results.push((target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?));
+    }
+    // A result that goes to standard output has it to itself.
+    let text = terminal::plan(&model, &mission, &comparison);
+    let takes_stdout = |(target, _): &(&Target, String)| target.is_stdout();
+    let told = !results.iter().any(takes_stdout);
+    if told {
+        files::print(&text)?;
+    }
+    write(&results)?;
+    if !told && !report.is_some_and(|r| r.is_stdout()) {
+        files::tell(&text);
+    }
+    if told && code == FINE && !options.quiet {
+        files::print(&match args.output.as_deref() {
+            Some(path) => format!("\nTrajectory written to {}\n", path.display()),
+            None => "\nNo trajectory was written: say where with -o traj.csv\n".into(),
+        })?;
     }
     timing(options, "report", begin);
     Ok(code)
 }
 
 pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
-    if let Some(path) = &args.report {
-        files::must_be_writable(path)?;
-    }
+    let (_, report) = targets(None, args.report.as_deref())?;
     let mut loaded = spec::read(&args.spec, options)?;
+    spare(&loaded, &[&report])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = run(&loaded, &model, &mission, Scope::Everything, options) else {
-        return refused(&loaded, &model, args.report.as_deref());
+        return refused(&loaded, &model, report.as_ref());
     };
-    if let Some(path) = &args.report {
-        write_record(&loaded, &model, &mission, &comparison, path)?;
+    if !report.as_ref().is_some_and(Target::is_stdout) {
+        files::print(&terminal::compare(&model, &mission, &comparison))?;
     }
-    files::print(&terminal::compare(&model, &mission, &comparison));
+    if let Some(target) = &report {
+        write(&[(target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?)])?;
+    }
     let any = |wanted: fn(&Ending) -> bool| comparison.runs.iter().any(|r| wanted(&r.ending));
     Ok(if any(|e| matches!(e, Ending::Inconclusive { .. })) {
         INCONCLUSIVE
@@ -85,6 +82,23 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     } else {
         FINE
     })
+}
+
+/// Where the trajectory and the report go.
+fn targets(table: Option<&Path>, report: Option<&Path>) -> Result<(Option<Target>, Option<Target>), Problem> {
+    let (table, report) = (table.map(Target::new).transpose()?, report.map(Target::new).transpose()?);
+    match (&table, &report) {
+        (Some(a), Some(b)) if a.is_same(b) => {
+            Err("the trajectory and the report would go to one place: give -o and --report two names".into())
+        }
+        _ => Ok((table, report)),
+    }
+}
+
+/// Refuses targets that would replace a file of the spec.
+fn spare(loaded: &Loaded, targets: &[&Option<Target>]) -> Result<(), Problem> {
+    let read = || loaded.files.sources.iter().map(|(_, source)| source.name.as_str());
+    targets.iter().copied().flatten().try_for_each(|target| target.must_spare(read()))
 }
 
 /// The model with its mission, once all diagnostics are told.
@@ -122,40 +136,28 @@ fn run(loaded: &Loaded, model: &Model, mission: &Mission, scope: Scope, options:
     timing(options, "plan", begin);
     if options.timings {
         let e = comparison.effort;
-        eprintln!(
-            "{:<10} {:>9.2} ms in {} solves, {} iterations",
+        files::tell(&format!(
+            "{:<10} {:>9.2} ms in {} solves, {} iterations\n",
             "  solver",
             e.time.as_secs_f64() * 1e3,
             e.solves,
             e.iterations
-        );
+        ));
     }
     Some(comparison)
 }
 
 /// A mode cannot be stood: the report says that nothing was planned.
-fn refused(loaded: &Loaded, model: &Model, report: Option<&Path>) -> Result<u8, Problem> {
-    if let Some(path) = report {
-        let record = Record::refused(model, loaded.sha256());
-        write_json(&record, path)?;
+fn refused(loaded: &Loaded, model: &Model, report: Option<&Target>) -> Result<u8, Problem> {
+    if let Some(target) = report {
+        write(&[(target, json(&Record::refused(model, loaded.sha256()))?)])?;
     }
     Ok(NO_PLAN)
 }
 
-fn write_record(
-    loaded: &Loaded,
-    model: &Model,
-    mission: &Mission,
-    comparison: &Comparison,
-    path: &Path,
-) -> Result<(), Problem> {
-    write_json(&Record::new(model, mission, comparison, loaded.sha256()), path)
-}
-
-fn write_json(record: &Record, path: &Path) -> Result<(), Problem> {
-    let mut text = serde_json::to_string_pretty(record).map_err(|e| format!("cannot write the report: {e}"))?;
-    text.push('\n');
-    files::write_whole(path, text.as_bytes())
+fn json(record: &Record) -> Result<String, Problem> {
+    let text = serde_json::to_string_pretty(record).map_err(|e| format!("cannot write the report: {e}"))?;
+    Ok(text + "\n")
 }
 
 /// `100Hz`, `100 Hz` or `0.5kHz`, as Hz.

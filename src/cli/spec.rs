@@ -2,7 +2,7 @@
 
 use super::{Options, Problem, SpecArgs, files};
 use crate::diagnostic::{Diagnostic, Severity, render_human, render_short, sort, to_json_line};
-use crate::model::{FileSet, MAX_TABLE_BYTES, Model, OVERRIDE, elaborate, load, parse_override};
+use crate::model::{FileSet, MAX_TABLE_BYTES, Model, OVERRIDE, Override, elaborate, load, parse_override};
 use sha2::{Digest, Sha256};
 use std::io::IsTerminal;
 use std::time::Instant;
@@ -20,8 +20,8 @@ pub fn name(spec: &str) -> &str {
     if spec == "-" { "<stdin>" } else { spec }
 }
 
-/// Reads, parses and elaborates.
-pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
+/// Reads and parses: no model yet, and no diagnostic that needs one.
+pub fn parse(args: &SpecArgs, options: &Options) -> Result<(Loaded, Vec<Override>), Problem> {
     let begin = Instant::now();
     let bytes = files::read_spec(&args.spec, crate::syntax::MAX_FILE_BYTES)?;
     let name = name(&args.spec);
@@ -41,6 +41,12 @@ pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
         }
     }
     timing(options, "parse", begin);
+    Ok((Loaded { files, model: None, diagnostics }, overrides))
+}
+
+/// Reads, parses and elaborates.
+pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
+    let (Loaded { files, mut diagnostics, .. }, overrides) = parse(args, options)?;
     let begin = Instant::now();
     let checked = elaborate(&files, &overrides);
     let broken = diagnostics.iter().any(|d| d.severity == Severity::Error) || checked.has_errors();
@@ -89,8 +95,7 @@ impl Loaded {
         if options.quiet {
             self.diagnostics.retain(|d| d.severity == Severity::Error);
         }
-        let text = self.human(colored(&std::io::stderr()));
-        eprint!("{text}");
+        files::tell(&self.human(colored(&std::io::stderr())));
     }
 }
 
@@ -101,6 +106,6 @@ pub fn colored(stream: &impl IsTerminal) -> bool {
 
 pub fn timing(options: &Options, stage: &str, begin: Instant) {
     if options.timings {
-        eprintln!("{stage:<10} {:>9.2} ms", begin.elapsed().as_secs_f64() * 1e3);
+        files::tell(&format!("{stage:<10} {:>9.2} ms\n", begin.elapsed().as_secs_f64() * 1e3));
     }
 }

@@ -4,13 +4,14 @@
 //! `yaw_within_deg`, `weight`, `time_s`, `name`. Any unit of the right dimension will do. An empty cell of an optional
 //! column says nothing. Lines that begin with `#` are comments.
 
-use super::context::{Context, listed};
+use super::context::{Context, duplicate, listed};
 use super::due::Due;
 use super::load::Table;
 use super::mission::{Manner, Route, Stop};
 use crate::diagnostic::Diagnostic;
-use crate::source::Span;
+use crate::source::{Span, Spanned};
 use crate::unit::{Quantity, Unit, parse_unit};
+use std::collections::BTreeMap;
 
 const CODE: &str = "mavc::file::table";
 /// Errors told of one table.
@@ -35,6 +36,14 @@ struct Column {
     unit: Option<Unit>,
 }
 
+/// One line of the table: its text and where that stands.
+struct Row {
+    record: csv::StringRecord,
+    span: Span,
+    /// Of every cell, without the blanks around it.
+    cells: Vec<Span>,
+}
+
 pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut Route) {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
@@ -43,6 +52,9 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
         .from_reader(table.bytes.as_slice());
     let mut columns: Option<Vec<Column>> = None;
     let mut errors = 0;
+    // Where each name was first given.
+    let mut names: BTreeMap<String, Span> =
+        route.waypoints.iter().rev().filter_map(|w| Some((w.name.clone()?, w.span))).collect();
     for record in reader.records() {
         let outcome = match (&columns, record) {
             (_, Err(error)) => {
@@ -50,8 +62,15 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
                     Diagnostic::error(CODE, place(table, error.position()), broken_row(&error)).here("this row");
                 Err(Box::new(error.help("commas separate cells, and numbers have a decimal point, no comma")))
             }
-            (None, Ok(record)) => header(cx, &record, table).map(|found| columns = Some(found)),
-            (Some(columns), Ok(record)) => row(columns, &record, table, manner).map(|stop| route.push(cx, stop, None)),
+            (None, Ok(record)) => header(cx, &Row::new(table, record)).map(|found| columns = Some(found)),
+            (Some(columns), Ok(record)) => {
+                let row = Row::new(table, record);
+                row.stop(columns, manner).and_then(|stop| {
+                    let twice = row.second_of_its_name(columns, &mut names);
+                    route.push(cx, stop, None);
+                    twice
+                })
+            }
         };
         if let Err(error) = outcome {
             cx.report(*error);
@@ -72,11 +91,43 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
 
 /// The bytes of one line of the table.
 fn place(table: &Table, position: Option<&csv::Position>) -> Span {
-    let start = position.map_or(0, |p| p.byte() as usize).min(table.bytes.len());
-    let skipped = table.bytes[start..].iter().take_while(|b| b.is_ascii_whitespace()).count();
-    let start = (start + skipped).min(table.bytes.len());
-    let length = table.bytes[start..].iter().take_while(|b| !matches!(b, b'\n' | b'\r')).count();
-    Span::new(table.file, start, start + length)
+    let start = start(table, position);
+    let end = start + table.bytes[start..].iter().take_while(|b| !matches!(b, b'\n' | b'\r')).count();
+    trimmed(table, start, end)
+}
+
+/// Where a line begins: its position counts the empty lines and comments before it.
+fn start(table: &Table, position: Option<&csv::Position>) -> usize {
+    let mut start = position.map_or(0, |p| p.byte() as usize).min(table.bytes.len());
+    loop {
+        match table.bytes[start..] {
+            [b'\n' | b'\r', ..] => start += 1,
+            [b'#', ..] => start += table.bytes[start..].iter().take_while(|b| **b != b'\n').count(),
+            _ => return start,
+        }
+    }
+}
+
+/// Where the cell ends that begins at `from`: at a comma or the end of the line, but for those in quotes.
+fn cell_end(bytes: &[u8], from: usize) -> usize {
+    let quoted = bytes[from..].starts_with(b"\"");
+    let mut inside = false;
+    let ends = |byte: &u8| {
+        inside ^= quoted && *byte == b'"';
+        !inside && matches!(byte, b',' | b'\n' | b'\r')
+    };
+    bytes[from..].iter().position(ends).map_or(bytes.len(), |length| from + length)
+}
+
+/// Bytes of the table without the blanks around them.
+fn trimmed(table: &Table, start: usize, end: usize) -> Span {
+    let blanks = |text: &[u8], rest: &[u8]| text.len() - rest.len();
+    let text = &table.bytes[start..end];
+    let (front, back) = (text.trim_ascii_start(), text.trim_ascii_end());
+    match front.is_empty() {
+        true => Span::new(table.file, start, start),
+        false => Span::new(table.file, start + blanks(text, front), end - blanks(text, back)),
+    }
 }
 
 fn broken_row(error: &csv::Error) -> String {
@@ -88,19 +139,108 @@ fn broken_row(error: &csv::Error) -> String {
     }
 }
 
-fn header(cx: &Context, record: &csv::StringRecord, table: &Table) -> Result<Vec<Column>, Box<Diagnostic>> {
-    let span = place(table, record.position());
-    let fail = |message: String| Diagnostic::error(CODE, span, message).here("the header");
+impl Row {
+    fn new(table: &Table, record: csv::StringRecord) -> Self {
+        let mut from = start(table, record.position());
+        let cell = |_| {
+            let end = cell_end(&table.bytes, from);
+            let span = trimmed(table, from, end);
+            from = (end + 1).min(table.bytes.len());
+            span
+        };
+        let cells = (0..record.len()).map(cell).collect();
+        Row { span: place(table, record.position()), record, cells }
+    }
+
+    /// Takes the row's name into `names`, which says where each was first given.
+    fn second_of_its_name(
+        &self,
+        columns: &[Column],
+        names: &mut BTreeMap<String, Span>,
+    ) -> Result<(), Box<Diagnostic>> {
+        let Some(index) = columns.iter().position(|column| COLUMNS[column.kind].0 == "name") else { return Ok(()) };
+        let name = Spanned::new(self.record[index].to_string(), self.cells[index]);
+        if name.value.is_empty() {
+            return Ok(());
+        }
+        match names.get(&name.value) {
+            Some(first) => Err(Box::new(duplicate("waypoint", &name, *first))),
+            None => {
+                names.insert(name.value, name.span);
+                Ok(())
+            }
+        }
+    }
+
+    fn stop(&self, columns: &[Column], manner: Manner) -> Result<Stop, Box<Diagnostic>> {
+        let mut values = [None; COLUMNS.len()];
+        let mut name = None;
+        for ((column, cell), &span) in columns.iter().zip(&self.record).zip(&self.cells) {
+            let fail = |message: String| Diagnostic::error(CODE, span, message).here("this cell");
+            let (title, due_unit, due) = COLUMNS[column.kind];
+            if due_unit.is_empty() {
+                name = (!cell.is_empty()).then(|| cell.to_string());
+                continue;
+            }
+            if cell.is_empty() {
+                if due {
+                    let error = fail(format!("`{title}` is empty"));
+                    return Err(Box::new(error.help("every row says where its waypoint lies: write a number")));
+                }
+                continue;
+            }
+            let number = cell.parse::<f64>().ok().filter(|x| x.is_finite());
+            let value = number.map(|x| column.unit.map_or(x, |unit| Quantity::with_unit(x, unit).value));
+            let Some(value) = value.filter(|x| x.is_finite()) else {
+                let error = fail(format!("`{cell}` is no number for `{title}`"));
+                return Err(Box::new(error.help(match column.unit {
+                    Some(_) => "write a number such as `1.5`; its unit stands in the header",
+                    None => "write a number such as `1.5`",
+                })));
+            };
+            values[column.kind] = Some((value, span));
+        }
+        let given = |title: &str| COLUMNS.iter().position(|c| c.0 == title).and_then(|kind| values[kind]);
+        let value = |title: &str| given(title).map(|(value, _)| value);
+        let wrong = |code, title: &str, rule: &str| {
+            let span = given(title).map_or(self.span, |(_, span)| span);
+            Box::new(Diagnostic::error(code, span, format!("`{title}` {rule}")).here("this cell"))
+        };
+        for title in ["within", "yaw_within"] {
+            if value(title).is_some_and(|v| v <= 0.0) {
+                return Err(wrong("mavc::mission::tolerance", title, "has to be greater than zero"));
+            }
+        }
+        if value("weight").is_some_and(|v| v < 0.0) {
+            return Err(wrong("mavc::mission::weight", "weight", "cannot be negative"));
+        }
+        Ok(Stop {
+            name,
+            position: ["x", "y", "z"].map(|axis| value(axis).unwrap_or(0.0)),
+            yaw: value("yaw"),
+            within: value("within").unwrap_or(manner.within),
+            yaw_within: value("yaw_within").unwrap_or(manner.yaw_within),
+            weight: value("weight").unwrap_or(manner.weight),
+            time: given("time"),
+            span: self.span,
+        })
+    }
+}
+
+fn header(cx: &Context, row: &Row) -> Result<Vec<Column>, Box<Diagnostic>> {
+    let Row { record, span, cells } = row;
+    let fail_whole = |message: String| Diagnostic::error(CODE, *span, message).here("the header");
     if record.len() == 1 && record[0].contains([';', '\t']) {
-        let error = fail("the cells of a table are separated by commas".into());
+        let error = fail_whole("the cells of a table are separated by commas".into());
         return Err(Box::new(error.help("save it as `CSV, comma delimited`, with decimal points")));
     }
     let mut columns: Vec<Column> = Vec::new();
-    for cell in record {
+    for (cell, &span) in record.iter().zip(cells) {
+        let fail = |message: String| Diagnostic::error(CODE, span, message).here("this column");
         let matching = |(name, ..): &(&str, &str, bool)| cell == *name || cell.starts_with(&format!("{name}_"));
         let Some(kind) = COLUMNS.iter().position(matching) else {
             if cell.parse::<f64>().is_ok() {
-                let error = fail("the first line of a table names its columns".into());
+                let error = fail_whole("the first line of a table names its columns".into());
                 return Err(Box::new(error.help("put a line such as `x_m,y_m,z_m,yaw_deg` above it")));
             }
             let names = COLUMNS.map(|c| c.0);
@@ -116,7 +256,7 @@ fn header(cx: &Context, record: &csv::StringRecord, table: &Table) -> Result<Vec
         let unit = match (unit, written) {
             ("" | "1", None) => None,
             ("" | "1", Some(_)) => {
-                return Err(Box::new(fail(format!("column `{name}` has no unit"))));
+                return Err(Box::new(fail(format!("column `{name}` has no unit")).help(format!("write `{name}`"))));
             }
             (due, None) => {
                 return Err(Box::new(
@@ -131,57 +271,18 @@ fn header(cx: &Context, record: &csv::StringRecord, table: &Table) -> Result<Vec
                 }
             },
         };
-        if columns.iter().any(|c| c.kind == kind) {
-            return Err(Box::new(fail(format!("the table has two columns `{name}`"))));
+        if let Some(first) = columns.iter().position(|c| c.kind == kind) {
+            let error = fail(format!("the table has two columns `{name}`")).also(cells[first], "the first");
+            return Err(Box::new(error.help("take one of them out")));
         }
         columns.push(Column { kind, unit });
     }
     for (kind, (name, unit, due)) in COLUMNS.iter().enumerate() {
         if *due && !columns.iter().any(|c| c.kind == kind) {
             return Err(Box::new(
-                fail(format!("the table has no column `{name}`")).help(format!("add `{name}_{unit}`")),
+                fail_whole(format!("the table has no column `{name}`")).help(format!("add `{name}_{unit}`")),
             ));
         }
     }
     Ok(columns)
-}
-
-fn row(columns: &[Column], record: &csv::StringRecord, table: &Table, manner: Manner) -> Result<Stop, Box<Diagnostic>> {
-    let span = place(table, record.position());
-    let mut values = [None; COLUMNS.len()];
-    let mut name = None;
-    for (column, cell) in columns.iter().zip(record) {
-        let (title, due_unit, due) = COLUMNS[column.kind];
-        if due_unit.is_empty() {
-            name = (!cell.is_empty()).then(|| cell.to_string());
-            continue;
-        }
-        if cell.is_empty() {
-            if due {
-                return Err(Box::new(Diagnostic::error(CODE, span, format!("`{title}` is empty")).here("this row")));
-            }
-            continue;
-        }
-        let number = cell.parse::<f64>().ok().filter(|x| x.is_finite());
-        let value = number.map(|x| column.unit.map_or(x, |unit| Quantity::with_unit(x, unit).value));
-        let Some(value) = value.filter(|x| x.is_finite()) else {
-            let message = format!("`{cell}` is no number for `{title}`");
-            return Err(Box::new(Diagnostic::error(CODE, span, message).here("this row")));
-        };
-        values[column.kind] = Some(value);
-    }
-    let value = |title: &str| COLUMNS.iter().position(|c| c.0 == title).and_then(|kind| values[kind]);
-    let wrong = |code, message: &str| Diagnostic::error(code, span, message).here("this row");
-    let within = value("within").unwrap_or(manner.within);
-    let yaw_within = value("yaw_within").unwrap_or(manner.yaw_within);
-    let weight = value("weight").unwrap_or(manner.weight);
-    if within <= 0.0 || yaw_within <= 0.0 {
-        return Err(Box::new(wrong("mavc::mission::tolerance", "a tolerance has to be greater than zero")));
-    }
-    if weight < 0.0 {
-        return Err(Box::new(wrong("mavc::mission::weight", "`weight` cannot be negative")));
-    }
-    let position = [value("x").unwrap_or(0.0), value("y").unwrap_or(0.0), value("z").unwrap_or(0.0)];
-    let time = value("time").map(|t| (t, span));
-    Ok(Stop { name, position, yaw: value("yaw"), within, yaw_within, weight, time, span })
 }

@@ -248,6 +248,80 @@ fn analysis_sweeps_find_the_critical_mass() {
 }
 
 #[test]
+fn a_sweep_goes_on_where_the_vehicle_is_too_heavy() {
+    let sweep = |args: &[&str]| {
+        let ran = mavc_with(&[&["analyze", "-", "--sweep"], args].concat(), HOP);
+        assert_eq!(code(&ran), 0, "{args:?}: {}", err(&ran));
+        out(&ran)
+    };
+    let flips_of_healthy = |what: &str| -> Vec<(f64, Value)> {
+        let record: Value = serde_json::from_str(&sweep(&[what, "--format", "json"])).unwrap();
+        let flips = record["flips"].as_array().unwrap().iter().filter(|f| f["mode"] == "healthy");
+        flips.map(|f| (f["at"].as_f64().unwrap(), f["above"].clone())).collect()
+    };
+    // Four rotors lift 4 b w^2.
+    let lift = 4.0 * 9.9865e-6 * 840.0 * 840.0;
+    let found = flips_of_healthy("mass=1..6kg");
+    assert!(found.len() == 1 && found[0].1 == "unstable", "{found:?}");
+    assert!((found[0].0 - lift / 9.81).abs() < 1e-4, "{found:?}");
+    // Too heavy at both ends of the range, and gravity for the mass.
+    assert_eq!(flips_of_healthy("mass=5..6kg"), []);
+    let found = flips_of_healthy("gravity=9..40 m/s^2");
+    assert!(found.len() == 1 && (found[0].0 - lift / 1.32).abs() < 1e-4, "{found:?}");
+    // A slower rotor cannot lift what it lifted.
+    let told = sweep(&["vehicle.rotor.max_speed=400..840rad/s"]);
+    assert!(told.contains("  healthy: unstable, controllable above "), "{told}");
+}
+
+#[test]
+fn sweeps_of_what_no_verdict_depends_on_are_refused() {
+    for (sweep, told) in [
+        ("masss=1..2kg", "no verdict depends on a field `masss`; did you mean `mass`?"),
+        ("max_speed=1..2rad/s", "no verdict depends on a field `max_speed`; did you mean `rotor.max_speed`?"),
+        ("plan.time=10s..20s", "no verdict depends on `plan.time`; sweep mass, arm, first, rotor.max_thrust, "),
+        ("mass=-1..2kg", "at -1kg: `mass` has to be greater than zero"),
+        ("mass=1..2m", "at 1m: "),
+    ] {
+        let ran = mavc_with(&["analyze", "-", "--sweep", sweep], HOP);
+        assert_eq!(code(&ran), 2, "{sweep}: {}", err(&ran));
+        assert!(out(&ran).is_empty());
+        assert!(err(&ran).contains(&format!("mavc: --sweep {sweep}: {told}")), "{}", err(&ran));
+    }
+}
+
+#[test]
+fn the_tree_needs_only_syntax() {
+    let meant_otherwise = HOP.replace("1.32 kg", "1.32 m");
+    let ran = mavc_with(&["emit", "ast", "-"], &meant_otherwise);
+    assert_eq!((code(&ran), err(&ran)), (0, String::new()));
+    assert!(out(&ran).contains("mass = 1.32 m"), "{}", out(&ran));
+    let torn = HOP.replace("mass    = 1.32 kg", "mass    = = 1.32 kg");
+    for (stage, spec) in [
+        ("ast", &torn),
+        ("model", &torn),
+        ("model", &meant_otherwise),
+        ("actuation", &meant_otherwise),
+        ("sets", &meant_otherwise),
+        ("constraints", &meant_otherwise),
+        ("qp", &meant_otherwise),
+    ] {
+        let ran = mavc_with(&["emit", stage, "-"], spec);
+        assert_eq!(code(&ran), 1, "{stage}: {}", err(&ran));
+        assert!(out(&ran).is_empty() && err(&ran).contains("mavc::"), "{stage}: {}", err(&ran));
+    }
+}
+
+#[test]
+fn an_unknown_option_is_no_value() {
+    let ran = mavc_with(&["plan", "-", "--format", "json"], HOP);
+    assert_eq!(code(&ran), 2);
+    let told = "error: unexpected argument '--format' found\n\nUsage: mavc plan <SPEC>\n";
+    assert!(err(&ran).starts_with(told), "{}", err(&ran));
+    let ran = mavc_with(&["plan", "-", "--reprot", "r.json"], HOP);
+    assert!(err(&ran).contains("--report") && !err(&ran).contains("-- --"), "{}", err(&ran));
+}
+
+#[test]
 fn every_stage_of_every_shipped_spec_can_be_printed() {
     for spec in shipped() {
         let name = text(&spec);
@@ -308,6 +382,10 @@ fn new_writes_a_spec_that_plans_and_never_overwrites() {
     let ran = mavc(&["plan", text(&spec), "-o", text(&table)]);
     assert_eq!(code(&ran), 0, "{}{}", out(&ran), err(&ran));
     assert!(table.exists());
+    for warning in ["Between samples", "Past the linear model"] {
+        assert!(!out(&ran).contains(warning), "{}", out(&ran));
+    }
+    assert_eq!(out(&mavc(&["new", "-"])).as_bytes(), before);
 }
 
 #[test]
@@ -365,4 +443,161 @@ fn yaw_planned_first_is_said() {
     };
     assert!(plan("specs/missions/inspection.mav"));
     assert!(!plan("specs/paper/case1.mav"));
+}
+
+/// `HOP` in a folder, over three files: the spec `hop.mav`, its vehicle `quad.mav` and the table `way.csv`.
+fn hop_in(dir: &Path) -> PathBuf {
+    let (vehicle, rest) = HOP.split_at(HOP.find("faults").unwrap());
+    let rest = rest.replace("waypoint at [3, 1, 4] m", "waypoints from \"way.csv\"");
+    let spec = dir.join("hop.mav");
+    std::fs::write(&spec, format!("use \"quad.mav\"\n{rest}")).unwrap();
+    std::fs::write(dir.join("quad.mav"), vehicle).unwrap();
+    std::fs::write(dir.join("way.csv"), "x_m,y_m,z_m\n3,1,4\n").unwrap();
+    spec
+}
+
+#[test]
+fn results_never_replace_what_is_read() {
+    let dir = folder();
+    let at = |name: &str| dir.path().join(name);
+    let spec = hop_in(dir.path());
+    let read = ["hop.mav", "quad.mav", "way.csv"];
+    let mut victims = read.map(at).to_vec();
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("quad.mav", at("soft.mav")).unwrap();
+        std::fs::hard_link(at("way.csv"), at("hard.csv")).unwrap();
+        victims.extend([at("soft.mav"), at("hard.csv")]);
+    }
+    let before = read.map(|name| std::fs::read(at(name)).unwrap());
+    for victim in &victims {
+        for args in [["plan", "-o"], ["plan", "--report"], ["compare", "--report"]] {
+            let ran = mavc(&[args[0], text(&spec), args[1], text(victim)]);
+            assert_eq!(code(&ran), 2, "{args:?} {victim:?}: {}", err(&ran));
+            assert!(err(&ran).contains("read: write to another file"), "{}", err(&ran));
+            assert!(out(&ran).is_empty());
+        }
+    }
+    assert_eq!(before, read.map(|name| std::fs::read(at(name)).unwrap()));
+    let (one, same) = (at("one.csv"), dir.path().join("./one.csv"));
+    for (table, report) in [(text(&one), text(&same)), ("-", "-")] {
+        let ran = mavc(&["plan", text(&spec), "-o", table, "--report", report]);
+        assert_eq!(code(&ran), 2);
+        assert!(err(&ran).contains("would go to one place"), "{}", err(&ran));
+    }
+    assert!(!one.exists());
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), victims.len());
+}
+
+#[cfg(unix)]
+#[test]
+fn results_keep_links_permissions_and_pipes() {
+    use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
+    let dir = folder();
+    let at = |name: &str| dir.path().join(name);
+    let spec = hop_in(dir.path());
+    let plan = |target: &str| {
+        let ran = mavc(&["plan", text(&spec), "-o", text(&at(target))]);
+        assert_eq!(code(&ran), 0, "{target}: {}", err(&ran));
+    };
+    let has_table = |name: &str| std::fs::read_to_string(at(name)).unwrap().starts_with("t,x,y,z,");
+    // A file that exists keeps its permissions, and a link stays a link to it.
+    std::fs::create_dir(at("elsewhere")).unwrap();
+    std::fs::write(at("elsewhere/real.csv"), "old").unwrap();
+    std::fs::set_permissions(at("elsewhere/real.csv"), PermissionsExt::from_mode(0o600)).unwrap();
+    symlink("elsewhere/real.csv", at("link.csv")).unwrap();
+    plan("link.csv");
+    assert!(at("link.csv").is_symlink() && has_table("elsewhere/real.csv"));
+    assert_eq!(at("elsewhere/real.csv").metadata().unwrap().permissions().mode() & 0o777, 0o600);
+    // A link to a file that is yet to be.
+    symlink("elsewhere/later.csv", at("dangling.csv")).unwrap();
+    plan("dangling.csv");
+    assert!(at("dangling.csv").is_symlink() && has_table("elsewhere/later.csv"));
+    assert_eq!(std::fs::read_dir(at("elsewhere")).unwrap().count(), 2);
+    // A pipe is written.
+    assert!(Command::new("mkfifo").arg(at("pipe")).status().unwrap().success());
+    let pipe = at("pipe");
+    let reader = std::thread::spawn(move || std::fs::read_to_string(pipe).unwrap());
+    plan("pipe");
+    assert!(at("pipe").metadata().unwrap().file_type().is_fifo());
+    assert!(reader.join().unwrap().starts_with("t,x,y,z,"));
+}
+
+#[test]
+fn a_report_on_standard_output_has_it_to_itself() {
+    for command in ["plan", "compare"] {
+        let ran = mavc_with(&[command, "-", "--report", "-"], HOP);
+        assert_eq!(code(&ran), 0, "{}", err(&ran));
+        let record: Value = serde_json::from_str(&out(&ran)).unwrap();
+        assert_eq!(record["planners"][0]["status"], "solved");
+        assert!(!err(&ran).contains("Trajectory"), "{}", err(&ran));
+    }
+    let refused = mavc_with(&["plan", "-", "--report", "-", "--set", "plan.against=[M1]"], HOP);
+    assert_eq!(code(&refused), 3);
+    let record: Value = serde_json::from_str(&out(&refused)).unwrap();
+    assert_eq!(record["planners"][0]["status"], "infeasible");
+    assert!(!Path::new(env!("CARGO_MANIFEST_DIR")).join("-").exists());
+}
+
+/// Runs `mavc` on `HOP` with standard output going to `stdout`; the code and what is told on standard error.
+#[cfg(unix)]
+fn mavc_onto(args: &[&str], spec: &Path, stdout: Stdio) -> (i32, String) {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mavc"))
+        .args(args.iter().map(|arg| if *arg == "SPEC" { text(spec) } else { arg }))
+        .stdin(Stdio::null())
+        .stdout(stdout)
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // Nobody reads.
+    drop(child.stdout.take());
+    let ended = child.wait_with_output().unwrap();
+    (code(&ended), err(&ended))
+}
+
+#[cfg(unix)]
+#[test]
+fn standard_output_that_fails_is_an_error_and_one_that_is_closed_is_not() {
+    let dir = folder();
+    let spec = hop_in(dir.path());
+    let table = dir.path().join("traj.csv");
+    let vehicle = dir.path().join("quad.mav");
+    for args in [
+        vec!["emit", "model", "SPEC"],
+        vec!["emit", "ast", "SPEC"],
+        vec!["emit", "qp", "SPEC", "--format", "json"],
+        vec!["analyze", "SPEC"],
+        vec!["analyze", "SPEC", "--format", "json"],
+        vec!["check", "SPEC"],
+        vec!["plan", "SPEC", "-o", text(&table)],
+        vec!["plan", "SPEC", "-o", "-"],
+        vec!["compare", "SPEC"],
+        vec!["explain"],
+        vec!["explain", "mavc::unit::mismatch"],
+        vec!["--help"],
+    ] {
+        let (closed, told) = mavc_onto(&args, &spec, Stdio::piped());
+        assert_eq!(closed, 0, "{args:?}: {told}");
+        assert!(!told.contains("standard output") && !told.contains("panicked"), "{args:?}: {told}");
+        std::fs::remove_file(&table).ok();
+        #[cfg(target_os = "linux")]
+        {
+            let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+            let (failed, told) = mavc_onto(&args, &spec, full.into());
+            assert_eq!(failed, 2, "{args:?}: {told}");
+            let message = "mavc: cannot write to standard output: No space left on device\n";
+            assert!(told.ends_with(message), "{args:?}: {told}");
+            assert!(!table.exists());
+        }
+    }
+    // A broken spec is read and told on standard error alone: closed too, it is no matter.
+    std::fs::write(&vehicle, "vehicle quad { mass = 1 m }\n").unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mavc"))
+        .args(["plan", text(&spec)])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stderr.take());
+    assert_eq!(child.wait().unwrap().code(), Some(1));
 }

@@ -1,0 +1,190 @@
+//! `mavc analyze --sweep`: where verdicts flip as one field varies.
+
+use super::Problem;
+use crate::admissible::AdmissibleSet;
+use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_all};
+use crate::diagnostic::{Diagnostic, Severity, nearest};
+use crate::model::{FileSet, Model, elaborate, parse_override};
+use crate::report::number::significant;
+use crate::report::terminal;
+use crate::syntax::ast::Item;
+use serde::Serialize;
+
+/// All rotors together lift less than the vehicle weighs.
+const TOO_HEAVY: &str = "mavc::vehicle::too_heavy";
+
+/// A verdict that changes at a value of the swept field.
+#[derive(Debug, Clone, Serialize)]
+pub struct Flip {
+    mode: String,
+    /// In the unit of the sweep.
+    at: f64,
+    below: Verdict,
+    above: Verdict,
+}
+
+pub struct Sweep {
+    field: String,
+    low: f64,
+    high: f64,
+    unit: String,
+    /// Verdicts at the low end.
+    start: Vec<(String, Verdict)>,
+    pub flips: Vec<Flip>,
+}
+
+/// What verdicts depend on: fields of the vehicle as written after `vehicle.`, and gravity.
+const FIELDS: [&str; 8] = [
+    "mass",
+    "arm",
+    "first",
+    "rotor.max_thrust",
+    "rotor.thrust_coefficient",
+    "rotor.torque_per_thrust",
+    "rotor.drag_coefficient",
+    "rotor.max_speed",
+];
+const GRAVITY: &str = "gravity";
+
+/// The override that a swept field stands for.
+fn path(field: &str, files: &FileSet) -> Result<String, Problem> {
+    let inner = field.strip_prefix("vehicle.").unwrap_or(field);
+    if FIELDS.contains(&inner) {
+        return Ok(format!("vehicle.{inner}"));
+    }
+    let items = files.files.iter().flat_map(|file| &file.items);
+    let lets: Vec<&str> =
+        items.filter_map(|item| if let Item::Let(l) = item { Some(l.name.value.as_str()) } else { None }).collect();
+    if field == GRAVITY || lets.contains(&field) {
+        return Ok(field.into());
+    }
+    let of_rotor = FIELDS.into_iter().find(|known| known.strip_prefix("rotor.") == Some(inner));
+    let near = of_rotor.or_else(|| nearest(inner, FIELDS.into_iter().chain([GRAVITY]).chain(lets)));
+    Err(match near {
+        Some(near) => format!("no verdict depends on a field `{field}`; did you mean `{near}`?"),
+        None => format!("no verdict depends on `{field}`; sweep {}, {GRAVITY} or a `let`", FIELDS.join(", ")),
+    })
+}
+
+/// Looks at this many equal parts, then halves each that holds a flip.
+const PARTS: usize = 64;
+
+/// What a sweep varies, before it is run.
+struct Range<'a> {
+    field: &'a str,
+    low: f64,
+    high: f64,
+    unit: &'a str,
+}
+
+/// Reads `mass=1.5..2.5kg`; `None` where it has another shape.
+fn range(text: &str) -> Option<Range<'_>> {
+    let (field, range) = text.split_once('=')?;
+    let (low, high) = range.split_once("..")?;
+    let unit_at = high
+        .char_indices()
+        .find(|&(i, c)| {
+            let exponent = matches!(c, 'e' | 'E')
+                && high[i + 1..].starts_with(|n: char| n.is_ascii_digit() || n == '-' || n == '+');
+            !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | ' ') || exponent)
+        })
+        .map_or(high.len(), |(i, _)| i);
+    let (high, unit) = high.split_at(unit_at);
+    let unit = unit.trim();
+    let parse = |t: &str| {
+        let t = t.trim();
+        t.strip_suffix(unit).unwrap_or(t).trim().parse::<f64>().ok().filter(|v| v.is_finite())
+    };
+    Some(Range { field: field.trim(), low: parse(low)?, high: parse(high)?, unit })
+}
+
+/// The spec under a sweep, and what was found of it as it stands.
+pub struct Subject<'a> {
+    pub files: &'a FileSet,
+    /// The command line's `--set`s.
+    pub set: &'a [String],
+    pub model: &'a Model,
+    pub modes: &'a [ModeAnalysis],
+}
+
+impl Subject<'_> {
+    /// Every mode's verdict with the field set to a value, in the order of the modes.
+    fn verdicts(&self, path: &str, value: f64, unit: &str) -> Result<Vec<Verdict>, Problem> {
+        let mut files = self.files.clone();
+        let mut overrides = Vec::new();
+        for text in self.set.iter().cloned().chain([format!("{path}={value}{unit}")]) {
+            overrides.push(parse_override(&text, &mut files.sources).map_err(|d| d.message)?);
+        }
+        let checked = elaborate(&files, &overrides);
+        if let Some(model) = checked.value {
+            return Ok(analyze_all(&model, &AdmissibleSet::all(&model)).iter().map(|m| m.verdict).collect());
+        }
+        let mut errors = checked.diagnostics.iter().filter(|d| d.severity == Severity::Error);
+        match errors.find(|d| !self.is_too_heavy(d)) {
+            Some(d) => Err(format!("at {}{unit}: {}", significant(value, 6), d.message)),
+            None => Ok(vec![Verdict::Unstable; self.modes.len()]),
+        }
+    }
+
+    /// A vehicle too heavy for all its rotors is an answer here, not a mistake: no mode lifts more than they do.
+    fn is_too_heavy(&self, error: &Diagnostic) -> bool {
+        error.code == TOO_HEAVY && error.labels.iter().any(|label| label.span == self.model.vehicle.span)
+    }
+}
+
+impl Sweep {
+    /// Sweeps what `text` says, such as `mass=1.5..2.5kg`.
+    pub fn run(text: &str, subject: &Subject) -> Result<Sweep, Problem> {
+        let fail = |why: String| format!("--sweep {text}: {why}");
+        let Range { field, low, high, unit } =
+            range(text).ok_or_else(|| fail("write a field and a range such as mass=1.5..2.5kg".into()))?;
+        if low.partial_cmp(&high) != Some(std::cmp::Ordering::Less) {
+            return Err(fail("the range must rise".into()));
+        }
+        let path = path(field, subject.files).map_err(fail)?;
+        let at = |value: f64| subject.verdicts(&path, value, unit).map_err(fail);
+        let start = at(low)?;
+        let mut flips = Vec::new();
+        let mut left = (low, start.clone());
+        for i in 1..=PARTS {
+            let value = low + (high - low) * i as f64 / PARTS as f64;
+            let right = (value, at(value)?);
+            for (k, mode) in subject.modes.iter().enumerate() {
+                let (below, above) = (left.1[k], right.1[k]);
+                if below == above {
+                    continue;
+                }
+                let (mut a, mut b) = (left.0, right.0);
+                while b - a > 1e-7 * (high - low).max(b.abs()) {
+                    let middle = 0.5 * (a + b);
+                    if at(middle)?[k] == below { a = middle } else { b = middle }
+                }
+                flips.push(Flip { mode: mode.name.clone(), at: 0.5 * (a + b), below, above });
+            }
+            left = right;
+        }
+        flips.sort_by(|a, b| a.at.total_cmp(&b.at));
+        let start = subject.modes.iter().map(|m| m.name.clone()).zip(start).collect();
+        Ok(Sweep { field: field.into(), low, high, unit: unit.into(), start, flips })
+    }
+
+    pub fn to_text(&self, model: &Model) -> String {
+        let mut out = format!(
+            "{}, {} from {} to {} {}\n",
+            terminal::vehicle_line(model),
+            self.field,
+            significant(self.low, 6),
+            significant(self.high, 6),
+            self.unit
+        );
+        for (mode, verdict) in &self.start {
+            out.push_str(&format!("  {mode}: {}", verdict.name()));
+            for f in self.flips.iter().filter(|f| f.mode == *mode) {
+                out.push_str(&format!(", {} above {} {}", f.above.name(), significant(f.at, 6), self.unit));
+            }
+            out.push('\n');
+        }
+        out.push_str(&format!("Looked at {} values; two flips closer than a step may be missed.\n", PARTS + 1));
+        out
+    }
+}

@@ -1,0 +1,184 @@
+//! Where results go: files whole or not at all, pipes, standard output.
+
+use super::Problem;
+use super::files::{print, reason, unless_gone};
+use std::fs::{File, OpenOptions};
+use std::io::{Error, ErrorKind, Result as IoResult, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// Where one result goes.
+pub struct Target {
+    /// As the user wrote it.
+    name: PathBuf,
+    place: Place,
+}
+
+enum Place {
+    Stdout,
+    /// The file behind all links; it comes about whole, through a temporary neighbour and a rename.
+    File(PathBuf),
+    /// A pipe or a device: it is opened and written, never replaced.
+    Stream,
+}
+
+impl Target {
+    /// Finds the place and says early that a result could not be written there, before minutes of work.
+    pub fn new(name: &Path) -> Result<Target, Problem> {
+        let place = if name.as_os_str() == "-" { Ok(Place::Stdout) } else { place(name) };
+        let place = place.map_err(|e| cannot_write(name, &e))?;
+        Ok(Target { name: name.into(), place })
+    }
+
+    pub fn is_stdout(&self) -> bool {
+        matches!(self.place, Place::Stdout)
+    }
+
+    /// Refuses to write over something that is read, or where another result goes.
+    pub fn must_spare<'a>(&self, read: impl IntoIterator<Item = &'a str>) -> Result<(), Problem> {
+        let Place::File(path) = &self.place else { return Ok(()) };
+        // What does not exist yet is none of the files that were read.
+        let Some(own) = identity(path) else { return Ok(()) };
+        let refuse = |what: &str| Err(format!("{} is {what}: write to another file", self.name.display()));
+        if let Some(name) = read.into_iter().find(|name| identity(Path::new(name)).as_ref() == Some(&own)) {
+            let same = Path::new(name) == self.name;
+            return refuse(&if same { "a file that is read".into() } else { format!("{name}, which is read") });
+        }
+        match streams().into_iter().find(|(_, stream)| *stream == Some(own)) {
+            Some((what, _)) => refuse(what),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether two results would end up in one place.
+    pub fn is_same(&self, other: &Target) -> bool {
+        match (&self.place, &other.place) {
+            (Place::Stdout, Place::Stdout) => true,
+            (Place::File(a), Place::File(b)) => a == b || identity(a).is_some_and(|id| identity(b) == Some(id)),
+            _ => false,
+        }
+    }
+}
+
+/// Writes results. Files appear together, once each of them and all else could be written.
+pub fn write(results: &[(&Target, String)]) -> Result<(), Problem> {
+    let mut whole = Vec::new();
+    for (target, text) in results {
+        let attempt = match &target.place {
+            Place::Stdout => {
+                print(text)?;
+                Ok(())
+            }
+            Place::File(path) => beside(path, text).map(|file| whole.push((target, path, file))),
+            Place::Stream => {
+                let open = OpenOptions::new().write(true).open(&target.name);
+                unless_gone(open.and_then(|mut stream| stream.write_all(text.as_bytes())))
+            }
+        };
+        attempt.map_err(|e| cannot_write(&target.name, &e))?;
+    }
+    for (target, path, file) in whole {
+        file.persist(path).map_err(|e| cannot_write(&target.name, &e.error))?;
+    }
+    Ok(())
+}
+
+fn cannot_write(name: &Path, e: &Error) -> Problem {
+    format!("cannot write {}: {}", name.display(), reason(e))
+}
+
+fn place(name: &Path) -> IoResult<Place> {
+    match std::fs::metadata(name) {
+        Ok(there) if there.is_dir() => Err(ErrorKind::IsADirectory.into()),
+        Ok(there) if !there.is_file() => Ok(Place::Stream),
+        Ok(_) => {
+            OpenOptions::new().write(true).open(name)?;
+            checked(name.canonicalize()?)
+        }
+        Err(e) if e.kind() == ErrorKind::NotFound => {
+            // A link may lead to a file that is yet to be.
+            let mut path = name.to_path_buf();
+            while let Ok(next) = path.read_link() {
+                path = folder(&path).join(next);
+            }
+            let (Ok(folder), Some(file)) = (folder(&path).canonicalize(), path.file_name()) else {
+                return Err(Error::other("its folder does not exist"));
+            };
+            checked(folder.join(file))
+        }
+        Err(e) => Err(e),
+    }
+}
+
+/// The folder takes a temporary file.
+fn checked(path: PathBuf) -> IoResult<Place> {
+    temporary(&path)?;
+    Ok(Place::File(path))
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// A temporary file beside `path`, with its text, and with its permissions and owner where it exists.
+fn beside(path: &Path, text: &str) -> IoResult<NamedTempFile> {
+    let mut file = temporary(path)?;
+    if let Ok(there) = path.metadata() {
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::MetadataExt;
+            // Only the superuser may give files away; anybody else owns the new one.
+            let _ = std::os::unix::fs::chown(file.path(), Some(there.uid()), Some(there.gid()));
+        }
+        std::fs::set_permissions(file.path(), there.permissions())?;
+    }
+    file.write_all(text.as_bytes())?;
+    file.as_file().sync_all()?;
+    Ok(file)
+}
+
+fn temporary(path: &Path) -> IoResult<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".mavc-");
+    // Temporary files are private; results are as any new file is.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder(path))
+}
+
+/// What tells files apart whatever their names.
+#[cfg(unix)]
+type Identity = (u64, u64);
+#[cfg(not(unix))]
+type Identity = PathBuf;
+
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    path.metadata().ok().map(|there| (there.dev(), there.ino()))
+}
+
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<Identity> {
+    path.canonicalize().ok()
+}
+
+/// Files that standard input comes from and standard output goes to.
+#[cfg(unix)]
+fn streams() -> [(&'static str, Option<Identity>); 2] {
+    use std::os::fd::AsFd;
+    use std::os::unix::fs::MetadataExt;
+    let identity = |stream: std::os::fd::BorrowedFd| {
+        let file = stream.try_clone_to_owned().map(File::from);
+        file.and_then(|f| f.metadata()).ok().map(|there| (there.dev(), there.ino()))
+    };
+    [
+        ("where standard input comes from", identity(std::io::stdin().as_fd())),
+        ("where standard output goes", identity(std::io::stdout().as_fd())),
+    ]
+}
+
+#[cfg(not(unix))]
+fn streams() -> [(&'static str, Option<Identity>); 0] {
+    []
+}
