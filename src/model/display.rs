@@ -136,7 +136,7 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
         }
         writeln!(f)?;
         if let Some(leg) = m.legs.get(i) {
-            writeln!(f, "  leg {} has {} % of the free time", i + 1, number(leg.share * 100.0))?;
+            writeln!(f, "  leg {} has a share of {}", i + 1, number(leg.share))?;
         }
     }
     m.limits.iter().try_for_each(|l| limit(f, l))

@@ -77,7 +77,11 @@ impl PlanningSet {
 /// facets it stands for as `mode.facet` (mode 0 is healthy, the others in the order declared).
 impl fmt::Display for PlanningSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{} rows at every node", self.rows.len())?;
+        let n = self.rows.len();
+        writeln!(
+            f,
+            "{n} rows at every node: T, tau_x, tau_y, tau_z; the bound, in widths of the healthy set; mode.facet"
+        )?;
         for row in &self.rows {
             for v in row.normal.iter() {
                 let v = if v.abs() < 5e-10 { 0.0 } else { *v };

@@ -1,5 +1,6 @@
 //! The machine-readable report (`--report`), schema in `docs/schema/report.schema.json`.
 
+use super::caveats::{Caveat, caveats};
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
 use crate::planner::hover_model::YAW;
@@ -32,6 +33,8 @@ pub struct PlannerRecord {
     /// Facet rows imposed: those of the planning set at every node.
     pub rows: usize,
     pub modes: Vec<ModeRecord>,
+    /// Where the plan is not what it seems.
+    pub warnings: Vec<Caveat>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -91,6 +94,7 @@ impl Record {
             max_waypoint_error_m: None,
             rows: 0,
             modes: Vec::new(),
+            warnings: Vec::new(),
         };
         Record { schema: 1, spec_sha256, reserve: model.plan.reserve, planners: vec![planner] }
     }
@@ -116,6 +120,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         max_waypoint_error_m: None,
         rows: run.set.rows.len() * nodes,
         modes: Vec::new(),
+        warnings: Vec::new(),
     };
     match &run.ending {
         Ending::Infeasible { .. } => record.status = "infeasible",
@@ -127,6 +132,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             record.position_error_m = Some(e.position);
             record.yaw_error_rad = Some(e.yaw);
             record.max_waypoint_error_m = Some(e.largest);
+            record.warnings = caveats(model, solved);
             record.modes = comparison
                 .modes
                 .iter()

@@ -1,12 +1,15 @@
 //! Reports for people.
 
+use super::caveats::caveats;
 use super::number::{fixed, number, percent, significant};
 use super::record::errors;
 use super::table::Table;
 use crate::admissible::verdict::ModeAnalysis;
-use crate::model::{LimitKind, Mission, Model, PlannerKind};
+use crate::model::{Mission, Model, PlannerKind};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
-use crate::trajectory::checks::{limit_excesses, stretch};
+
+/// Columns of running text.
+const WIDTH: usize = 110;
 
 /// `octo (PPNNPPNN, 8 rotors, 1.8 kg)`
 pub fn vehicle_line(model: &Model) -> String {
@@ -108,8 +111,9 @@ fn solved_run(model: &Model, mission: &Mission, comparison: &Comparison, run: &P
             times.join(", ")
         ));
     }
-    for line in warnings(model, solved) {
-        out.push_str(&format!("\n  {line}\n"));
+    for caveat in caveats(model, solved) {
+        let text = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+        out.push_str(&format!("\n{}\n", textwrap::fill(&caveat.message, text)));
     }
     out
 }
@@ -132,62 +136,6 @@ fn mode_table(comparison: &Comparison, solved: &Solved) -> Table {
         ]);
     }
     table
-}
-
-/// Where a plan is not what it seems: limits passed between nodes, the linear model out of its range.
-pub fn warnings(model: &Model, solved: &Solved) -> Vec<String> {
-    let mut lines = Vec::new();
-    let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
-    for e in limit_excesses(&solved.trajectory, model, 1e-6) {
-        let (name, unit, factor) = limit_words(limits[e.limit].kind);
-        lines.push(format!(
-            "Between samples the {name} limit is passed by {} {unit} at {} s; more samples make it less.",
-            significant(e.by * factor, 3),
-            fixed(e.at, 2)
-        ));
-    }
-    let s = stretch(&solved.trajectory, model);
-    if s.tilts_too_far() {
-        lines.push(format!(
-            "Past the linear model: the plan tilts to {} degrees at {} s, and small angles end at about 20. The real\n  wrench differs from the planned one there; fly slower or limit the tilt.",
-            fixed(s.tilt.value.to_degrees(), 1),
-            fixed(s.tilt.at, 2)
-        ));
-    }
-    if s.nearly_falls() {
-        let share = s.least_thrust.value / s.full_thrust;
-        let falls = match share {
-            x if x.abs() < 1e-6 => "to nothing".to_string(),
-            x if x < 0.0 => "below nothing".to_string(),
-            x => format!("to {} N, {} of full thrust,", significant(s.least_thrust.value, 3), percent(x)),
-        };
-        lines.push(format!(
-            "Past the linear model: thrust falls {falls} at {} s, and a vehicle without thrust cannot be\n  steered by tilting it; limit the descent or the vertical acceleration.",
-            fixed(s.least_thrust.at, 2)
-        ));
-    }
-    lines
-}
-
-/// Name, unit for people and factor from SI.
-fn limit_words(kind: LimitKind) -> (&'static str, &'static str, f64) {
-    let degrees = 180.0 / std::f64::consts::PI;
-    match kind {
-        LimitKind::X => ("x", "m", 1.0),
-        LimitKind::Y => ("y", "m", 1.0),
-        LimitKind::Z => ("altitude", "m", 1.0),
-        LimitKind::Yaw => ("yaw", "deg", degrees),
-        LimitKind::Speed => ("speed", "m/s", 1.0),
-        LimitKind::SpeedHorizontal => ("horizontal speed", "m/s", 1.0),
-        LimitKind::Climb => ("climb", "m/s", 1.0),
-        LimitKind::Descent => ("descent", "m/s", 1.0),
-        LimitKind::Acceleration => ("acceleration", "m/s^2", 1.0),
-        LimitKind::AccelerationHorizontal => ("horizontal acceleration", "m/s^2", 1.0),
-        LimitKind::Jerk => ("jerk", "m/s^3", 1.0),
-        LimitKind::YawRate => ("yaw rate", "deg/s", degrees),
-        LimitKind::YawAcceleration => ("yaw acceleration", "deg/s^2", degrees),
-        LimitKind::Tilt => ("tilt", "deg", degrees),
-    }
 }
 
 /// The tables of section 5.4 for any spec.
@@ -223,8 +171,16 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison) -> Str
 }
 
 fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
-    let mut table =
-        Table::new(&["planner", "T [s]", "e_R [m]", "e_R/N [m]", "e_psi [rad]", "largest [cm]", "objective", "rows"]);
+    let mut table = Table::new(&[
+        "planner",
+        "T [s]",
+        "e_R [m]",
+        "e_R/N [m]",
+        "e_psi [rad]",
+        "largest [cm]",
+        "objective",
+        "rows/node",
+    ]);
     let n = mission.waypoints.len() as f64;
     for run in comparison.runs.iter().filter(|r| r.run == which) {
         let name = match (run.planner, run.against.len()) {

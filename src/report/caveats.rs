@@ -1,0 +1,103 @@
+//! Where a plan is not what it seems: limits passed between nodes, the linear model out of its range.
+
+use super::number::{fixed, percent, significant};
+use crate::model::{LimitKind, Model};
+use crate::planner::compare::Solved;
+use crate::trajectory::checks::{limit_excesses, stretch};
+use serde::Serialize;
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Caveat {
+    pub kind: CaveatKind,
+    /// The limit passed, in words.
+    pub limit: Option<&'static str>,
+    /// SI: by how much a limit is passed, the tilt (rad), the thrust (N).
+    pub value: f64,
+    /// When it is worst, s since the start.
+    pub at_s: f64,
+    pub message: String,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CaveatKind {
+    /// A limit holds at the nodes and is passed between them.
+    LimitBetweenSamples,
+    /// Small angles no longer hold.
+    Tilt,
+    /// Thrust nearly vanishes, or would have to pull.
+    Thrust,
+}
+
+/// Passed limits first, in the spec's order.
+pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
+    let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
+    let passed = limit_excesses(&solved.trajectory, model, 1e-6).into_iter().map(|e| {
+        let (name, unit, factor) = limit_words(limits[e.limit].kind);
+        Caveat {
+            kind: CaveatKind::LimitBetweenSamples,
+            limit: Some(name),
+            value: e.by,
+            at_s: e.at,
+            message: format!(
+                "Between samples the {name} limit is passed by {} {unit} at {} s; more samples make it less.",
+                significant(e.by * factor, 3),
+                fixed(e.at, 2)
+            ),
+        }
+    });
+    let s = stretch(&solved.trajectory, model);
+    let tilt = s.tilts_too_far().then(|| Caveat {
+        kind: CaveatKind::Tilt,
+        limit: None,
+        value: s.tilt.value,
+        at_s: s.tilt.at,
+        message: format!(
+            "Past the linear model: the plan tilts to {} degrees at {} s, and small angles end at about 20. The real \
+             wrench differs from the planned one there; fly slower or limit the tilt.",
+            fixed(s.tilt.value.to_degrees(), 1),
+            fixed(s.tilt.at, 2)
+        ),
+    });
+    let thrust = s.nearly_falls().then(|| {
+        let share = s.least_thrust.value / s.full_thrust;
+        let falls = match share {
+            x if x.abs() < 1e-6 => "to nothing".to_string(),
+            x if x < 0.0 => "below nothing".to_string(),
+            x => format!("to {} N, {} of full thrust,", significant(s.least_thrust.value, 3), percent(x)),
+        };
+        Caveat {
+            kind: CaveatKind::Thrust,
+            limit: None,
+            value: s.least_thrust.value,
+            at_s: s.least_thrust.at,
+            message: format!(
+                "Past the linear model: thrust falls {falls} at {} s, and a vehicle without thrust cannot be steered \
+                 by tilting it; limit the descent or the vertical acceleration.",
+                fixed(s.least_thrust.at, 2)
+            ),
+        }
+    });
+    passed.chain(tilt).chain(thrust).collect()
+}
+
+/// Name, unit for people and factor from SI.
+fn limit_words(kind: LimitKind) -> (&'static str, &'static str, f64) {
+    let degrees = 180.0 / std::f64::consts::PI;
+    match kind {
+        LimitKind::X => ("x", "m", 1.0),
+        LimitKind::Y => ("y", "m", 1.0),
+        LimitKind::Z => ("altitude", "m", 1.0),
+        LimitKind::Yaw => ("yaw", "deg", degrees),
+        LimitKind::Speed => ("speed", "m/s", 1.0),
+        LimitKind::SpeedHorizontal => ("horizontal speed", "m/s", 1.0),
+        LimitKind::Climb => ("climb", "m/s", 1.0),
+        LimitKind::Descent => ("descent", "m/s", 1.0),
+        LimitKind::Acceleration => ("acceleration", "m/s^2", 1.0),
+        LimitKind::AccelerationHorizontal => ("horizontal acceleration", "m/s^2", 1.0),
+        LimitKind::Jerk => ("jerk", "m/s^3", 1.0),
+        LimitKind::YawRate => ("yaw rate", "deg/s", degrees),
+        LimitKind::YawAcceleration => ("yaw acceleration", "deg/s^2", degrees),
+        LimitKind::Tilt => ("tilt", "deg", degrees),
+    }
+}
