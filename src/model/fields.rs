@@ -24,7 +24,10 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("drag_coefficient", "is a field of `rotor` in a `vehicle`"),
     ("time_constant", "is a field of `rotor` in a `vehicle`"),
     ("points", "follows the range of a `curve`, after a comma"),
-    ("rate", "is a field of a fault mode"),
+    ("rate", "is a field of a fault mode, between the braces of `mode` or `every`"),
+    ("severity", "is a field of a fault mode, between the braces of `mode` or `every`"),
+    ("occurrence", "is a field of a fault mode, between the braces of `mode` or `every`"),
+    ("detection", "is a field of a fault mode, between the braces of `mode` or `every`"),
     ("rpn", "is the product of `severity`, `occurrence` and `detection`: write those"),
     ("probability", "is written as a failure rate, such as `rate = 1e-5 1/h`"),
     ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
@@ -118,6 +121,8 @@ impl<'a> Fields<'a> {
             error = error.help(place);
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
+        } else if known.is_empty() {
+            error = error.help("take it out: no field stands here, only statements");
         } else {
             error = error.help(format!("its fields are {}", listed(known)));
         }
