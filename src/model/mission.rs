@@ -2,6 +2,8 @@
 
 mod curve;
 
+use std::collections::BTreeMap;
+
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
@@ -66,6 +68,8 @@ pub(super) struct Route {
     pub curves: Vec<Option<usize>>,
     /// A statement had an error, so points may be missing.
     pub broken: bool,
+    /// The names of the waypoints that have one, by statement, not by table.
+    names: BTreeMap<String, Span>,
     too_many: bool,
     too_far: bool,
 }
@@ -120,6 +124,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         yaws: Vec::new(),
         curves: Vec::new(),
         broken: false,
+        names: BTreeMap::new(),
         too_many: false,
         too_far: false,
     };
@@ -236,10 +241,12 @@ fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner:
         return;
     };
     let name = clauses.name.as_ref();
-    if let Some(name) = name
-        && let Some(first) = route.waypoints.iter().find(|w| w.name.as_deref() == Some(&name.value))
-    {
-        cx.report(super::context::duplicate("waypoint", name, first.span));
+    if let Some(name) = name {
+        let of_table = || route.waypoints.iter().find(|w| w.name.as_deref() == Some(&name.value)).map(|w| w.span);
+        match route.names.get(&name.value).copied().or_else(of_table) {
+            Some(first) => cx.report(super::context::duplicate("waypoint", name, first)),
+            None => drop(route.names.insert(name.value.clone(), name.span)),
+        }
     }
     let stop = Stop {
         name: name.map(|n| n.value.clone()),
