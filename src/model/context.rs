@@ -138,8 +138,7 @@ impl<'a> Context<'a> {
                 let value = match &field.value {
                     FieldValue::Expr(expr) => self.evaluate(expr),
                     FieldValue::Where { field, .. } => {
-                        let message = "`where` stands only in `against`";
-                        self.report(Diagnostic::error("mavc::plan::choice", field.span, message));
+                        self.report(no_filter(field.span));
                         None
                     }
                 };
@@ -194,6 +193,13 @@ pub(super) fn duplicate(what: &str, name: &Name, first: Span) -> Diagnostic {
         .here("declared again")
         .also(first, "first declared here")
         .help("give one of them another name, or take one out")
+}
+
+/// `where` in a field other than `against`.
+pub(super) fn no_filter(span: Span) -> Diagnostic {
+    Diagnostic::error("mavc::plan::choice", span, "`where` stands only in `against`")
+        .here("not a filter")
+        .help("write a value in its place")
 }
 
 /// `a`, `b` and `c`, each in backquotes.

@@ -1,6 +1,6 @@
 //! From the tree to the model: collect, evaluate, choose, check.
 
-use super::context::{Context, State, duplicate};
+use super::context::{Context, State, duplicate, no_filter};
 use super::due::Due;
 use super::fault::Modes;
 use super::fields::elsewhere;
@@ -222,8 +222,7 @@ fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: 
             }
         }
         Some(FieldValue::Where { field, .. }) => {
-            let error = Diagnostic::error("mavc::plan::choice", field.span, "`where` stands only in `against`");
-            cx.report(error.here("not a filter"));
+            cx.report(no_filter(field.span));
         }
         None => defaults.push(DefaultUsed {
             field: "gravity".into(),

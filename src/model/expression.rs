@@ -303,6 +303,12 @@ impl<'a> Context<'a> {
         }
         match self.evaluate(expr)? {
             Value::Range(low, high) => Some((low, high)),
+            Value::Quantity(_) => {
+                let error =
+                    Diagnostic::error("mavc::unit::kind", expr.span, format!("{due} is due here, not a number"));
+                self.report(error.here("one end alone").help("write both ends, as in `LOW .. HIGH`"));
+                None
+            }
             other => self.wrong_kind(&other, due, expr.span),
         }
     }

@@ -1,6 +1,6 @@
 //! The `name = value` statements of a block: known names, no repetition, nothing due left out.
 
-use super::context::{Context, listed};
+use super::context::{Context, listed, no_filter};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Clauses, Expr, Field, FieldValue, Name, Statement};
@@ -79,8 +79,7 @@ impl<'a> Fields<'a> {
         match &field.value {
             FieldValue::Expr(expr) => self.take(cx, &field.name, expr, field.span, known),
             FieldValue::Where { .. } => {
-                let message = "`where` stands only in `against`";
-                cx.report(Diagnostic::error("mavc::plan::choice", field.span, message).here("not a filter"));
+                cx.report(no_filter(field.span));
                 self.accounted.extend(known.iter().find(|k| **k == field.name.value));
             }
         }

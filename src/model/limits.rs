@@ -6,7 +6,7 @@ use super::{Limit, LimitKind, Waypoint};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, LimitRelation, Statement};
+use crate::syntax::ast::{Block, Expr, ExprKind, LimitRelation, Statement};
 
 /// Which forms a limit takes.
 #[derive(Clone, Copy, PartialEq)]
@@ -120,6 +120,24 @@ fn one<'a>(
     relation: &'a LimitRelation,
     span: Span,
 ) -> Option<Limit> {
+    let (written, bound) = match relation {
+        LimitRelation::AtMost(e) => ("<=", e),
+        LimitRelation::AtLeast(e) => (">=", e),
+        LimitRelation::In(e) => ("in", e),
+    };
+    let allowed: &[&str] = match form {
+        Form::Coordinate => &["<=", ">=", "in"],
+        Form::Norm | Form::OneSided => &["<="],
+        Form::Rate => &["<=", "in"],
+    };
+    if !allowed.contains(&written) {
+        let highest = if let ExprKind::Range { high, .. } = &bound.kind { high } else { bound };
+        let mended = format!("{name} <= {}", cx.sources.snippet(highest.span));
+        let error = Diagnostic::error(FORM, span, format!("`{name}` is bounded from above only"));
+        let error = error.here(format!("`{written}` does not fit"));
+        cx.report(error.help(format!("write `{mended}`")).fix(span, mended));
+        return None;
+    }
     let due = Due::new(name, unit);
     let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
         LimitRelation::AtMost(e) => {
@@ -132,21 +150,6 @@ fn one<'a>(
             (Some(low), Some(high), e)
         }
     };
-    let written = match relation {
-        LimitRelation::AtMost(_) => "<=",
-        LimitRelation::AtLeast(_) => ">=",
-        LimitRelation::In(_) => "in",
-    };
-    let allowed: &[&str] = match form {
-        Form::Coordinate => &["<=", ">=", "in"],
-        Form::Norm | Form::OneSided => &["<="],
-        Form::Rate => &["<=", "in"],
-    };
-    if !allowed.contains(&written) {
-        let error = Diagnostic::error(FORM, span, format!("`{name}` is bounded from above only"));
-        cx.report(error.here(format!("`{written}` does not fit")).help(format!("write `{name} <= ...`")));
-        return None;
-    }
     if let (Some(low), Some(high)) = (lower, upper)
         && low > high
         && written == "in"

@@ -80,7 +80,7 @@ impl Route {
             if !self.too_many {
                 let message = format!("a mission has at most {MAX_WAYPOINTS} waypoints");
                 let error = Diagnostic::error("mavc::mission::too_many_waypoints", stop.span, message);
-                cx.report(error.here("the limit is passed here"));
+                cx.report(error.here("the limit is passed here").help("use fewer points"));
             }
             (self.too_many, self.broken) = (true, true);
             return;
@@ -333,6 +333,7 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
 pub(super) fn too_long(span: Span, duration: f64) -> Diagnostic {
     Diagnostic::error(TOO_LONG, span, "a mission lasts at most 100,000 s, over a day")
         .here(format!("it comes to {} s here", number(duration)))
+        .help("write a shorter time, or another unit")
 }
 
 /// Warns of waypoints that their successor makes idle, once a statement.
