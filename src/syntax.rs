@@ -1,7 +1,7 @@
 //! Text to tree.
 //!
 //! # Steps
-//! 1. `layout` looks at the whole text once: comments become blanks, lines inside brackets are joined, brackets
+//! 1. `layout` looks at the whole text: comments become blanks, lines inside brackets are joined, brackets
 //!    and braces are matched, limits are kept.
 //! 2. The grammar (`grammar/mav.pest`) splits the result into statements; `build` makes the tree ([`ast`]).
 //! 3. A statement that fits none is read again alone, and `mistake` says what is wrong with it.

@@ -1,11 +1,12 @@
 //! The operators: on two numbers, and element by element where lists allow it.
 
-use super::context::Context;
+use super::context::{CONSTANTS, Context};
+use super::due::joined_unit;
 use super::expression::Value;
 use crate::diagnostic::Diagnostic;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, Operator};
-use crate::unit::{Quantity, compare};
+use crate::unit::{Quantity, compare, parse_unit};
 
 impl<'a> Context<'a> {
     /// `left operator right`; `span` covers both.
@@ -18,6 +19,9 @@ impl<'a> Context<'a> {
     ) -> Option<Value> {
         use Operator::{Add, Divide, Multiply, Subtract};
         use Value::{List, Quantity as One};
+        if self.stands_apart(operator, left, right) {
+            return None;
+        }
         let (a, b) = (self.evaluate(left), self.evaluate(right));
         let join = (operator, left, right);
         match (a?, b?) {
@@ -43,6 +47,27 @@ impl<'a> Context<'a> {
                 None
             }
         }
+    }
+
+    /// A unit after an operator where it should follow its number, `2e-5 / h`: reported here.
+    fn stands_apart(&mut self, operator: &Spanned<Operator>, left: &Expr, right: &Expr) -> bool {
+        let name = self.sources.snippet(right.span);
+        let is_known = self.in_scope(name) || CONSTANTS.contains(&name) || self.may_exist(name);
+        let Some((number, unit)) = joined_unit(operator.value, left, right).filter(|_| !is_known) else {
+            return false;
+        };
+        if parse_unit(&unit, self.gravity).is_err() {
+            return false;
+        }
+        let message = format!("no `let` is called `{name}`, and a unit cannot stand alone");
+        let mended = format!("{number} {unit}");
+        self.report(
+            Diagnostic::error("mavc::name::unknown", right.span, message)
+                .here("a unit stands directly after a number, `)` or `]`")
+                .help(format!("write `{mended}`"))
+                .fix(left.span.to(right.span), mended),
+        );
+        true
     }
 
     fn each(
@@ -95,7 +120,16 @@ impl<'a> Context<'a> {
         let table = compare(["left", "right"], x, y).table;
         let (bare, other) = if x.is_plain() { (left, y) } else { (right, x) };
         let bare_side = (x.is_plain() || y.is_plain()).then(|| other.named()).flatten();
+        let error = Diagnostic::error("mavc::unit::mismatch", operator.span, message)
+            .here("both sides must measure the same")
+            .also(left.span, format!("this is {}", x.describe()))
+            .also(right.span, format!("this is {}", y.describe()));
+        let error = match bare_side {
+            Some((_, unit)) => self.blame(bare, unit, error),
+            None => error,
+        };
         let slip = match bare_side.and_then(|(_, unit)| self.with_unit(bare, unit)) {
+            _ if error.help.is_some() => error.help.as_ref().map(|help| format!("a unit is missing: {help}")),
             Some(mended) => Some(format!("a unit is missing: write `{mended}`")),
             None => self.likely_slip(y, left).or_else(|| self.likely_slip(x, right)),
         };
@@ -103,13 +137,7 @@ impl<'a> Context<'a> {
             Some(slip) => format!("{table}\n{slip}"),
             None => table,
         };
-        self.report(
-            Diagnostic::error("mavc::unit::mismatch", operator.span, message)
-                .here("both sides must measure the same")
-                .also(left.span, format!("this is {}", x.describe()))
-                .also(right.span, format!("this is {}", y.describe()))
-                .help(help),
-        );
+        self.report(error.help(help));
         None
     }
 

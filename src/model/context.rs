@@ -84,6 +84,11 @@ impl<'a> Context<'a> {
         self.incomplete || self.lost_words.contains(name)
     }
 
+    /// Holds back what would be said of `name` as one that nothing declares: its declaration has an error.
+    pub fn lose(&mut self, name: &'a str) {
+        self.lost_words.insert(name);
+    }
+
     /// Takes up every `let`; a second one of a name, or a name of the language, is an error.
     pub fn declare(&mut self, fields: impl Iterator<Item = &'a Field>) {
         for field in fields {
@@ -133,8 +138,7 @@ impl<'a> Context<'a> {
                 let value = match &field.value {
                     FieldValue::Expr(expr) => self.evaluate(expr),
                     FieldValue::Where { field, .. } => {
-                        let message = "`where` stands only in `against`";
-                        self.report(Diagnostic::error("mavc::plan::choice", field.span, message));
+                        self.report(no_filter(field.span));
                         None
                     }
                 };
@@ -159,6 +163,11 @@ impl<'a> Context<'a> {
 
     /// Says that `name` is not known, unless it may stand where the text could not be read.
     pub fn unknown(&mut self, what: &str, name: &str, span: Span, known: &[&str]) {
+        self.unknown_among(what, name, span, known, |_| true);
+    }
+
+    /// As [`Context::unknown`], where only some of the known names may be the one that was meant.
+    pub fn unknown_among(&mut self, what: &str, name: &str, span: Span, known: &[&str], open: impl Fn(&str) -> bool) {
         if self.may_exist(name) {
             return;
         }
@@ -166,12 +175,12 @@ impl<'a> Context<'a> {
         let known = if self.diagnostics.len() < MAX_DIAGNOSTICS { known } else { &[] };
         let mut error = Diagnostic::error("mavc::name::unknown", span, format!("no {what} is called `{name}`"))
             .here("not declared");
-        if let Some(near) = nearest(name, known.iter().copied()) {
+        if let Some(near) = nearest(name, known.iter().copied().filter(|k| open(k))) {
             error = error.help(format!("did you mean `{near}`?")).fix(span, near);
         } else if what == "`let`" {
             error = error.help(format!("declare it outside all blocks: `let {name} = ...`"));
-        } else if !known.is_empty() && known.len() <= 12 {
-            error = error.help(format!("there is {}", listed(known)));
+        } else if !known.is_empty() {
+            error = error.help(format!("there is {}", in_runs(known)));
         }
         self.report(error);
     }
@@ -186,11 +195,44 @@ pub(super) fn duplicate(what: &str, name: &Name, first: Span) -> Diagnostic {
         .help("give one of them another name, or take one out")
 }
 
+/// `where` in a field other than `against`.
+pub(super) fn no_filter(span: Span) -> Diagnostic {
+    Diagnostic::error("mavc::plan::choice", span, "`where` stands only in `against`")
+        .here("not a filter")
+        .help("write a value in its place")
+}
+
 /// `a`, `b` and `c`, each in backquotes.
 pub(super) fn listed(words: &[&str]) -> String {
-    let quoted: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();
-    match quoted.split_last() {
+    joined(&words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>())
+}
+
+/// As [`listed`], where names that differ in their numbers alone are told by the first and the last, and not too many.
+fn in_runs(names: &[&str]) -> String {
+    const SHOWN: usize = 12;
+    let runs = names.chunk_by(|a, b| without_digits(a) == without_digits(b));
+    let mut words: Vec<String> = Vec::new();
+    for run in runs {
+        match run {
+            [first, _, .., last] => words.push(format!("`{first}` to `{last}`")),
+            few => words.extend(few.iter().map(|name| format!("`{name}`"))),
+        }
+    }
+    if words.len() > SHOWN {
+        let more = words.split_off(SHOWN - 1).len();
+        words.push(format!("{more} more"));
+    }
+    joined(&words)
+}
+
+pub(super) fn without_digits(name: &str) -> String {
+    name.chars().filter(|c| !c.is_ascii_digit()).collect()
+}
+
+/// "a, b and c"
+fn joined(words: &[String]) -> String {
+    match words.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-        _ => quoted.concat(),
+        _ => words.concat(),
     }
 }

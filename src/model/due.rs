@@ -1,11 +1,13 @@
 //! What a place in the spec expects: a quantity of some dimension, a positive one, a whole number, a share.
 
-use super::context::Context;
-use super::expression::Value;
+use super::context::{Context, State};
+use super::elaborate::expr_of;
+use super::expression::{Value, is_bare, trailing_unit};
+use super::overrides::OVERRIDE;
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
-use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::ast::{Expr, ExprKind, Operator};
 use crate::unit::{Dimension, Quantity, mismatch, parse_unit};
 
 /// What a field or clause takes: its name as the author writes it, and the unit one would write.
@@ -38,34 +40,35 @@ impl<'a> Context<'a> {
     /// As [`Context::number`], above zero; `code` names the mistake of one that is not.
     pub fn positive(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
-        self.require(value > 0.0, code, due.what, "has to be greater than zero", value, due.unit, expr.span)
+        if value > 0.0 {
+            return Some(value);
+        }
+        self.wrong_sign(due, "has to be greater than zero", value, expr, code)
     }
 
     /// As [`Context::number`], zero or above.
     pub fn not_negative(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
-        self.require(value >= 0.0, code, due.what, "cannot be negative", value, due.unit, expr.span)
-    }
-
-    #[allow(clippy::too_many_arguments)]
-    fn require(
-        &mut self,
-        holds: bool,
-        code: &'static str,
-        what: &str,
-        rule: &str,
-        value: f64,
-        unit: &str,
-        span: Span,
-    ) -> Option<f64> {
-        if holds {
+        if value >= 0.0 {
             return Some(value);
         }
-        let scale = parse_unit(unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
+        self.wrong_sign(due, "cannot be negative", value, expr, code)
+    }
+
+    fn wrong_sign<T>(&mut self, due: Due, rule: &str, value: f64, expr: &Expr, code: &'static str) -> Option<T> {
+        let scale = parse_unit(due.unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
         let found = number(value / scale);
-        let found = if unit == "1" { found } else { format!("{found} {unit}") };
-        let error = Diagnostic::error(code, span, format!("`{what}` {rule}"));
-        self.report(error.here(format!("this is {found}")));
+        let found = if due.unit == "1" { found } else { format!("{found} {}", due.unit) };
+        let error = Diagnostic::error(code, expr.span, format!("`{}` {rule}", due.what));
+        let error = error.here(format!("this is {found}"));
+        self.report(match &expr.kind {
+            ExprKind::Negate(inner) if value < 0.0 => {
+                let mended = self.sources.snippet(inner.span);
+                error.help(format!("take the sign out: write `{mended}`")).fix(expr.span, mended)
+            }
+            _ if value < 0.0 => error.help("look for the sign that makes it negative"),
+            _ => error.help("write a value above zero"),
+        });
         None
     }
 
@@ -82,6 +85,8 @@ impl<'a> Context<'a> {
             && value > 0.0
         {
             error = error.help(format!("for percent, write `{text} %`")).fix(expr.span, format!("{text} %"));
+        } else {
+            error = error.help("write a share such as `10 %`");
         }
         self.report(error);
         None
@@ -112,7 +117,12 @@ impl<'a> Context<'a> {
             return Some(value as usize);
         }
         let message = format!("{what} is a whole number from {low} to {high}");
-        self.report(Diagnostic::error(code, span, message).here(format!("this is {}", number(value))));
+        let help = match value {
+            v if v < low as f64 => format!("write `{low}` or more"),
+            v if v > high as f64 => format!("write `{high}` or less"),
+            v => format!("write `{}` or `{}`", v.floor(), v.ceil()),
+        };
+        self.report(Diagnostic::error(code, span, message).here(format!("this is {}", number(value))).help(help));
         None
     }
 
@@ -139,6 +149,23 @@ impl<'a> Context<'a> {
             ExprKind::List { elements, .. } => elements.get(k).unwrap_or(expr),
             _ => expr,
         };
+        let bare: Vec<&Expr> = [x, y, z]
+            .into_iter()
+            .enumerate()
+            .map(|(k, q)| (q, place(k)))
+            .filter(|(q, e)| is_bare(*q, e))
+            .map(|b| b.1)
+            .collect();
+        let is_list = matches!(expr.kind, ExprKind::List { unit: None, .. });
+        let others_fit = [x, y, z].iter().all(|q| q.dimension.is_plain() || q.dimension == due.dimension());
+        // A unit behind the list goes to every bare element, whether or not the others have theirs.
+        if is_list && others_fit && bare.len() > 1 && bare.iter().any(|e| sole_name(e).is_none()) {
+            let mut error = self.unit_missing(due, expr);
+            error.span = bare[0].span;
+            let error = bare[1..].iter().fold(error, |error, e| error.also(e.span, "and so is this"));
+            self.report(error);
+            return None;
+        }
         let lowered = [x, y, z].into_iter().enumerate().map(|(k, q)| self.lower(due, q, place(k)));
         // All three are looked at before any is given up, so that each mistake is told.
         let [x, y, z] = lowered.collect::<Vec<_>>()[..] else {
@@ -149,10 +176,8 @@ impl<'a> Context<'a> {
 
     /// `a .. b` of the dimension due, in SI, in the order written.
     pub fn range_of(&mut self, due: Due, expr: &'a Expr) -> Option<(f64, f64)> {
-        match self.evaluate(expr)? {
-            Value::Range(a, b) => Some((self.lower(due, a, expr)?, self.lower(due, b, expr)?)),
-            other => self.wrong_kind(&other, &format!("a range `a .. b` for `{}`", due.what), expr.span),
-        }
+        let (a, b) = self.range_ends(expr, &format!("a range `a .. b` for `{}`", due.what))?;
+        Some((self.lower(due, a, expr)?, self.lower(due, b, expr)?))
     }
 
     /// Drops the dimension of `q` once it is the one due.
@@ -170,9 +195,51 @@ impl<'a> Context<'a> {
             );
             return Some(q.value);
         }
-        let error = if q.dimension.is_plain() { self.unit_missing(due, expr) } else { self.unit_differs(due, q, expr) };
+        let error = match q.dimension.is_plain() {
+            true if self.is_blamed(expr) => return None,
+            true => {
+                let error = self.unit_missing(due, expr);
+                self.blame(expr, due.unit, error)
+            }
+            false => self.unit_differs(due, q, expr),
+        };
         self.report(error);
         None
+    }
+
+    /// Where `expr` lacks a unit because a `let` does, says so there, once: other uses of the `let` stay silent.
+    pub(super) fn blame(&mut self, expr: &Expr, unit: &str, error: Diagnostic) -> Diagnostic {
+        let mut chain = Vec::new();
+        let mut found: Option<&'a Expr> = None;
+        let mut name = sole_name(expr);
+        while let Some((&key, entry)) = name.filter(|n| !self.is_parameter(n)).and_then(|n| self.lets.get_key_value(n))
+        {
+            found = expr_of(entry.field);
+            name = found.and_then(sole_name);
+            chain.push(key);
+        }
+        let (Some(value), Some(&last)) = (found.filter(|e| trailing_unit(e).is_none()), chain.last()) else {
+            return error;
+        };
+        let Some(mended) = self.with_unit(value, unit) else {
+            return error;
+        };
+        for name in &chain {
+            if let Some(entry) = self.lets.get_mut(name) {
+                entry.state = State::Done(None);
+            }
+        }
+        let help = match self.sources.get(value.span.file).name == OVERRIDE {
+            true => format!("write `--set {last}={}`", mended.replace(' ', "")),
+            false => format!("write `let {last} = {mended}`"),
+        };
+        error.also(value.span, format!("`{last}` has no unit here")).help(help).fix(value.span, mended)
+    }
+
+    /// Whether the `let` behind `expr` has been told to lack its unit since it was evaluated.
+    fn is_blamed(&self, expr: &Expr) -> bool {
+        let name = sole_name(expr).filter(|name| !self.is_parameter(name));
+        name.and_then(|n| self.lets.get(n)).is_some_and(|l| matches!(l.state, State::Done(None)))
     }
 
     fn unit_missing(&self, due: Due, expr: &Expr) -> Diagnostic {
@@ -237,13 +304,48 @@ impl<'a> Context<'a> {
         if expected == acceleration && units.contains(&"g") {
             return Some("`g` is the gram; for gravity write `2*g0`".into());
         }
+        if let ExprKind::Binary { operator, left, right } = &expr.kind
+            && let Some((number, unit)) = joined_unit(operator.value, left, right)
+            && parse_unit(&unit, self.gravity).is_ok_and(|unit| unit.dimension == expected)
+        {
+            let name = self.sources.snippet(right.span);
+            return Some(format!("`{name}` is a name here; with the unit `{name}`, write `{number} {unit}`"));
+        }
         let name = units.into_iter().find(|unit| self.in_scope(unit))?;
         Some(format!("`{name}` after a number is the unit; to multiply by the name `{name}`, write `2*{name}`"))
     }
 
-    fn in_scope(&self, name: &str) -> bool {
-        self.lets.contains_key(name) || self.parameter.is_some_and(|(parameter, _)| parameter == name)
+    pub(super) fn in_scope(&self, name: &str) -> bool {
+        self.lets.contains_key(name) || self.is_parameter(name)
     }
+
+    fn is_parameter(&self, name: &str) -> bool {
+        self.parameter.is_some_and(|(parameter, _)| parameter == name)
+    }
+}
+
+/// The name that an expression is, its sign aside.
+fn sole_name(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(name),
+        ExprKind::Negate(inner) | ExprKind::Paren { inner, unit: None } => sole_name(inner),
+        _ => None,
+    }
+}
+
+/// A number and a name joined as if the name were a unit, `2e-5 / h` or `2 m / s`: the number and that unit.
+pub(super) fn joined_unit<'e>(operator: Operator, left: &'e Expr, right: &Expr) -> Option<(&'e str, String)> {
+    let (ExprKind::Number { text, unit, .. }, ExprKind::Name(name)) = (&left.kind, &right.kind) else {
+        return None;
+    };
+    let unit = match (operator, unit) {
+        (Operator::Divide, None) => format!("1/{name}"),
+        (Operator::Divide, Some(unit)) => format!("{}/{name}", unit.value),
+        (Operator::Multiply, None) => name.clone(),
+        (Operator::Multiply, Some(unit)) => format!("{}*{name}", unit.value),
+        _ => return None,
+    };
+    Some((text, unit))
 }
 
 /// A field by its name in backquotes, anything else as it is said.

@@ -1,6 +1,6 @@
 //! From the tree to the model: collect, evaluate, choose, check.
 
-use super::context::{Context, State, duplicate};
+use super::context::{Context, State, duplicate, no_filter};
 use super::due::Due;
 use super::fault::Modes;
 use super::fields::elsewhere;
@@ -105,7 +105,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
                     "plan" => blocks.plans.push(block),
                     _ => {}
                 },
-                Item::Field(field) if homeless && field.name.value != "gravity" => {}
+                Item::Field(field) if homeless && field.name.value != "gravity" => cx.lose(&field.name.value),
                 Item::Field(field) => top_field(cx, field, &mut gravity),
                 Item::Broken(_) => homeless = true,
                 Item::Let(_) | Item::Use(_) => {}
@@ -190,9 +190,16 @@ fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'
         let error = match (nearest(&name.value, ["gravity"]), elsewhere(&name.value)) {
             (Some(near), _) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
             (None, Some(place)) => error.help(place),
-            (None, None) => error.help(format!("to name a value, write `let {} = ...`", name.value)),
+            (None, None) => {
+                let value = cx.sources.snippet(field.span);
+                let value =
+                    if value.len() <= 48 && !value.contains('\n') { value } else { &format!("{} = ...", name.value) };
+                let before = Span { end: name.span.start, ..name.span };
+                error.help(format!("to name a value, write `let {value}`")).fix(before, "let ")
+            }
         };
         cx.report(error);
+        cx.lose(&name.value);
     } else if let Some(first) = gravity {
         cx.report(duplicate("field", name, first.name.span));
     } else {
@@ -215,8 +222,7 @@ fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: 
             }
         }
         Some(FieldValue::Where { field, .. }) => {
-            let error = Diagnostic::error("mavc::plan::choice", field.span, "`where` stands only in `against`");
-            cx.report(error.here("not a filter"));
+            cx.report(no_filter(field.span));
         }
         None => defaults.push(DefaultUsed {
             field: "gravity".into(),

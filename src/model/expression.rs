@@ -5,7 +5,7 @@
 use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_STEPS};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
-use crate::syntax::ast::{Expr, ExprKind, UnitText};
+use crate::syntax::ast::{Expr, ExprKind, Operator, UnitText};
 use crate::unit::{Dimension, Quantity, Unit, UnitError, compare, parse_unit, unit_names};
 
 #[derive(Debug, Clone, PartialEq)]
@@ -273,8 +273,44 @@ impl<'a> Context<'a> {
 
     pub(super) fn wrong_kind<T>(&mut self, found: &Value, due: &str, span: Span) -> Option<T> {
         let message = format!("{due} is due here, not {}", found.kind());
-        self.report(Diagnostic::error("mavc::unit::kind", span, message).here(format!("this is {}", found.kind())));
+        let error = Diagnostic::error("mavc::unit::kind", span, message).here(format!("this is {}", found.kind()));
+        self.report(match found {
+            Value::Text(text) if text.starts_with(|c: char| c.is_ascii_digit() || "-[(".contains(c)) => {
+                let is_written_here = self.sources.snippet(span).starts_with('"');
+                let error = error.help(format!("take out the quotes: write `{text}`"));
+                if is_written_here { error.fix(span, text) } else { error }
+            }
+            _ => error,
+        });
         None
+    }
+
+    /// The two ends of a range; `due` says what is due.
+    pub(super) fn range_ends(&mut self, expr: &'a Expr, due: &str) -> Option<(Quantity, Quantity)> {
+        if let ExprKind::Binary { operator, left, right } = &expr.kind
+            && operator.value == Operator::Subtract
+        {
+            let (low, high) = (self.sources.snippet(left.span), self.sources.snippet(right.span));
+            let error =
+                Diagnostic::error("mavc::unit::kind", operator.span, format!("{due} is due here, not a difference"));
+            self.report(
+                error
+                    .here("takes one end from the other")
+                    .help(format!("write `{low} .. {high}`"))
+                    .fix(operator.span, ".."),
+            );
+            return None;
+        }
+        match self.evaluate(expr)? {
+            Value::Range(low, high) => Some((low, high)),
+            Value::Quantity(_) => {
+                let error =
+                    Diagnostic::error("mavc::unit::kind", expr.span, format!("{due} is due here, not a number"));
+                self.report(error.here("one end alone").help("write both ends, as in `LOW .. HIGH`"));
+                None
+            }
+            other => self.wrong_kind(&other, due, expr.span),
+        }
     }
 
     /// Says once that evaluation has gone too far; later steps stay silent.
@@ -292,12 +328,12 @@ impl<'a> Context<'a> {
 }
 
 /// A plain number that is not written with a unit of its own.
-fn is_bare(q: Quantity, expr: &Expr) -> bool {
+pub(super) fn is_bare(q: Quantity, expr: &Expr) -> bool {
     q.dimension.is_plain() && trailing_unit(expr).is_none()
 }
 
 /// The unit at the very end of an expression's text.
-fn trailing_unit(expr: &Expr) -> Option<&UnitText> {
+pub(super) fn trailing_unit(expr: &Expr) -> Option<&UnitText> {
     match &expr.kind {
         ExprKind::Number { unit, .. } | ExprKind::Paren { unit, .. } | ExprKind::List { unit, .. } => unit.as_ref(),
         ExprKind::Negate(inner) => trailing_unit(inner),

@@ -1,6 +1,6 @@
 //! The `name = value` statements of a block: known names, no repetition, nothing due left out.
 
-use super::context::{Context, listed};
+use super::context::{Context, listed, no_filter};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Clauses, Expr, Field, FieldValue, Name, Statement};
@@ -24,7 +24,10 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("drag_coefficient", "is a field of `rotor` in a `vehicle`"),
     ("time_constant", "is a field of `rotor` in a `vehicle`"),
     ("points", "follows the range of a `curve`, after a comma"),
-    ("rate", "is a field of a fault mode"),
+    ("rate", "is a field of a fault mode, between the braces of `mode` or `every`"),
+    ("severity", "is a field of a fault mode, between the braces of `mode` or `every`"),
+    ("occurrence", "is a field of a fault mode, between the braces of `mode` or `every`"),
+    ("detection", "is a field of a fault mode, between the braces of `mode` or `every`"),
     ("rpn", "is the product of `severity`, `occurrence` and `detection`: write those"),
     ("probability", "is written as a failure rate, such as `rate = 1e-5 1/h`"),
     ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
@@ -76,8 +79,7 @@ impl<'a> Fields<'a> {
         match &field.value {
             FieldValue::Expr(expr) => self.take(cx, &field.name, expr, field.span, known),
             FieldValue::Where { .. } => {
-                let message = "`where` stands only in `against`";
-                cx.report(Diagnostic::error("mavc::plan::choice", field.span, message).here("not a filter"));
+                cx.report(no_filter(field.span));
                 self.accounted.extend(known.iter().find(|k| **k == field.name.value));
             }
         }
@@ -118,6 +120,8 @@ impl<'a> Fields<'a> {
             error = error.help(place);
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
+        } else if known.is_empty() {
+            error = error.help("take it out: no field stands here, only statements");
         } else {
             error = error.help(format!("its fields are {}", listed(known)));
         }

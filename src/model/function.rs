@@ -30,13 +30,14 @@ impl<'a> Context<'a> {
             }
         };
         if !due.contains(&arguments.len()) {
-            let count = match name {
-                "atan2" => "two arguments, y and x",
-                "min" | "max" => "two or more arguments",
-                _ => "one argument",
+            let (count, form) = match name {
+                "atan2" => ("two arguments, y and x", "(y, x)"),
+                "min" | "max" => ("two or more arguments", "(a, b)"),
+                _ => ("one argument", "(x)"),
             };
             let message = format!("`{name}` takes {count}, not {}", arguments.len());
-            self.report(Diagnostic::error("mavc::unit::argument", span, message).here("wrong number of arguments"));
+            let error = Diagnostic::error("mavc::unit::argument", span, message).here("wrong number of arguments");
+            self.report(error.help(format!("write it like `{name}{form}`")));
             return None;
         }
         let values: Vec<Quantity> = values.into_iter().collect::<Option<_>>()?;

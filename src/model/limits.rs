@@ -6,7 +6,7 @@ use super::{Limit, LimitKind, Waypoint};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, LimitRelation, Statement};
+use crate::syntax::ast::{Block, Expr, ExprKind, LimitRelation, Statement};
 
 /// Which forms a limit takes.
 #[derive(Clone, Copy, PartialEq)]
@@ -120,6 +120,24 @@ fn one<'a>(
     relation: &'a LimitRelation,
     span: Span,
 ) -> Option<Limit> {
+    let (written, bound) = match relation {
+        LimitRelation::AtMost(e) => ("<=", e),
+        LimitRelation::AtLeast(e) => (">=", e),
+        LimitRelation::In(e) => ("in", e),
+    };
+    let allowed: &[&str] = match form {
+        Form::Coordinate => &["<=", ">=", "in"],
+        Form::Norm | Form::OneSided => &["<="],
+        Form::Rate => &["<=", "in"],
+    };
+    if !allowed.contains(&written) {
+        let highest = if let ExprKind::Range { high, .. } = &bound.kind { high } else { bound };
+        let mended = format!("{name} <= {}", cx.sources.snippet(highest.span));
+        let error = Diagnostic::error(FORM, span, format!("`{name}` is bounded from above only"));
+        let error = error.here(format!("`{written}` does not fit"));
+        cx.report(error.help(format!("write `{mended}`")).fix(span, mended));
+        return None;
+    }
     let due = Due::new(name, unit);
     let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
         LimitRelation::AtMost(e) => {
@@ -132,21 +150,6 @@ fn one<'a>(
             (Some(low), Some(high), e)
         }
     };
-    let written = match relation {
-        LimitRelation::AtMost(_) => "<=",
-        LimitRelation::AtLeast(_) => ">=",
-        LimitRelation::In(_) => "in",
-    };
-    let allowed: &[&str] = match form {
-        Form::Coordinate => &["<=", ">=", "in"],
-        Form::Norm | Form::OneSided => &["<="],
-        Form::Rate => &["<=", "in"],
-    };
-    if !allowed.contains(&written) {
-        let error = Diagnostic::error(FORM, span, format!("`{name}` is bounded from above only"));
-        cx.report(error.here(format!("`{written}` does not fit")).help(format!("write `{name} <= ...`")));
-        return None;
-    }
     if let (Some(low), Some(high)) = (lower, upper)
         && low > high
         && written == "in"
@@ -157,47 +160,64 @@ fn one<'a>(
         return None;
     }
     let wrong = match (form, upper) {
-        (Form::Norm, Some(upper)) if upper <= 0.0 => Some("has to be greater than zero"),
-        (Form::Norm, Some(upper)) if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 => {
-            Some("has to be below 90 deg, where thrust carries no weight")
+        (Form::Norm, Some(upper)) if upper <= 0.0 => {
+            Some(("has to be greater than zero", format!("write a value above 0 {unit}")))
         }
-        (Form::OneSided, Some(upper)) if upper < 0.0 => Some("cannot be negative"),
+        (Form::Norm, Some(upper)) if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 => {
+            let rule = "has to be below 90 deg, where thrust carries no weight";
+            Some((rule, "write a smaller angle, as in `tilt <= 35 deg`".to_string()))
+        }
+        (Form::OneSided, Some(upper)) if upper < 0.0 => {
+            Some(("cannot be negative", "take the sign out: the name says which way".to_string()))
+        }
         (Form::Rate, Some(upper)) if upper < 0.0 || lower.is_some_and(|low| low > 0.0) => {
-            Some("has to allow zero, the rate at rest")
+            let both_ways = format!("write `{name} <= ...`, which bounds both ways, with a value above 0 {unit}");
+            Some(("has to allow zero, the rate at rest", both_ways))
         }
         _ => None,
     };
-    if let Some(wrong) = wrong {
+    if let Some((wrong, help)) = wrong {
         let error = Diagnostic::error(VALUE, at.span, format!("`{name}` {wrong}"));
-        cx.report(error.here("outside what it may be"));
+        cx.report(error.here("outside what it may be").help(help));
         return None;
     }
     Some(Limit { kind, lower, upper, span })
 }
 
-/// Every waypoint lies within the limits on coordinates; told once a statement and limit.
+/// Every waypoint lies within the limits on coordinates; told once a limit.
 pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) {
     for limit in limits {
-        let mut told: Vec<Span> = Vec::new();
-        for (i, waypoint) in waypoints.iter().enumerate() {
-            let (axis, value, unit, scale) = match limit.kind {
-                LimitKind::X => ("x", waypoint.position[0], "m", 1.0),
-                LimitKind::Y => ("y", waypoint.position[1], "m", 1.0),
-                LimitKind::Z => ("z", waypoint.position[2], "m", 1.0),
-                LimitKind::Yaw => ("yaw", waypoint.yaw, "deg", 180.0 / std::f64::consts::PI),
-                _ => continue,
-            };
-            let below = limit.lower.is_some_and(|low| value < low - 1e-9);
-            let above = limit.upper.is_some_and(|high| value > high + 1e-9);
-            if !(below || above) || told.last() == Some(&waypoint.span) {
-                continue;
-            }
-            told.push(waypoint.span);
-            let side = if below { "below" } else { "above" };
-            let message = format!("waypoint {} has {axis} = {} {unit}, {side} the limit", i + 1, number(value * scale));
-            let error = Diagnostic::error("mavc::mission::outside_limits", waypoint.span, message);
-            let help = "move the waypoint or widen the limit; waypoints count from 1, the start";
-            cx.report(error.here("leaves the limits").also(limit.span, "limited here").help(help));
-        }
+        let coordinate = |waypoint: &Waypoint| match limit.kind {
+            LimitKind::X => Some(("x", waypoint.position[0], "m", 1.0)),
+            LimitKind::Y => Some(("y", waypoint.position[1], "m", 1.0)),
+            LimitKind::Z => Some(("z", waypoint.position[2], "m", 1.0)),
+            LimitKind::Yaw => Some(("yaw", waypoint.yaw, "deg", 180.0 / std::f64::consts::PI)),
+            _ => None,
+        };
+        let is_below = |value: f64| limit.lower.is_some_and(|low| value < low - 1e-9);
+        let is_above = |value: f64| limit.upper.is_some_and(|high| value > high + 1e-9);
+        let mut outside = waypoints.iter().enumerate().filter_map(|(i, waypoint)| {
+            let found = coordinate(waypoint).filter(|&(_, value, ..)| is_below(value) || is_above(value))?;
+            Some((i + 1, waypoint.span, found))
+        });
+        let Some((count, span, (axis, value, unit, scale))) = outside.next() else {
+            continue;
+        };
+        let side = if is_below(value) { "below" } else { "above" };
+        let others = match outside.count() {
+            0 => String::new(),
+            1 => ", and one more leaves it".to_string(),
+            n => format!(", and {n} more leave it"),
+        };
+        let message =
+            format!("waypoint {count} has {axis} = {} {unit}, {side} the limit{others}", number(value * scale));
+        let error = Diagnostic::error("mavc::mission::outside_limits", span, message);
+        let help = if others.is_empty() {
+            "move the waypoint or widen the limit"
+        } else {
+            "move the waypoints or widen the limit"
+        };
+        let help = format!("{help}; waypoints count from 1, the start");
+        cx.report(error.here("leaves the limits").also(limit.span, "limited here").help(help));
     }
 }

@@ -177,14 +177,21 @@ impl Loader<'_> {
 }
 
 fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error) -> Diagnostic {
-    let message = match error.kind() {
+    if path.value.is_empty() {
+        return Diagnostic::error("mavc::file::missing", path.span, "no file is named")
+            .here("nothing stands between the quotes")
+            .help("write a file's name, as in `vehicles/quad.mav`");
+    }
+    // `..` and the like lead to folders, whatever the system says of them.
+    let kind = if target.file_name().is_none() { io::ErrorKind::IsADirectory } else { error.kind() };
+    let message = match kind {
         io::ErrorKind::NotFound => format!("there is no file `{}`", target.display()),
-        io::ErrorKind::IsADirectory => format!("`{}` is a folder", target.display()),
+        io::ErrorKind::IsADirectory => format!("`{}` is a folder", path.value),
         io::ErrorKind::PermissionDenied => format!("`{}` may not be read: permission denied", target.display()),
         _ => format!("`{}` cannot be read: {error}", target.display()),
     };
     let diagnostic = Diagnostic::error("mavc::file::missing", path.span, message).here("named here");
-    match error.kind() {
+    match kind {
         io::ErrorKind::NotFound if path.value.contains("://") => {
             diagnostic.help("only files on this machine can be named")
         }

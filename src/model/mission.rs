@@ -2,6 +2,8 @@
 
 mod curve;
 
+use std::collections::BTreeMap;
+
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
@@ -66,6 +68,8 @@ pub(super) struct Route {
     pub curves: Vec<Option<usize>>,
     /// A statement had an error, so points may be missing.
     pub broken: bool,
+    /// The names of the waypoints that have one, by statement, not by table.
+    names: BTreeMap<String, Span>,
     too_many: bool,
     too_far: bool,
 }
@@ -76,7 +80,7 @@ impl Route {
             if !self.too_many {
                 let message = format!("a mission has at most {MAX_WAYPOINTS} waypoints");
                 let error = Diagnostic::error("mavc::mission::too_many_waypoints", stop.span, message);
-                cx.report(error.here("the limit is passed here"));
+                cx.report(error.here("the limit is passed here").help("use fewer points"));
             }
             (self.too_many, self.broken) = (true, true);
             return;
@@ -120,6 +124,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         yaws: Vec::new(),
         curves: Vec::new(),
         broken: false,
+        names: BTreeMap::new(),
         too_many: false,
         too_far: false,
     };
@@ -236,10 +241,12 @@ fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner:
         return;
     };
     let name = clauses.name.as_ref();
-    if let Some(name) = name
-        && let Some(first) = route.waypoints.iter().find(|w| w.name.as_deref() == Some(&name.value))
-    {
-        cx.report(super::context::duplicate("waypoint", name, first.span));
+    if let Some(name) = name {
+        let of_table = || route.waypoints.iter().find(|w| w.name.as_deref() == Some(&name.value)).map(|w| w.span);
+        match route.names.get(&name.value).copied().or_else(of_table) {
+            Some(first) => cx.report(super::context::duplicate("waypoint", name, first)),
+            None => drop(route.names.insert(name.value.clone(), name.span)),
+        }
     }
     let stop = Stop {
         name: name.map(|n| n.value.clone()),
@@ -326,6 +333,7 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
 pub(super) fn too_long(span: Span, duration: f64) -> Diagnostic {
     Diagnostic::error(TOO_LONG, span, "a mission lasts at most 100,000 s, over a day")
         .here(format!("it comes to {} s here", number(duration)))
+        .help("write a shorter time, or another unit")
 }
 
 /// Warns of waypoints that their successor makes idle, once a statement.

@@ -158,7 +158,7 @@ impl<'a> Draft<'a> {
         };
         cx.report(match near {
             Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
-            None => error,
+            None => error.help(format!("write one of them, such as `{}`", words[0])),
         });
         Some(None)
     }

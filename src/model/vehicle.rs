@@ -128,7 +128,7 @@ fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
     let [x, y, z] = cx.triple(Due::new("inertia", "kg*m^2"), expr)?;
     if let Some(bad) = [x, y, z].into_iter().find(|i| *i <= 0.0) {
         let error = Diagnostic::error(POSITIVE, expr.span, "`inertia` has to be greater than zero about every axis");
-        cx.report(error.here(format!("{} kg*m^2 is among them", number(bad))));
+        cx.report(error.here(format!("{} kg*m^2 is among them", number(bad))).help("write three values above zero"));
         return None;
     }
     // Bodies of no thickness reach equality; a hair is left for rounding.
@@ -237,7 +237,8 @@ fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Optio
     if !broken && !ROTORS.contains(&rotors.len()) {
         let message = format!("a vehicle has 4 to 32 rotors, not {}", rotors.len());
         let error = Diagnostic::error("mavc::vehicle::rotor_count", block.keyword.span, message);
-        cx.report(error.here(format!("{} rotors follow", rotors.len())));
+        let help = if rotors.len() < *ROTORS.start() { "add `rotor at` statements" } else { "take some out" };
+        cx.report(error.here(format!("{} rotors follow", rotors.len())).help(help));
         return (None, None);
     }
     // With a rotor that could not be read, nothing can be said of the whole.

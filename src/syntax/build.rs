@@ -27,7 +27,7 @@ const MAX_CALLS: usize = 200_000_000;
 
 pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>) {
     pest::set_call_limit(std::num::NonZeroUsize::new(MAX_CALLS));
-    let Layout { text, docs, diagnostics, blocks_unsure, .. } = layout;
+    let Layout { text, docs, diagnostics, blocks_unsure, left_open, .. } = layout;
     let starts = diagnostics.iter().map(|d| d.span.start).collect();
     let mut builder = Builder {
         file,
@@ -36,6 +36,7 @@ pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>)
         diagnostics,
         settled: starts,
         blocks_unsure,
+        left_open,
         late_brace: None,
     };
     builder.settled.sort_unstable();
@@ -63,6 +64,8 @@ struct Builder<'a> {
     /// Where the layout has reported errors, ascending: a statement around one needs no second error.
     settled: Vec<u32>,
     blocks_unsure: bool,
+    /// The opening braces of blocks that were left open.
+    left_open: Vec<usize>,
     /// A brace on the line after its head, and the block it opens: the head's error covers both.
     late_brace: Option<(usize, Place)>,
 }
@@ -168,7 +171,9 @@ impl Builder<'_> {
         let span = self.span(&pair);
         let mut inner = pair.into_inner();
         let head = inner.next().expect("a block has a head");
+        let opened = inner.next().map_or(span.start as usize, |brace| brace.as_span().start());
         let body = inner.find(|p| p.as_rule() == Rule::body).expect("a block has a body");
+        let is_closed = inner.next().is_some();
         let rule = head.as_rule();
         let mut parts = Parts { file: self.file, pairs: head.clone().into_inner() };
         let (kind, around) = match rule {
@@ -195,8 +200,16 @@ impl Builder<'_> {
             _ => parts.block(span, doc).and_then(|block| mistake::check_head(block, around)),
         };
         let fits = self.check_place(kind, place, &head);
-        let statements = self.body(body, around);
+        let mut statements = self.body(body, around);
         fits?;
+        if is_closed && self.left_open.contains(&opened) {
+            // It ends with the brace of the block around it, whose statements it has taken for its own.
+            return Ok(Statement::Broken(span));
+        }
+        if !is_closed {
+            // What is still to come is unknown.
+            statements.push(Statement::Broken(Span { start: span.end, ..span }));
+        }
         let mut statement = made?;
         match &mut statement {
             Statement::Block(Block { body, .. }) | Statement::Every { body, .. } | Statement::Curve { body, .. } => {
@@ -264,11 +277,7 @@ impl Builder<'_> {
         if kind.fits(place) || self.blocks_unsure {
             return Ok(());
         }
-        let span = self.span(pair);
-        let text = pair.as_str().trim_end();
-        let word = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).next().unwrap_or(text);
-        let span = Span { end: span.start + word.len() as u32, ..span };
-        Err(Box::new(mistake::misplaced(kind, place, word, span)))
+        Err(Box::new(mistake::misplaced(kind, place, pair.as_str().trim_end(), self.span(pair))))
     }
 
     /// A block's end and the statement that starts at `next` need a new line or `;` between them.

@@ -3,16 +3,19 @@
 //! [`lay_out`] gives back a text of the same length in which every byte that is left stands where it stood, so
 //! places need no translation. Comments are blanks, and so are newlines inside `( )` and `[ ]`. A bracket left open
 //! ends where the next statement plainly begins, a block left open ends where the next top-level block begins
-//! ([`CUT`] stands there); both are reported here, where the whole text is in view, and never again. One pass.
+//! ([`CUT`] stands there); both are reported here, where the whole text is in view, and never again. One pass, and
+//! another one where a brace is left over that `guess` finds a partner for.
 
 mod block;
 mod bracket;
 mod character;
+mod guess;
 
 use super::{MAX_DEPTH, MAX_ERRORS, MAX_STATEMENTS, MAX_TOKENS};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
 use block::OpenBlock;
+use guess::{Guess, Guesses, Unopened};
 
 /// Stands for a newline that also ends every open block.
 const CUT: u8 = 4;
@@ -27,6 +30,8 @@ pub(super) struct Layout {
     pub too_much: bool,
     /// Blocks may end elsewhere than their author meant.
     pub blocks_unsure: bool,
+    /// The opening braces of the blocks that were left open, going by indentation.
+    pub left_open: Vec<usize>,
 }
 
 /// One `///` line.
@@ -36,6 +41,24 @@ pub(super) struct Doc {
 }
 
 pub(super) fn lay_out(file: FileId, text: &str) -> Layout {
+    let mut best = scan(file, text, Vec::new());
+    while let Some(guess) = best.guesses.next() {
+        let mut told = best.guesses.taken.clone();
+        told.push(guess);
+        let other = scan(file, text, told);
+        if other.layout.too_much || other.guesses.errors >= best.guesses.errors {
+            break;
+        }
+        best = other;
+    }
+    let mut layout = best.layout;
+    // Only whole characters are overwritten, and only by ASCII, so the bytes stay UTF-8.
+    layout.text = String::from_utf8(best.out).unwrap_or_default();
+    layout
+}
+
+/// One pass, on which every guess in `taken` holds.
+fn scan(file: FileId, text: &str, taken: Vec<Guess>) -> Scanner<'_> {
     let mut scanner = Scanner {
         file,
         text,
@@ -45,6 +68,8 @@ pub(super) fn lay_out(file: FileId, text: &str) -> Layout {
         blocks: Vec::new(),
         left_open: None,
         last_close: None,
+        unopened: None,
+        guesses: Guesses::new(taken),
         line_start: 0,
         line_indent: 0,
         statement: None,
@@ -58,13 +83,11 @@ pub(super) fn lay_out(file: FileId, text: &str) -> Layout {
             diagnostics: Vec::new(),
             too_much: false,
             blocks_unsure: false,
+            left_open: Vec::new(),
         },
     };
     scanner.run();
-    let mut layout = scanner.layout;
-    // Only whole characters are overwritten, and only by ASCII, so the bytes stay UTF-8.
-    layout.text = String::from_utf8(scanner.out).unwrap_or_default();
-    layout
+    scanner
 }
 
 struct Scanner<'a> {
@@ -80,6 +103,9 @@ struct Scanner<'a> {
     left_open: Option<OpenBlock>,
     /// The last top-level block and its closing brace.
     last_close: Option<(OpenBlock, usize)>,
+    /// The last head of a block after which no `{` has come.
+    unopened: Option<Unopened>,
+    guesses: Guesses,
     /// Where the current line starts, and how many blanks it starts with.
     line_start: usize,
     line_indent: usize,
@@ -139,6 +165,9 @@ impl Scanner<'_> {
         if self.statement.is_none() && !matches!(byte, b'}' | b';') {
             self.statement = Some(start);
             self.statements += 1;
+            if byte != b'{' {
+                self.note_head(start);
+            }
         }
         self.tokens += 1;
         self.at += 1;
@@ -187,7 +216,8 @@ impl Scanner<'_> {
         }
         self.close_brackets(start);
         self.end_statement();
-        if !self.blocks.is_empty() && self.top_level_begins(self.at) {
+        if !self.blocks.is_empty() && self.top_level_begins(self.at) && !self.guesses.is_nested(self.at) {
+            self.guesses.cuts.push(self.at);
             self.close_blocks(self.skip_while(self.at, is_blank));
             self.out[start] = CUT;
         }

@@ -66,11 +66,20 @@ const PREFIXES: &[(&str, f64, f64)] = &[
 
 /// Spellings people try, and what to write.
 const HABITS: &[(&str, &str)] = &[
+    ("kgs", "kg"),
+    ("cms", "cm"),
+    ("mms", "mm"),
+    ("kms", "km"),
+    ("mile", "mi"),
+    ("miles", "mi"),
+    ("knot", "kt"),
+    ("msec", "ms"),
     ("sec", "s"),
     ("secs", "s"),
     ("second", "s"),
     ("seconds", "s"),
     ("hr", "h"),
+    ("hrs", "h"),
     ("hour", "h"),
     ("hours", "h"),
     ("minute", "min"),
@@ -215,7 +224,16 @@ fn from_row(row: &Row) -> Unit {
 /// What somebody who wrote `word` probably wanted.
 fn meant(word: &str, gravity: f64) -> Option<String> {
     let habit = HABITS.iter().find(|(wrong, _)| wrong.eq_ignore_ascii_case(word)).map(|(_, right)| right.to_string());
-    habit.or_else(|| run_together(word, gravity)).or_else(|| other_case(word, gravity))
+    habit
+        .or_else(|| singular(word, gravity))
+        .or_else(|| run_together(word, gravity))
+        .or_else(|| other_case(word, gravity))
+}
+
+/// `deg` for `degs`; `Ns` is short for newton-seconds rather than many newtons.
+fn singular(word: &str, gravity: f64) -> Option<String> {
+    let stem = word.strip_suffix('s').filter(|stem| stem.len() > 2)?;
+    exact(stem, gravity).map(|_| stem.to_string())
 }
 
 /// `Nm` for `N*m`: two or three units without the signs between them.

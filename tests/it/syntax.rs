@@ -204,6 +204,25 @@ fn a_block_left_open_ends_where_the_next_top_level_block_begins() {
 }
 
 #[test]
+fn braces_that_match_may_stand_anywhere() {
+    for text in [
+        "faults {\n    every 1 rotor lost as M\n    }\n",
+        "faults {\n    every 1 rotor lost as M }\n",
+        "faults {\n    mode a { rotor 1 lost\n    }\n    every 2 rotors lost as D }\nplan { }\n",
+    ] {
+        tree(text);
+    }
+}
+
+#[test]
+fn a_forgotten_brace_changes_nothing_but_its_own_error() {
+    let whole = tree("faults {\n every 1 rotor lost as M { severity = 7 }\n mode a { rotor 1 lost }\n}\nplan { }");
+    let checked = parse("faults {\n every 1 rotor lost as M   severity = 7 }\n mode a { rotor 1 lost }\n}\nplan { }");
+    assert_eq!(checked.diagnostics.len(), 1);
+    assert_eq!(checked.value.unwrap(), whole);
+}
+
+#[test]
 fn places_are_those_of_the_text() {
     let text = "// α\nlet a = [1, // β\n 22] m  // end\n";
     let source = Source::new("t", text);

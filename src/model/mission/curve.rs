@@ -84,10 +84,7 @@ impl<'a> Curve<'a> {
     }
 
     fn read_range(&self, cx: &mut Context<'a>) -> Option<(Quantity, Quantity)> {
-        let value = cx.evaluate(self.range)?;
-        let crate::model::expression::Value::Range(low, high) = value else {
-            return cx.wrong_kind(&value, "a range `a .. b`", self.range.span);
-        };
+        let (low, high) = cx.range_ends(self.range, "a range `a .. b`")?;
         if low.value == high.value {
             let message = format!("the range of `{}` has no length", self.parameter.value);
             let error = Diagnostic::error("mavc::mission::curve_range", self.range.span, message);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::CHOICE;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::FaultMode;
-use crate::model::context::{Context, listed};
+use crate::model::context::{Context, listed, without_digits};
 use crate::model::due::Due;
 use crate::source::Spanned;
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
@@ -43,6 +43,7 @@ pub(super) fn read<'a>(
     let by_name: BTreeMap<&str, usize> = names.iter().enumerate().map(|(k, n)| (*n, k)).collect();
     let mut taken = vec![false; modes.len()];
     let (mut chosen, mut fine) = (Vec::new(), true);
+    let is_listed = |mode: &str| elements.iter().any(|e| matches!(&e.kind, ExprKind::Name(name) if name == mode));
     for element in elements {
         let index = match &element.kind {
             ExprKind::Name(name) => match by_name.get(name.as_str()) {
@@ -54,8 +55,10 @@ pub(super) fn read<'a>(
                     None
                 }
                 None => {
+                    // One that is listed already was not meant, and a number is rarely misspelt.
+                    let open = |mode: &str| !is_listed(mode) && without_digits(mode) != without_digits(name);
                     if !incomplete {
-                        cx.unknown("fault mode", name, element.span, &names);
+                        cx.unknown_among("fault mode", name, element.span, &names, open);
                     }
                     None
                 }
@@ -123,8 +126,9 @@ fn filter<'a>(
         let without = modes.iter().filter(|m| number_of(m).is_none()).count();
         let warning =
             Diagnostic::warning("mavc::plan::none_selected", field.span, "no fault mode meets this condition");
+        let have = if without == 1 { "has" } else { "have" };
         let help =
-            format!("{without} of {} modes have no `{name}`; a mode without the number is never chosen", modes.len());
+            format!("{without} of {} modes {have} no `{name}`; a mode without the number is never chosen", modes.len());
         cx.report(warning.here("selects nothing").help(help));
     }
     Some(chosen)

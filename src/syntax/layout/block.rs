@@ -11,13 +11,14 @@ pub(super) struct OpenBlock {
     head: usize,
     brace: usize,
     /// Start and indentation of the line with the head.
-    line: usize,
-    indent: usize,
+    pub line: usize,
+    pub indent: usize,
 }
 
 impl Scanner<'_> {
     pub(super) fn open_block(&mut self, brace: usize) {
         self.close_brackets(brace);
+        self.unopened = None;
         let head = self.statement.unwrap_or(brace);
         self.blocks.push(OpenBlock { head, brace, line: self.line_start, indent: self.line_indent });
         self.end_statement();
@@ -26,6 +27,9 @@ impl Scanner<'_> {
     pub(super) fn close_block(&mut self, at: usize) {
         self.close_brackets(at);
         self.end_statement();
+        if self.closes_unopened(at) {
+            return;
+        }
         let Some(block) = self.blocks.pop() else {
             self.report_stray(at);
             return;
@@ -61,7 +65,9 @@ impl Scanner<'_> {
             diagnostic = diagnostic.also(self.span(start, start + word.len()), message);
         }
         self.report(diagnostic);
+        self.guesses.errors += 1;
         self.layout.blocks_unsure = true;
+        self.layout.left_open.push(block.brace);
     }
 
     fn report_stray(&mut self, at: usize) {
@@ -73,6 +79,8 @@ impl Scanner<'_> {
             diagnostic = diagnostic.also(self.span(close, close + 1), message);
         }
         self.report(diagnostic.help("remove the brace that is one too many"));
+        self.guesses.errors += 1;
+        self.guesses.stray.get_or_insert(at);
         self.layout.blocks_unsure = true;
         self.out[at] = b' ';
     }

@@ -55,12 +55,20 @@ pub(in crate::syntax) fn check_head(mut block: Block, kind: Place) -> Result<Sta
 }
 
 /// A statement that belongs elsewhere.
-pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, word: &str, span: Span) -> Diagnostic {
+pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: Span) -> Diagnostic {
+    let word = super::token(text, 0, super::is_name);
+    let span = Span { end: span.start + word.len() as u32, ..span };
     if kind == Kind::Field && place == Place::Limits {
-        let limit = word.strip_prefix("max_").unwrap_or(word);
+        let value = text.split_once('=').map_or("", |(_, value)| value.trim());
+        let (limit, relation) = match (word.strip_prefix("max_"), word.strip_prefix("min_")) {
+            _ if value.contains("..") => (word, "in"),
+            (Some(limit), _) => (limit, "<="),
+            (_, Some(limit @ ("x" | "y" | "z" | "altitude" | "yaw"))) => (limit, ">="),
+            _ => (word, "<="),
+        };
         return Diagnostic::error("mavc::syntax::relation", span, format!("the limit `{word}` is set with `=`"))
             .here("a limit is no single value")
-            .help(format!("write `{limit} <= VALUE` or `{limit} in LOW .. HIGH`"));
+            .help(format!("write `{limit} {relation} {}`", cut(value)));
     }
     let what = match kind {
         Kind::RotorAt => "`rotor at`".to_string(),

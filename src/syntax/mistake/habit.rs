@@ -13,6 +13,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     assignment,
     relation,
     decimal_comma,
+    listless,
     number_point,
     double_star,
     misspelt_word,
@@ -170,6 +171,27 @@ fn decimal_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     )
 }
 
+/// `against = M1, M2`
+fn listless(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (name, values) = statement.text.split_once('=')?;
+    let is_field = !statement.has_body && name.trim_end().chars().all(is_name) && failure.expects(Expected::End);
+    if statement.found(failure.at) != "," || !is_field || values.contains('=') {
+        return None;
+    }
+    let span = statement.span(failure.at, failure.at + 1);
+    let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, "several values stand in a list, in `[ ]`")
+        .here("separates the elements of a list");
+    let values = values.trim();
+    Some(match values.chars().all(|c| is_name(c) || ", ".contains(c)) && values.len() <= 48 {
+        true => {
+            let start = statement.text.len() - statement.text[name.len() + 1..].trim_start().len();
+            let list = format!("[{values}]");
+            diagnostic.help(format!("write `{list}`")).fix(statement.span(start, start + values.len()), list)
+        }
+        false => diagnostic.help("put them into `[ ]`, as in `[1, 2, 3] m`"),
+    })
+}
+
 /// `.5`, `5.`, `1.2.3`
 fn number_point(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let bytes = statement.text.as_bytes();
@@ -293,8 +315,23 @@ fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return None;
     }
     let found = token(statement.text, failure.at, |c| is_name(c) || "*/^%".contains(c));
-    let span = statement.span(start, failure.at + found.len());
-    let (unit, found) = (cut(unit), cut(found));
+    // `s^-1`, where the sign belongs to the exponent.
+    let exponent = statement.text[failure.at + found.len()..].strip_prefix('-').filter(|_| found.ends_with('^'));
+    let digits = exponent.map_or("", |rest| token(rest, 0, |c| c.is_ascii_digit()));
+    let end = failure.at + found.len() + if digits.is_empty() { 0 } else { 1 + digits.len() };
+    let span = statement.span(start, end);
+    let whole = &statement.text[failure.at..end];
+    let (unit, found) = (cut(unit), cut(whole));
+    if let Some((word, _)) = whole.split_once("^-").filter(|(word, _)| word.chars().all(is_name)) {
+        let factor = if digits == "1" { word.to_string() } else { format!("{word}^{digits}") };
+        let mended = format!("{unit}/{}", cut(&factor));
+        return Some(
+            Diagnostic::error("mavc::syntax::unit_blank", span, format!("the unit `{unit} {found}` has a blank in it"))
+                .here("a unit is one run without blanks")
+                .help(format!("write `{mended}`, which is `{unit}*{found}`"))
+                .fix(span, mended),
+        );
+    }
     Some(
         Diagnostic::error("mavc::syntax::unit_blank", span, format!("the unit `{unit} {found}` has a blank in it"))
             .here("a unit is one run without blanks")
