@@ -104,8 +104,8 @@ fn program(model: &Model, mission: &Mission, run: &PlannerRun, time: f64) -> Opt
     let healthy = AdmissibleSet::healthy(model);
     let mut engine = Engine::new(model, mission, &healthy);
     let layout = engine.layout(time, model.plan.samples).ok()??;
-    let maps = layout.yaw.maps(model, layout.profile.nodes());
-    let transcription = Transcription::new(model, mission, &layout.profile, &run.set, &maps, layout.yaw.axes());
+    let maps = layout.yaw.maps(model, layout.flown.nodes());
+    let transcription = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());
     Some(transcription.full_program(Purpose::Plan { slack: FEASIBLE }))
 }
 

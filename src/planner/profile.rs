@@ -47,9 +47,36 @@ impl Profile {
         self.segments.iter().flat_map(|s| std::iter::repeat_n(s.step(), s.intervals))
     }
 
-    /// Nodes at which the vehicle stands still while it holds, ends included.
-    pub fn held_nodes(&self) -> impl Iterator<Item = usize> {
-        self.segments.iter().filter(|s| s.hold).flat_map(|s| s.first_node..=s.first_node + s.intervals)
+    /// The same mission without its holds: each shrinks to one node, at which all derivatives vanish. Nothing changes in
+    /// a hold, so programs leave them out.
+    pub fn flown(&self) -> Profile {
+        let mut segments: Vec<Segment> = self.segments.iter().filter(|s| !s.hold).copied().collect();
+        for s in &mut segments {
+            s.first_node -= self.holds_before(s.first_node);
+        }
+        let mut node_times: Vec<f64> = Vec::new();
+        for (node, time) in self.node_times.iter().enumerate() {
+            if !self.ends_a_hold(node) {
+                let held = self.segments.iter().filter(|s| s.hold && s.first_node < node);
+                node_times.push(time - held.map(|s| s.duration).sum::<f64>());
+            }
+        }
+        let waypoint_nodes = self.waypoint_nodes.iter().map(|&n| n - self.holds_before(n)).collect();
+        Profile { total: node_times[node_times.len() - 1], segments, node_times, waypoint_nodes }
+    }
+
+    /// What is said of the nodes of [`Profile::flown`], for all nodes: both ends of a hold are alike.
+    pub fn with_holds<T: Clone>(&self, of_flown: &[T]) -> Vec<T> {
+        (0..self.nodes()).map(|node| of_flown[node - self.holds_before(node)].clone()).collect()
+    }
+
+    /// Holds that end at or before a node.
+    fn holds_before(&self, node: usize) -> usize {
+        self.segments.iter().filter(|s| s.hold && s.first_node < node).count()
+    }
+
+    fn ends_a_hold(&self, node: usize) -> bool {
+        self.segments.iter().any(|s| s.hold && s.first_node + 1 == node)
     }
 }
 

@@ -26,9 +26,9 @@ const KEPT: f64 = 0.05;
 /// Up to this many rows a program is solved in spline coefficients, beyond in stage variables (measured).
 const FEW_ROWS: usize = 1_000;
 
-/// On finer grids than this the weights of fourth derivatives in spline coefficients span too many decades, and the
-/// solver stalls (measured: at 500 intervals).
-const MOST_SPLINE_INTERVALS: usize = 300;
+/// Where [`Transcription::stiffness`] is larger the solver stalls in spline coefficients (measured: 2e8 along the paper's
+/// curve with 200 samples in 16 s is fine, with 500 samples, 1e11, or 200 in 7 s, 4e10, it often ends without a verdict).
+const MOST_STIFFNESS: f64 = 1e9;
 
 /// After this many rounds every row is imposed.
 const MOST_ROUNDS: usize = 30;
@@ -49,6 +49,9 @@ const DIRECTIONS: usize = 64;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
     pub profile: Profile,
+    /// The profile without holds, which programs are made of.
+    pub flown: Profile,
+    /// At the nodes of `flown`.
     pub yaw: YawPlan,
 }
 
@@ -124,6 +127,7 @@ pub struct Excess {
 #[derive(Debug, Clone)]
 pub struct Planned {
     pub layout: Layout,
+    /// At every node, both ends of each hold included.
     pub states: Vec<NodeState>,
     /// Value of (48).
     pub objective: f64,
@@ -158,8 +162,9 @@ impl<'a> Engine<'a> {
     /// Lays the mission out; `Ok(None)` where the fixed times leave a leg no time.
     pub fn layout(&mut self, total: f64, samples: usize) -> Result<Option<Layout>, Outcome> {
         let Some(profile) = profile(self.mission, total, samples) else { return Ok(None) };
-        let yaw = plan_yaw(self.model, self.mission, &profile, &mut self.effort)?;
-        Ok(Some(Layout { profile, yaw }))
+        let flown = profile.flown();
+        let yaw = plan_yaw(self.model, self.mission, &flown, &mut self.effort)?;
+        Ok(Some(Layout { profile, flown, yaw }))
     }
 
     /// Decides one mission time: plans it, or shows that no plan meets every waypoint within its tolerance plus
@@ -199,8 +204,8 @@ impl<'a> Engine<'a> {
         }
         match attempt.outcome {
             Outcome::Solved(solution) => Decision::Feasible(Box::new(Planned {
+                states: layout.profile.with_holds(&attempt.states),
                 layout,
-                states: attempt.states,
                 objective: solution.objective,
                 rows: attempt.rows,
             })),
@@ -264,8 +269,8 @@ impl<'a> Engine<'a> {
 
     /// Drops the rows that states keep well clear of.
     fn keep_near(&self, layout: &Layout, set: &PlanningSet, states: &[NodeState], sigma: f64, pool: &mut Pool) {
-        let maps = layout.yaw.maps(self.model, layout.profile.nodes());
-        let stages = Transcription::new(self.model, self.mission, &layout.profile, set, &maps, layout.yaw.axes());
+        let maps = layout.yaw.maps(self.model, layout.flown.nodes());
+        let stages = Transcription::new(self.model, self.mission, &layout.flown, set, &maps, layout.yaw.axes());
         pool.rows.retain(|r| match r.row {
             Row::Facet(facet) => set.rows[facet].excess(&maps[r.node].at(&states[r.node])) > sigma - KEPT,
             Row::Limit(limit) => stages.limit_excess(&self.mission.limits[limit], states, r.node, sigma) > -KEPT,
@@ -301,7 +306,7 @@ impl<'a> Engine<'a> {
             self.mission.waypoints.iter().map(|w| {
                 w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
             });
-        inputs * layout.profile.total + misses.sum::<f64>()
+        inputs * layout.flown.total + misses.sum::<f64>()
     }
 
     /// Upper bounds on the inputs that the healthy set allows: |(x'''', y'''')| (m/s^4, with one yaw throughout),
@@ -337,8 +342,8 @@ impl<'a> Engine<'a> {
         }
         let [snap, climb, _] = self.largest_inputs().map(|u| LEEWAY * u);
         let start = &self.mission.waypoints[0];
-        self.mission.waypoints.iter().zip(&layout.profile.waypoint_nodes).any(|(w, &node)| {
-            let t = layout.profile.node_times[node];
+        self.mission.waypoints.iter().zip(&layout.flown.waypoint_nodes).any(|(w, &node)| {
+            let t = layout.flown.node_times[node];
             let apart: [f64; 3] = std::array::from_fn(|i| w.position[i] - start.position[i]);
             let allowed = LEEWAY * (start.within + w.within + 2.0 * FEASIBLE);
             let horizontally = matches!(layout.yaw, YawPlan::Free { .. })
@@ -362,11 +367,12 @@ impl<'a> Engine<'a> {
         pool: &mut Pool,
         accepted: f64,
     ) -> Attempt {
-        let nodes = layout.profile.nodes();
+        let nodes = layout.flown.nodes();
         let maps = layout.yaw.maps(self.model, nodes);
         let (model, mission) = (self.model, self.mission);
-        let new = || Transcription::new(model, mission, &layout.profile, set, &maps, layout.yaw.axes());
+        let new = || Transcription::new(model, mission, &layout.flown, set, &maps, layout.yaw.axes());
         let (stages, splines) = (new(), new().in_splines());
+        let smooth = splines.stiffness() <= MOST_STIFFNESS;
         pool.fit(nodes);
         let most = match purpose {
             Purpose::Plan { .. } => self.largest_cost(layout).unwrap_or(f64::INFINITY),
@@ -375,8 +381,7 @@ impl<'a> Engine<'a> {
         let mut round = 0;
         loop {
             let chosen: Vec<RowAt> = pool.rows.iter().copied().collect();
-            let splined = chosen.len() <= FEW_ROWS && nodes <= MOST_SPLINE_INTERVALS + 1;
-            let splined = splined && !matches!(purpose, Purpose::Overshoot { .. });
+            let splined = smooth && chosen.len() <= FEW_ROWS && !matches!(purpose, Purpose::Overshoot { .. });
             let mut form = if splined { &splines } else { &stages };
             let (mut outcome, spent) = solve(&form.program(purpose, &chosen));
             self.effort += spent;

@@ -36,6 +36,13 @@ impl NodeSpline {
         self.coefficients
     }
 
+    /// The largest weight of a coefficient in the input at some node; it grows with the shortest step to the minus
+    /// `order`.
+    pub fn steepest(&self) -> f64 {
+        let inputs = self.weights.iter().filter_map(|orders| orders.last()).flatten();
+        inputs.fold(0.0, |m: f64, (_, w)| m.max(w.abs()))
+    }
+
     /// The derivative of the given order at a node, in the coefficients.
     pub fn at(&self, node: usize, order: usize) -> &Weights {
         &self.weights[node][order]

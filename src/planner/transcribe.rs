@@ -2,7 +2,7 @@
 //!
 //! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input
 //! (4 for x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is
-//! exact. A derivative of order i is stored times tau^i, tau four mean steps of legs, which brings all variables to like
+//! exact. A derivative of order i is stored times tau^i, tau four mean steps, which brings all variables to like
 //! size. With splines the states are eliminated: fewer variables and no joining rows, but each row couples more of
 //! them.
 
@@ -51,6 +51,7 @@ pub enum Row {
 pub struct Transcription<'a> {
     pub model: &'a Model,
     pub mission: &'a Mission,
+    /// Without holds: [`Profile::flown`].
     pub profile: &'a Profile,
     pub set: &'a PlanningSet,
     /// One wrench map per node.
@@ -87,6 +88,14 @@ impl<'a> Transcription<'a> {
         Transcription { form: Form::Splines(splines), ..self }
     }
 
+    /// The largest entry of the cost's matrix in spline coefficients, about: snap weights of coefficients that lie a
+    /// few steps apart cancel, so a solver can only be as exact as this is small. Zero with stage variables.
+    pub(super) fn stiffness(&self) -> f64 {
+        let Form::Splines([quadruple, _]) = &self.form else { return 0.0 };
+        let step = self.profile.steps().fold(f64::INFINITY, f64::min);
+        self.model.plan.snap_weight * step * quadruple.steepest().powi(2)
+    }
+
     fn per_node(&self) -> usize {
         self.axes.iter().map(|&a| ORDER[a] + 1).sum()
     }
@@ -102,11 +111,9 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    /// Unit of time of the scaled variables, s: steps of legs, for in holds nothing changes.
+    /// Unit of time of the scaled variables, s.
     fn tau(&self) -> f64 {
-        let legs = self.profile.segments.iter().filter(|s| !s.hold);
-        let (time, intervals) = legs.fold((0.0, 0), |(t, n), s| (t + s.duration, n + s.intervals));
-        time / intervals as f64 * TAU_STEPS
+        self.profile.total / self.profile.intervals() as f64 * TAU_STEPS
     }
 
     fn var(&self, node: usize, axis: usize, order: usize) -> usize {
@@ -235,28 +242,21 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    /// Derivatives that vanish, as (node, axis, order): velocity, acceleration and (x, y) jerk at rest; all inputs
-    /// while holding.
+    /// Derivatives that vanish, as (node, axis, order): velocity, acceleration and (x, y) jerk at rest; where the vehicle
+    /// holds, inputs too.
     fn at_rest(&self) -> Vec<(usize, usize, usize)> {
         let last = self.nodes() - 1;
-        let mut held: Vec<usize> = self.profile.held_nodes().collect();
-        held.dedup();
         let mut zero = Vec::new();
-        for node in 0..=last {
-            let holding = held.binary_search(&node).is_ok();
-            let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
-            if !holding && !ends {
-                continue;
-            }
-            // Inside a hold the dynamics carry the rest of its first node on.
-            let inside = holding && node > 0 && held.binary_search(&(node - 1)).is_ok();
+        let mut rest = |node: usize, holding: bool| {
             for &axis in self.axes {
-                let orders = match (inside, holding) {
-                    (true, _) => ORDER[axis]..=ORDER[axis],
-                    (false, true) => 1..=ORDER[axis],
-                    (false, false) => 1..=ORDER[axis].min(3),
-                };
-                zero.extend(orders.map(|order| (node, axis, order)));
+                let highest = if holding { ORDER[axis] } else { ORDER[axis].min(3) };
+                zero.extend((1..=highest).map(|order| (node, axis, order)));
+            }
+        };
+        for (w, &node) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes) {
+            let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
+            if w.hold > 0.0 || ends {
+                rest(node, w.hold > 0.0);
             }
         }
         zero

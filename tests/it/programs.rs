@@ -26,8 +26,8 @@ fn planning_set(model: &Model) -> (PlanningSet, AdmissibleSet) {
 fn full_program(model: &Model, mission: &Mission, set: &PlanningSet, total: f64, purpose: Purpose) -> QuadraticProgram {
     let healthy = AdmissibleSet::healthy(model);
     let layout = Engine::new(model, mission, &healthy).layout(total, model.plan.samples).unwrap().unwrap();
-    let maps = layout.yaw.maps(model, layout.profile.nodes());
-    Transcription::new(model, mission, &layout.profile, set, &maps, layout.yaw.axes()).full_program(purpose)
+    let maps = layout.yaw.maps(model, layout.flown.nodes());
+    Transcription::new(model, mission, &layout.flown, set, &maps, layout.yaw.axes()).full_program(purpose)
 }
 
 fn decide(model: &Model, total: f64) -> Decision {
