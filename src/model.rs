@@ -9,6 +9,7 @@ mod elaborate;
 mod expression;
 mod fault;
 mod fields;
+mod flight;
 mod function;
 mod legs;
 mod limits;
@@ -20,6 +21,7 @@ mod survey;
 mod vehicle;
 
 pub use elaborate::elaborate;
+pub use flight::{AfterFault, Allocation, Campaign, Controller, Detection, Gains, Simulation, Strike};
 pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
 pub use mission::MAX_WAYPOINTS;
 pub use overrides::{OVERRIDE, Override, parse_override};
@@ -39,6 +41,9 @@ pub struct Model {
     pub mission: Option<Mission>,
     /// The `plan` block, or its defaults where there is none.
     pub plan: Plan,
+    /// How the plan is flown.
+    pub simulation: Simulation,
+    pub campaign: Campaign,
     /// Every default that filled in for something not written, for `check --explain-defaults`.
     pub defaults: Vec<DefaultUsed>,
 }

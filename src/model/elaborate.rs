@@ -178,6 +178,8 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
         modes: modes.modes,
         mission: flown.cloned(),
         plan,
+        simulation: Default::default(),
+        campaign: Default::default(),
         defaults,
     })
 }
