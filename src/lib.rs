@@ -4,6 +4,7 @@ pub mod actuation;
 pub mod admissible;
 pub mod cli;
 pub mod diagnostic;
+pub mod flight;
 pub mod geometry;
 pub mod model;
 pub mod planner;

@@ -102,6 +102,11 @@ impl Rotor {
     pub fn max_thrust(&self) -> f64 {
         self.thrust_coefficient * self.max_speed * self.max_speed
     }
+
+    /// Time constant of the motor in a flight, s.
+    pub fn lag(&self) -> f64 {
+        self.time_constant.unwrap_or(flight::MOTOR_TIME_CONSTANT)
+    }
 }
 
 /// A fault mode sets theta of (32): rotor k gives theta_k b w^2 with w at most w_max.

@@ -3,6 +3,9 @@
 use super::PlannerKind;
 use crate::source::Span;
 
+/// Time constant of a motor that the spec gives none, s.
+pub const MOTOR_TIME_CONSTANT: f64 = 0.02;
+
 /// The controller that follows the plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Controller {

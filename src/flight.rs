@@ -1,0 +1,247 @@
+//! Flights: the vehicle of section 2 under a controller, with faults struck into it.
+//!
+//! The rigid body is integrated by Runge-Kutta steps of fourth order; motors, which are linear between two commands,
+//! in closed form. Controller and estimator act at their own rates, on what the sensors give them. The same seed
+//! gives the same flight.
+
+pub mod air;
+pub mod allocate;
+pub mod body;
+pub mod control;
+pub mod estimate;
+mod knowledge;
+pub mod loss;
+pub mod reference;
+pub mod rotors;
+mod sensors;
+
+use crate::actuation::Wrench;
+use crate::model::{AfterFault, Model, Simulation, Strike};
+use crate::planner::hover_model::{X, Y, Z};
+use crate::planner::transcribe::NodeState;
+use crate::trajectory::Trajectory;
+use air::Air;
+use allocate::Allocator;
+use body::{Body, Frame};
+pub use knowledge::Found;
+use knowledge::Knowledge;
+use loss::Watch;
+pub use loss::{Cause, Outcome};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::SeedableRng;
+use reference::{Course, DESCENT, Reference, Stop};
+use rotors::Rotors;
+use sensors::Sensors;
+
+/// One flight to fly.
+#[derive(Debug, Clone)]
+pub struct Sortie<'a> {
+    pub model: &'a Model,
+    pub simulation: &'a Simulation,
+    /// What is followed until a fault is known.
+    pub course: Course<'a>,
+    /// In the order of their times.
+    pub strikes: &'a [Strike],
+    pub seed: u64,
+    /// s
+    pub duration: f64,
+    /// Speed through the air that gusts are taken to pass at, beside that of the mean wind, m/s.
+    pub airspeed: f64,
+}
+
+impl<'a> Sortie<'a> {
+    /// Along a plan, for as long as the spec says or the plan takes. Gusts pass at the plan's mean speed.
+    pub fn along(model: &'a Model, trajectory: &'a Trajectory, strikes: &'a [Strike], seed: u64) -> Self {
+        let place = |s: &NodeState| nalgebra::Vector3::new(s[X][0], s[Y][0], s[Z][0]);
+        let legs = trajectory.nodes.windows(2).map(|pair| (place(&pair[1]) - place(&pair[0])).norm());
+        Sortie {
+            model,
+            simulation: &model.simulation,
+            course: Course::Plan(trajectory),
+            strikes,
+            seed,
+            duration: model.simulation.duration.unwrap_or(trajectory.duration()),
+            airspeed: legs.sum::<f64>() / trajectory.duration(),
+        }
+    }
+}
+
+/// What is to be seen of a flight at an instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Sample<'a> {
+    /// s
+    pub time: f64,
+    pub body: &'a Body,
+    pub reference: &'a Reference,
+    /// What the rotors give, and what the controller asks for: N, N m.
+    pub wrench: &'a Wrench,
+    pub wanted: &'a Wrench,
+    /// rad/s
+    pub speeds: &'a [f64],
+    /// Capacities that the controller believes in, and those that the estimator gives.
+    pub believed: &'a [f64],
+    pub estimated: &'a [f64],
+}
+
+/// What became of a flight.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flight {
+    pub outcome: Outcome,
+    /// s; when the flight ended.
+    pub end: f64,
+    /// Distance from where the vehicle should be, m: root of the mean square, and largest.
+    pub rms_error: f64,
+    pub max_error: f64,
+    /// The same since the first fault; 0 where there was none.
+    pub rms_error_after: f64,
+    /// rad
+    pub max_tilt: f64,
+    /// One for each strike that came before the end.
+    pub found: Vec<Found>,
+    /// Times a sound rotor was believed weaker than 0.7 for longer than 0.1 s.
+    pub false_alarms: usize,
+    /// Reconfigurations refused, because under them the vehicle could not hover.
+    pub refused: usize,
+    /// `None` where nothing is estimated.
+    pub regressor: Option<Regressor>,
+    /// Steps of the integrator.
+    pub steps: usize,
+}
+
+/// How well the regressor along a flight could tell rotors apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Regressor {
+    pub lowest_rank: usize,
+    pub highest_rank: usize,
+    /// Largest singular value over the smallest that counts.
+    pub median_condition: f64,
+}
+
+/// Looks at the regressor a second.
+const CONDITION_RATE: f64 = 10.0;
+
+/// Flies. `record` is given every instant at which the controller acts.
+pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flight {
+    let Sortie { model, simulation, strikes, .. } = *sortie;
+    let h = 1.0 / simulation.rate;
+    let control_steps = (simulation.rate / simulation.control_rate).round().max(1.0) as usize;
+    let period = control_steps as f64 * h;
+    let estimator_ticks = (simulation.control_rate / simulation.estimator_rate).round().max(1.0) as usize;
+    let look_ticks = (simulation.control_rate / CONDITION_RATE).round().max(1.0) as usize;
+    let mut random = Pcg64Mcg::seed_from_u64(sortie.seed);
+    let frame = Frame::of(model);
+    let airspeed = sortie.airspeed + nalgebra::Vector3::from(simulation.wind).norm();
+    let mut air = Air::new(simulation.wind, simulation.gusts, simulation.gust_length, airspeed, period, &mut random);
+    let mut sensors = Sensors::new(simulation, period);
+    let mut rotors = Rotors::new(model, h);
+    let mut knowledge = Knowledge::new(model, simulation, strikes, period, estimator_ticks);
+    let mut allocator = Allocator::new(model, simulation.allocation);
+    let mut course = sortie.course.clone();
+    let mut watch = Watch::new(simulation, period);
+    let mut conditions = Vec::new();
+    let mut reference = course.at(0.0);
+    let mut body = control::start(&frame, &reference);
+    let mut blowing = nalgebra::Vector3::zeros();
+    let mut next_event = 0.0;
+    let mut wrench = Wrench::zeros();
+    let mut duration = sortie.duration;
+    let mut step = 0;
+    let outcome = loop {
+        let t = step as f64 * h;
+        if t >= next_event {
+            next_event = struck(strikes, t, h, model, &mut rotors);
+            wrench = rotors.wrench();
+        }
+        if step.is_multiple_of(control_steps) {
+            let tick = step / control_steps;
+            reference = course.at(t);
+            if let Some(end) = watch.look(t, &body, &reference, !strikes.is_empty() && t >= strikes[0].at) {
+                break end;
+            }
+            if t >= duration - 0.5 * h {
+                break Outcome::Flown;
+            }
+            blowing = air.next(&mut random);
+            let measured = sensors.measure(&body, &mut random);
+            if knowledge.update(t, tick, &measured, &allocator) {
+                allocator.believe(&knowledge.belief);
+            }
+            if knowledge.fault_known && simulation.after_fault != AfterFault::Continue && !watch.is_stopping {
+                let lands = simulation.after_fault == AfterFault::Land;
+                let stop = Stop::from(&reference, t, lands);
+                let rest = stop.at_rest();
+                let height = reference.position.z - simulation.ground;
+                duration = if lands { rest + height / DESCENT + 20.0 } else { duration.max(rest + 5.0) };
+                course = Course::Stop(Box::new(stop));
+                reference = course.at(t);
+                watch.is_stopping = true;
+                watch.may_land = lands;
+            }
+            let force = knowledge.thrust() / frame.mass;
+            let wanted =
+                control::control(simulation.controller, &frame, &simulation.gains, &measured, force, &reference);
+            allocator.speeds(&wanted, &mut rotors.command);
+            knowledge.command(&rotors.command);
+            if step == 0 {
+                rotors.settle();
+                knowledge.settle();
+                // Faults at the very start hold whatever the command.
+                next_event = struck(strikes, t, h, model, &mut rotors);
+                wrench = rotors.wrench();
+            }
+            if tick.is_multiple_of(look_ticks) {
+                conditions.extend(knowledge.conditioning());
+            }
+            if let Some(record) = record.as_mut() {
+                record(&Sample {
+                    time: t,
+                    body: &body,
+                    reference: &reference,
+                    wrench: &wrench,
+                    wanted: &wanted,
+                    speeds: &rotors.speed,
+                    believed: &knowledge.belief.capacity,
+                    estimated: knowledge.estimated(),
+                });
+            }
+        }
+        let begin = wrench;
+        rotors.half_step();
+        let middle = rotors.wrench();
+        rotors.half_step();
+        wrench = rotors.wrench();
+        body.step(&frame, h, [&begin, &middle, &wrench], &blowing);
+        step += 1;
+    };
+    let (found, false_alarms, refused) = knowledge.finish();
+    Flight {
+        outcome,
+        end: step as f64 * h,
+        rms_error: watch.rms_error(),
+        max_error: watch.max_error,
+        rms_error_after: watch.rms_error_after(),
+        max_tilt: watch.max_tilt,
+        found,
+        false_alarms,
+        refused,
+        regressor: regressor(conditions),
+        steps: step,
+    }
+}
+
+/// Sets the rotors' faults for the step that begins at `t`; returns when they change next, s.
+fn struck(strikes: &[Strike], t: f64, h: f64, model: &Model, rotors: &mut Rotors) -> f64 {
+    // Times are taken at the step they round to.
+    let now = t + 0.5 * h;
+    let is_active = |s: &&Strike| s.at <= now && s.until.is_none_or(|end| end > now);
+    rotors.set_faults(strikes.iter().filter(is_active).map(|s| &model.modes[s.mode]));
+    let changes = strikes.iter().flat_map(|s| std::iter::once(s.at).chain(s.until));
+    changes.filter(|change| *change > now).fold(f64::INFINITY, f64::min) - 0.5 * h
+}
+
+fn regressor(mut looks: Vec<(usize, f64)>) -> Option<Regressor> {
+    let (lowest, highest) = looks.iter().fold((usize::MAX, 0), |(low, high), l| (low.min(l.0), high.max(l.0)));
+    looks.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let median = looks.get(looks.len() / 2)?;
+    Some(Regressor { lowest_rank: lowest, highest_rank: highest, median_condition: median.1 })
+}

@@ -1,0 +1,127 @@
+//! When a vehicle is lost, and how far it was from where it should be until then.
+
+use super::body::Body;
+use super::reference::Reference;
+use crate::model::Simulation;
+use std::f64::consts::FRAC_PI_2;
+
+/// A vehicle that lands touches the ground no faster than this, m/s, and tilted no further than this, rad.
+const TOUCHDOWN_SPEED: f64 = 2.0;
+const TOUCHDOWN_TILT: f64 = 0.5;
+
+/// How a flight ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outcome {
+    /// To its end.
+    Flown,
+    /// It came down as it was to; s.
+    Landed {
+        at: f64,
+    },
+    Lost {
+        at: f64,
+        cause: Cause,
+    },
+}
+
+impl Outcome {
+    pub fn is_lost(&self) -> bool {
+        matches!(self, Outcome::Lost { .. })
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cause {
+    /// Farther from its place than `lost_beyond`.
+    Position,
+    /// Tilted past 90 degrees for longer than `upside_down`.
+    UpsideDown,
+    /// It struck the ground.
+    Ground,
+}
+
+impl Cause {
+    pub fn name(self) -> &'static str {
+        match self {
+            Cause::Position => "position",
+            Cause::UpsideDown => "upside_down",
+            Cause::Ground => "ground",
+        }
+    }
+}
+
+/// Looks at the vehicle every `period` s.
+#[derive(Debug, Clone)]
+pub struct Watch {
+    lost_beyond: f64,
+    upside_down: f64,
+    ground: f64,
+    period: f64,
+    /// Seconds upside down without a break.
+    turned_for: f64,
+    /// A stop has begun.
+    pub is_stopping: bool,
+    /// It is to touch the ground.
+    pub may_land: bool,
+    pub max_error: f64,
+    pub max_tilt: f64,
+    squares: f64,
+    looks: usize,
+    squares_after: f64,
+    looks_after: usize,
+}
+
+impl Watch {
+    pub fn new(simulation: &Simulation, period: f64) -> Self {
+        Watch {
+            lost_beyond: simulation.lost_beyond,
+            upside_down: simulation.upside_down,
+            ground: simulation.ground,
+            period,
+            turned_for: 0.0,
+            is_stopping: false,
+            may_land: false,
+            max_error: 0.0,
+            max_tilt: 0.0,
+            squares: 0.0,
+            looks: 0,
+            squares_after: 0.0,
+            looks_after: 0,
+        }
+    }
+
+    /// The flight's end where it has come; `after` where a fault has struck.
+    pub fn look(&mut self, t: f64, body: &Body, reference: &Reference, after: bool) -> Option<Outcome> {
+        let lost = |cause| Some(Outcome::Lost { at: t, cause });
+        if !body.is_finite() {
+            return lost(Cause::Position);
+        }
+        let error = (body.position - reference.position).norm();
+        let tilt = body.tilt();
+        if body.position.z <= self.ground {
+            let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
+            return if self.may_land && soft { Some(Outcome::Landed { at: t }) } else { lost(Cause::Ground) };
+        }
+        self.max_error = self.max_error.max(error);
+        self.max_tilt = self.max_tilt.max(tilt);
+        self.squares += error * error;
+        self.looks += 1;
+        if after {
+            self.squares_after += error * error;
+            self.looks_after += 1;
+        }
+        if error > self.lost_beyond {
+            return lost(Cause::Position);
+        }
+        self.turned_for = if tilt > FRAC_PI_2 { self.turned_for + self.period } else { 0.0 };
+        if self.turned_for > self.upside_down { lost(Cause::UpsideDown) } else { None }
+    }
+
+    pub fn rms_error(&self) -> f64 {
+        (self.squares / self.looks.max(1) as f64).sqrt()
+    }
+
+    pub fn rms_error_after(&self) -> f64 {
+        (self.squares_after / self.looks_after.max(1) as f64).sqrt()
+    }
+}

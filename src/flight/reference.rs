@@ -1,0 +1,146 @@
+//! Where the vehicle should be: along the plan, coming to rest, or descending.
+
+use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::trajectory::Trajectory;
+use nalgebra::Vector3;
+
+/// Largest deceleration that a stop is meant to take, m/s^2, and the shortest stop, s.
+const BRAKING: f64 = 3.0;
+const SHORTEST_STOP: f64 = 1.5;
+
+/// Speed of a descent, m/s, and how long it takes to come to it, s.
+pub const DESCENT: f64 = 1.0;
+const EASING: f64 = 2.0;
+
+/// Where to be and how to move at an instant, world frame, SI units.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reference {
+    pub position: Vector3<f64>,
+    pub velocity: Vector3<f64>,
+    pub acceleration: Vector3<f64>,
+    pub jerk: Vector3<f64>,
+    pub snap: Vector3<f64>,
+    /// psi, psi', psi'': rad, rad/s, rad/s^2.
+    pub yaw: [f64; 3],
+}
+
+/// What is followed.
+#[derive(Debug, Clone)]
+pub enum Course<'a> {
+    /// The plan; past its end its last position, at rest.
+    Plan(&'a Trajectory),
+    /// A stop, and what follows it.
+    Stop(Box<Stop>),
+}
+
+impl Course<'_> {
+    /// The reference at `t` s since the start.
+    pub fn at(&self, t: f64) -> Reference {
+        match self {
+            Course::Plan(trajectory) if t <= trajectory.duration() => {
+                let s = trajectory.at(t);
+                let order = |i: usize| Vector3::new(s[X][i], s[Y][i], s[Z][i]);
+                let [psi, rate, acceleration, ..] = s[YAW];
+                Reference {
+                    position: order(0),
+                    velocity: order(1),
+                    acceleration: order(2),
+                    jerk: order(3),
+                    // z is a double integrator: its acceleration is piecewise linear.
+                    snap: Vector3::new(s[X][4], s[Y][4], 0.0),
+                    yaw: [psi, rate, acceleration],
+                }
+            }
+            Course::Plan(trajectory) => {
+                let s = &trajectory.nodes[trajectory.intervals()];
+                let position = Vector3::new(s[X][0], s[Y][0], s[Z][0]);
+                Reference { position, yaw: [s[YAW][0], 0.0, 0.0], ..Reference::default() }
+            }
+            Course::Stop(stop) => stop.at(t),
+        }
+    }
+}
+
+/// Velocities fade to zero along polynomials of fifth degree that continue velocity, acceleration and jerk; a
+/// descent may follow.
+#[derive(Debug, Clone)]
+pub struct Stop {
+    begin: f64,
+    duration: f64,
+    axes: [Fade; 4],
+    descends: bool,
+}
+
+impl Stop {
+    /// From a reference at time `begin`, s.
+    pub fn from(reference: &Reference, begin: f64, descends: bool) -> Self {
+        let Reference { position, velocity, acceleration, jerk, yaw, .. } = reference;
+        let duration = SHORTEST_STOP.max(1.875 * velocity.norm() / BRAKING).max(acceleration.norm() / BRAKING);
+        let fade = |k: usize| Fade::new(position[k], [velocity[k], acceleration[k], jerk[k]], duration);
+        let turn = Fade::new(yaw[0], [yaw[1], yaw[2], 0.0], duration);
+        Stop { begin, duration, axes: [fade(0), fade(1), fade(2), turn], descends }
+    }
+
+    /// When the vehicle has come to rest, s since the start of the flight.
+    pub fn at_rest(&self) -> f64 {
+        self.begin + self.duration
+    }
+
+    fn at(&self, t: f64) -> Reference {
+        let s = (t - self.begin).clamp(0.0, self.duration);
+        let [x, y, z, yaw] = &self.axes;
+        let orders = [x.at(s), y.at(s), z.at(s)];
+        let order = |i: usize| Vector3::new(orders[0][i], orders[1][i], orders[2][i]);
+        let [psi, rate, acceleration, ..] = yaw.at(s);
+        let mut reference = Reference {
+            position: order(0),
+            velocity: order(1),
+            acceleration: order(2),
+            jerk: order(3),
+            snap: order(4),
+            yaw: [psi, rate, acceleration],
+        };
+        let down = t - self.at_rest();
+        if self.descends && down > 0.0 {
+            // The speed grows as 3 u^2 - 2 u^3 with u = t / EASING.
+            let u = (down / EASING).min(1.0);
+            let eased = EASING * (u.powi(3) - 0.5 * u.powi(4)) + (down - EASING).max(0.0);
+            reference.position.z -= DESCENT * eased;
+            reference.velocity.z -= DESCENT * u * u * (3.0 - 2.0 * u);
+            reference.acceleration.z -= DESCENT * 6.0 * u * (1.0 - u) / EASING;
+        }
+        reference
+    }
+}
+
+/// One coordinate whose velocity fades to zero.
+#[derive(Debug, Clone, Copy)]
+struct Fade {
+    start: f64,
+    /// Coefficients of the velocity in t.
+    velocity: [f64; 6],
+}
+
+impl Fade {
+    /// The polynomial v of fifth degree with v, v', v'' as given at 0 and zero at `duration`.
+    fn new(start: f64, [v, a, j]: [f64; 3], duration: f64) -> Self {
+        let t = duration;
+        // What the first three terms leave at the end, in value, slope and curvature.
+        let (p, q, r) = (v + a * t + 0.5 * j * t * t, a + j * t, j);
+        let c3 = (-10.0 * p + 4.0 * q * t - 0.5 * r * t * t) / t.powi(3);
+        let c4 = (15.0 * p - 7.0 * q * t + r * t * t) / t.powi(4);
+        let c5 = (-6.0 * p + 3.0 * q * t - 0.5 * r * t * t) / t.powi(5);
+        Fade { start, velocity: [v, a, 0.5 * j, c3, c4, c5] }
+    }
+
+    /// Place and its first four derivatives.
+    fn at(&self, t: f64) -> [f64; 5] {
+        let c = &self.velocity;
+        let place = (0..6).rev().fold(0.0, |sum, k| sum * t + c[k] / (k + 1) as f64) * t;
+        let derivative = |order: usize| {
+            let falling = |k: usize| (0..order).fold(1.0, |f, i| f * (k - i) as f64);
+            (order..6).rev().fold(0.0, |sum, k| sum * t + c[k] * falling(k))
+        };
+        [self.start + place, derivative(0), derivative(1), derivative(2), derivative(3)]
+    }
+}
