@@ -145,7 +145,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut next_event = 0.0;
     let mut wrench = Wrench::zeros();
     let mut duration = sortie.duration;
-    let mut step = 0;
+    let mut step = 0usize;
     let outcome = loop {
         let t = step as f64 * h;
         if t >= next_event {
