@@ -8,6 +8,7 @@ mod files;
 mod new;
 mod plan;
 mod progress;
+mod simulate;
 mod spec;
 mod sweep;
 mod target;
@@ -26,13 +27,15 @@ pub const USAGE: u8 = 2;
 pub const NO_PLAN: u8 = 3;
 /// The solver gave no verdict.
 pub const INCONCLUSIVE: u8 = 4;
+/// The simulated vehicle is lost.
+pub const LOST: u8 = 6;
 
 #[derive(Parser)]
 #[command(
     name = "mavc",
     version,
     about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
-    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict. SPEC may be `-` for standard input."
+    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict; 6 the simulated vehicle is lost. SPEC may be `-` for standard input."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -55,6 +58,8 @@ enum Command {
     Plan(PlanArgs),
     /// Run RIP, RCP and RSP side by side
     Compare(CompareArgs),
+    /// Plan the mission and fly it, with the spec's faults in flight
+    Simulate(SimulateArgs),
     /// Print what one stage of the compiler makes of the spec
     Emit(EmitArgs),
     /// Write a commented spec that plans as it stands
@@ -147,6 +152,21 @@ pub(crate) struct CompareArgs {
 }
 
 #[derive(Args)]
+pub(crate) struct SimulateArgs {
+    #[command(flatten)]
+    spec: SpecArgs,
+    /// Where the flight log goes (CSV); `-` for standard output
+    #[arg(short, long, value_name = "FLIGHT.CSV")]
+    output: Option<PathBuf>,
+    /// Where the report goes (JSON); `-` for standard output, without the one for people
+    #[arg(long, value_name = "REPORT.JSON")]
+    report: Option<PathBuf>,
+    /// Rows of the log, such as 100Hz; at most as often as the controller acts
+    #[arg(long, value_name = "RATE")]
+    rate: Option<String>,
+}
+
+#[derive(Args)]
 pub(crate) struct EmitArgs {
     #[arg(value_enum)]
     stage: Stage,
@@ -205,6 +225,7 @@ pub fn run() -> u8 {
         Command::Analyze(args) => analyze::run(args, &options),
         Command::Plan(args) => plan::plan(args, &options),
         Command::Compare(args) => plan::compare(args, &options),
+        Command::Simulate(args) => simulate::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::New { file } => new::run(file, &options),
         Command::Explain { code } => explain::run(code.as_deref()),

@@ -14,6 +14,7 @@ pub mod loss;
 pub mod reference;
 pub mod rotors;
 mod sensors;
+pub mod twins;
 
 use crate::actuation::Wrench;
 use crate::model::{AfterFault, Model, Simulation, Strike};

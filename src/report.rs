@@ -1,6 +1,7 @@
 //! What was found, told: the record (`--report`), text for the terminal, and the trajectory table.
 
 pub mod caveats;
+pub mod flight;
 pub mod number;
 pub mod record;
 pub mod table;

@@ -22,7 +22,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let mut loaded = spec::read(&args.spec, options)?;
     spare(&loaded, &[&table, &report])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
-    let Some(comparison) = run(&loaded, &model, &mission, Scope::Plan, options) else {
+    let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
         return refused(&loaded, &model, report.as_ref());
     };
     let begin = Instant::now();
@@ -33,8 +33,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
             results.extend(table.as_ref().map(rows));
             FINE
         }
-        Some(Ending::Inconclusive { .. }) => INCONCLUSIVE,
-        _ => NO_PLAN,
+        _ => no_plan_code(&comparison),
     };
     if let Some(target) = &report {
         results.push((target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?));
@@ -65,7 +64,7 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let mut loaded = spec::read(&args.spec, options)?;
     spare(&loaded, &[&report])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
-    let Some(comparison) = run(&loaded, &model, &mission, Scope::Everything, options) else {
+    let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Everything, options) else {
         return refused(&loaded, &model, report.as_ref());
     };
     if !report.as_ref().is_some_and(Target::is_stdout) {
@@ -85,7 +84,10 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
 }
 
 /// Where the trajectory and the report go.
-fn targets(table: Option<&Path>, report: Option<&Path>) -> Result<(Option<Target>, Option<Target>), Problem> {
+pub(super) fn targets(
+    table: Option<&Path>,
+    report: Option<&Path>,
+) -> Result<(Option<Target>, Option<Target>), Problem> {
     let (table, report) = (table.map(Target::new).transpose()?, report.map(Target::new).transpose()?);
     match (&table, &report) {
         (Some(a), Some(b)) if a.is_same(b) => {
@@ -96,13 +98,13 @@ fn targets(table: Option<&Path>, report: Option<&Path>) -> Result<(Option<Target
 }
 
 /// Refuses targets that would replace a file of the spec.
-fn spare(loaded: &Loaded, targets: &[&Option<Target>]) -> Result<(), Problem> {
+pub(super) fn spare(loaded: &Loaded, targets: &[&Option<Target>]) -> Result<(), Problem> {
     let read = || loaded.files.sources.iter().map(|(_, source)| source.name.as_str());
     targets.iter().copied().flatten().try_for_each(|target| target.must_spare(read()))
 }
 
 /// The model with its mission, once all diagnostics are told.
-fn ready(loaded: &mut Loaded, options: &Options) -> Option<(Model, Mission)> {
+pub(super) fn ready(loaded: &mut Loaded, options: &Options) -> Option<(Model, Mission)> {
     if let Some(model) = &loaded.model {
         let answers = diagnose(model);
         loaded.diagnostics.extend(answers);
@@ -124,7 +126,13 @@ pub(super) fn no_mission(model: &Model) -> Option<Diagnostic> {
 }
 
 /// Runs the planners unless some mode cannot be stood.
-fn run(loaded: &Loaded, model: &Model, mission: &Mission, scope: Scope, options: &Options) -> Option<Comparison> {
+pub(super) fn plan_for(
+    loaded: &Loaded,
+    model: &Model,
+    mission: &Mission,
+    scope: Scope,
+    options: &Options,
+) -> Option<Comparison> {
     if loaded.diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return None;
     }
@@ -147,6 +155,14 @@ fn run(loaded: &Loaded, model: &Model, mission: &Mission, scope: Scope, options:
     Some(comparison)
 }
 
+/// The exit code where the last run has no plan.
+pub(super) fn no_plan_code(comparison: &Comparison) -> u8 {
+    match comparison.runs.last().map(|r| &r.ending) {
+        Some(Ending::Inconclusive { .. }) => INCONCLUSIVE,
+        _ => NO_PLAN,
+    }
+}
+
 /// A mode cannot be stood: the report says that nothing was planned.
 fn refused(loaded: &Loaded, model: &Model, report: Option<&Target>) -> Result<u8, Problem> {
     if let Some(target) = report {
@@ -155,13 +171,13 @@ fn refused(loaded: &Loaded, model: &Model, report: Option<&Target>) -> Result<u8
     Ok(NO_PLAN)
 }
 
-fn json(record: &Record) -> Result<String, Problem> {
+pub(super) fn json(record: &impl serde::Serialize) -> Result<String, Problem> {
     let text = serde_json::to_string_pretty(record).map_err(|e| format!("cannot write the report: {e}"))?;
     Ok(text + "\n")
 }
 
 /// `100Hz`, `100 Hz` or `0.5kHz`, as Hz.
-fn parse_rate(text: &str) -> Result<f64, Problem> {
+pub(super) fn parse_rate(text: &str) -> Result<f64, Problem> {
     let trimmed = text.trim();
     let (digits, factor) = match (trimmed.strip_suffix("kHz"), trimmed.strip_suffix("Hz")) {
         (Some(d), _) => (d, 1e3),

@@ -14,7 +14,7 @@ use crate::model::Model;
 use nalgebra::{DMatrix, Vector3};
 
 /// A sample speaks where its residual is this many standard deviations of the torque noise.
-const SPEAKS: f64 = 4.0;
+pub const SPEAKS: f64 = 4.0;
 
 /// The torque noise is taken to be at least this share of one rotor's mean torque: models are never exact.
 const MODEL_ERROR: f64 = 0.04;
@@ -56,6 +56,20 @@ pub struct Estimator {
     regressor: Vec<Vector3<f64>>,
 }
 
+/// Standard deviation of a torque sample, N m on each axis: of the gyroscope's noise, and of what no model is exact in.
+pub fn torque_noise(model: &Model, gyroscope_noise: f64, period: f64) -> Vector3<f64> {
+    // Two rate samples make one torque sample.
+    let measured = Vector3::from(model.vehicle.inertia) * (gyroscope_noise * std::f64::consts::SQRT_2 / period);
+    let actuation = Actuation::of(&model.vehicle);
+    let hover = model.vehicle.mass * model.gravity / actuation.rotors() as f64;
+    let modelled = Vector3::from_fn(|axis, _| {
+        let rotors = actuation.effectiveness.column_iter().zip(&model.vehicle.rotors);
+        let per_thrust = rotors.map(|(c, r)| c[axis + 1].abs() / r.thrust_coefficient).fold(0.0, f64::max);
+        MODEL_ERROR * per_thrust * hover
+    });
+    measured.zip_map(&modelled, f64::hypot).map(|s| s.max(1e-12))
+}
+
 impl Estimator {
     /// `gyroscope_noise` is the standard deviation of a rate sample, rad/s; `period` the time between samples, s.
     pub fn new(model: &Model, forgetting: f64, gyroscope_noise: f64, period: f64) -> Self {
@@ -64,20 +78,11 @@ impl Estimator {
         let columns: Vec<Vector3<f64>> =
             actuation.effectiveness.column_iter().map(|c| c.fixed_rows::<3>(1).into_owned()).collect();
         let inertia = Vector3::from(model.vehicle.inertia);
-        // Two rate samples make one torque sample.
-        let measured = inertia * (gyroscope_noise * std::f64::consts::SQRT_2 / period);
-        let hover = model.vehicle.mass * model.gravity / n as f64;
-        let of_rotor = |axis: usize| {
-            let torques = columns.iter().zip(&model.vehicle.rotors);
-            let per_thrust = torques.map(|(c, r)| c[axis].abs() / r.thrust_coefficient).fold(0.0, f64::max);
-            per_thrust * hover
-        };
-        let modelled = Vector3::from_fn(|axis, _| MODEL_ERROR * of_rotor(axis));
         Estimator {
             inertia,
             forgetting,
             period,
-            noise: measured.zip_map(&modelled, f64::hypot).map(|s| s.max(1e-12)),
+            noise: torque_noise(model, gyroscope_noise, period),
             information: vec![0.0; n * n],
             evidence: vec![0.0; n],
             capacity: vec![1.0; n],

@@ -9,7 +9,7 @@ use crate::model::{Mission, Model, PlannerKind};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 
 /// Columns of running text.
-const WIDTH: usize = 110;
+pub const WIDTH: usize = 110;
 
 /// `octo (PPNNPPNN, 8 rotors, 1.8 kg)`
 pub fn vehicle_line(model: &Model) -> String {

@@ -1,0 +1,107 @@
+//! `mavc simulate`: plan, then fly.
+
+use super::plan::{json, no_plan_code, plan_for, ready, spare, targets};
+use super::spec::{self, timing};
+use super::target::{Target, write};
+use super::{FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
+use crate::diagnostic::sort;
+use crate::flight::{Sample, Sortie, fly, twins};
+use crate::model::{Model, past_the_end};
+use crate::planner::compare::{Ending, Scope};
+use crate::report::flight::{FlightRecord, Log, MAX_ROWS, Told, text};
+use crate::report::number::number;
+use crate::report::terminal;
+use std::time::Instant;
+
+/// Rows of the log a second, where nothing is said.
+const LOG_RATE: f64 = 100.0;
+
+pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
+    let rate = args.rate.as_deref().map(super::plan::parse_rate).transpose()?;
+    let (table, report) = targets(args.output.as_deref(), args.report.as_deref())?;
+    let mut loaded = spec::read(&args.spec, options)?;
+    spare(&loaded, &[&table, &report])?;
+    let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
+    let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
+        return Ok(super::NO_PLAN);
+    };
+    let Some(Ending::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
+        files::print(&terminal::plan(&model, &mission, &comparison))?;
+        return Ok(no_plan_code(&comparison));
+    };
+    let late = past_the_end(&model, model.simulation.duration.unwrap_or(solved.time));
+    if !late.is_empty() {
+        loaded.diagnostics = late;
+        sort(&mut loaded.diagnostics);
+        loaded.tell(options);
+        return Ok(SPEC_ERRORS);
+    }
+    let strikes = &model.simulation.faults;
+    let sortie = Sortie::along(&model, &solved.trajectory, strikes, model.simulation.seed);
+    let every = every(&model, rate, sortie.duration)?;
+    let mut log = table.is_some().then(|| Log::new(model.vehicle.rotors.len(), every));
+    let begin = Instant::now();
+    let flight = match &mut log {
+        Some(log) => fly(&sortie, Some(&mut |sample: &Sample| log.add(sample))),
+        None => fly(&sortie, None),
+    };
+    let spent = begin.elapsed().as_secs_f64();
+    timing(options, "flight", begin);
+    if options.timings {
+        files::tell(&format!(
+            "{:<10} {:>9} simulated seconds a second, {} ns a step{}\n",
+            "",
+            number((flight.end / spent).round()),
+            number((1e9 * spent / flight.steps.max(1) as f64).round()),
+            if log.is_some() { ", with its log" } else { "" }
+        ));
+    }
+    let planned: Vec<Vec<f64>> = match twins::are_asked_for(&model) {
+        true => solved
+            .trajectory
+            .node_wrenches(&model.vehicle, model.gravity)
+            .iter()
+            .map(|w| twins::squares(&model, w))
+            .collect(),
+        false => Vec::new(),
+    };
+    let groups = if planned.is_empty() { Vec::new() } else { twins::twins(&model, &planned) };
+    let alike: Vec<Vec<&str>> = groups.iter().map(|group| twins::names(&model, group)).collect();
+    let told = Told { model: &model, solved, strikes, flight: &flight, alike: &alike };
+    let mut results = Vec::new();
+    if let (Some(target), Some(log)) = (&table, log) {
+        results.push((target, log.csv));
+    }
+    if let Some(target) = &report {
+        results.push((target, json(&FlightRecord::new(&told, loaded.sha256()))?));
+    }
+    let words = text(&told);
+    let takes_stdout = |(target, _): &(&Target, String)| target.is_stdout();
+    let to_people = !results.iter().any(takes_stdout);
+    if to_people {
+        files::print(&words)?;
+    }
+    write(&results)?;
+    if !to_people && !report.is_some_and(|r| r.is_stdout()) {
+        files::tell(&words);
+    }
+    if let (true, false, Some(path)) = (to_people, options.quiet, args.output.as_deref()) {
+        files::print(&format!("\nFlight log written to {}\n", path.display()))?;
+    }
+    Ok(if flight.outcome.is_lost() { LOST } else { FINE })
+}
+
+/// Every so many acts of the controller make a row of the log.
+fn every(model: &Model, rate: Option<f64>, duration: f64) -> Result<usize, Problem> {
+    let control = model.simulation.control_rate;
+    let every = (control / rate.unwrap_or(LOG_RATE)).round().max(1.0);
+    let rows = duration * control / every;
+    if rows > MAX_ROWS {
+        return Err(format!(
+            "the log would have {} rows, and {} are the most: give a lower --rate",
+            number(rows.round()),
+            number(MAX_ROWS)
+        ));
+    }
+    Ok(every as usize)
+}

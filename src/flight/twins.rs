@@ -1,0 +1,68 @@
+//! Fault modes that the torques cannot tell apart.
+
+use super::estimate::{SPEAKS, torque_noise};
+use crate::actuation::Actuation;
+use crate::actuation::Wrench;
+use crate::admissible::allocation::Allocator;
+use crate::admissible::{HEALTHY, hover};
+use crate::model::{Detection, Model};
+use nalgebra::Vector3;
+
+/// Squared rotor speeds (rad^2/s^2) with which the healthy vehicle gives a wrench.
+pub fn squares(model: &Model, wrench: &Wrench) -> Vec<f64> {
+    Allocator::new(&model.vehicle).speeds(wrench).iter().map(|w| w * w).collect()
+}
+
+/// Squared speeds in hover, where every plan from rest to rest begins and ends.
+pub fn hover_squares(model: &Model) -> Vec<f64> {
+    squares(model, &hover(model))
+}
+
+/// Groups of modes (0 is healthy, i + 1 is `Model::modes[i]`) whose torques at none of the instants differ by more
+/// than the estimator's threshold; only groups of two or more. `instants` holds squared rotor speeds. Modes that fall
+/// with any speeds, such as two that differ in a rotor that does not turn, are among them.
+///
+/// Being alike is not transitive; a mode joins the first group whose first member it is like.
+pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
+    let simulation = &model.simulation;
+    let noise = torque_noise(model, simulation.gyroscope_noise, 1.0 / simulation.estimator_rate);
+    let columns: Vec<Vector3<f64>> = Actuation::of(&model.vehicle)
+        .effectiveness
+        .column_iter()
+        .map(|c| c.fixed_rows::<3>(1).component_div(&noise))
+        .collect();
+    let healthy = |squares: &Vec<f64>| columns.iter().zip(squares).map(|(c, s)| c * *s).sum::<Vector3<f64>>();
+    let mut torques: Vec<Vec<Vector3<f64>>> = vec![instants.iter().map(healthy).collect()];
+    torques.extend(model.modes.iter().map(|mode| {
+        let under = |squares: &Vec<f64>| {
+            let rotors = columns.iter().zip(squares).zip(&model.vehicle.rotors).enumerate();
+            rotors
+                .map(|(k, ((c, s), r))| match mode.stuck[k] {
+                    Some(share) => c * (share * r.max_speed * r.max_speed),
+                    None => c * (mode.capacity[k] * s),
+                })
+                .sum()
+        };
+        instants.iter().map(under).collect()
+    }));
+    let alike = |a: usize, b: usize| torques[a].iter().zip(&torques[b]).all(|(x, y)| (x - y).amax() <= SPEAKS);
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for mode in 0..torques.len() {
+        match groups.iter_mut().find(|g| alike(g[0], mode)) {
+            Some(group) => group.push(mode),
+            None => groups.push(vec![mode]),
+        }
+    }
+    groups.retain(|g| g.len() > 1);
+    groups
+}
+
+/// Names of a group's modes, the healthy vehicle's first.
+pub fn names<'a>(model: &'a Model, group: &[usize]) -> Vec<&'a str> {
+    group.iter().map(|&m| if m == 0 { HEALTHY } else { model.modes[m - 1].name.as_str() }).collect()
+}
+
+/// Whether an estimator is to tell the modes apart.
+pub fn are_asked_for(model: &Model) -> bool {
+    model.simulation.detection == Detection::Estimator
+}

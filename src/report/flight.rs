@@ -1,0 +1,9 @@
+//! What is told of a flight: the log, the record, the text for people.
+
+mod log;
+mod record;
+mod text;
+
+pub use log::{Log, MAX_ROWS};
+pub use record::{FaultRecord, FlightRecord, OutcomeRecord, RegressorRecord, Told};
+pub use text::text;

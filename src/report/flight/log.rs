@@ -1,0 +1,55 @@
+//! The flight log: one row an instant, SI units.
+
+use crate::flight::Sample;
+use crate::report::trajectory_csv::shortest;
+
+/// Most rows of one log.
+pub const MAX_ROWS: f64 = 1e6;
+
+/// Collects rows as CSV.
+#[derive(Debug, Clone)]
+pub struct Log {
+    pub csv: String,
+    /// Every so many samples make a row.
+    every: usize,
+    count: usize,
+}
+
+impl Log {
+    pub fn new(rotors: usize, every: usize) -> Self {
+        let mut csv = String::from(
+            "t,x,y,z,vx,vy,vz,roll,pitch,yaw,p,q,r,x_ref,y_ref,z_ref,yaw_ref,error,tilt,\
+             thrust,tau_x,tau_y,tau_z,thrust_cmd,tau_x_cmd,tau_y_cmd,tau_z_cmd",
+        );
+        for name in ["omega", "theta", "believed"] {
+            (1..=rotors).for_each(|k| csv.push_str(&format!(",{name}_{k}")));
+        }
+        csv.push('\n');
+        Log { csv, every: every.max(1), count: 0 }
+    }
+
+    pub fn add(&mut self, sample: &Sample) {
+        self.count += 1;
+        if !(self.count - 1).is_multiple_of(self.every) {
+            return;
+        }
+        let Sample { body, reference, .. } = sample;
+        let mut row = vec![sample.time];
+        row.extend(body.position.iter());
+        row.extend(body.velocity.iter());
+        row.extend(body.angles());
+        row.extend(body.rates.iter());
+        row.extend(reference.position.iter());
+        row.push(reference.yaw[0]);
+        row.push((body.position - reference.position).norm());
+        row.push(body.tilt());
+        row.extend(sample.wrench.iter());
+        row.extend(sample.wanted.iter());
+        row.extend(sample.speeds);
+        row.extend(sample.estimated);
+        row.extend(sample.believed);
+        let cells: Vec<String> = row.iter().map(|v| shortest(*v)).collect();
+        self.csv.push_str(&cells.join(","));
+        self.csv.push('\n');
+    }
+}

@@ -1,0 +1,146 @@
+//! The machine-readable record of a flight, schema in `docs/schema/simulate.schema.json`.
+
+use crate::flight::{Flight, Outcome};
+use crate::model::{AfterFault, Allocation, Controller, Detection, Model, Strike};
+use crate::planner::compare::Solved;
+use crate::report::caveats::{Caveat, caveats};
+use serde::Serialize;
+
+/// A flight with what it was flown under.
+#[derive(Debug, Clone, Copy)]
+pub struct Told<'a> {
+    pub model: &'a Model,
+    pub solved: &'a Solved,
+    pub strikes: &'a [Strike],
+    pub flight: &'a Flight,
+    /// Groups of modes that the estimator cannot tell apart with the planned speeds, by name.
+    pub alike: &'a [Vec<&'a str>],
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FlightRecord {
+    pub schema: u32,
+    pub spec_sha256: String,
+    pub planner: &'static str,
+    pub plan_time_s: f64,
+    pub controller: &'static str,
+    pub allocation: &'static str,
+    /// `never`, `after` or `estimator`.
+    pub detection: &'static str,
+    pub detection_delay_s: Option<f64>,
+    pub after_fault: &'static str,
+    pub rate_hz: f64,
+    pub seed: u64,
+    pub outcome: OutcomeRecord,
+    pub end_s: f64,
+    pub rms_error_m: f64,
+    pub max_error_m: f64,
+    /// Since the first fault; `None` without one.
+    pub rms_error_after_m: Option<f64>,
+    pub max_tilt_rad: f64,
+    pub faults: Vec<FaultRecord>,
+    pub false_alarms: usize,
+    pub refused_reconfigurations: usize,
+    pub regressor: Option<RegressorRecord>,
+    /// Groups of modes that the planned speeds cannot tell apart.
+    pub alike: Vec<Vec<String>>,
+    /// Where the plan is not what it seems.
+    pub warnings: Vec<Caveat>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "status", rename_all = "snake_case")]
+pub enum OutcomeRecord {
+    Flown,
+    Landed { at_s: f64 },
+    Lost { at_s: f64, cause: &'static str },
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FaultRecord {
+    pub mode: String,
+    pub at_s: f64,
+    pub until_s: Option<f64>,
+    /// The flight ended before it.
+    pub struck: bool,
+    pub detected_after_s: Option<f64>,
+    pub isolated_after_s: Option<f64>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RegressorRecord {
+    pub rotors: usize,
+    pub lowest_rank: usize,
+    pub highest_rank: usize,
+    pub median_condition: f64,
+}
+
+impl FlightRecord {
+    pub fn new(told: &Told, spec_sha256: String) -> Self {
+        let Told { model, solved, strikes, flight, alike } = told;
+        let s = &model.simulation;
+        let (detection, delay) = match s.detection {
+            Detection::Never => ("never", None),
+            Detection::After(delay) => ("after", Some(delay)),
+            Detection::Estimator => ("estimator", None),
+        };
+        FlightRecord {
+            schema: 1,
+            spec_sha256,
+            planner: model.plan.planner.name(),
+            plan_time_s: solved.time,
+            controller: match s.controller {
+                Controller::Pd => "pd",
+                Controller::Geometric => "geometric",
+            },
+            allocation: match s.allocation {
+                Allocation::PseudoInverse => "pseudo_inverse",
+                Allocation::Bounded => "bounded",
+            },
+            detection,
+            detection_delay_s: delay,
+            after_fault: match s.after_fault {
+                AfterFault::Continue => "continue",
+                AfterFault::Hold => "hold",
+                AfterFault::Land => "land",
+            },
+            rate_hz: s.rate,
+            seed: s.seed,
+            outcome: match flight.outcome {
+                Outcome::Flown => OutcomeRecord::Flown,
+                Outcome::Landed { at } => OutcomeRecord::Landed { at_s: at },
+                Outcome::Lost { at, cause } => OutcomeRecord::Lost { at_s: at, cause: cause.name() },
+            },
+            end_s: flight.end,
+            rms_error_m: flight.rms_error,
+            max_error_m: flight.max_error,
+            rms_error_after_m: (!flight.found.is_empty()).then_some(flight.rms_error_after),
+            max_tilt_rad: flight.max_tilt,
+            faults: faults(model, strikes, flight),
+            false_alarms: flight.false_alarms,
+            refused_reconfigurations: flight.refused,
+            regressor: flight.regressor.map(|r| RegressorRecord {
+                rotors: model.vehicle.rotors.len(),
+                lowest_rank: r.lowest_rank,
+                highest_rank: r.highest_rank,
+                median_condition: r.median_condition,
+            }),
+            alike: alike.iter().map(|group| group.iter().map(|name| name.to_string()).collect()).collect(),
+            warnings: caveats(model, solved),
+        }
+    }
+}
+
+/// Every strike, with when it was found where it came before the end.
+fn faults(model: &Model, strikes: &[Strike], flight: &Flight) -> Vec<FaultRecord> {
+    let found = |index: usize| flight.found.get(index);
+    let record = |(index, strike): (usize, &Strike)| FaultRecord {
+        mode: model.modes[strike.mode].name.clone(),
+        at_s: strike.at,
+        until_s: strike.until,
+        struck: found(index).is_some(),
+        detected_after_s: found(index).and_then(|f| f.detected_after),
+        isolated_after_s: found(index).and_then(|f| f.isolated_after),
+    };
+    strikes.iter().enumerate().map(record).collect()
+}

@@ -1,0 +1,145 @@
+//! A flight told to people.
+
+use super::record::{FlightRecord, OutcomeRecord, Told};
+use crate::model::{AfterFault, Allocation, Controller, Detection, Model};
+use crate::report::number::{fixed, number, significant};
+use crate::report::table::Table;
+use crate::report::terminal::{WIDTH, vehicle_line};
+
+pub fn text(told: &Told) -> String {
+    let record = FlightRecord::new(told, String::new());
+    let Told { model, solved, flight, .. } = told;
+    let name = model.mission.as_ref().map_or("", |m| m.name.as_str());
+    let mut out = format!(
+        "Mission {name} flown with {}\nalong the {} plan of {} s\n{}\n\n",
+        vehicle_line(model),
+        record.planner.to_uppercase(),
+        number(solved.time),
+        manner(model)
+    );
+    out.push_str(&match record.outcome {
+        OutcomeRecord::Flown => format!("Flown to its end at {} s\n", fixed(flight.end, 2)),
+        OutcomeRecord::Landed { at_s } => format!("Landed at {} s\n", fixed(at_s, 2)),
+        OutcomeRecord::Lost { at_s, cause } => format!("LOST at {} s: {}\n", fixed(at_s, 2), words(model, cause)),
+    });
+    let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
+    out.push_str(&format!(
+        "  distance from its place: {} root mean square{after}; largest {}\n  largest tilt {} degrees\n",
+        length(flight.rms_error),
+        length(flight.max_error),
+        fixed(flight.max_tilt.to_degrees(), 1)
+    ));
+    if !record.faults.is_empty() {
+        let mut table = Table::new(&["fault", "struck", "recovers", "detected", "isolated"]);
+        let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
+        for fault in &record.faults {
+            let mut row = vec![fault.mode.clone(), format!("{} s", number(fault.at_s))];
+            row.push(fault.until_s.map_or("no".into(), |t| format!("{} s", number(t))));
+            match fault.struck {
+                true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
+                false => row.extend(["the flight".to_string(), "had ended".to_string()]),
+            }
+            table.row(row);
+        }
+        out.push('\n');
+        out.push_str(&table.render(2));
+    }
+    if let Some(r) = &record.regressor {
+        let alarms = match record.false_alarms {
+            0 => "no false alarm".to_string(),
+            1 => "1 false alarm".to_string(),
+            n => format!("{n} false alarms"),
+        };
+        let refused = match record.refused_reconfigurations {
+            0 => String::new(),
+            n => format!("; {n} refused, under which the vehicle could not hover"),
+        };
+        out.push_str(&format!(
+            "\nEstimator: {alarms}{refused}\n  the regressor's rank went from {} to {} of {}; condition {} (median)\n",
+            r.lowest_rank,
+            r.highest_rank,
+            r.rotors,
+            significant(r.median_condition, 3)
+        ));
+    }
+    let fill = |text: &str| {
+        let manner = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+        format!("\n{}\n", textwrap::fill(text, manner))
+    };
+    for group in told.alike {
+        let list = listed(group);
+        out.push_str(&fill(&format!(
+            "The torques of {list} are alike all along the plan: no estimate tells them apart."
+        )));
+    }
+    record.warnings.iter().for_each(|caveat| out.push_str(&fill(&caveat.message)));
+    out
+}
+
+/// `geometric controller, bounded allocation, capacities estimated; after a fault it flies on; 1,000 steps a second`
+fn manner(model: &Model) -> String {
+    let s = &model.simulation;
+    let controller = match s.controller {
+        Controller::Pd => "PD controller",
+        Controller::Geometric => "geometric controller",
+    };
+    let allocation = match s.allocation {
+        Allocation::PseudoInverse => "clipped pseudo-inverse",
+        Allocation::Bounded => "bounded allocation",
+    };
+    let detection = match s.detection {
+        Detection::Never => "faults never known".to_string(),
+        Detection::After(delay) => format!("faults known after {}", duration(delay)),
+        Detection::Estimator => "capacities estimated".to_string(),
+    };
+    let after = match s.after_fault {
+        AfterFault::Continue => "flies on",
+        AfterFault::Hold => "stops and holds",
+        AfterFault::Land => "stops and lands",
+    };
+    let air = match (s.wind.iter().any(|w| *w != 0.0), s.gusts > 0.0) {
+        (false, false) => String::new(),
+        (true, false) => "; steady wind".to_string(),
+        (_, true) => format!("; gusts of {} m/s", number(s.gusts)),
+    };
+    format!(
+        "{controller}, {allocation}, {detection}; after a fault it {after}{air}; {} Hz, seed {}",
+        number(s.rate),
+        s.seed
+    )
+}
+
+fn words(model: &Model, cause: &str) -> String {
+    let s = &model.simulation;
+    match cause {
+        "ground" => "it struck the ground".into(),
+        "upside_down" => format!("tilted past 90 degrees for longer than {} s", number(s.upside_down)),
+        _ => format!("more than {} m from its place", number(s.lost_beyond)),
+    }
+}
+
+/// Metres as people say them.
+fn length(metres: f64) -> String {
+    match metres {
+        m if m < 0.01 => format!("{} mm", significant(1000.0 * m, 2)),
+        m if m < 1.0 => format!("{} cm", significant(100.0 * m, 2)),
+        m => format!("{} m", significant(m, 3)),
+    }
+}
+
+/// Seconds as people say them.
+fn duration(seconds: f64) -> String {
+    if seconds < 1.0 {
+        format!("{} ms", significant(1000.0 * seconds, 3))
+    } else {
+        format!("{} s", significant(seconds, 3))
+    }
+}
+
+fn listed(names: &[&str]) -> String {
+    const SHOWN: usize = 6;
+    match names {
+        [all @ .., last] if names.len() <= SHOWN => format!("{} and {last}", all.join(", ")),
+        _ => format!("{} and {} more", names[..SHOWN].join(", "), names.len() - SHOWN),
+    }
+}
