@@ -2,6 +2,7 @@
 //! is a finite `f64`, and every list is complete.
 
 mod arithmetic;
+mod campaign;
 mod context;
 mod display;
 mod due;
@@ -17,15 +18,19 @@ mod load;
 mod mission;
 mod overrides;
 mod plan;
+mod simulate;
 mod survey;
 mod vehicle;
 
 pub use elaborate::elaborate;
-pub use flight::{AfterFault, Allocation, Campaign, Controller, Detection, Gains, Simulation, Strike};
+pub use flight::{
+    AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
+};
 pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
 pub use mission::MAX_WAYPOINTS;
 pub use overrides::{OVERRIDE, Override, parse_override};
 pub use plan::MAX_SAMPLES;
+pub use simulate::{coarse_step, past_the_end, too_many_steps};
 
 use crate::source::Span;
 
@@ -101,11 +106,6 @@ impl Rotor {
     /// b w_max^2, N.
     pub fn max_thrust(&self) -> f64 {
         self.thrust_coefficient * self.max_speed * self.max_speed
-    }
-
-    /// Time constant of the motor in a flight, s.
-    pub fn lag(&self) -> f64 {
-        self.time_constant.unwrap_or(flight::MOTOR_TIME_CONSTANT)
     }
 }
 

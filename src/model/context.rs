@@ -181,6 +181,8 @@ impl<'a> Context<'a> {
             error = error.help(format!("declare it outside all blocks: `let {name} = ...`"));
         } else if !known.is_empty() {
             error = error.help(format!("there is {}", in_runs(known)));
+        } else if what == "fault mode" {
+            error = error.help(format!("declare it in `faults`, as in `mode {name} {{ rotor 1 lost }}`"));
         }
         self.report(error);
     }

@@ -3,7 +3,9 @@
 use std::f64::consts::PI;
 use std::fmt;
 
-use super::{FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Spin, Vehicle};
+use super::{
+    Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Simulation, Spin, Vehicle,
+};
 use crate::report::number::number;
 
 /// Degrees of an angle in radians.
@@ -34,6 +36,12 @@ impl fmt::Display for Model {
             mission(f, m)?;
         }
         plan(f, &self.plan, &self.modes)?;
+        if self.simulation.written {
+            simulation(f, &self.simulation, &self.modes)?;
+        }
+        if self.campaign.written {
+            campaign(f, &self.campaign)?;
+        }
         if !self.defaults.is_empty() {
             writeln!(f, "defaults")?;
         }
@@ -180,4 +188,53 @@ fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Resul
     writeln!(f, "  samples {}", p.samples)?;
     writeln!(f, "  reserve {} %", number(p.reserve * 100.0))?;
     writeln!(f, "  snap {}, acceleration {}", number(p.snap_weight), number(p.acceleration_weight))
+}
+
+fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -> fmt::Result {
+    writeln!(f, "simulate")?;
+    match s.duration {
+        Some(duration) => writeln!(f, "  duration {} s", number(duration))?,
+        None => writeln!(f, "  duration that of the plan")?,
+    }
+    let [rate, control, estimator] = [s.rate, s.control_rate, s.estimator_rate].map(number);
+    writeln!(f, "  rate {rate} Hz, control_rate {control} Hz, estimator_rate {estimator} Hz")?;
+    writeln!(f, "  controller {}, allocation {}", s.controller.name(), s.allocation.name())?;
+    match s.detection {
+        Detection::Never => write!(f, "  detection never")?,
+        Detection::Estimator => write!(f, "  detection estimator")?,
+        Detection::After(delay) => write!(f, "  detection {} s", number(delay))?,
+    }
+    writeln!(f, ", after_fault {}", s.after_fault.name())?;
+    let g = &s.gains;
+    for (name, gain, rate_name, rate_gain) in [
+        ("position", g.position, "velocity", g.velocity),
+        ("altitude", g.altitude, "climb", g.climb),
+        ("attitude", g.attitude, "attitude_rate", g.attitude_rate),
+        ("yaw", g.yaw, "yaw_rate", g.yaw_rate),
+    ] {
+        let (gain, rate_gain) = (number(gain), number(rate_gain));
+        writeln!(f, "  {name}_gain {gain} 1/s^2, {rate_name}_gain {rate_gain} 1/s")?;
+    }
+    writeln!(f, "  forgetting {}, seed {}", number(s.forgetting), s.seed)?;
+    let (gyroscope, position) = (number(s.gyroscope_noise), number(s.position_noise));
+    writeln!(f, "  gyroscope_noise {gyroscope} rad/s, position_noise {position} m")?;
+    writeln!(f, "  drag {} N*s/m, wind {} m/s", number(s.drag), list(&s.wind))?;
+    writeln!(f, "  gusts {} m/s, gust_length {} m", number(s.gusts), number(s.gust_length))?;
+    writeln!(f, "  lost_beyond {} m, upside_down {} s", number(s.lost_beyond), number(s.upside_down))?;
+    writeln!(f, "  ground {} m", number(s.ground))?;
+    for fault in &s.faults {
+        write!(f, "  fault {} at {} s", modes[fault.mode].name, number(fault.at))?;
+        match fault.until {
+            Some(until) => writeln!(f, " until {} s", number(until))?,
+            None => writeln!(f)?,
+        }
+    }
+    Ok(())
+}
+
+fn campaign(f: &mut fmt::Formatter<'_>, c: &Campaign) -> fmt::Result {
+    writeln!(f, "campaign")?;
+    writeln!(f, "  times {}, seeds {}, seed {}", c.times, c.seeds, c.seed)?;
+    let names: Vec<&str> = c.planners.iter().map(|p| p.name()).collect();
+    writeln!(f, "  planners [{}]", names.join(", "))
 }

@@ -7,7 +7,8 @@ use super::fields::elsewhere;
 use super::load::FileSet;
 use super::overrides::{Override, apply};
 use super::plan::Draft;
-use super::{DefaultUsed, Model, mission, vehicle};
+use super::simulate::Around;
+use super::{DefaultUsed, Model, campaign, mission, simulate, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
 use crate::report::number::number;
 use crate::source::{SourceMap, Span, Spanned};
@@ -21,7 +22,7 @@ use crate::unit::GRAVITY;
 /// 1. Collect the blocks of all files.
 /// 2. Evaluate gravity and every `let`.
 /// 3. Elaborate every vehicle, choose one, and give its faults and missions their numbers.
-/// 4. Settle the plan against modes and mission.
+/// 4. Settle the plan against modes and mission, then what flies it.
 pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     let mut trees = files.files.clone();
     let mut diagnostics = apply(&mut trees, overrides);
@@ -87,6 +88,8 @@ struct Blocks<'a> {
     faults: Vec<&'a Block>,
     missions: Vec<&'a Block>,
     plans: Vec<&'a Block>,
+    simulations: Vec<&'a Block>,
+    campaigns: Vec<&'a Block>,
 }
 
 fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) -> Option<Model> {
@@ -103,6 +106,8 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
                     "faults" => blocks.faults.push(block),
                     "mission" => blocks.missions.push(block),
                     "plan" => blocks.plans.push(block),
+                    "simulate" => blocks.simulations.push(block),
+                    "campaign" => blocks.campaigns.push(block),
                     _ => {}
                 },
                 Item::Field(field) if homeless && field.name.value != "gravity" => cx.lose(&field.name.value),
@@ -114,11 +119,8 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     }
     no_second(cx, "vehicle", &blocks.vehicles);
     no_second(cx, "mission", &blocks.missions);
-    if let [first, rest @ ..] = blocks.plans.as_slice() {
-        for block in rest {
-            let error = Diagnostic::error("mavc::name::duplicate", block.keyword.span, "a spec has one `plan` block");
-            cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
-        }
+    for blocks in [&blocks.plans, &blocks.simulations, &blocks.campaigns] {
+        only_one(cx, blocks);
     }
     let mut defaults = Vec::new();
     cx.declare(items().filter_map(|item| if let Item::Let(field) = item { Some(field) } else { None }));
@@ -160,17 +162,36 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     let incomplete = modes.incomplete || vehicle.is_none();
     let flown = mission.and_then(|m| m.mission.as_ref());
     let names_modes = draft.names_modes();
+    let draft_span = draft.span;
     let (plan, plan_defaults) = draft.finish(cx, &modes.modes, incomplete, flown, fallback);
     let plan_written = !blocks.plans.is_empty();
     if plan_written || mission.is_some() {
         defaults.extend(plan_defaults);
     }
+    let around = Around {
+        modes: &modes.modes,
+        incomplete,
+        vehicle: vehicle.and_then(|v| v.vehicle.as_ref()),
+        mission: flown,
+        plan: plan.as_ref(),
+        fallback: draft_span.unwrap_or(fallback),
+    };
+    let campaign_span = blocks.campaigns.first().map(|block| block.keyword.span);
+    let (simulation, flight_defaults) =
+        simulate::elaborate(cx, blocks.simulations.first().copied(), campaign_span, &around);
+    defaults.extend(flight_defaults);
+    let (campaign, campaign_defaults) = campaign::elaborate(cx, blocks.campaigns.first().copied(), &around);
+    defaults.extend(campaign_defaults);
     let plan = plan.filter(|_| manner_fine)?;
+    let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {
         return None;
     }
-    if names_modes {
-        warn_unused_modes(cx, &modes, &plan.against);
+    // A campaign strikes with every mode.
+    if names_modes && !campaign.written {
+        let struck = simulation.faults.iter().map(|fault| fault.mode);
+        let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
+        warn_unused_modes(cx, &modes, &used);
     }
     Some(Model {
         gravity: cx.gravity,
@@ -178,8 +199,8 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
         modes: modes.modes,
         mission: flown.cloned(),
         plan,
-        simulation: Default::default(),
-        campaign: Default::default(),
+        simulation,
+        campaign,
         defaults,
     })
 }
@@ -246,6 +267,16 @@ fn no_second(cx: &mut Context, what: &str, blocks: &[&Block]) {
     }
 }
 
+/// Of some blocks a spec has one.
+fn only_one(cx: &mut Context, blocks: &[&Block]) {
+    let [first, rest @ ..] = blocks else { return };
+    for block in rest {
+        let message = format!("a spec has one `{}` block", block.keyword.value);
+        let error = Diagnostic::error("mavc::name::duplicate", block.keyword.span, message);
+        cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
+    }
+}
+
 /// The vehicle or mission that is meant: the one `plan` names, or the only one.
 fn choose<'a>(cx: &mut Context<'a>, draft: &Draft<'a>, what: &str, named: &[(&str, Span)]) -> Option<usize> {
     let names: Vec<&str> = named.iter().map(|n| n.0).collect();
@@ -276,10 +307,10 @@ fn choose<'a>(cx: &mut Context<'a>, draft: &Draft<'a>, what: &str, named: &[(&st
     }
 }
 
-/// Warns once a statement whose modes no plan uses.
-fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize]) {
+/// Warns once a statement of whose modes none is among `looked_at`.
+fn warn_unused_modes(cx: &mut Context, modes: &Modes, looked_at: &[usize]) {
     let mut used = vec![false; modes.modes.len()];
-    against.iter().for_each(|&k| used[k] = true);
+    looked_at.iter().for_each(|&k| used[k] = true);
     for statement in 0..modes.statements {
         let of_statement = || modes.origin.iter().enumerate().filter(move |(_, o)| **o == statement).map(|(k, _)| k);
         let Some(first) = of_statement().next() else {

@@ -1,9 +1,10 @@
 //! The `name = value` statements of a block: known names, no repetition, nothing due left out.
 
 use super::context::{Context, listed, no_filter};
+use super::{campaign, simulate};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
-use crate::syntax::ast::{Clauses, Expr, Field, FieldValue, Name, Statement};
+use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, Statement};
 
 /// Fields that belong elsewhere, and the word people use for what belongs there.
 const ELSEWHERE: &[(&str, &str)] = &[
@@ -24,10 +25,11 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("drag_coefficient", "is a field of `rotor` in a `vehicle`"),
     ("time_constant", "is a field of `rotor` in a `vehicle`"),
     ("points", "follows the range of a `curve`, after a comma"),
-    ("rate", "is a field of a fault mode, between the braces of `mode` or `every`"),
+    ("rate", "is a field of a fault mode, between the braces of `mode` or `every`, and of `simulate`"),
     ("severity", "is a field of a fault mode, between the braces of `mode` or `every`"),
     ("occurrence", "is a field of a fault mode, between the braces of `mode` or `every`"),
-    ("detection", "is a field of a fault mode, between the braces of `mode` or `every`"),
+    ("detection", "is a field of a fault mode, between the braces of `mode` or `every`, and of `simulate`"),
+    ("seed", "is a field of `simulate` and of `campaign`"),
     ("rpn", "is the product of `severity`, `occurrence` and `detection`: write those"),
     ("probability", "is written as a failure rate, such as `rate = 1e-5 1/h`"),
     ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
@@ -39,7 +41,10 @@ const ELSEWHERE: &[(&str, &str)] = &[
 
 /// Where a field that people write in the wrong place belongs.
 pub(super) fn elsewhere(word: &str) -> Option<String> {
-    ELSEWHERE.iter().find(|(field, _)| *field == word).map(|(_, place)| format!("`{word}` {place}"))
+    let place = ELSEWHERE.iter().find(|(field, _)| *field == word).map(|(_, place)| *place);
+    let place = place.or_else(|| simulate::FIELDS.contains(&word).then_some("is a field of `simulate`"));
+    let place = place.or_else(|| campaign::FIELDS.contains(&word).then_some("is a field of `campaign`"));
+    place.map(|place| format!("`{word}` {place}"))
 }
 
 /// The fields or clauses of one block or statement, by name.
@@ -116,7 +121,13 @@ impl<'a> Fields<'a> {
         let message = format!("{} has no field `{word}`", self.owner);
         let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
         let near = nearest(word, known.iter().copied());
-        if let Some(place) = elsewhere(word) {
+        // `drag` among the fields of a rotor is `drag_coefficient`, `times` in a plan is `time`.
+        let begins = |k: &&str| k.strip_prefix(word).is_some_and(|rest| rest.starts_with('_'));
+        let begun = known.iter().copied().find(|k| simulate::FIELDS.contains(&word) && begins(k));
+        let plural = |a: &str, b: &str| a.strip_suffix('s') == Some(b);
+        let near = near.filter(|near| plural(near, word) || plural(word, near)).or(begun).or(near);
+        let surer = near.is_some_and(|near| plural(near, word) || plural(word, near) || begun == Some(near));
+        if let Some(place) = elsewhere(word).filter(|_| !surer) {
             error = error.help(place);
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
@@ -134,6 +145,33 @@ impl<'a> Fields<'a> {
 
     pub fn get(&self, name: &str) -> Option<&'a Expr> {
         self.found.iter().find(|(n, ..)| n.value == name).map(|(_, expr, _)| *expr)
+    }
+
+    /// A field that takes one of a few words; `Some(None)` where something else stands there.
+    pub fn word(
+        &self,
+        cx: &mut Context<'a>,
+        code: &'static str,
+        field: &str,
+        words: &[&str],
+    ) -> Option<Option<&'a str>> {
+        let expr = self.get(field)?;
+        if let ExprKind::Name(name) = &expr.kind
+            && words.contains(&name.as_str())
+        {
+            return Some(Some(name));
+        }
+        let error = Diagnostic::error(code, expr.span, format!("`{field}` is one of {}", listed(words)));
+        let error = error.here("none of them");
+        let near = match &expr.kind {
+            ExprKind::Name(name) => nearest(name, words.iter().copied()),
+            _ => None,
+        };
+        cx.report(match near {
+            Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
+            None => error.help(format!("write one of them, such as `{}`", words[0])),
+        });
+        Some(None)
     }
 
     /// The whole statement that gives `name`.

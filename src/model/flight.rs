@@ -1,10 +1,17 @@
 //! How the mission is flown: what the blocks `simulate` and `campaign` say, or their defaults.
 
-use super::PlannerKind;
+use super::{PlannerKind, Rotor};
 use crate::source::Span;
 
-/// Time constant of a motor that the spec gives none, s.
+/// Time constant of a rotor for which the spec gives none, s.
 pub const MOTOR_TIME_CONSTANT: f64 = 0.02;
+
+impl Rotor {
+    /// Time constant with which its speed follows, s.
+    pub fn lag(&self) -> f64 {
+        self.time_constant.unwrap_or(MOTOR_TIME_CONSTANT)
+    }
+}
 
 /// The controller that follows the plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,6 +22,15 @@ pub enum Controller {
     Geometric,
 }
 
+impl Controller {
+    pub fn name(self) -> &'static str {
+        match self {
+            Controller::Pd => "pd",
+            Controller::Geometric => "geometric",
+        }
+    }
+}
+
 /// How the wanted wrench becomes rotor speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Allocation {
@@ -22,6 +38,15 @@ pub enum Allocation {
     PseudoInverse,
     /// Bounded weighted least squares that gives up yaw first.
     Bounded,
+}
+
+impl Allocation {
+    pub fn name(self) -> &'static str {
+        match self {
+            Allocation::PseudoInverse => "pseudo_inverse",
+            Allocation::Bounded => "bounded",
+        }
+    }
 }
 
 /// How the controller learns of a fault.
@@ -43,6 +68,16 @@ pub enum AfterFault {
     Hold,
     /// Come to rest and descend where it is.
     Land,
+}
+
+impl AfterFault {
+    pub fn name(self) -> &'static str {
+        match self {
+            AfterFault::Continue => "continue",
+            AfterFault::Hold => "hold",
+            AfterFault::Land => "land",
+        }
+    }
 }
 
 /// Gains per unit of mass or inertia: those on a deviation in 1/s^2, those on its rate in 1/s; all > 0.
@@ -112,10 +147,13 @@ pub struct Simulation {
     pub lost_beyond: f64,
     /// The vehicle is lost where it tilts past 90 degrees for longer than this, s.
     pub upside_down: f64,
-    /// Height of the ground, m.
+    /// Height of the ground, m; below every waypoint.
     pub ground: f64,
+    /// Whether the spec has a `simulate` block.
+    pub written: bool,
     /// The `simulate` block, or the plan's place where there is none.
     pub span: Span,
+    /// Of `rate`, or the block.
     pub rate_span: Span,
 }
 
@@ -129,6 +167,8 @@ pub struct Campaign {
     /// Without repeats, in the order written.
     pub planners: Vec<PlannerKind>,
     pub seed: u64,
+    /// Whether the spec has a `campaign` block.
+    pub written: bool,
     /// The `campaign` block, or the plan's place where there is none.
     pub span: Span,
 }
@@ -138,23 +178,31 @@ pub(super) type Written<T> = (T, &'static str, &'static str);
 
 /// Defaults: value in SI, as written, why.
 pub(super) mod default {
-    use super::Written;
+    use super::{AfterFault, Allocation, Controller, Detection, PlannerKind, Written};
 
+    pub const DURATION: Written<Option<f64>> = (None, "that of the plan", "how long the flight is simulated");
     pub const RATE: Written<f64> = (1000.0, "1 kHz", "steps of the integrator");
     pub const CONTROL_RATE: Written<f64> = (500.0, "500 Hz", "how often the controller acts");
     pub const ESTIMATOR_RATE: Written<f64> = (100.0, "100 Hz", "how often capacities are estimated");
+    pub const CONTROLLER: Written<Controller> = (Controller::Geometric, "geometric", "tracks far from hover too");
+    pub const ALLOCATION: Written<Allocation> = (Allocation::Bounded, "bounded", "asks no rotor for more than it has");
+    pub const DETECTION: Written<Detection> =
+        (Detection::Estimator, "estimator", "how the controller learns of a fault");
+    pub const AFTER_FAULT: Written<AfterFault> = (AfterFault::Continue, "continue", "flies on as planned");
     pub const FORGETTING: Written<f64> = (0.95, "0.95", "memory of the estimator per sample");
-    pub const POSITION_GAIN: Written<f64> = (4.0, "4 1/s^2", "on the deviation in x and y");
-    pub const VELOCITY_GAIN: Written<f64> = (3.2, "3.2 1/s", "on its rate");
-    pub const ALTITUDE_GAIN: Written<f64> = (6.0, "6 1/s^2", "on the deviation in z");
-    pub const CLIMB_GAIN: Written<f64> = (4.0, "4 1/s", "on its rate");
-    pub const ATTITUDE_GAIN: Written<f64> = (100.0, "100 1/s^2", "on the deviation in roll and pitch");
-    pub const ATTITUDE_RATE_GAIN: Written<f64> = (16.0, "16 1/s", "on its rate");
-    pub const YAW_GAIN: Written<f64> = (4.0, "4 1/s^2", "on the deviation in yaw");
-    pub const YAW_RATE_GAIN: Written<f64> = (3.2, "3.2 1/s", "on its rate");
-    pub const GYROSCOPE_NOISE: Written<f64> = (0.005, "0.005 rad/s", "of a small MEMS gyroscope");
-    pub const POSITION_NOISE: Written<f64> = (0.01, "1 cm", "of a sample of the position");
+    pub const POSITION_GAIN: Written<f64> = (4.0, "4 1/s^2", "gain on the deviation in x and y");
+    pub const VELOCITY_GAIN: Written<f64> = (3.2, "3.2 1/s", "gain on the deviation of the horizontal velocity");
+    pub const ALTITUDE_GAIN: Written<f64> = (6.0, "6 1/s^2", "gain on the deviation in z");
+    pub const CLIMB_GAIN: Written<f64> = (4.0, "4 1/s", "gain on the deviation of the vertical velocity");
+    pub const ATTITUDE_GAIN: Written<f64> = (100.0, "100 1/s^2", "gain on the deviation in roll and pitch");
+    pub const ATTITUDE_RATE_GAIN: Written<f64> = (16.0, "16 1/s", "gain on the deviation of their rates");
+    pub const YAW_GAIN: Written<f64> = (4.0, "4 1/s^2", "gain on the deviation in yaw");
+    pub const YAW_RATE_GAIN: Written<f64> = (3.2, "3.2 1/s", "gain on the deviation of the yaw rate");
+    pub const GYROSCOPE_NOISE: Written<f64> =
+        (0.005, "0.005 rad/s", "standard deviation of a sample, as of a small MEMS gyroscope");
+    pub const POSITION_NOISE: Written<f64> = (0.01, "1 cm", "standard deviation of a sample on each axis");
     pub const DRAG: Written<f64> = (0.0, "0 N*s/m", "as in the paper's model");
+    pub const WIND: Written<[f64; 3]> = ([0.0; 3], "[0, 0, 0] m/s", "still air");
     pub const GUSTS: Written<f64> = (0.0, "0 m/s", "still air");
     pub const GUST_LENGTH: Written<f64> = (50.0, "50 m", "length scale of gusts");
     pub const LOST_BEYOND: Written<f64> = (2.0, "2 m", "farther from its place the vehicle is lost");
@@ -162,6 +210,11 @@ pub(super) mod default {
     pub const GROUND: Written<f64> = (0.0, "0 m", "height of the ground");
     pub const SEED: Written<u64> = (1, "1", "of noise and gusts");
     pub const TIMES: Written<usize> = (20, "20", "instants of the fault along the mission");
+    pub const PLANNERS: Written<[PlannerKind; 3]> = (
+        [PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp],
+        "[rip, rsp, rcp]",
+        "plans that are flown side by side",
+    );
     pub const SEEDS: Written<usize> = (10, "10", "flights for each");
 }
 
@@ -185,20 +238,20 @@ impl Default for Simulation {
     fn default() -> Self {
         use default::*;
         Simulation {
-            duration: None,
+            duration: DURATION.0,
             rate: RATE.0,
             control_rate: CONTROL_RATE.0,
             estimator_rate: ESTIMATOR_RATE.0,
-            controller: Controller::Geometric,
-            allocation: Allocation::Bounded,
-            detection: Detection::Estimator,
-            after_fault: AfterFault::Continue,
+            controller: CONTROLLER.0,
+            allocation: ALLOCATION.0,
+            detection: DETECTION.0,
+            after_fault: AFTER_FAULT.0,
             gains: Gains::default(),
             forgetting: FORGETTING.0,
             gyroscope_noise: GYROSCOPE_NOISE.0,
             position_noise: POSITION_NOISE.0,
             drag: DRAG.0,
-            wind: [0.0; 3],
+            wind: WIND.0,
             gusts: GUSTS.0,
             gust_length: GUST_LENGTH.0,
             seed: SEED.0,
@@ -206,6 +259,7 @@ impl Default for Simulation {
             lost_beyond: LOST_BEYOND.0,
             upside_down: UPSIDE_DOWN.0,
             ground: GROUND.0,
+            written: false,
             span: Span::default(),
             rate_span: Span::default(),
         }
@@ -217,8 +271,9 @@ impl Default for Campaign {
         Campaign {
             times: default::TIMES.0,
             seeds: default::SEEDS.0,
-            planners: vec![PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp],
+            planners: default::PLANNERS.0.to_vec(),
             seed: default::SEED.0,
+            written: false,
             span: Span::default(),
         }
     }

@@ -19,6 +19,7 @@ pub struct Override {
 }
 
 /// Reads `plan.time=20s`, `vehicle.mass=2 kg`, `vehicle.rotor.max_speed=700rad/s`, `plan.against=[M1]`,
+/// `simulate.rate=2kHz`, `campaign.seeds=3`,
 /// `mission.limits.tilt=20deg`, `gravity=1.62 m/s^2`, or `a=5 m` for a `let`. The text joins `sources` under the
 /// name `--set`, so that its mistakes have places.
 ///
@@ -79,12 +80,12 @@ fn place(trees: &mut [SpecFile], item: &Override) -> Result<(), Box<Diagnostic>>
         return place_top(trees, &item.field);
     };
     let keyword = outer.value.as_str();
-    if !matches!(keyword, "plan" | "vehicle" | "mission") {
+    if !matches!(keyword, "plan" | "simulate" | "campaign" | "vehicle" | "mission") {
         let message = format!("`{keyword}` is not a block that can be set");
         return Err(Box::new(
             Diagnostic::error(CODE, outer.span, message)
                 .here("unknown block")
-                .help("paths begin with `plan`, `vehicle` or `mission`"),
+                .help("paths begin with `plan`, `simulate`, `campaign`, `vehicle` or `mission`"),
         ));
     }
     let chosen = chosen(trees, keyword);
@@ -96,7 +97,8 @@ fn place(trees: &mut [SpecFile], item: &Override) -> Result<(), Box<Diagnostic>>
         .filter(|block| chosen.is_none() || block.name.as_ref().map(|n| &n.value) == chosen.as_ref())
         .collect();
     if blocks.is_empty() {
-        if keyword != "plan" || trees.is_empty() {
+        let may_be_added = matches!(keyword, "plan" | "simulate" | "campaign");
+        if !may_be_added || trees.is_empty() {
             let message = format!("the spec has no `{keyword}` block to set a field of");
             return Err(Box::new(Diagnostic::error(CODE, outer.span, message).here("nothing to set")));
         }

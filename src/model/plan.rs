@@ -2,7 +2,7 @@
 
 mod against;
 
-use super::context::{Context, listed};
+use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
 use super::legs::Timing;
@@ -144,23 +144,7 @@ impl<'a> Draft<'a> {
 
     /// A field that takes one of a few words; `Some(None)` where something else stands there.
     fn word(&self, cx: &mut Context<'a>, field: &str, words: &[&str]) -> Option<Option<&'a str>> {
-        let expr = self.get(field)?;
-        if let ExprKind::Name(name) = &expr.kind
-            && words.contains(&name.as_str())
-        {
-            return Some(Some(name));
-        }
-        let error = Diagnostic::error(CHOICE, expr.span, format!("`{field}` is one of {}", listed(words)));
-        let error = error.here("none of them");
-        let near = match &expr.kind {
-            ExprKind::Name(name) => nearest(name, words.iter().copied()),
-            _ => None,
-        };
-        cx.report(match near {
-            Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
-            None => error.help(format!("write one of them, such as `{}`", words[0])),
-        });
-        Some(None)
+        self.fields.as_ref().and_then(|fields| fields.word(cx, CHOICE, field, words))
     }
 
     /// The plan, once modes and mission are known; `None` where it has errors.

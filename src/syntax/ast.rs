@@ -55,8 +55,8 @@ pub enum Relation {
 }
 
 /// `keyword name "title" { statements }`: every braced block has this shape. Keywords: `vehicle`, `faults`,
-/// `mission`, `plan` at the top level; `rotor`, `rotors` in a vehicle; `limits` in a mission; others where a
-/// statement below carries one.
+/// `mission`, `plan`, `simulate`, `campaign` at the top level; `rotor`, `rotors` in a vehicle; `limits` in a mission;
+/// others where a statement below carries one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
     pub keyword: Name,
@@ -118,6 +118,8 @@ pub enum Statement {
         path: Spanned<String>,
         span: Span,
     },
+    /// In `simulate`: `fault M1_6 at 5 s until 9 s`. The name is always there.
+    Strike(Clauses),
     /// In `limits`: `speed <= 8 m/s`, `altitude in 1 m .. 30 m`.
     Limit {
         name: Name,
@@ -128,7 +130,7 @@ pub enum Statement {
     Broken(Span),
 }
 
-/// A statement made of an optional name and `word value` clauses in any order.
+/// A statement made of a name, which most may leave out, and `word value` clauses in any order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clauses {
     pub name: Option<Name>,
@@ -137,7 +139,7 @@ pub struct Clauses {
     pub span: Span,
 }
 
-/// `at [0, 0, 2] m`, `yaw 90 deg`, `spin P` (where the value is the name `P`).
+/// `at [0, 0, 2] m`, `yaw 90 deg`, `until 9 s`, `spin P` (where the value is the name `P`).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clause {
     pub word: Name,

@@ -151,6 +151,7 @@ impl Builder<'_> {
             Rule::fault => (parts.fault(span)?, Kind::Fault),
             Rule::every_head => (parts.every(span, doc)?, Kind::Every),
             Rule::rotor => (Statement::Rotor(parts.clauses(span, doc)?), Kind::RotorAt),
+            Rule::strike => (Statement::Strike(parts.clauses(span, doc)?), Kind::Strike),
             Rule::start => (Statement::Start(parts.clauses(span, doc)?), Kind::Flight),
             Rule::waypoint => (Statement::Waypoint(parts.clauses(span, doc)?), Kind::Flight),
             Rule::moving => (parts.moving(span), Kind::Flight),
@@ -183,7 +184,7 @@ impl Builder<'_> {
                 Some(inside) => (Kind::Block(inside), inside),
                 None => {
                     let word = head.as_str().split(|c: char| !c.is_ascii_alphanumeric()).next();
-                    match word.is_some_and(Place::opens_statement) {
+                    match word.is_some_and(|word| place.has_braceless(word)) {
                         // `start at { 0, 0, 2 } m`: neither what the braces hold nor what follows them is a statement.
                         true => {
                             self.settle(self.text.len() - self.text[span.end as usize..].trim_start_matches(' ').len())

@@ -5,6 +5,7 @@
 
 mod block;
 mod habit;
+mod strike;
 mod wording;
 
 pub(super) use block::{check_head, misplaced, unknown_block};
@@ -169,6 +170,9 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
         "mission" => "mission survey { .. }",
         "faults" => "faults { .. }",
         "plan" => "plan { .. }",
+        "simulate" => "simulate { .. }",
+        "campaign" => "campaign { .. }",
+        "fault" => "fault M1 at 5 s",
         "every" => "every 1 rotor lost as M",
         "mode" => "mode M1_6 \"left and right-rear\" { rotors [1, 6] lost }",
         "curve" => "curve s in 0 .. 2*pi, points = 21 { .. }",

@@ -20,6 +20,8 @@ pub(super) enum Place {
     Curve,
     Limits,
     Plan,
+    Simulate,
+    Campaign,
     /// A block that could not be made out: anything may stand in it.
     Unknown,
 }
@@ -34,6 +36,8 @@ pub(super) enum Kind {
     Every,
     Fault,
     RotorAt,
+    /// `fault` in `simulate`.
+    Strike,
     Curve,
     /// `start`, `end`, `waypoint`, `waypoints`, `hold`
     Flight,
@@ -46,6 +50,8 @@ const BLOCKS: &[(&str, Place, bool, Place)] = &[
     ("faults", Place::Faults, false, Place::Top),
     ("mission", Place::Mission, true, Place::Top),
     ("plan", Place::Plan, false, Place::Top),
+    ("simulate", Place::Simulate, false, Place::Top),
+    ("campaign", Place::Campaign, false, Place::Top),
     ("rotor", Place::Rotor, false, Place::Vehicle),
     ("rotors", Place::Rotors, false, Place::Vehicle),
     ("mode", Place::Mode, true, Place::Faults),
@@ -54,15 +60,17 @@ const BLOCKS: &[(&str, Place, bool, Place)] = &[
 
 /// The words that begin a statement in each place, fields aside.
 const OPENERS: &[(Place, &[&str])] = &[
-    (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan"]),
+    (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan", "simulate", "campaign"]),
     (Place::Vehicle, &["rotor", "rotors"]),
     (Place::Rotors, &["rotor"]),
     (Place::Faults, &["every", "mode"]),
     (Place::Mode, &["rotor", "rotors"]),
     (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits"]),
+    (Place::Simulate, &["fault"]),
 ];
 
-/// Words that other languages and ground stations have for ours.
+/// Words that other languages and ground stations have for ours. A word with several entries means the first that fits
+/// where it stands, or else the first.
 const OTHER_WORDS: &[(&str, &str)] = &[
     ("import", "use"),
     ("include", "use"),
@@ -75,6 +83,18 @@ const OTHER_WORDS: &[(&str, &str)] = &[
     ("copter", "vehicle"),
     ("uav", "vehicle"),
     ("failures", "faults"),
+    ("failure", "faults"),
+    ("failure", "mode"),
+    ("failure", "fault"),
+    ("fault", "mode"),
+    ("fail", "fault"),
+    ("fails", "fault"),
+    ("inject", "fault"),
+    ("strike", "fault"),
+    ("sim", "simulate"),
+    ("montecarlo", "campaign"),
+    ("monte_carlo", "campaign"),
+    ("trials", "campaign"),
     ("flight", "mission"),
     ("goto", "waypoint"),
     ("fly", "waypoint"),
@@ -96,6 +116,16 @@ impl Place {
     /// Whether `word` begins some statement, in whatever block.
     pub fn opens_statement(word: &str) -> bool {
         OPENERS.iter().any(|o| o.1.contains(&word))
+    }
+
+    /// Whether `word` begins a statement without braces and is not meant for a block that stands here: `fault {` at the
+    /// top level is a misspelt `faults {`.
+    pub fn has_braceless(self, word: &str) -> bool {
+        let is_slip = || {
+            self.meant(word).is_some_and(|meant| Place::of_block(meant).is_some() && self.openers().contains(&meant))
+        };
+        let fits = self.openers().contains(&word);
+        Place::opens_statement(word) && Place::of_block(word).is_none() && (fits || !is_slip())
     }
 
     /// The block that a broken head was probably to open.
@@ -131,6 +161,8 @@ impl Place {
             Place::Curve => "in a `curve`",
             Place::Limits => "in `limits`",
             Place::Plan => "in a `plan`",
+            Place::Simulate => "in `simulate`",
+            Place::Campaign => "in `campaign`",
             Place::Unknown => "in this block",
         }
     }
@@ -143,7 +175,8 @@ impl Place {
     /// The opening word that `word` was probably meant to be: one that fits here if any does.
     pub fn meant(self, word: &str) -> Option<&'static str> {
         let all = || OPENERS.iter().flat_map(|o| o.1.iter().copied());
-        let other = || OTHER_WORDS.iter().find(|(other, _)| *other == word).map(|(_, ours)| *ours);
+        let others = || OTHER_WORDS.iter().filter(|(other, _)| *other == word).map(|(_, ours)| *ours);
+        let other = || others().find(|ours| self.openers().contains(ours)).or_else(|| others().next());
         nearest(word, self.openers().iter().copied()).or_else(other).or_else(|| nearest(word, all()))
     }
 }
@@ -158,6 +191,7 @@ impl Kind {
             Kind::Every => Some(Place::Faults),
             Kind::Fault => Some(Place::Mode),
             Kind::RotorAt => Some(Place::Rotors),
+            Kind::Strike => Some(Place::Simulate),
             Kind::Curve | Kind::Flight => Some(Place::Mission),
             Kind::Limit => Some(Place::Limits),
         }

@@ -77,7 +77,8 @@ fn print_statement(f: &mut Formatter<'_>, depth: usize, statement: &Statement) -
         | Statement::Curve { doc: text, .. }
         | Statement::Rotor(Clauses { doc: text, .. })
         | Statement::Start(Clauses { doc: text, .. })
-        | Statement::Waypoint(Clauses { doc: text, .. }) => doc(f, depth, text)?,
+        | Statement::Waypoint(Clauses { doc: text, .. })
+        | Statement::Strike(Clauses { doc: text, .. }) => doc(f, depth, text)?,
         _ => {}
     }
     indent(f, depth)?;
@@ -102,6 +103,7 @@ fn print_statement(f: &mut Formatter<'_>, depth: usize, statement: &Statement) -
         }
         Statement::Start(clauses) => writeln!(f, "start{clauses}"),
         Statement::Waypoint(clauses) => writeln!(f, "waypoint{clauses}"),
+        Statement::Strike(clauses) => writeln!(f, "fault{clauses}"),
         Statement::Moving { end, .. } => {
             writeln!(f, "{} moving", if end.value { "end" } else { "start" })
         }

@@ -1,7 +1,7 @@
 //! The machine-readable record of a flight, schema in `docs/schema/simulate.schema.json`.
 
 use crate::flight::{Flight, Outcome};
-use crate::model::{AfterFault, Allocation, Controller, Detection, Model, Strike};
+use crate::model::{Detection, Model, Strike};
 use crate::planner::compare::Solved;
 use crate::report::caveats::{Caveat, caveats};
 use serde::Serialize;
@@ -89,21 +89,11 @@ impl FlightRecord {
             spec_sha256,
             planner: model.plan.planner.name(),
             plan_time_s: solved.time,
-            controller: match s.controller {
-                Controller::Pd => "pd",
-                Controller::Geometric => "geometric",
-            },
-            allocation: match s.allocation {
-                Allocation::PseudoInverse => "pseudo_inverse",
-                Allocation::Bounded => "bounded",
-            },
+            controller: s.controller.name(),
+            allocation: s.allocation.name(),
             detection,
             detection_delay_s: delay,
-            after_fault: match s.after_fault {
-                AfterFault::Continue => "continue",
-                AfterFault::Hold => "hold",
-                AfterFault::Land => "land",
-            },
+            after_fault: s.after_fault.name(),
             rate_hz: s.rate,
             seed: s.seed,
             outcome: match flight.outcome {

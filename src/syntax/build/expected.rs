@@ -55,6 +55,7 @@ fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
         "waypoints" => Rule::strict_survey,
         "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => Rule::strict_rotor,
         "rotor" | "rotors" => Rule::strict_fault,
+        "fault" => Rule::strict_strike,
         _ => Rule::strict_field,
     }
 }

@@ -105,7 +105,7 @@ impl Scanner<'_> {
         let (word, next) = self.name_at(at);
         match word {
             "vehicle" | "mission" => !self.name_at(next).0.is_empty(),
-            "plan" | "faults" => self.text[next..].starts_with('{'),
+            "plan" | "faults" | "simulate" | "campaign" => self.text[next..].starts_with('{'),
             _ => false,
         }
     }

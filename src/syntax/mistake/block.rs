@@ -11,7 +11,7 @@ use crate::syntax::place::{Kind, Place};
 pub(in crate::syntax) fn unknown_block(word: &str, span: Span, place: Place) -> (Diagnostic, Option<Place>) {
     let meant = place.meant(word);
     let shown = cut(word);
-    if Place::opens_statement(word) && Place::of_block(word).is_none() {
+    if place.has_braceless(word) {
         let message = format!("`{shown}` takes no braces");
         let diagnostic = Diagnostic::error("mavc::syntax::block_head", span, message).here("a `{` follows");
         let help = match form(word, place) {
@@ -87,6 +87,13 @@ pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: S
         Place::Faults => "move it into `faults { .. }`",
         Place::Mode => "name the fault in `faults`: `mode NAME { .. }`",
         Place::Limits => "put it into `limits { .. }` in the mission",
+        Place::Simulate if matches!(place, Place::Faults | Place::Mode) => {
+            "a mode is declared by `mode NAME { rotor 1 lost }`; when it strikes stands in `simulate { .. }`"
+        }
+        Place::Simulate if place == Place::Campaign => {
+            "a campaign sets its own faults: take it out, or move it into `simulate { .. }`"
+        }
+        Place::Simulate => "move it into `simulate { .. }`",
         _ => "move it into a `mission`",
     };
     let message = format!("{what} belongs {}, not {}", home.phrase(), place.phrase());
@@ -134,7 +141,7 @@ fn opens_block(word: &str, rest: &str) -> bool {
         "vehicle" | "mission" | "mode" => {
             title_or_nothing || rest.trim_start_matches(super::is_name).trim_start().chars().all(|c| c == '"')
         }
-        "faults" | "plan" | "limits" | "rotor" | "rotors" => title_or_nothing,
+        "faults" | "plan" | "simulate" | "campaign" | "limits" | "rotor" | "rotors" => title_or_nothing,
         "curve" => rest.contains(".."),
         _ => false,
     }

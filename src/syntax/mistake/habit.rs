@@ -25,7 +25,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-pub(super) const CLAUSES: [&str; 13] = [
+pub(super) const CLAUSES: [&str; 14] = [
     "at",
     "yaw",
     "yaw_within",
@@ -39,6 +39,7 @@ pub(super) const CLAUSES: [&str; 13] = [
     "thrust_coefficient",
     "drag_coefficient",
     "torque_per_thrust",
+    "until",
 ];
 
 pub(super) fn recognise(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
@@ -52,7 +53,7 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     if word.is_empty() || rest.starts_with(['=', ':', '<', '>', ',', '(']) {
         return None;
     }
-    let all = [Place::Top, Place::Vehicle, Place::Faults, Place::Mission];
+    let all = [Place::Top, Place::Vehicle, Place::Faults, Place::Mission, Place::Simulate];
     if all.iter().any(|p| p.openers().contains(&word)) {
         return None;
     }

@@ -8,6 +8,7 @@ use crate::syntax::place::Place;
 /// Asked before the habits that hold for any statement; each looks for one wording.
 pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     keyword_colon,
+    super::strike::recognise,
     name_form,
     inch,
     position_in_parentheses,

@@ -1,0 +1,138 @@
+//! The `campaign` block: how many flights with faults are flown, and by which planners.
+
+use super::context::{Context, listed};
+use super::fields::Fields;
+use super::flight::{Written, default};
+use super::simulate::{Around, seed};
+use super::{Campaign, DefaultUsed, PlannerKind};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::report::number::number;
+use crate::source::Span;
+use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
+
+pub(super) const FIELDS: [&str; 4] = ["times", "seeds", "planners", "seed"];
+
+const CHOICE: &str = "mavc::campaign::choice";
+const COUNT: &str = "mavc::campaign::count";
+const MAX_TIMES: usize = 10_000;
+const MAX_SEEDS: usize = 1_000_000;
+/// Most flights of one campaign.
+const MAX_FLIGHTS: f64 = 1e8;
+const PLANNERS: [PlannerKind; 3] = [PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp];
+
+/// The campaign, `None` where it has errors, and the defaults of a block that is written.
+pub(super) fn elaborate<'a>(
+    cx: &mut Context<'a>,
+    block: Option<&'a Block>,
+    around: &Around,
+) -> (Option<Campaign>, Vec<DefaultUsed>) {
+    let Some(block) = block else {
+        return (Some(Campaign { span: around.fallback, ..Campaign::default() }), Vec::new());
+    };
+    let span = block.keyword.span;
+    let fields = Fields::of_block(cx, "`campaign`".into(), span, &block.body, &FIELDS);
+    let mut defaults = Vec::new();
+    let mut count = |cx: &mut Context<'a>, name: &str, most: usize, instead: Written<usize>| match fields.get(name) {
+        Some(expr) => cx.whole(&format!("`{name}`"), expr, 1..=most, COUNT),
+        None => Some(take(&mut defaults, name, instead)),
+    };
+    let times = count(cx, "times", MAX_TIMES, default::TIMES);
+    let seeds = count(cx, "seeds", MAX_SEEDS, default::SEEDS);
+    let planners = match fields.get("planners") {
+        Some(expr) => planners(cx, expr),
+        None => Some(take(&mut defaults, "planners", default::PLANNERS).to_vec()),
+    };
+    let seed = match fields.get("seed") {
+        Some(expr) => seed(cx, expr),
+        None => Some(take(&mut defaults, "seed", default::SEED)),
+    };
+    if around.modes.is_empty() && !around.incomplete {
+        let message = "the campaign has no fault mode to strike with";
+        let warning = Diagnostic::warning("mavc::campaign::no_modes", span, message).here("every flight stays healthy");
+        cx.report(warning.help("declare fault modes, as in `faults { every 1 rotor lost as M }`"));
+    }
+    let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
+    let campaign = match (times, seeds, planners, seed) {
+        (Some(times), Some(seeds), Some(planners), Some(seed)) if !broken => {
+            Some(Campaign { times, seeds, planners, seed, written: true, span })
+        }
+        _ => None,
+    };
+    let place = fields.get("seeds").or(fields.get("times")).map_or(span, |expr| expr.span);
+    let fits = campaign.as_ref().is_none_or(|campaign| few_enough(cx, campaign, around.modes.len(), place));
+    (campaign.filter(|_| fits), defaults)
+}
+
+fn take<T>(defaults: &mut Vec<DefaultUsed>, field: &str, (value, text, reason): Written<T>) -> T {
+    let (field, text) = (format!("campaign.{field}"), text.to_string());
+    defaults.push(DefaultUsed { field, value: text, reason: reason.to_string() });
+    value
+}
+
+/// One name or a list of them.
+fn planners<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<PlannerKind>> {
+    let elements = match &expr.kind {
+        ExprKind::Name(_) => std::slice::from_ref(expr),
+        ExprKind::List { elements, unit: None } => elements,
+        _ => {
+            let error = Diagnostic::error(CHOICE, expr.span, "`planners` takes a planner or a list of planners");
+            cx.report(error.here("neither").help("write `[rip, rsp, rcp]`"));
+            return None;
+        }
+    };
+    if elements.is_empty() {
+        let error = Diagnostic::error(CHOICE, expr.span, "a campaign flies the plan of at least one planner");
+        cx.report(error.here("names none").help("write `[rip, rsp, rcp]`, or leave `planners` out"));
+        return None;
+    }
+    let mut chosen = Some(Vec::new());
+    for element in elements {
+        match (planner(cx, element), &mut chosen) {
+            (Some(planner), Some(list)) if list.contains(&planner) => {
+                let message = format!("`{}` is listed twice", planner.name());
+                let warning = Diagnostic::warning("mavc::campaign::listed_twice", element.span, message);
+                cx.report(warning.here("listed already").help("take it out"));
+            }
+            (Some(planner), Some(list)) => list.push(planner),
+            (None, _) => chosen = None,
+            (_, None) => {}
+        }
+    }
+    chosen
+}
+
+fn planner(cx: &mut Context, expr: &Expr) -> Option<PlannerKind> {
+    let names = PLANNERS.map(PlannerKind::name);
+    let word = if let ExprKind::Name(name) = &expr.kind { name.as_str() } else { "" };
+    if let Some(k) = names.iter().position(|name| *name == word) {
+        return Some(PLANNERS[k]);
+    }
+    let error = Diagnostic::error(CHOICE, expr.span, format!("a planner is one of {}", listed(&names)));
+    let error = error.here("none of them");
+    cx.report(match nearest(word, names) {
+        Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
+        None => error.help("write some of them, as in `[rip, rsp]`"),
+    });
+    None
+}
+
+/// Whether the flights can be flown: one for each time, seed, mode and planner.
+fn few_enough(cx: &mut Context, campaign: &Campaign, modes: usize, span: Span) -> bool {
+    let parts = [campaign.times, campaign.seeds, modes, campaign.planners.len()];
+    let flights: f64 = parts.iter().map(|&n| n as f64).product();
+    if flights <= MAX_FLIGHTS {
+        return true;
+    }
+    let several = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+    let [times, seeds, modes, planners] = parts;
+    let message = format!("a campaign has at most 100 million flights, not {}", number(flights));
+    let error = Diagnostic::error("mavc::campaign::too_many_flights", span, message).here(format!(
+        "{}, {}, {} and {}",
+        several(times, "time"),
+        several(seeds, "seed"),
+        several(modes, "mode"),
+        several(planners, "planner")
+    ));
+    cx.report(error.help("write fewer `times` or `seeds`; 10 seeds are usual"));
+    false
+}

@@ -1,0 +1,184 @@
+//! What only several settings show together: rates that fit, steps that are fine enough and not too many, faults that
+//! strike before the flight is over.
+
+use crate::diagnostic::Diagnostic;
+use crate::model::context::Context;
+use crate::model::fields::Fields;
+use crate::model::{Mission, MissionTime, Model, Plan, Simulation, Vehicle};
+use crate::report::number::number;
+use crate::source::Span;
+use crate::syntax::ast::Expr;
+
+/// Fastest integration, Hz.
+const MAX_RATE: f64 = 100_000.0;
+/// Most steps of one flight.
+const MAX_STEPS: f64 = 1e8;
+const RATES: &str = "mavc::simulate::rates";
+
+/// When the flight is over, s, where that is said, and what is said there.
+pub(super) type End = (f64, Span, &'static str);
+
+/// The end of the flight where the spec fixes it: by the plan's time or that of the last waypoint.
+pub(super) fn fixed_end(plan: Option<&Plan>, mission: Option<&Mission>) -> Option<End> {
+    if let Some(Plan { time: MissionTime::Fixed(time), time_span, .. }) = plan {
+        return Some((*time, *time_span, "the plan takes this time"));
+    }
+    let last = mission?.waypoints.last()?;
+    Some((last.time? + last.hold, last.time_span.unwrap_or(last.span), "the mission ends with this waypoint"))
+}
+
+/// `mode` strikes at `at`, and the flight is over at `end`.
+pub(super) fn late(mode: &str, at: f64, span: Span, end: f64) -> Diagnostic {
+    let message = format!("fault `{mode}` at {} s comes too late: the flight is over at {} s", number(at), number(end));
+    Diagnostic::error("mavc::simulate::past_the_end", span, message)
+        .here("never strikes")
+        .help(format!("write a time before {} s, or let the flight go on with a longer `duration`", number(end)))
+}
+
+/// The faults that strike after a flight of `end` seconds, for plans whose time is known only once they are made. A
+/// flight with a `duration` of its own has been checked against that.
+pub fn past_the_end(model: &Model, end: f64) -> Vec<Diagnostic> {
+    let simulation = &model.simulation;
+    if simulation.duration.is_some() {
+        return Vec::new();
+    }
+    let late = simulation.faults.iter().filter(|fault| fault.at >= end);
+    late.map(|fault| late_of_plan(&model.modes[fault.mode].name, fault.at, fault.at_span, end, model.plan.time_span))
+        .collect()
+}
+
+fn late_of_plan(mode: &str, at: f64, span: Span, end: f64, plan: Span) -> Diagnostic {
+    late(mode, at, span, end).also(plan, format!("the plan takes {} s", number(end)))
+}
+
+/// The error of a flight of `end` seconds that takes too many steps, as [`past_the_end`].
+pub fn too_many_steps(model: &Model, end: f64) -> Option<Diagnostic> {
+    let simulation = &model.simulation;
+    steps(simulation.duration.unwrap_or(end), simulation.rate, simulation.rate_span)
+}
+
+/// More than [`MAX_STEPS`] in `duration` seconds is an error at `span`.
+pub(super) fn steps(duration: f64, rate: f64, span: Span) -> Option<Diagnostic> {
+    let steps = duration * rate;
+    (steps > MAX_STEPS && rate <= MAX_RATE).then(|| {
+        let message = format!("a flight takes at most 100 million steps, not {}", number(steps));
+        Diagnostic::error("mavc::simulate::too_many_steps", span, message)
+            .here(format!("{} s at {} Hz", number(duration), number(rate)))
+            .help(format!("write a shorter `duration`, or a `rate` of {} Hz or less", number(MAX_STEPS / duration)))
+    })
+}
+
+/// The error of steps that are too coarse for the rotors. A spec with neither `simulate` nor `campaign` is not checked
+/// until it is flown.
+pub fn coarse_step(model: &Model) -> Option<Diagnostic> {
+    coarse(&model.simulation, &model.vehicle)
+}
+
+pub(super) fn coarse(simulation: &Simulation, vehicle: &Vehicle) -> Option<Diagnostic> {
+    coarse_for(simulation.rate, simulation.control_rate, simulation.rate_span, vehicle)
+}
+
+/// Two steps at least in the time constant of the fastest rotor: beyond that the integration goes astray.
+fn coarse_for(rate: f64, control_rate: f64, span: Span, vehicle: &Vehicle) -> Option<Diagnostic> {
+    let fastest = vehicle.rotors.iter().min_by(|a, b| a.lag().total_cmp(&b.lag()))?;
+    let least = 2.0 / fastest.lag();
+    if rate >= least * (1.0 - 1e-9) {
+        return None;
+    }
+    let milliseconds = |seconds: f64| number(seconds * 1e3);
+    let lag = milliseconds(fastest.lag());
+    let message =
+        format!("a step of {} ms is too coarse for a rotor that follows in {lag} ms", milliseconds(1.0 / rate));
+    let said = match fastest.time_constant {
+        Some(_) => format!("its fastest rotor has a time constant of {lag} ms"),
+        None => format!("its rotors follow in {lag} ms, as no `time_constant` is given"),
+    };
+    // A rate that `control_rate` divides as well.
+    let enough = (least / control_rate * (1.0 - 1e-9)).ceil().max(1.0) * control_rate;
+    let error = Diagnostic::error("mavc::simulate::coarse_step", span, message)
+        .here("at most half of the rotor's time constant")
+        .also(vehicle.span, said);
+    Some(match enough <= MAX_RATE {
+        true => error.help(format!("write `rate = {} Hz` or more", number(enough))),
+        false => {
+            error.help(format!("no rate up to {} kHz is enough: check the `time_constant`", number(MAX_RATE / 1e3)))
+        }
+    })
+}
+
+/// Whether each rate divides the one before, and the steps are fine enough. `given` holds `rate`, `control_rate` and
+/// `estimator_rate`, `None` where one has an error.
+pub(super) fn rates<'a>(
+    cx: &mut Context<'a>,
+    fields: &Fields<'a>,
+    given: [Option<f64>; 3],
+    vehicle: Option<&Vehicle>,
+    block: Span,
+) -> bool {
+    let [rate, control_rate, estimator_rate] = given;
+    let mut fine = true;
+    let mut report = |cx: &mut Context<'a>, error: Option<Diagnostic>| {
+        let found = error.is_some();
+        fine &= !found;
+        error.into_iter().for_each(|error| cx.report(error));
+        found
+    };
+    let place = |name: &str| fields.get(name).map_or(block, |expr| expr.span);
+    let too_fast = rate.filter(|rate| *rate > MAX_RATE).map(|rate| {
+        let error = Diagnostic::error(RATES, place("rate"), "`rate` is at most 100 kHz");
+        error.here(format!("this is {} kHz", number(rate / 1e3))).help("write `rate = 100 kHz` or less")
+    });
+    let mut told = report(cx, too_fast);
+    if let (Some(rate), Some(control_rate), Some(vehicle), false) = (rate, control_rate, vehicle, told) {
+        // Its help mends `rate` for `control_rate` too.
+        told = report(cx, coarse_for(rate, control_rate, place("rate"), vehicle));
+    }
+    if let (Some(rate), Some(control_rate), false) = (rate, control_rate, told) {
+        report(cx, undivided(fields, ("rate", rate), ("control_rate", control_rate), block));
+    }
+    if let (Some(control_rate), Some(estimator_rate)) = (control_rate, estimator_rate) {
+        report(cx, undivided(fields, ("control_rate", control_rate), ("estimator_rate", estimator_rate), block));
+    }
+    fine
+}
+
+/// The error of a rate that does not divide the faster one it runs in.
+fn undivided(fields: &Fields, whole: (&str, f64), part: (&str, f64), block: Span) -> Option<Diagnostic> {
+    if divides(part.1, whole.1) {
+        return None;
+    }
+    let message =
+        format!("`{}` of {} Hz does not divide `{}` of {} Hz", part.0, number(part.1), whole.0, number(whole.1));
+    let (part_given, whole_given) = (fields.get(part.0), fields.get(whole.0));
+    let span = |expr: Option<&Expr>| expr.map(|e| e.span);
+    let error = Diagnostic::error(RATES, span(part_given.or(whole_given)).unwrap_or(block), message);
+    let ratio = format!("{} / {} is {}", number(whole.1), number(part.1), number(whole.1 / part.1));
+    let error = error.here(match part.1 > whole.1 {
+        true if part_given.is_some() => format!("faster than `{}`", whole.0),
+        true => format!("slower than `{}`", part.0),
+        false => format!("{ratio}, no whole number"),
+    });
+    let error = match (part_given, whole_given) {
+        (Some(_), Some(whole_given)) => error.also(whole_given.span, "to be divided"),
+        _ => error,
+    };
+    let mended = format!("{} Hz", number(nearest_part(part.1, whole.1)));
+    Some(match part_given {
+        Some(expr) => error.help(format!("write `{} = {mended}`", part.0)).fix(expr.span, mended),
+        None => error.help(format!("add `{} = {mended}`, which is {} Hz otherwise", part.0, number(part.1))),
+    })
+}
+
+/// Whether `whole` is a whole multiple of `part`, to rounding.
+fn divides(part: f64, whole: f64) -> bool {
+    let times = whole / part;
+    times > 0.5 && (times - times.round()).abs() <= 1e-9 * times
+}
+
+/// The rate nearest to `part` that divides `whole` and can be written in a few digits.
+fn nearest_part(part: f64, whole: f64) -> f64 {
+    let times = (whole / part).round().max(1.0);
+    let written = |times: f64| number(whole / times).parse::<f64>().is_ok_and(|rate| divides(rate, whole));
+    let near = (0..100).flat_map(|d| [times + f64::from(d), times - f64::from(d)]);
+    near.filter(|times| *times >= 1.0).find(|times| written(*times)).map_or(whole, |times| whole / times)
+}
