@@ -165,7 +165,8 @@ impl Estimator {
     /// Rank of the regressor as it stands, and the ratio of the largest singular value to the smallest that counts: of
     /// the forgotten information where samples are taken in, else of the last sample. Singular values below 1e-3 of
     /// the largest do not count.
-    pub fn conditioning(&self) -> (usize, f64) {
+    /// `None` before the first sample.
+    pub fn conditioning(&self) -> Option<(usize, f64)> {
         let n = self.capacity.len();
         let mut information = DMatrix::from_row_slice(n, n, &self.information);
         if self.awake == 0 {
@@ -174,7 +175,6 @@ impl Estimator {
         let mut singular: Vec<f64> = information.symmetric_eigenvalues().iter().map(|e| e.max(0.0).sqrt()).collect();
         singular.sort_by(|a, b| b.total_cmp(a));
         let kept = singular.iter().filter(|s| **s > 1e-3 * singular[0]).count();
-        let condition = if kept > 0 { singular[0] / singular[kept - 1] } else { 1.0 };
-        (kept, condition)
+        (kept > 0).then(|| (kept, singular[0] / singular[kept - 1]))
     }
 }

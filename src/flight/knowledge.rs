@@ -231,7 +231,7 @@ impl<'a> Knowledge<'a> {
 
     /// Rank and condition number of the estimator's regressor.
     pub fn conditioning(&self) -> Option<(usize, f64)> {
-        self.estimator.as_ref().map(Estimator::conditioning)
+        self.estimator.as_ref().and_then(Estimator::conditioning)
     }
 
     /// Capacities as estimated; as believed where nothing is.

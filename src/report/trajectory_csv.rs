@@ -54,15 +54,22 @@ pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Stri
         row.extend([roll, pitch]);
         row.extend(wrench.iter());
         row.extend(allocator.speeds(&wrench));
-        let cells: Vec<String> = row.iter().map(|v| shortest(*v)).collect();
-        out.push_str(&cells.join(","));
-        out.push('\n');
+        push_row(&mut out, &row);
     }
     out
 }
 
-/// The shortest text that reads back as the same number; no `-0`.
-pub fn shortest(v: f64) -> String {
-    let v = if v == 0.0 { 0.0 } else { v };
-    if v != 0.0 && (v.abs() < 1e-5 || v.abs() >= 1e15) { format!("{v:e}") } else { format!("{v}") }
+/// Adds a line of numbers, each the shortest text that reads back as the same number; no `-0`.
+pub fn push_row(out: &mut String, row: &[f64]) {
+    use std::fmt::Write;
+    for (k, v) in row.iter().enumerate() {
+        let v = if *v == 0.0 { 0.0 } else { *v };
+        let comma = if k > 0 { "," } else { "" };
+        let written = match v != 0.0 && (v.abs() < 1e-5 || v.abs() >= 1e15) {
+            true => write!(out, "{comma}{v:e}"),
+            false => write!(out, "{comma}{v}"),
+        };
+        written.expect("a string takes what is written");
+    }
+    out.push('\n');
 }

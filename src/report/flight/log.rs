@@ -1,7 +1,7 @@
 //! The flight log: one row an instant, SI units.
 
 use crate::flight::Sample;
-use crate::report::trajectory_csv::shortest;
+use crate::report::trajectory_csv::push_row;
 
 /// Most rows of one log.
 pub const MAX_ROWS: f64 = 1e6;
@@ -13,6 +13,7 @@ pub struct Log {
     /// Every so many samples make a row.
     every: usize,
     count: usize,
+    row: Vec<f64>,
 }
 
 impl Log {
@@ -25,7 +26,7 @@ impl Log {
             (1..=rotors).for_each(|k| csv.push_str(&format!(",{name}_{k}")));
         }
         csv.push('\n');
-        Log { csv, every: every.max(1), count: 0 }
+        Log { csv, every: every.max(1), count: 0, row: Vec::new() }
     }
 
     pub fn add(&mut self, sample: &Sample) {
@@ -34,7 +35,9 @@ impl Log {
             return;
         }
         let Sample { body, reference, .. } = sample;
-        let mut row = vec![sample.time];
+        let row = &mut self.row;
+        row.clear();
+        row.push(sample.time);
         row.extend(body.position.iter());
         row.extend(body.velocity.iter());
         row.extend(body.angles());
@@ -48,8 +51,6 @@ impl Log {
         row.extend(sample.speeds);
         row.extend(sample.estimated);
         row.extend(sample.believed);
-        let cells: Vec<String> = row.iter().map(|v| shortest(*v)).collect();
-        self.csv.push_str(&cells.join(","));
-        self.csv.push('\n');
+        push_row(&mut self.csv, row);
     }
 }
