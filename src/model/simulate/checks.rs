@@ -96,7 +96,7 @@ fn coarse_for(rate: f64, control_rate: f64, span: Span, vehicle: &Vehicle) -> Op
     // A rate that `control_rate` divides as well.
     let enough = (least / control_rate * (1.0 - 1e-9)).ceil().max(1.0) * control_rate;
     let error = Diagnostic::error("mavc::simulate::coarse_step", span, message)
-        .here("at most half of the rotor's time constant")
+        .here("longer than half of its time constant")
         .also(vehicle.span, said);
     Some(match enough <= MAX_RATE {
         true => error.help(format!("write `rate = {} Hz` or more", number(enough))),
@@ -134,9 +134,10 @@ pub(super) fn rates<'a>(
         told = report(cx, coarse_for(rate, control_rate, place("rate"), vehicle));
     }
     if let (Some(rate), Some(control_rate), false) = (rate, control_rate, told) {
-        report(cx, undivided(fields, ("rate", rate), ("control_rate", control_rate), block));
+        told = report(cx, undivided(fields, ("rate", rate), ("control_rate", control_rate), block));
     }
-    if let (Some(control_rate), Some(estimator_rate)) = (control_rate, estimator_rate) {
+    // What `control_rate` is to be is not known once it has an error.
+    if let (Some(control_rate), Some(estimator_rate), false) = (control_rate, estimator_rate, told) {
         report(cx, undivided(fields, ("control_rate", control_rate), ("estimator_rate", estimator_rate), block));
     }
     fine
