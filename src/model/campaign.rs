@@ -44,7 +44,7 @@ pub(super) fn elaborate<'a>(
     };
     let seed = match fields.get("seed") {
         Some(expr) => seed(cx, expr),
-        None => Some(take(&mut defaults, "seed", default::SEED)),
+        None => Some(take(&mut defaults, "seed", default::CAMPAIGN_SEED)),
     };
     if around.modes.is_empty() && !around.incomplete {
         let message = "the campaign has no fault mode to strike with";

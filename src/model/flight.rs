@@ -181,7 +181,7 @@ pub(super) mod default {
     use super::{AfterFault, Allocation, Controller, Detection, PlannerKind, Written};
 
     pub const DURATION: Written<Option<f64>> = (None, "that of the plan", "how long the flight is simulated");
-    pub const RATE: Written<f64> = (1000.0, "1 kHz", "steps of the integrator");
+    pub const RATE: Written<f64> = (1000.0, "1 kHz", "steps of the integration");
     pub const CONTROL_RATE: Written<f64> = (500.0, "500 Hz", "how often the controller acts");
     pub const ESTIMATOR_RATE: Written<f64> = (100.0, "100 Hz", "how often capacities are estimated");
     pub const CONTROLLER: Written<Controller> = (Controller::Geometric, "geometric", "tracks far from hover too");
@@ -205,17 +205,18 @@ pub(super) mod default {
     pub const WIND: Written<[f64; 3]> = ([0.0; 3], "[0, 0, 0] m/s", "still air");
     pub const GUSTS: Written<f64> = (0.0, "0 m/s", "still air");
     pub const GUST_LENGTH: Written<f64> = (50.0, "50 m", "length scale of gusts");
-    pub const LOST_BEYOND: Written<f64> = (2.0, "2 m", "farther from its place the vehicle is lost");
-    pub const UPSIDE_DOWN: Written<f64> = (0.5, "0.5 s", "tilted past 90 degrees for longer it is lost");
+    pub const LOST_BEYOND: Written<f64> = (2.0, "2 m", "farther from where it should be the vehicle is lost");
+    pub const UPSIDE_DOWN: Written<f64> = (0.5, "0.5 s", "tilted past 90 degrees for longer the vehicle is lost");
     pub const GROUND: Written<f64> = (0.0, "0 m", "height of the ground");
     pub const SEED: Written<u64> = (1, "1", "of noise and gusts");
+    pub const CAMPAIGN_SEED: Written<u64> = (1, "1", "what the seeds of the flights are drawn from");
     pub const TIMES: Written<usize> = (20, "20", "instants of the fault along the mission");
     pub const PLANNERS: Written<[PlannerKind; 3]> = (
         [PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp],
         "[rip, rsp, rcp]",
         "plans that are flown side by side",
     );
-    pub const SEEDS: Written<usize> = (10, "10", "flights for each");
+    pub const SEEDS: Written<usize> = (10, "10", "flights for each mode and instant");
 }
 
 impl Default for Gains {
@@ -272,7 +273,7 @@ impl Default for Campaign {
             times: default::TIMES.0,
             seeds: default::SEEDS.0,
             planners: default::PLANNERS.0.to_vec(),
-            seed: default::SEED.0,
+            seed: default::CAMPAIGN_SEED.0,
             written: false,
             span: Span::default(),
         }

@@ -8,7 +8,7 @@ pub use checks::{coarse_step, past_the_end, too_many_steps};
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
-use super::flight::{Written, default};
+use super::flight::{MOTOR_TIME_CONSTANT, Written, default};
 use super::mission::{MAX_DURATION, too_long};
 use super::{
     AfterFault, Allocation, Controller, DefaultUsed, Detection, FaultMode, Gains, Mission, Plan, Simulation, Vehicle,
@@ -92,7 +92,8 @@ pub(super) fn elaborate<'a>(
     let mut reader = Reader { fields, defaults: Vec::new(), fine: !broken };
     let simulation = reader.read(cx, block, around);
     if around.vehicle.is_some_and(|v| v.rotors.iter().any(|r| r.time_constant.is_none())) {
-        let (field, value) = ("vehicle.rotor.time_constant".to_string(), "20 ms".to_string());
+        let (field, value) =
+            ("vehicle.rotor.time_constant".to_string(), format!("{} ms", number(MOTOR_TIME_CONSTANT * 1e3)));
         reader.defaults.push(DefaultUsed { field, value, reason: "how fast rotors follow in a simulation".into() });
     }
     (simulation.filter(|_| reader.fine), reader.defaults)

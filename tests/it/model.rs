@@ -1,6 +1,7 @@
 //! Text to model.
 
 mod algebra;
+mod flights;
 mod numbers;
 mod overriding;
 mod pages;

@@ -169,11 +169,11 @@ fn docs_belong_to_the_next_statement() {
 
 #[test]
 fn docs_are_kept_with_what_can_be_described() {
-    let text = "/// 1\nuse \"a.mav\"\n/// 2\nlet a = 1\n/// 3\nvehicle v {\n/// 4\nmass = 1 kg\n/// 5\nrotors {\n/// 6\nrotor at [0, 0, 0] m spin P\n}\n}\n/// 7\nfaults {\n/// 8\nmode A {\n/// 9\nrotor 1 lost\n}\n/// 10\nevery 1 rotor lost as M\n}\n/// 11\nmission m {\n/// 12\nstart moving\n/// 13\nstart at [0, 0, 2] m\n/// 14\nwaypoint at [1, 0, 2] m\n/// 15\nhold 1 s\n/// 16\nwaypoints from \"a.csv\"\n/// 17\ncurve s in 0 .. 1, points = 2 {\n/// 18\nx = 1 m\n}\n/// 19\nlimits {\n/// 20\nspeed <= 1 m/s\n}\n/// 21\nend moving\n}\n";
+    let text = "/// 1\nuse \"a.mav\"\n/// 2\nlet a = 1\n/// 3\nvehicle v {\n/// 4\nmass = 1 kg\n/// 5\nrotors {\n/// 6\nrotor at [0, 0, 0] m spin P\n}\n}\n/// 7\nfaults {\n/// 8\nmode A {\n/// 9\nrotor 1 lost\n}\n/// 10\nevery 1 rotor lost as M\n}\n/// 11\nmission m {\n/// 12\nstart moving\n/// 13\nstart at [0, 0, 2] m\n/// 14\nwaypoint at [1, 0, 2] m\n/// 15\nhold 1 s\n/// 16\nwaypoints from \"a.csv\"\n/// 17\ncurve s in 0 .. 1, points = 2 {\n/// 18\nx = 1 m\n}\n/// 19\nlimits {\n/// 20\nspeed <= 1 m/s\n}\n/// 21\nend moving\n}\n/// 22\nsimulate {\n/// 23\nfault A at 1 s\n}\n";
     let printed = tree(text).to_string();
     let kept: Vec<u32> = printed.lines().filter_map(|l| l.trim().strip_prefix("/// ")?.parse().ok()).collect();
     // Not: use, a rotor's fault, start moving, hold, waypoints from, a limit, end moving.
-    assert_eq!(kept, [2, 3, 4, 5, 6, 7, 8, 10, 11, 13, 14, 17, 18, 19]);
+    assert_eq!(kept, [2, 3, 4, 5, 6, 7, 8, 10, 11, 13, 14, 17, 18, 19, 22, 23]);
 }
 
 #[test]
@@ -288,7 +288,7 @@ fn expression() -> impl Strategy<Value = String> {
 /// One statement of a mission, of faults or of a vehicle, with the block it stands in.
 fn block() -> impl Strategy<Value = String> {
     let doc = prop::sample::select(vec!["", "/// Text.\n", "///\n/// Two\n"]);
-    (doc, expression(), expression(), 0..10usize).prop_map(|(doc, a, b, kind)| match kind {
+    (doc, expression(), expression(), 0..11usize).prop_map(|(doc, a, b, kind)| match kind {
         0 => format!("{doc}let x = {a}\n"),
         1 => format!("{doc}plan {{ against = where rpn >= {a}\n time = {b} }}\n"),
         2 => format!("mission m {{\n{doc}curve s in {a}, points = {b} {{ x = {a} }}\n}}\n"),
@@ -297,7 +297,8 @@ fn block() -> impl Strategy<Value = String> {
         5 => format!("faults {{\n{doc}every {a} rotors reduced to {b} as M {{ rate = {a} }}\n}}\n"),
         6 => format!("faults {{ mode A \"t\" {{ rotor {a} stuck at {b}; rotors {b} lost }} }}\n"),
         7 => format!("vehicle v {{ rotors {{ rotor at {a} spin P max_speed {b} }} }}\n"),
-        8 => format!("use \"x.mav\"; {} = 4\n", "g"),
+        8 => format!("simulate {{\n{doc}fault M at {a} until {b}; wind = {a}\n}}\ncampaign {{ seeds = {b} }}\n"),
+        9 => format!("use \"x.mav\"; {} = 4\n", "g"),
         _ => format!("mission m {{ start moving; end moving; waypoints from \"a.csv\"; start at {a} }}\n"),
     })
 }

@@ -93,10 +93,11 @@ fn coarse_for(rate: f64, control_rate: f64, span: Span, vehicle: &Vehicle) -> Op
         Some(_) => format!("its fastest rotor has a time constant of {lag} ms"),
         None => format!("its rotors follow in {lag} ms, as no `time_constant` is given"),
     };
-    // A rate that `control_rate` divides as well.
+    // A rate that `control_rate` divides as well, if there is one.
     let enough = (least / control_rate * (1.0 - 1e-9)).ceil().max(1.0) * control_rate;
+    let enough = if enough <= MAX_RATE { enough } else { least.ceil() };
     let error = Diagnostic::error("mavc::simulate::coarse_step", span, message)
-        .here("at most half of the rotor's time constant")
+        .here("longer than half of its time constant")
         .also(vehicle.span, said);
     Some(match enough <= MAX_RATE {
         true => error.help(format!("write `rate = {} Hz` or more", number(enough))),
@@ -129,14 +130,16 @@ pub(super) fn rates<'a>(
         error.here(format!("this is {} kHz", number(rate / 1e3))).help("write `rate = 100 kHz` or less")
     });
     let mut told = report(cx, too_fast);
+    // What `control_rate` is to be, where it has to change.
+    let mut undecided = false;
     if let (Some(rate), Some(control_rate), Some(vehicle), false) = (rate, control_rate, vehicle, told) {
         // Its help mends `rate` for `control_rate` too.
         told = report(cx, coarse_for(rate, control_rate, place("rate"), vehicle));
     }
     if let (Some(rate), Some(control_rate), false) = (rate, control_rate, told) {
-        report(cx, undivided(fields, ("rate", rate), ("control_rate", control_rate), block));
+        undecided = report(cx, undivided(fields, ("rate", rate), ("control_rate", control_rate), block));
     }
-    if let (Some(control_rate), Some(estimator_rate)) = (control_rate, estimator_rate) {
+    if let (Some(control_rate), Some(estimator_rate), false) = (control_rate, estimator_rate, undecided) {
         report(cx, undivided(fields, ("control_rate", control_rate), ("estimator_rate", estimator_rate), block));
     }
     fine

@@ -88,7 +88,7 @@ pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: S
         Place::Mode => "name the fault in `faults`: `mode NAME { .. }`",
         Place::Limits => "put it into `limits { .. }` in the mission",
         Place::Simulate if matches!(place, Place::Faults | Place::Mode) => {
-            "a mode is declared by `mode NAME { rotor 1 lost }`; when it strikes stands in `simulate { .. }`"
+            "declare a mode with `mode NAME { rotor 1 lost }`, and say in `simulate` when it strikes"
         }
         Place::Simulate if place == Place::Campaign => {
             "a campaign sets its own faults: take it out, or move it into `simulate { .. }`"

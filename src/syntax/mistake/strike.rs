@@ -13,7 +13,7 @@ pub(super) fn recognise(statement: &Broken, failure: &Failure) -> Option<Diagnos
     if before == "fault" {
         return mode(statement, failure);
     }
-    let clauses = statement.text.split(|c: char| !is_name(c)).any(|word| matches!(word, "at" | "until"));
+    let clauses = statement.text[..failure.at].split(|c: char| !is_name(c)).any(|word| matches!(word, "at" | "until"));
     if failure.expects(Expected::Clause) && !clauses { instant(statement, failure) } else { clause(statement, failure) }
 }
 
@@ -43,7 +43,7 @@ fn mode(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             .help("write a `fault` for each, or declare a mode in which all of it fails"),
         Some(c) if c.is_ascii_digit() => error(statement, at, found.len(), "`fault` names a fault mode, not a rotor")
             .here("no name")
-            .help("declare the mode in `faults`, as in `mode M1 { rotor 1 lost }`, and write `fault M1 at 5 s`"),
+            .help("declare a mode in `faults`, as in `mode M1 { rotor 1 lost }`, and name it here"),
         Some(c) if is_name(c) => error(statement, at, found.len(), "`fault` does not say what fails")
             .here("the name of a fault mode must stand before this")
             .help(LIKE),
@@ -59,7 +59,7 @@ fn instant(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return Some(
             error(statement, start, name.len(), "`fault` names a fault mode, not a rotor")
                 .here("no fault mode")
-                .help("declare the mode in `faults`, as in `mode M1 { rotor 1 lost }`, and write `fault M1 at 5 s`"),
+                .help("declare a mode in `faults`, as in `mode M1 { rotor 1 lost }`, and name it here"),
         );
     }
     if found.is_empty() {

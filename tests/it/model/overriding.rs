@@ -40,6 +40,16 @@ fn fields_of_every_block_can_be_set() {
 }
 
 #[test]
+fn flights_can_be_set_with_or_without_their_blocks() {
+    let model = with(&["simulate.rate=2kHz", "simulate.detection=never", "campaign.seeds=3"]).value.unwrap();
+    assert_eq!((model.simulation.written, model.simulation.rate), (true, 2000.0));
+    assert_eq!(model.simulation.detection, mavc::model::Detection::Never);
+    assert_eq!((model.campaign.written, model.campaign.seeds, model.campaign.times), (true, 3, 20));
+    let found = with(&["simulate.rate=-2kHz"]).diagnostics;
+    assert_eq!(found[0].code, "mavc::simulate::not_positive");
+}
+
+#[test]
 fn a_filter_can_be_set() {
     let checked = with(&["plan.against=where severity >= 3"]);
     assert_eq!(checked.value.unwrap().plan.against, Vec::<usize>::new());

@@ -87,6 +87,9 @@ fn fragment(text: &str) -> Vec<String> {
         format!(
             "{QUAD}faults {{ every 1 rotor lost as M {{ severity = 9; occurrence = 4; detection = 4 }} }}\n{hop}plan {{\n{text}\n}}\n"
         )
+    } else if first.contains("in simulate") || first.contains("in campaign") {
+        let block = if first.contains("in simulate") { "simulate" } else { "campaign" };
+        format!("{QUAD}faults {{ every 1 rotor lost as M }}\n{hop}{block} {{\n{text}\n}}\n")
     } else {
         format!("{QUAD}{text}\n")
     };
