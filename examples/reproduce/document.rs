@@ -5,6 +5,7 @@ pub mod case_orders;
 pub mod case_plans;
 pub mod claims;
 pub mod faults;
+pub mod flights;
 pub mod judgement;
 pub mod markdown;
 pub mod paper_faults;
@@ -34,6 +35,8 @@ pub fn whole() -> String {
         faults::sections(),
         "## Statements about sets and layouts\n\n".into(),
         claims::section(),
+        "## Flights: Figures 3 to 5 and 10 to 12\n\n".into(),
+        flights::section(),
         "## How the plans are set up\n\n".into(),
         setting::section(),
         case(1),

@@ -24,7 +24,12 @@ pub fn vehicle(name: &str) -> Model {
 
 /// The paper's case 1, 2 or 3.
 pub fn case(number: usize) -> Model {
-    let name = format!("specs/paper/case{number}.mav");
+    paper(&format!("case{number}"))
+}
+
+/// A spec of specs/paper.
+pub fn paper(name: &str) -> Model {
+    let name = format!("specs/paper/{name}.mav");
     let text = std::fs::read_to_string(root().join(&name)).unwrap_or_else(|e| panic!("{name}: {e}"));
     model(&name, &text)
 }

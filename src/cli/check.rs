@@ -2,6 +2,7 @@ use super::spec::{self, colored};
 use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
 use crate::diagnostic::{Severity, sort};
+use crate::flight::twins;
 use crate::report::table::Table;
 
 /// `mavc check`
@@ -17,6 +18,7 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
             code = NO_PLAN;
         }
         loaded.diagnostics.extend(answers);
+        loaded.diagnostics.extend(twins::diagnose(model));
         sort(&mut loaded.diagnostics);
     }
     let count = |s: Severity| loaded.diagnostics.iter().filter(|d| d.severity == s).count();

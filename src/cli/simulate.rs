@@ -6,7 +6,7 @@ use super::target::{Target, write};
 use super::{FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
 use crate::diagnostic::sort;
 use crate::flight::{Sample, Sortie, fly, twins};
-use crate::model::{Model, past_the_end};
+use crate::model::{Model, coarse_step, past_the_end, too_many_steps};
 use crate::planner::compare::{Ending, Scope};
 use crate::report::flight::{FlightRecord, Log, MAX_ROWS, Told, text};
 use crate::report::number::number;
@@ -29,7 +29,9 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         files::print(&terminal::plan(&model, &mission, &comparison))?;
         return Ok(no_plan_code(&comparison));
     };
-    let late = past_the_end(&model, model.simulation.duration.unwrap_or(solved.time));
+    let end = model.simulation.duration.unwrap_or(solved.time);
+    let late: Vec<_> =
+        past_the_end(&model, end).into_iter().chain(too_many_steps(&model, end)).chain(coarse_step(&model)).collect();
     if !late.is_empty() {
         loaded.diagnostics = late;
         sort(&mut loaded.diagnostics);

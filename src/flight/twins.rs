@@ -5,8 +5,12 @@ use crate::actuation::Actuation;
 use crate::actuation::Wrench;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::{HEALTHY, hover};
+use crate::diagnostic::Diagnostic;
 use crate::model::{Detection, Model};
 use nalgebra::Vector3;
+
+/// Modes that an estimator is asked to tell apart are alike in hover.
+pub const ALIKE: &str = "mavc::simulate::alike";
 
 /// Squared rotor speeds (rad^2/s^2) with which the healthy vehicle gives a wrench.
 pub fn squares(model: &Model, wrench: &Wrench) -> Vec<f64> {
@@ -60,6 +64,36 @@ pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
 /// Names of a group's modes, the healthy vehicle's first.
 pub fn names<'a>(model: &'a Model, group: &[usize]) -> Vec<&'a str> {
     group.iter().map(|&m| if m == 0 { HEALTHY } else { model.modes[m - 1].name.as_str() }).collect()
+}
+
+/// Warns where a written `simulate` asks for estimates and modes that it or a campaign may strike are alike in hover.
+/// Every plan begins and ends there, and so does every hold.
+pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
+    let written = model.simulation.written || model.campaign.written;
+    if !written || !are_asked_for(model) || model.modes.is_empty() {
+        return Vec::new();
+    }
+    let groups = twins(model, &[hover_squares(model)]);
+    let struck: Vec<usize> = model.simulation.faults.iter().map(|s| s.mode + 1).collect();
+    let matters = |group: &&Vec<usize>| model.campaign.written || group.iter().any(|m| struck.contains(m));
+    let warn = |group: &Vec<usize>| {
+        let names = listed(&names(model, group));
+        let span = if model.simulation.written { model.simulation.span } else { model.campaign.span };
+        let message = format!("in hover no estimate tells {names} apart");
+        Diagnostic::warning(ALIKE, span, message)
+            .here("capacities are estimated here")
+            .help("their torques there differ by less than noise: write `detection = 50 ms` for faults told otherwise")
+    };
+    groups.iter().filter(matters).map(warn).collect()
+}
+
+/// `healthy and M1_5`; of many the first ones and the number.
+pub fn listed(names: &[&str]) -> String {
+    const SHOWN: usize = 6;
+    match names {
+        [all @ .., last] if names.len() <= SHOWN => format!("{} and {last}", all.join(", ")),
+        _ => format!("{} and {} more", names[..SHOWN].join(", "), names.len() - SHOWN),
+    }
 }
 
 /// Whether an estimator is to tell the modes apart.

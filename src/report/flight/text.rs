@@ -1,6 +1,7 @@
 //! A flight told to people.
 
 use super::record::{FlightRecord, OutcomeRecord, Told};
+use crate::flight::twins::listed;
 use crate::model::{AfterFault, Allocation, Controller, Detection, Model};
 use crate::report::number::{fixed, number, significant};
 use crate::report::table::Table;
@@ -133,13 +134,5 @@ fn duration(seconds: f64) -> String {
         format!("{} ms", significant(1000.0 * seconds, 3))
     } else {
         format!("{} s", significant(seconds, 3))
-    }
-}
-
-fn listed(names: &[&str]) -> String {
-    const SHOWN: usize = 6;
-    match names {
-        [all @ .., last] if names.len() <= SHOWN => format!("{} and {last}", all.join(", ")),
-        _ => format!("{} and {} more", names[..SHOWN].join(", "), names.len() - SHOWN),
     }
 }
