@@ -163,7 +163,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     let flown = mission.and_then(|m| m.mission.as_ref());
     let names_modes = draft.names_modes();
     let draft_span = draft.span;
-    let (plan, plan_defaults) = draft.finish(cx, &modes.modes, incomplete, flown, fallback);
+    let (plan, plan_time, plan_defaults) = draft.finish(cx, &modes.modes, incomplete, flown, fallback);
     let plan_written = !blocks.plans.is_empty();
     if plan_written || mission.is_some() {
         defaults.extend(plan_defaults);
@@ -173,7 +173,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
         incomplete,
         vehicle: vehicle.and_then(|v| v.vehicle.as_ref()),
         mission: flown,
-        plan: plan.as_ref(),
+        plan_time,
         fallback: draft_span.unwrap_or(fallback),
     };
     let campaign_span = blocks.campaigns.first().map(|block| block.keyword.span);

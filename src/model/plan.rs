@@ -147,7 +147,8 @@ impl<'a> Draft<'a> {
         self.fields.as_ref().and_then(|fields| fields.word(cx, CHOICE, field, words))
     }
 
-    /// The plan, once modes and mission are known; `None` where it has errors.
+    /// The plan, once modes and mission are known, `None` where it has errors; and its time where that is fixed, errors
+    /// elsewhere or not.
     pub fn finish(
         mut self,
         cx: &mut Context<'a>,
@@ -155,7 +156,7 @@ impl<'a> Draft<'a> {
         modes_incomplete: bool,
         mission: Option<&Mission>,
         fallback: Span,
-    ) -> (Option<Plan>, Vec<DefaultUsed>) {
+    ) -> (Option<Plan>, Option<(f64, Span)>, Vec<DefaultUsed>) {
         let span = self.span.unwrap_or(fallback);
         let planner = match self.word(cx, "planner", &["rip", "rcp", "rsp"]) {
             Some(word) => word.map(|w| match w {
@@ -222,7 +223,8 @@ impl<'a> Draft<'a> {
             }),
             _ => None,
         };
-        (plan, self.defaults)
+        let fixed = if let Some(MissionTime::Fixed(time)) = time { Some((time, time_span)) } else { None };
+        (plan, fixed, self.defaults)
     }
 
     fn time(&mut self, cx: &mut Context<'a>) -> Option<MissionTime> {

@@ -11,7 +11,7 @@ use super::fields::Fields;
 use super::flight::{MOTOR_TIME_CONSTANT, Written, default};
 use super::mission::{MAX_DURATION, too_long};
 use super::{
-    AfterFault, Allocation, Controller, DefaultUsed, Detection, FaultMode, Gains, Mission, Plan, Simulation, Vehicle,
+    AfterFault, Allocation, Controller, DefaultUsed, Detection, FaultMode, Gains, Mission, Simulation, Vehicle,
 };
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
@@ -61,7 +61,8 @@ pub(super) struct Around<'m> {
     pub incomplete: bool,
     pub vehicle: Option<&'m Vehicle>,
     pub mission: Option<&'m Mission>,
-    pub plan: Option<&'m Plan>,
+    /// The plan's time where it is fixed, s, and its place.
+    pub plan_time: Option<(f64, Span)>,
     /// The plan's place, for blocks that are not written.
     pub fallback: Span,
 }
@@ -163,7 +164,7 @@ impl<'a> Reader<'a> {
         // A `duration` with an error leaves the end unknown.
         let end = match end {
             Some((duration, span, why)) => duration.map(|d| (d, span, why)),
-            None => checks::fixed_end(around.plan, around.mission),
+            None => checks::fixed_end(around.plan_time, around.mission),
         };
         let faults = strike::read_all(cx, block, around, end);
         let rates = [rate, control_rate, estimator_rate];

@@ -4,7 +4,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::fields::Fields;
-use crate::model::{Mission, MissionTime, Model, Plan, Simulation, Vehicle};
+use crate::model::{Mission, Model, Simulation, Vehicle};
 use crate::report::number::number;
 use crate::source::Span;
 use crate::syntax::ast::Expr;
@@ -19,9 +19,9 @@ const RATES: &str = "mavc::simulate::rates";
 pub(super) type End = (f64, Span, &'static str);
 
 /// The end of the flight where the spec fixes it: by the plan's time or that of the last waypoint.
-pub(super) fn fixed_end(plan: Option<&Plan>, mission: Option<&Mission>) -> Option<End> {
-    if let Some(Plan { time: MissionTime::Fixed(time), time_span, .. }) = plan {
-        return Some((*time, *time_span, "the plan takes this time"));
+pub(super) fn fixed_end(plan_time: Option<(f64, Span)>, mission: Option<&Mission>) -> Option<End> {
+    if let Some((time, span)) = plan_time {
+        return Some((time, span, "the plan takes this time"));
     }
     let last = mission?.waypoints.last()?;
     Some((last.time? + last.hold, last.time_span.unwrap_or(last.span), "the mission ends with this waypoint"))
