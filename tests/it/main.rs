@@ -12,6 +12,7 @@ mod programs;
 mod render;
 mod reproduction;
 mod schemas;
+mod simulate;
 mod stages;
 mod syntax;
 mod trajectories;

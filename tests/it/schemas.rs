@@ -1,4 +1,4 @@
-//! The four machine-readable outputs against their schemas in docs/schema.
+//! The machine-readable outputs against their schemas in docs/schema.
 
 use jsonschema::Validator;
 use serde_json::{Value, json};
@@ -139,6 +139,28 @@ fn reports_are_as_their_schema_says() {
     let too_short = report_of("plan", &["--set", "plan.time=0.2s"], &hop("weak"));
     assert_valid(&schema, &too_short);
     assert_eq!(too_short["planners"][0]["status"], "infeasible");
+}
+
+#[test]
+fn flights_are_as_their_schema_says() {
+    let schema = schema("simulate");
+    let flown = |block: &str| {
+        let spec = hop("weak").replace("mode weak", "mode three { rotors [1, 2, 3] lost }\n    mode weak") + block;
+        let record = json_of(&["simulate", "-", "--quiet", "--report", "-"], &spec);
+        assert_valid(&schema, &record);
+        record
+    };
+    let healthy = flown("");
+    assert_eq!(healthy["outcome"], json!({"status": "flown"}));
+    assert_strict(&schema, &healthy, &[]);
+    let struck = flown("simulate { detection = never; seed = 3; fault weak at 1 s until 2 s; fault three at 3 s }\n");
+    assert_eq!(struck["outcome"]["status"], "lost");
+    assert_eq!(struck["faults"].as_array().unwrap().len(), 2);
+    assert_strict(&schema, &struck, &[]);
+    let landed = flown("simulate { detection = 20 ms; after_fault = land; ground = 0.1 m; fault weak at 2 s }\n");
+    assert_eq!(landed["outcome"]["status"], "landed", "{landed:#}");
+    assert_eq!(landed["detection_delay_s"], 0.02);
+    assert_strict(&schema, &landed, &[]);
 }
 
 #[test]

@@ -8,7 +8,16 @@ use mavc::model::{elaborate, load};
 use std::path::Path;
 use std::process::{Command, Output};
 
-const MISSIONS: [&str; 4] = ["missions/inspection", "paper/case1", "paper/case2", "paper/case3"];
+const MISSIONS: [&str; 8] = [
+    "missions/inspection",
+    "paper/case1",
+    "paper/case2",
+    "paper/case3",
+    "paper/figure12",
+    "paper/figure3",
+    "paper/figure5",
+    "paper/tracking",
+];
 
 const VEHICLES: [&str; 8] = [
     "vehicles/coaxial_x8",

@@ -1,0 +1,157 @@
+//! `mavc simulate` as scripts use it: exit codes, the log, equal bytes, mistakes told before anything runs.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn simulate(spec: &Path, args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mavc"));
+    command.arg("simulate").arg(spec).args(args).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("ended by itself")
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// A short flight with the octocopter; `more` joins the spec.
+fn hop(folder: &Path, more: &str) -> std::path::PathBuf {
+    let vehicle = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/vehicles/octo_ppnnppnn.mav");
+    let text = format!(
+        "use \"{}\"
+faults {{
+    every 1 rotor lost as M
+    mode half {{ rotors [1, 2, 3, 4] lost }}
+    mode opposite {{ rotors [1, 5] lost }}
+}}
+mission hop {{
+    start at [0, 0, 2] m
+    waypoint at [4, 1, 4] m
+}}
+plan {{ planner = rip; against = all; time = 6 s; samples = 40 }}
+{more}
+",
+        vehicle.display()
+    );
+    // `half` and `opposite` need not be stood: the plan names others.
+    let text = text.replace("against = all", "against = [M1]");
+    let path = folder.join("hop.mav");
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+#[test]
+fn a_flight_writes_its_log_and_its_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = hop(folder.path(), "simulate { fault M3 at 2 s }\n");
+    let (log, report) = (folder.path().join("flight.csv"), folder.path().join("sim.json"));
+    let outputs = ["-o", log.to_str().unwrap(), "--report", report.to_str().unwrap()];
+    let ran = simulate(&spec, &outputs);
+    assert_eq!(code(&ran), 0, "{}", err(&ran));
+    let text = std::fs::read_to_string(&log).unwrap();
+    let header: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| header.iter().position(|h| *h == name).unwrap_or_else(|| panic!("no column {name}"));
+    let rows: Vec<Vec<f64>> =
+        text.lines().skip(1).map(|l| l.split(',').map(|c| c.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 600, "6 s at 100 rows a second, the first at 0");
+    assert!(rows.iter().all(|r| r.len() == header.len()));
+    assert_eq!(header.len(), 27 + 3 * 8);
+    let last = &rows[rows.len() - 1];
+    for (name, due) in [("x", 4.0), ("y", 1.0), ("z", 4.0)] {
+        assert!((last[column(name)] - due).abs() < 0.1, "{name} {}", last[column(name)]);
+    }
+    assert!(last[column("believed_3")] == 0.0 && last[column("believed_4")] == 1.0);
+    assert!(last[column("theta_3")] < 0.1);
+    // What is printed as an error is the distance of the columns.
+    for row in &rows {
+        let distance = ["x", "y", "z"]
+            .map(|axis| (row[column(axis)] - row[column(&format!("{axis}_ref"))]).powi(2))
+            .iter()
+            .sum::<f64>()
+            .sqrt();
+        assert!((distance - row[column("error")]).abs() < 1e-12);
+    }
+    let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    let largest = rows.iter().map(|r| r[column("error")]).fold(0.0, f64::max);
+    let told = record["max_error_m"].as_f64().unwrap();
+    assert!(told >= largest && told < largest + 0.01, "{told} {largest}");
+
+    let again = (folder.path().join("again.csv"), folder.path().join("again.json"));
+    let ran = simulate(&spec, &["-o", again.0.to_str().unwrap(), "--report", again.1.to_str().unwrap()]);
+    assert_eq!(code(&ran), 0);
+    assert_eq!(std::fs::read(&log).unwrap(), std::fs::read(&again.0).unwrap());
+    assert_eq!(std::fs::read(&report).unwrap(), std::fs::read(&again.1).unwrap());
+    let other = simulate(&spec, &["-o", again.0.to_str().unwrap(), "--set", "simulate.seed=2"]);
+    assert_eq!(code(&other), 0);
+    assert_ne!(std::fs::read(&log).unwrap(), std::fs::read(&again.0).unwrap());
+}
+
+#[test]
+fn a_lost_vehicle_ends_with_6_and_tells_when_and_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = hop(folder.path(), "simulate { fault half at 2 s }\n");
+    let (log, report) = (folder.path().join("flight.csv"), folder.path().join("sim.json"));
+    let ran = simulate(&spec, &["-o", log.to_str().unwrap(), "--report", report.to_str().unwrap()]);
+    assert_eq!(code(&ran), 6);
+    assert!(String::from_utf8(ran.stdout).unwrap().contains("LOST at "));
+    let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    let at = record["outcome"]["at_s"].as_f64().unwrap();
+    assert!(at > 2.0 && at < 4.0, "{at}");
+    assert!(log.exists());
+}
+
+#[test]
+fn mistakes_are_told_before_anything_flies() {
+    let folder = tempfile::tempdir().unwrap();
+    let log = folder.path().join("flight.csv");
+    for (block, codes) in [
+        ("simulate { fault M3 at -1 s }", &["mavc::simulate::fault_time"][..]),
+        ("simulate { fault M3 at 7 s }", &["mavc::simulate::past_the_end"]),
+        ("simulate { fault M9 at 1 s }", &["mavc::name::unknown"]),
+        ("simulate { attitude_gain = 0 1/s^2 }", &["mavc::simulate::not_positive"]),
+        ("simulate { rate = 60 Hz; control_rate = 60 Hz; estimator_rate = 60 Hz }", &["mavc::simulate::coarse_step"]),
+        (
+            "simulate { fault M3 at -1 s; yaw_gain = -1 1/s^2 }",
+            &["mavc::simulate::fault_time", "mavc::simulate::not_positive"],
+        ),
+    ] {
+        let ran = simulate(&hop(folder.path(), block), &["-o", log.to_str().unwrap()]);
+        assert_eq!(code(&ran), 1, "{block}\n{}", err(&ran));
+        codes.iter().for_each(|code| assert!(err(&ran).contains(code), "{block}\n{}", err(&ran)));
+        assert!(!log.exists());
+    }
+    // With the shortest time the end is known only once the mission is planned.
+    let spec = hop(folder.path(), "simulate { fault M3 at 50 s }");
+    let ran = simulate(&spec, &["-o", log.to_str().unwrap(), "--set", "plan.time=minimum"]);
+    assert_eq!(code(&ran), 1, "{}", err(&ran));
+    assert!(err(&ran).contains("mavc::simulate::past_the_end"));
+    assert!(!log.exists());
+}
+
+#[test]
+fn check_warns_of_modes_that_look_alike_in_hover() {
+    let folder = tempfile::tempdir().unwrap();
+    let check = |block: &str| {
+        let spec = hop(folder.path(), block);
+        let ran = Command::new(env!("CARGO_BIN_EXE_mavc")).arg("check").arg(spec).args(["--format", "short"]).output();
+        String::from_utf8(ran.unwrap().stdout).unwrap()
+    };
+    let told = check("simulate { fault opposite at 1 s }");
+    assert!(told.contains("mavc::simulate::alike") && told.contains("healthy and opposite"), "{told}");
+    assert!(!check("simulate { fault M3 at 1 s }").contains("alike"));
+    assert!(!check("simulate { detection = 50 ms; fault opposite at 1 s }").contains("alike"));
+}
+
+#[test]
+fn a_mission_without_a_plan_is_not_flown() {
+    let folder = tempfile::tempdir().unwrap();
+    let log = folder.path().join("flight.csv");
+    let ran = simulate(&hop(folder.path(), ""), &["-o", log.to_str().unwrap(), "--set", "plan.time=0.5s"]);
+    assert_eq!(code(&ran), 3);
+    assert!(!log.exists());
+    let many = simulate(&hop(folder.path(), ""), &["-o", log.to_str().unwrap(), "--set", "simulate.duration=90000s"]);
+    assert_eq!(code(&many), 2, "a log past its bound: {}", err(&many));
+}
