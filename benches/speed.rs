@@ -1,5 +1,5 @@
-//! How long the stages take, and how that grows. `cargo bench` prints criterion's figures, then two tables: sets by
-//! number of rotors and RIP plans by number of samples.
+//! How long the stages take, and how that grows. `cargo bench` prints criterion's figures, then tables: sets by
+//! number of rotors, RIP plans by number of samples, flights.
 
 #[path = "../tests/it/vehicles.rs"]
 #[allow(dead_code)]
@@ -7,9 +7,11 @@ mod vehicles;
 
 use criterion::Criterion;
 use mavc::admissible::{AdmissibleSet, intersection};
-use mavc::model::{Model, PlannerKind};
+use mavc::flight::{Sortie, fly};
+use mavc::model::{Allocation, Controller, Detection, Model, PlannerKind, Strike};
 use mavc::planner::rows::{Decision, Engine, Pool};
 use mavc::planner::select::PlanningSet;
+use mavc::trajectory::Trajectory;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use vehicles::{lost, octocopter, paper_case, ring_model};
@@ -117,6 +119,47 @@ fn by_samples() {
     }
 }
 
+/// A flight of 20 s along case 1 with rotor 1 lost at 5 s, controller at 500 Hz, estimator at 100 Hz: by number of
+/// rotors, and by what is flown.
+fn by_flight() {
+    println!("\nA flight of 20 s, 20,000 steps\n  what                       ms  simulated s a second  ns a step");
+    let model = paper_case(PlannerKind::Rip, &[0]);
+    let (healthy, set) = healthy_set(&model);
+    let mission = model.mission.as_ref().expect("a mission");
+    let mut engine = Engine::new(&model, mission, &healthy);
+    let Decision::Feasible(planned) = engine.decide(20.0, 200, &set, &mut Pool::default()) else {
+        println!("  no plan");
+        return;
+    };
+    let trajectory = Trajectory::of(&planned);
+    let strike = Strike { mode: 0, at: 5.0, until: None, span: Default::default(), at_span: Default::default() };
+    let row = |what: &str, change: fn(&mut Model)| {
+        let mut model = model.clone();
+        // The plan tilts too far for some; what counts is the time of a whole flight.
+        model.simulation.lost_beyond = 1e9;
+        model.simulation.upside_down = 1e9;
+        model.simulation.ground = -1e9;
+        change(&mut model);
+        let strikes = [strike];
+        let sortie = Sortie::along(&model, &trajectory, &strikes, 1);
+        let mut steps = 0;
+        let seconds = least(7, || steps = black_box(fly(&sortie, None)).steps).as_secs_f64();
+        let each = 1e9 * seconds / steps as f64;
+        println!("  {what:<22} {:>6.2}  {:>20.0}  {each:>9.0}", 1e3 * seconds, 20.0 / seconds);
+    };
+    row("geometric, estimator", |_| {});
+    row("without estimator", |m| m.simulation.detection = Detection::Never);
+    row("PD, pseudo-inverse", |m| {
+        m.simulation.controller = Controller::Pd;
+        m.simulation.allocation = Allocation::PseudoInverse;
+    });
+    row("gusts", |m| {
+        m.simulation.gusts = 1.0;
+        m.simulation.drag = 0.3;
+    });
+    row("controller at 1 kHz", |m| m.simulation.control_rate = 1000.0);
+}
+
 fn main() {
     let mut criterion = Criterion::default().configure_from_args();
     sets(&mut criterion);
@@ -124,4 +167,5 @@ fn main() {
     criterion.final_summary();
     by_rotors();
     by_samples();
+    by_flight();
 }
