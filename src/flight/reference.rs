@@ -86,6 +86,10 @@ impl Stop {
         self.begin + self.duration
     }
 
+    pub fn place_of_rest(&self) -> Vector3<f64> {
+        self.at(self.at_rest()).position
+    }
+
     fn at(&self, t: f64) -> Reference {
         let s = (t - self.begin).clamp(0.0, self.duration);
         let [x, y, z, yaw] = &self.axes;
@@ -101,6 +105,10 @@ impl Stop {
             yaw: [psi, rate, acceleration],
         };
         let down = t - self.at_rest();
+        if down > 0.0 {
+            // The fade's next derivative ends with it.
+            reference.snap = Vector3::zeros();
+        }
         if self.descends && down > 0.0 {
             // The speed grows as 3 u^2 - 2 u^3 with u = t / EASING.
             let u = (down / EASING).min(1.0);
