@@ -116,6 +116,10 @@ impl Stop {
             reference.position.z -= DESCENT * eased;
             reference.velocity.z -= DESCENT * u * u * (3.0 - 2.0 * u);
             reference.acceleration.z -= DESCENT * 6.0 * u * (1.0 - u) / EASING;
+            if down < EASING {
+                reference.jerk.z -= DESCENT * 6.0 * (1.0 - 2.0 * u) / EASING.powi(2);
+                reference.snap.z += DESCENT * 12.0 / EASING.powi(3);
+            }
         }
         reference
     }

@@ -218,28 +218,20 @@ fn missing_is_what_a_mode_cannot_give() {
     assert!(allocator.missing(&hover(&model), &belief) > 0.05);
 }
 
+/// The gradient vanishes wherever Newton's method is started and however the weights differ.
 #[test]
-fn probe35() {
-    let mut random = Pcg64Mcg::seed_from_u64(5);
-    let mut last = Wrench::zeros();
-    let (mut bad, mut badcold) = (0, 0);
+fn bounded_ends_at_the_minimiser_from_anywhere() {
+    let mut random = Pcg64Mcg::seed_from_u64(6);
     for case in 0..3000 {
-        let n = 4 + case % 3;
+        let n = 4 + case % 9;
         let columns: Vec<Wrench> = (0..n).map(|_| Wrench::from_fn(|_, _| normal(&mut random))).collect();
-        let size = [0.3, 1.0, 4.0][case / 3 % 3];
+        let size = [0.3, 1.0, 4.0][case / 9 % 3];
         let w = columns.iter().fold(Wrench::zeros(), |sum, b| sum + b * between(&mut random, -size, 1.0 + size));
-        let weights = Wrench::from_fn(|_, _| 10f64.powf(between(&mut random, 0.0, 5.0)));
-        let start = if case % 2 == 0 { Wrench::zeros() } else { last };
-        let gradient = |lambda: &Wrench| {
-            columns.iter().fold(lambda.component_div(&weights) - w, |g, b| g + b * b.dot(lambda).clamp(0.0, 1.0)).amax()
-        };
+        let weights = Wrench::from_fn(|_, _| 10f64.powf(between(&mut random, 0.0, 8.0)));
+        let start = Wrench::from_fn(|_, _| normal(&mut random) * 10f64.powf(between(&mut random, -2.0, 4.0)));
         let lambda = bounded(&columns, &w, &weights, start);
-        let cold = bounded(&columns, &w, &weights, Wrench::zeros());
-        if gradient(&lambda) > 1e-9 || gradient(&cold) > 1e-9 {
-            if bad + badcold < 10 { eprintln!("case {case} start {:?} warm {:e} cold {:e} weights {:?} lambda {:?}", start.as_slice(), gradient(&lambda), gradient(&cold), weights.as_slice(), lambda.as_slice()); }
-            bad += usize::from(gradient(&lambda) > 1e-9); badcold += usize::from(gradient(&cold)>1e-9);
-        }
-        last = lambda;
+        let residual = lambda.component_div(&weights) - w;
+        let gradient = columns.iter().fold(residual, |sum, b| sum + b * b.dot(&lambda).clamp(0.0, 1.0));
+        assert!(gradient.amax() < 1e-9 + 1e-14 * lambda.amax(), "case {case}: {gradient} at {lambda}");
     }
-    eprintln!("bad {bad} {badcold}");
 }

@@ -37,9 +37,7 @@ fn wave(amplitude: f64, w: f64, phase: f64, t: f64, k: i32) -> f64 {
 
 /// A curve of Lissajous with a turning nose; tilts to some 40 degrees.
 fn lissajous(t: f64) -> Reference {
-    let order = |k| {
-        Vector3::new(wave(2.0, 1.7, 0.3, t, k), wave(1.5, 2.1, 1.0, t, k), wave(0.8, 1.3, -0.4, t, k))
-    };
+    let order = |k| Vector3::new(wave(2.0, 1.7, 0.3, t, k), wave(1.5, 2.1, 1.0, t, k), wave(0.8, 1.3, -0.4, t, k));
     Reference {
         position: order(0),
         velocity: order(1),
@@ -145,7 +143,8 @@ fn geometric_comes_back_exponentially() {
 
 #[test]
 fn pd_comes_back_to_hover() {
-    let hover = |_: f64| Reference { position: Vector3::new(1.0, 2.0, 3.0), yaw: [2.0, 0.0, 0.0], ..Default::default() };
+    let hover =
+        |_: f64| Reference { position: Vector3::new(1.0, 2.0, 3.0), yaw: [2.0, 0.0, 0.0], ..Default::default() };
     let off = closed_loop(Controller::Pd, &Gains::default(), hover, 8000);
     for (i, [place, _]) in off.iter().enumerate() {
         assert!(*place < 1.5 * (-1.3 * i as f64 * 1e-3).exp() + 1e-4, "{i}: {place}");

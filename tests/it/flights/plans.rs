@@ -39,14 +39,12 @@ fn healthy_the_plan_is_followed() {
     assert_eq!((geometric.false_alarms, geometric.refused, geometric.rms_error_after), (0, 0, 0.0));
     let pd = flown(|m| m.simulation.controller = Controller::Pd, false, |_| ());
     assert!(pd.rms_error < 0.2 && pd.outcome == Outcome::Flown, "{pd:?}");
-    eprintln!("{geometric:?}\n{pd:?}");
 }
 
 #[test]
 fn an_undetected_loss_is_felt_and_an_estimated_one_is_not() {
     let blind = flown(|m| m.simulation.detection = Detection::Never, true, |_| ());
     let seeing = flown(|_| (), true, |_| ());
-    eprintln!("{blind:?}\n{seeing:?}");
     assert!(blind.max_error > 0.3, "{blind:?}");
     assert!(seeing.outcome == Outcome::Flown && seeing.max_error < 0.05, "{seeing:?}");
     assert!(seeing.found[0].isolated_after.is_some_and(|t| t < 0.5), "{seeing:?}");
@@ -61,7 +59,6 @@ fn a_hold_comes_to_rest() {
         |s| last = Some((s.body.velocity.norm(), s.reference.velocity.norm(), s.body.tilt())),
     );
     let (speed, wanted, tilt) = last.unwrap();
-    eprintln!("{flight:?} {last:?}");
     assert_eq!(flight.outcome, Outcome::Flown);
     assert!(speed < 0.05 && wanted < 1e-9 && tilt < 0.02, "{speed} {wanted} {tilt}");
     // It would otherwise still be on its way at 12 s.
@@ -76,7 +73,6 @@ fn a_landing_is_soft() {
         true,
         |s| last = Some((s.body.velocity, s.body.position.z, s.time)),
     );
-    eprintln!("{flight:?} {last:?}");
     let (velocity, height, time) = last.unwrap();
     assert!(matches!(flight.outcome, Outcome::Landed { .. }), "{flight:?}");
     assert!((velocity.z + 1.0).abs() < 0.05 && velocity.xy().norm() < 0.05, "{velocity}");

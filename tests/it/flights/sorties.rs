@@ -2,9 +2,12 @@
 
 use super::{quiet, seen, sortie, staying, strike};
 use crate::vehicles::{lost, octocopter};
-use mavc::flight::{Cause, Outcome, Sample, fly};
+use mavc::flight::body::Frame;
+use mavc::flight::reference::Course;
+use mavc::flight::{Cause, Outcome, Sample, control, fly};
 use mavc::model::{Allocation, Controller, Detection, Model};
-use mavc::planner::hover_model::X;
+use mavc::planner::hover_model::{X, Y, Z};
+use nalgebra::Vector3;
 
 const PLACE: [f64; 3] = [1.0, -2.0, 10.0];
 
@@ -39,6 +42,28 @@ fn bounded_hover_sinks_by_what_its_price_explains() {
     let last = *heights.last().unwrap();
     assert!((last / wanted - 1.0).abs() < 1e-3, "{last:e} instead of {wanted:e}");
     assert!(flight.max_error < 2e-7, "{flight:?}");
+}
+
+/// A flight that begins in motion has its thrust from the first instant: the wrench is the reference's own.
+#[test]
+fn flights_begin_with_the_thrust_they_need() {
+    let mut model = quiet(octocopter("PPNNPPNN"));
+    model.simulation.allocation = Allocation::PseudoInverse;
+    let mut plan = staying(PLACE, 0.0, 0.5);
+    plan.nodes[0][X] = [0.0, 3.0, 2.0, 1.5, 0.0];
+    plan.nodes[0][Y] = [0.0, -1.0, 1.0, -2.0, 0.0];
+    plan.nodes[0][Z] = [10.0, 0.5, 1.5, 0.0, 0.0];
+    (plan.nodes[1][X][4], plan.nodes[1][Z][2]) = (0.0, 1.5);
+    plan.nodes[1] = plan.within(0, 0.5);
+    let (flight, all) = seen(&sortie(&model, &plan, &[]), |s: &Sample| (*s.wanted, *s.wrench));
+    let reference = Course::Plan(&plan).at(0.0);
+    let frame = Frame::of(&model);
+    let force = (reference.acceleration + Vector3::z() * 9.81).norm();
+    let body = control::start(&frame, &reference);
+    let own = control::control(Controller::Geometric, &frame, &model.simulation.gains, &body, force, &reference);
+    assert!((all[0].0 - own).amax() < 1e-9, "{} instead of {own}", all[0].0);
+    assert!((all[0].1 - own).amax() < 1e-9, "{} instead of {own}", all[0].1);
+    assert!(flight.max_error < 2e-3, "{flight:?}");
 }
 
 /// All that can be seen of a flight, bit by bit.
