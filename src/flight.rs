@@ -159,7 +159,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 break end;
             }
             // A duration that is no number is none.
-            if !(t < duration - 0.5 * h) {
+            if t >= duration - 0.5 * h || duration.is_nan() {
                 break Outcome::Flown;
             }
             blowing = air.next(&mut random);
