@@ -159,7 +159,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             if let Some(end) = watch.look(t, &body, &reference, !strikes.is_empty() && t >= strikes[0].at) {
                 break end;
             }
-            if t >= duration - 0.5 * h {
+            // A duration that is no number is none.
+            if t >= duration - 0.5 * h || duration.is_nan() {
                 break Outcome::Flown;
             }
             blowing = air.next(&mut random);
@@ -171,14 +172,18 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 let lands = simulation.after_fault == AfterFault::Land;
                 let stop = Stop::from(&reference, t, lands);
                 let rest = stop.at_rest();
-                let height = reference.position.z - simulation.ground;
+                let height = stop.place_of_rest().z - simulation.ground;
                 duration = if lands { rest + height / DESCENT + 20.0 } else { duration.max(rest + 5.0) };
                 course = Course::Stop(Box::new(stop));
                 reference = course.at(t);
                 watch.is_stopping = true;
                 watch.may_land = lands;
             }
-            let force = knowledge.thrust() / frame.mass;
+            // A flight begins with the thrust that its reference takes.
+            let force = match step {
+                0 => (reference.acceleration + nalgebra::Vector3::z() * frame.gravity).norm(),
+                _ => knowledge.thrust() / frame.mass,
+            };
             let wanted =
                 control::control(simulation.controller, &frame, &simulation.gains, &measured, force, &reference);
             allocator.speeds(&wanted, &mut rotors.command);
@@ -190,7 +195,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 next_event = struck(strikes, t, h, model, &mut rotors);
                 wrench = rotors.wrench();
             }
-            if tick.is_multiple_of(look_ticks) {
+            if tick > 0 && tick.is_multiple_of(look_ticks) {
                 conditions.extend(knowledge.conditioning());
             }
             if let Some(record) = record.as_mut() {

@@ -7,7 +7,10 @@ use nalgebra::{Matrix4, Matrix4xX};
 
 /// Weights on the missing part of the wrench beside one on the rotors' shares of full thrust, for T, tau_x, tau_y,
 /// tau_z in shares of the largest each can be. Yaw is given up first, thrust next, roll and pitch last.
-const WEIGHTS: [f64; 4] = [1e6, 1e8, 1e8, 1e4];
+const WEIGHTS: [f64; 4] = [1e8, 1e10, 1e10, 1e4];
+
+/// As many as a vehicle can have.
+const MOST_ROTORS: usize = 32;
 
 /// Newton steps after which the point reached is taken.
 const MOST_STEPS: usize = 60;
@@ -38,6 +41,8 @@ pub struct Allocator {
     full: Vec<Wrench>,
     /// The same under the belief; zero for stuck rotors.
     columns: Vec<Wrench>,
+    /// Share of full thrust at which a rotor is believed stuck.
+    stuck: Vec<Option<f64>>,
     /// What the stuck rotors give, over `extent`.
     shift: Wrench,
     /// Sum of the rotors' absolute wrenches: N, N m, N m, N m.
@@ -61,6 +66,7 @@ impl Allocator {
             method,
             columns: full.clone(),
             full,
+            stuck: vec![None; n],
             shift: Wrench::zeros(),
             extent,
             max_speed: model.vehicle.rotors.iter().map(|r| r.max_speed).collect(),
@@ -74,6 +80,7 @@ impl Allocator {
     /// Reconfigures: B = A diag(theta) of (41), and its pseudo-inverse where that is in use.
     pub fn believe(&mut self, belief: &Belief) {
         self.shift = Wrench::zeros();
+        self.stuck.copy_from_slice(&belief.stuck);
         for k in 0..self.full.len() {
             self.columns[k] = match belief.stuck[k] {
                 Some(share) => {
@@ -95,14 +102,19 @@ impl Allocator {
 
     /// Speeds (rad/s) into `speeds` for a wrench. A rotor believed lost gets none, a stuck one what it has.
     pub fn speeds(&mut self, wrench: &Wrench, speeds: &mut [f64]) {
-        let wanted = wrench.component_div(&self.extent) - self.shift;
+        let mut wanted = wrench.component_div(&self.extent) - self.shift;
+        // No vehicle gives more yaw than this, and what is missing of it draws on thrust by its weight.
+        if self.method == Allocation::Bounded {
+            wanted[3] = wanted[3].clamp(-1.0, 1.0);
+        }
         if self.method == Allocation::Bounded {
             self.lambda = bounded(&self.columns, &wanted, &WEIGHTS.into(), self.lambda);
         }
         let rows = if self.method == Allocation::Bounded { &self.columns } else { &self.inverse };
         let by = if self.method == Allocation::Bounded { &self.lambda } else { &wanted };
         for (k, speed) in speeds.iter_mut().enumerate() {
-            *speed = self.max_speed[k] * rows[k].dot(by).clamp(0.0, 1.0).sqrt();
+            let share = self.stuck[k].unwrap_or_else(|| rows[k].dot(by).clamp(0.0, 1.0));
+            *speed = self.max_speed[k] * share.sqrt();
         }
     }
 
@@ -110,7 +122,7 @@ impl Allocator {
     /// belief by rotors within their bounds; yaw is left free.
     pub fn missing(&self, wrench: &Wrench, belief: &Belief) -> f64 {
         let mut wanted = wrench.component_div(&self.extent);
-        let mut columns = [Wrench::zeros(); 32];
+        let mut columns = [Wrench::zeros(); MOST_ROTORS];
         for (k, full) in self.full.iter().enumerate() {
             match belief.stuck[k] {
                 Some(share) => wanted -= full * share,
@@ -131,51 +143,63 @@ impl Allocator {
 ///
 /// With the residual r = w - B x the optimum has lambda = weight r, so lambda solves
 /// lambda/weight + B clip(B^T lambda) = w: piecewise linear, monotone, the gradient of a strictly convex function of
-/// four variables. Newton's method with a line search ends after a step or two from a lambda nearby.
+/// four variables. Newton's method with the exact minimum along each step ends after a step or two from a lambda
+/// nearby.
 pub fn bounded(columns: &[Wrench], w: &Wrench, weights: &Wrench, start: Wrench) -> Wrench {
     let softness = weights.map(|q| 1.0 / q);
-    // The value, its gradient, and the columns of the rotors that are free.
-    let look = |lambda: &Wrench| {
-        let soft = lambda.component_mul(&softness);
-        let (mut value, mut gradient) = (0.5 * lambda.dot(&soft) - lambda.dot(w), soft - w);
-        for b in columns {
-            let share = b.dot(lambda);
-            let x = share.clamp(0.0, 1.0);
-            value += x * (share - 0.5 * x);
-            gradient += b * x;
-        }
-        (value, gradient)
-    };
     let mut lambda = start;
-    let (mut value, mut gradient) = look(&lambda);
     for _ in 0..MOST_STEPS {
-        if gradient.amax() <= 1e-12 {
-            break;
-        }
+        let mut gradient = lambda.component_mul(&softness) - w;
         let mut hessian = Matrix4::from_diagonal(&softness);
         for b in columns {
             let share = b.dot(&lambda);
+            gradient += b * share.clamp(0.0, 1.0);
             if (0.0..=1.0).contains(&share) {
                 hessian += b * b.transpose();
             }
         }
+        // What rounding leaves of it.
+        if gradient.amax() <= 1e-12 + 1e-15 * lambda.amax() {
+            break;
+        }
         let Some(step) = hessian.cholesky().map(|c| -c.solve(&gradient)) else { break };
-        let slope = gradient.dot(&step);
-        let mut length = 1.0;
-        let taken = loop {
-            let next = lambda + step * length;
-            let (v, g) = look(&next);
-            // Where rounding hides the value's fall, that of the gradient counts.
-            if v <= value + 1e-4 * length * slope || g.amax() < 0.5 * gradient.amax() {
-                break Some((next, v, g));
-            }
-            length *= 0.5;
-            if length < 1e-12 {
-                break None;
-            }
-        };
-        let Some(next) = taken else { break };
-        (lambda, value, gradient) = next;
+        let next = lambda + step * lowest(columns, w, &softness, &lambda, &step);
+        if next == lambda || !next.iter().all(|l| l.is_finite()) {
+            break;
+        }
+        lambda = next;
     }
     lambda
+}
+
+/// Where along a step from lambda the function that `bounded` minimises is lowest, in lengths of the step. Its slope
+/// is piecewise linear and grows; it bends where a share comes to 0 or 1.
+fn lowest(columns: &[Wrench], w: &Wrench, softness: &Wrench, lambda: &Wrench, step: &Wrench) -> f64 {
+    let n = columns.len();
+    let (mut shares, mut changes) = ([0.0; MOST_ROTORS], [0.0; MOST_ROTORS]);
+    let mut bends = [0.0; 2 * MOST_ROTORS];
+    let mut count = 0;
+    for (k, b) in columns.iter().enumerate() {
+        (shares[k], changes[k]) = (b.dot(lambda), b.dot(step));
+        for bound in [0.0, 1.0] {
+            let t = (bound - shares[k]) / changes[k];
+            if t > 0.0 && t.is_finite() {
+                bends[count] = t;
+                count += 1;
+            }
+        }
+    }
+    let linear = (lambda.component_mul(softness) - w).dot(step);
+    let square = step.component_mul(softness).dot(step);
+    let slope = |t: f64| {
+        let rotors = shares[..n].iter().zip(&changes[..n]);
+        linear + square * t + rotors.map(|(s, c)| c * (s + c * t).clamp(0.0, 1.0)).sum::<f64>()
+    };
+    let bends = &mut bends[..count];
+    bends.sort_unstable_by(f64::total_cmp);
+    let falling = bends.partition_point(|t| slope(*t) < 0.0);
+    let low = if falling > 0 { bends[falling - 1] } else { 0.0 };
+    let high = bends.get(falling).copied().unwrap_or(low + 1.0);
+    let (at_low, at_high) = (slope(low), slope(high));
+    if at_high > at_low { (low - at_low * (high - low) / (at_high - at_low)).max(0.0) } else { low }
 }

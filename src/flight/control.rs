@@ -79,24 +79,25 @@ fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, referenc
     let up: Vector3<f64> = r.column(2).into();
     let e3 = Vector3::z();
     let w = measured.rates;
-    // x'' and x''' as they are, from the thrust and its direction: (7) without drag.
+    // x'' as it is, from the thrust and its direction: (7) without drag.
     let acceleration = up * force - e3 * frame.gravity;
-    let jerk = r * w.cross(&e3) * force;
     let e = [
         reference.position - measured.position,
         reference.velocity - measured.velocity,
         reference.acceleration - acceleration,
-        reference.jerk - jerk,
     ];
-    let feedback = |order: usize| kx.component_mul(&e[order]) + kv.component_mul(&e[order + 1]);
+    let feedback = |e: &Vector3<f64>, rate: &Vector3<f64>| kx.component_mul(e) + kv.component_mul(rate);
     let most = MOST_FEEDBACK * frame.gravity;
-    let asked = feedback(0);
-    let (back, back1, back2) = match asked.norm() > most {
-        true => (asked * (most / asked.norm()), Vector3::zeros(), Vector3::zeros()),
-        false => (asked, feedback(1), feedback(2)),
-    };
+    let asked = feedback(&e[0], &e[1]);
+    let is_far = asked.norm() > most;
+    let back = if is_far { asked * (most / asked.norm()) } else { asked };
+    let back1 = if is_far { Vector3::zeros() } else { feedback(&e[1], &e[2]) };
     let f = reference.acceleration + back + e3 * frame.gravity;
     let f1 = reference.jerk + back1;
+    // x''' as it is: the direction turns with the body, and the thrust m F . R e_3 changes too.
+    let turning = r * w.cross(&e3);
+    let jerk = turning * force + up * (f1.dot(&up) + f.dot(&turning));
+    let back2 = if is_far { Vector3::zeros() } else { feedback(&e[2], &(reference.jerk - jerk)) };
     let f2 = reference.snap + back2;
     let thrust = frame.mass * f.dot(&up);
     // Where no force is wanted its direction says nothing: the vehicle keeps its own.

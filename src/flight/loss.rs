@@ -110,7 +110,8 @@ impl Watch {
             self.squares_after += error * error;
             self.looks_after += 1;
         }
-        if error > self.lost_beyond {
+        // Also where the reference is no number.
+        if error > self.lost_beyond || error.is_nan() {
             return lost(Cause::Position);
         }
         self.turned_for = if tilt > FRAC_PI_2 { self.turned_for + self.period } else { 0.0 };

@@ -86,6 +86,10 @@ impl Stop {
         self.begin + self.duration
     }
 
+    pub fn place_of_rest(&self) -> Vector3<f64> {
+        self.at(self.at_rest()).position
+    }
+
     fn at(&self, t: f64) -> Reference {
         let s = (t - self.begin).clamp(0.0, self.duration);
         let [x, y, z, yaw] = &self.axes;
@@ -101,6 +105,10 @@ impl Stop {
             yaw: [psi, rate, acceleration],
         };
         let down = t - self.at_rest();
+        if down > 0.0 {
+            // The fade's next derivative ends with it.
+            reference.snap = Vector3::zeros();
+        }
         if self.descends && down > 0.0 {
             // The speed grows as 3 u^2 - 2 u^3 with u = t / EASING.
             let u = (down / EASING).min(1.0);
@@ -108,6 +116,10 @@ impl Stop {
             reference.position.z -= DESCENT * eased;
             reference.velocity.z -= DESCENT * u * u * (3.0 - 2.0 * u);
             reference.acceleration.z -= DESCENT * 6.0 * u * (1.0 - u) / EASING;
+            if down < EASING {
+                reference.jerk.z -= DESCENT * 6.0 * (1.0 - 2.0 * u) / EASING.powi(2);
+                reference.snap.z += DESCENT * 12.0 / EASING.powi(3);
+            }
         }
         reference
     }

@@ -4,6 +4,7 @@ mod cli;
 mod codes;
 mod controllability;
 mod errors;
+mod flights;
 mod geometry_properties;
 mod hostile;
 mod model;
