@@ -139,7 +139,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut allocator = Allocator::new(model, simulation.allocation);
     let mut course = sortie.course.clone();
     let mut watch = Watch::new(simulation, period);
-    let mut conditions = Vec::new();
+    // As many as looks, but for landings that take longer.
+    let mut conditions = Vec::with_capacity((sortie.duration.min(1e4) * CONDITION_RATE) as usize + 400);
     let mut reference = course.at(0.0);
     let mut body = control::start(&frame, &reference);
     let mut blowing = nalgebra::Vector3::zeros();

@@ -4,4 +4,5 @@
 mod cone;
 pub mod nearest;
 pub mod polytope;
+pub mod symmetric;
 pub mod zonotope;

@@ -3,7 +3,7 @@
 
 use crate::actuation::{Actuation, Wrench};
 use crate::model::{Allocation, Model};
-use nalgebra::{Matrix4, Matrix4xX};
+use nalgebra::Matrix4;
 
 /// Weights on the missing part of the wrench beside one on the rotors' shares of full thrust, for T, tau_x, tau_y,
 /// tau_z in shares of the largest each can be. Yaw is given up first, thrust next, roll and pitch last.
@@ -16,7 +16,7 @@ const MOST_ROTORS: usize = 32;
 const MOST_STEPS: usize = 60;
 
 /// Directions of the wrench that the rotors give more weakly than this, against the strongest, are given up by (42).
-const WEAK: f64 = 1e-6;
+const WEAK: f64 = 1e-5;
 
 /// What the controller believes of each rotor.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,11 +91,13 @@ impl Allocator {
             };
         }
         if self.method == Allocation::PseudoInverse {
-            let b = Matrix4xX::from_columns(&self.columns);
-            let largest = b.norm();
-            // (42) where B B^T can be inverted; where rotors are gone that gave a direction alone, without it.
-            let inverse = b.clone().pseudo_inverse(WEAK * largest).unwrap_or_else(|_| b.transpose() * 0.0);
-            inverse.row_iter().zip(&mut self.inverse).for_each(|(row, r)| *r = row.transpose());
+            // B^+ = B^T (B B^T)^-1 of (42); where rotors are gone that gave a direction alone, without that direction.
+            let square: Matrix4<f64> = self.columns.iter().map(|b| b * b.transpose()).sum();
+            let eigen = square.symmetric_eigen();
+            let least = WEAK * WEAK * eigen.eigenvalues.max();
+            let inverse = eigen.eigenvalues.map(|e| if e > least { 1.0 / e } else { 0.0 });
+            let inverse = eigen.eigenvectors * Matrix4::from_diagonal(&inverse) * eigen.eigenvectors.transpose();
+            self.inverse.iter_mut().zip(&self.columns).for_each(|(row, b)| *row = inverse * b);
         }
         self.lambda = Wrench::zeros();
     }
@@ -106,12 +108,12 @@ impl Allocator {
         // No vehicle gives more yaw than this, and what is missing of it draws on thrust by its weight.
         if self.method == Allocation::Bounded {
             wanted[3] = wanted[3].clamp(-1.0, 1.0);
-        }
-        if self.method == Allocation::Bounded {
             self.lambda = bounded(&self.columns, &wanted, &WEIGHTS.into(), self.lambda);
         }
-        let rows = if self.method == Allocation::Bounded { &self.columns } else { &self.inverse };
-        let by = if self.method == Allocation::Bounded { &self.lambda } else { &wanted };
+        let (rows, by) = match self.method {
+            Allocation::Bounded => (&self.columns, &self.lambda),
+            Allocation::PseudoInverse => (&self.inverse, &wanted),
+        };
         for (k, speed) in speeds.iter_mut().enumerate() {
             let share = self.stuck[k].unwrap_or_else(|| rows[k].dot(by).clamp(0.0, 1.0));
             *speed = self.max_speed[k] * share.sqrt();

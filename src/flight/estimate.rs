@@ -10,8 +10,9 @@
 //!   explains, or where the last one was: in quiet hover nothing moves.
 
 use crate::actuation::Actuation;
+use crate::geometry::symmetric::eigenvalues;
 use crate::model::Model;
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::Vector3;
 
 /// A sample speaks where its residual is this many standard deviations of the torque noise.
 pub const SPEAKS: f64 = 4.0;
@@ -54,6 +55,8 @@ pub struct Estimator {
     count: usize,
     /// The regressor's columns of the last sample, in standard deviations of noise.
     regressor: Vec<Vector3<f64>>,
+    /// Room for a matrix (n x n).
+    spectrum: Vec<f64>,
 }
 
 /// Standard deviation of a torque sample, N m on each axis: of the gyroscope's noise, and of what no model is exact in.
@@ -92,6 +95,7 @@ impl Estimator {
             gyroscopic: Vector3::zeros(),
             count: 0,
             regressor: vec![Vector3::zeros(); n],
+            spectrum: vec![0.0; n * n],
             columns,
         }
     }
@@ -166,14 +170,17 @@ impl Estimator {
     /// the forgotten information where samples are taken in, else of the last sample. Singular values below 1e-3 of
     /// the largest do not count.
     /// `None` before the first sample.
-    pub fn conditioning(&self) -> Option<(usize, f64)> {
+    pub fn conditioning(&mut self) -> Option<(usize, f64)> {
         let n = self.capacity.len();
-        let mut information = DMatrix::from_row_slice(n, n, &self.information);
-        if self.awake == 0 {
-            information = DMatrix::from_fn(n, n, |k, l| self.regressor[k].dot(&self.regressor[l]));
+        match self.awake > 0 {
+            true => self.spectrum.copy_from_slice(&self.information),
+            false => (0..n * n).for_each(|i| self.spectrum[i] = self.regressor[i / n].dot(&self.regressor[i % n])),
         }
-        let mut singular: Vec<f64> = information.symmetric_eigenvalues().iter().map(|e| e.max(0.0).sqrt()).collect();
-        singular.sort_by(|a, b| b.total_cmp(a));
+        let mut singular = [0.0; 32];
+        let singular = &mut singular[..n];
+        eigenvalues(&mut self.spectrum, singular);
+        singular.iter_mut().for_each(|s| *s = s.max(0.0).sqrt());
+        singular.sort_unstable_by(|a, b| b.total_cmp(a));
         let kept = singular.iter().filter(|s| **s > 1e-3 * singular[0]).count();
         (kept > 0).then(|| (kept, singular[0] / singular[kept - 1]))
     }

@@ -230,8 +230,8 @@ impl<'a> Knowledge<'a> {
     }
 
     /// Rank and condition number of the estimator's regressor.
-    pub fn conditioning(&self) -> Option<(usize, f64)> {
-        self.estimator.as_ref().and_then(Estimator::conditioning)
+    pub fn conditioning(&mut self) -> Option<(usize, f64)> {
+        self.estimator.as_mut().and_then(Estimator::conditioning)
     }
 
     /// Capacities as estimated; as believed where nothing is.
