@@ -92,12 +92,18 @@ impl Allocator {
         }
         if self.method == Allocation::PseudoInverse {
             // B^+ = B^T (B B^T)^-1 of (42); where rotors are gone that gave a direction alone, without that direction.
-            let square: Matrix4<f64> = self.columns.iter().map(|b| b * b.transpose()).sum();
+            // Columns are for shares of each rotor's full speed squared; (42) minimises the squared speeds themselves.
+            let fastest = self.max_speed.iter().copied().fold(0.0, f64::max);
+            let unit = |k: usize| (fastest / self.max_speed[k]).powi(2);
+            let square: Matrix4<f64> =
+                self.columns.iter().enumerate().map(|(k, b)| b * b.transpose() * unit(k).powi(2)).sum();
             let eigen = square.symmetric_eigen();
             let least = WEAK * WEAK * eigen.eigenvalues.max();
             let inverse = eigen.eigenvalues.map(|e| if e > least { 1.0 / e } else { 0.0 });
             let inverse = eigen.eigenvectors * Matrix4::from_diagonal(&inverse) * eigen.eigenvectors.transpose();
-            self.inverse.iter_mut().zip(&self.columns).for_each(|(row, b)| *row = inverse * b);
+            for k in 0..self.columns.len() {
+                self.inverse[k] = inverse * self.columns[k] * unit(k).powi(2);
+            }
         }
         self.lambda = Wrench::zeros();
     }

@@ -105,6 +105,9 @@ impl<'a> Knowledge<'a> {
 
     /// Brings knowledge up to time `t`, the tick-th act of the controller. True where the belief has changed.
     pub fn update(&mut self, t: f64, tick: usize, measured: &Body, allocator: &Allocator) -> bool {
+        for k in 0..self.modelled.len() {
+            self.modelled[k] = self.command[k] + (self.modelled[k] - self.command[k]) * self.remaining[k];
+        }
         let changed = match self.detection {
             Detection::Never => false,
             Detection::After(delay) => t + 1e-9 >= self.next_change && self.told(t, delay),
@@ -138,9 +141,6 @@ impl<'a> Knowledge<'a> {
 
     fn estimate(&mut self, tick: usize, measured: &Body, allocator: &Allocator) -> bool {
         let Some(estimator) = &mut self.estimator else { return false };
-        for k in 0..self.modelled.len() {
-            self.modelled[k] = self.command[k] + (self.modelled[k] - self.command[k]) * self.remaining[k];
-        }
         estimator.note(&self.modelled, &measured.rates);
         if !tick.is_multiple_of(self.estimator_ticks) || !estimator.sample(&measured.rates) {
             return false;
@@ -182,13 +182,18 @@ impl<'a> Knowledge<'a> {
             let modes = self.strikes.iter().filter(active).map(|s| &self.model.modes[s.mode]);
             modes.fold((1.0_f64, false), |(c, stuck), m| (c.min(m.capacity[k]), stuck || m.stuck[k].is_some()))
         };
+        let touches = |s: &Strike, k: usize| {
+            let mode = &self.model.modes[s.mode];
+            mode.capacity[k] < 1.0 || mode.stuck[k].is_some()
+        };
+        let has_failed = |k: usize| self.strikes.iter().any(|s| s.at <= t + 1e-9 && touches(s, k));
         let believed = |k: usize| (self.belief.capacity[k], self.belief.stuck[k].is_some());
         let n = self.belief.capacity.len();
         for k in 0..n {
             let weak = believed(k).0 < ALARM || believed(k).1;
-            let (capacity, stuck) = truth(k);
+            // A rotor that has recovered was weak: that it is still believed so is no false alarm.
             let before = self.alarmed[k];
-            self.alarmed[k] = if weak && capacity == 1.0 && !stuck { before + self.period } else { 0.0 };
+            self.alarmed[k] = if weak && !has_failed(k) { before + self.period } else { 0.0 };
             self.false_alarms += usize::from(before <= LASTING && self.alarmed[k] > LASTING);
         }
         if self.found.iter().all(|f| f.isolated_after.is_some()) {
@@ -200,10 +205,8 @@ impl<'a> Knowledge<'a> {
         };
         let all_close = (0..n).all(is_close);
         for (found, strike) in self.found.iter_mut().zip(self.strikes) {
-            let mode = &self.model.modes[strike.mode];
-            let touched = |k: &usize| mode.capacity[*k] < 1.0 || mode.stuck[*k].is_some();
             let is_seen = |k: usize| self.belief.capacity[k] < SOUND || self.belief.stuck[k].is_some();
-            if found.detected_after.is_none() && (0..n).filter(touched).any(is_seen) {
+            if found.detected_after.is_none() && (0..n).any(|k| touches(strike, k) && is_seen(k)) {
                 found.detected_after = Some((t - strike.at).max(0.0));
             }
             if found.isolated_after.is_none() && all_close {
@@ -224,9 +227,8 @@ impl<'a> Knowledge<'a> {
 
     /// The thrust that the rotors are taken to give, N.
     pub fn thrust(&self) -> f64 {
-        let n = self.modelled.len();
-        let speed = if self.estimator.is_some() { &self.modelled } else { &self.command };
-        (0..n).map(|k| self.belief.capacity[k] * self.thrust_coefficient[k] * speed[k] * speed[k]).sum()
+        let rotors = self.belief.capacity.iter().zip(&self.thrust_coefficient).zip(&self.modelled);
+        rotors.map(|((theta, b), w)| theta * b * w * w).sum()
     }
 
     /// Rank and condition number of the estimator's regressor.
