@@ -10,6 +10,7 @@ use crate::model::{Mission, Model};
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::record::Record;
 use crate::report::{terminal, trajectory_csv};
+use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
 
@@ -96,13 +97,13 @@ fn targets(table: Option<&Path>, report: Option<&Path>) -> Result<(Option<Target
 }
 
 /// Refuses targets that would replace a file of the spec.
-fn spare(loaded: &Loaded, targets: &[&Option<Target>]) -> Result<(), Problem> {
+pub(super) fn spare(loaded: &Loaded, targets: &[&Option<Target>]) -> Result<(), Problem> {
     let read = || loaded.files.sources.iter().map(|(_, source)| source.name.as_str());
     targets.iter().copied().flatten().try_for_each(|target| target.must_spare(read()))
 }
 
 /// The model with its mission, once all diagnostics are told.
-fn ready(loaded: &mut Loaded, options: &Options) -> Option<(Model, Mission)> {
+pub(super) fn ready(loaded: &mut Loaded, options: &Options) -> Option<(Model, Mission)> {
     if let Some(model) = &loaded.model {
         let answers = diagnose(model);
         loaded.diagnostics.extend(answers);
@@ -124,7 +125,13 @@ pub(super) fn no_mission(model: &Model) -> Option<Diagnostic> {
 }
 
 /// Runs the planners unless some mode cannot be stood.
-fn run(loaded: &Loaded, model: &Model, mission: &Mission, scope: Scope, options: &Options) -> Option<Comparison> {
+pub(super) fn run(
+    loaded: &Loaded,
+    model: &Model,
+    mission: &Mission,
+    scope: Scope,
+    options: &Options,
+) -> Option<Comparison> {
     if loaded.diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return None;
     }
@@ -155,7 +162,7 @@ fn refused(loaded: &Loaded, model: &Model, report: Option<&Target>) -> Result<u8
     Ok(NO_PLAN)
 }
 
-fn json(record: &Record) -> Result<String, Problem> {
+pub(super) fn json(record: &impl Serialize) -> Result<String, Problem> {
     let text = serde_json::to_string_pretty(record).map_err(|e| format!("cannot write the report: {e}"))?;
     Ok(text + "\n")
 }

@@ -15,6 +15,15 @@ pub enum Controller {
     Geometric,
 }
 
+impl Controller {
+    pub fn name(self) -> &'static str {
+        match self {
+            Controller::Pd => "pd",
+            Controller::Geometric => "geometric",
+        }
+    }
+}
+
 /// How the wanted wrench becomes rotor speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Allocation {
@@ -22,6 +31,15 @@ pub enum Allocation {
     PseudoInverse,
     /// Bounded weighted least squares that gives up yaw first.
     Bounded,
+}
+
+impl Allocation {
+    pub fn name(self) -> &'static str {
+        match self {
+            Allocation::PseudoInverse => "pseudo_inverse",
+            Allocation::Bounded => "bounded",
+        }
+    }
 }
 
 /// How the controller learns of a fault.
@@ -43,6 +61,16 @@ pub enum AfterFault {
     Hold,
     /// Come to rest and descend where it is.
     Land,
+}
+
+impl AfterFault {
+    pub fn name(self) -> &'static str {
+        match self {
+            AfterFault::Continue => "continue",
+            AfterFault::Hold => "hold",
+            AfterFault::Land => "land",
+        }
+    }
 }
 
 /// Gains per unit of mass or inertia: those on a deviation in 1/s^2, those on its rate in 1/s; all > 0.

@@ -62,7 +62,7 @@ pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Stri
 }
 
 /// The shortest text that reads back as the same number; no `-0`.
-fn shortest(v: f64) -> String {
+pub fn shortest(v: f64) -> String {
     let v = if v == 0.0 { 0.0 } else { v };
     if v != 0.0 && (v.abs() < 1e-5 || v.abs() >= 1e15) { format!("{v:e}") } else { format!("{v}") }
 }
