@@ -1,7 +1,7 @@
 //! Whether what the plans predict comes true: flights lost against the times outside the fault sets.
 //!
-//! Modes under which the vehicle cannot hover at all are lost whatever is planned, so a prediction that only tells
-//! them from the others is worth little: the modes that hold hover are counted apart.
+//! A mode that leaves no full control is outside its set all the time, whatever is planned. A prediction that only
+//! tells such modes from the others is worth little, so the controllable modes are counted apart.
 //!
 //! The prediction: a vehicle is lost where the fault strikes before the plan is outside the mode's set for the last
 //! time. Only flights that lived to the fault say anything about it.
@@ -16,11 +16,11 @@ const CHANCE: f64 = 0.1;
 const MODERATE: f64 = 0.3;
 const STRONG: f64 = 0.5;
 
-/// Over all modes, and over those under which hover is possible.
+/// Over all declared modes, and over the controllable ones.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Agreement {
     pub all: Scope,
-    pub holding_hover: Scope,
+    pub controllable: Scope,
 }
 
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -64,10 +64,10 @@ impl Worth {
 
 impl Agreement {
     pub fn new(design: &Design, tally: &Tally) -> Self {
-        let hold = |m: &usize| design.holds_hover[*m];
+        let hold = |m: &usize| design.controllable[*m];
         Agreement {
             all: Scope::new(design, tally, (0..design.cases.modes).collect()),
-            holding_hover: Scope::new(design, tally, (0..design.cases.modes).filter(hold).collect()),
+            controllable: Scope::new(design, tally, (0..design.cases.modes).filter(hold).collect()),
         }
     }
 }

@@ -37,8 +37,9 @@ pub struct Design<'a> {
     /// In the order of the spec's planners; never empty.
     pub plans: Vec<Plan>,
     pub missing: Vec<Missing>,
-    /// For each declared mode whether hover lies inside its set: the others are lost whatever is planned.
-    pub holds_hover: Vec<bool>,
+    /// For each declared mode whether hover lies inside its set, with all of thrust, roll, pitch and yaw in hand: only
+    /// such modes can be planned against.
+    pub controllable: Vec<bool>,
     /// T_d, s.
     pub time: f64,
     pub cases: Cases,
@@ -92,8 +93,8 @@ impl<'a> Design<'a> {
         let campaign = &model.campaign;
         let cases =
             Cases { planners: plans.len(), modes: model.modes.len(), times: campaign.times, seeds: campaign.seeds };
-        let holds_hover = modes.iter().map(|(_, holds_hover)| *holds_hover).collect();
-        let mut design = Design { model, plans, missing, holds_hover, time, cases, id: Identity(0) };
+        let controllable = modes.iter().map(|(_, controllable)| *controllable).collect();
+        let mut design = Design { model, plans, missing, controllable, time, cases, id: Identity(0) };
         design.id = design.identity(spec_sha256);
         Ok(design)
     }
@@ -127,13 +128,13 @@ impl<'a> Design<'a> {
     }
 }
 
-/// Each declared mode's set as rows, and whether hover lies inside. Sets that hold hover keep the reserve; the others cannot be shrunk about it.
+/// Each declared mode's set as rows, and whether hover lies inside, that is, whether the mode is controllable. Sets that hold hover keep the reserve; the others cannot be shrunk about it.
 fn mode_rows(model: &Model) -> Vec<(Vec<SetRow>, bool)> {
     let healthy = AdmissibleSet::healthy(model);
     let rows = |mode: usize| {
         let mut set = AdmissibleSet::of_mode(model, mode);
-        let holds_hover = set.rank == 4 && set.polytope.margin(&set.hover) > 0.0;
-        if holds_hover {
+        let controllable = set.rank == 4 && set.polytope.margin(&set.hover) > 0.0;
+        if controllable {
             set = set.with_reserve(model.plan.reserve);
         }
         let equalities = set.polytope.equalities.iter().map(|e| {
@@ -141,7 +142,7 @@ fn mode_rows(model: &Model) -> Vec<(Vec<SetRow>, bool)> {
             SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new() }
         });
         let facets = set.polytope.facets.iter().map(|f| row(f, &healthy, Vec::new()));
-        (equalities.chain(facets).collect(), holds_hover)
+        (equalities.chain(facets).collect(), controllable)
     };
     (0..model.modes.len()).map(rows).collect()
 }

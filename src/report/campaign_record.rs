@@ -32,7 +32,7 @@ pub struct CampaignRecord {
     pub detection_delay_s: Option<f64>,
     pub after_fault: &'static str,
     pub planners: Vec<PlannerRecord>,
-    /// Over all modes, then over those that hold hover; empty where nothing was flown.
+    /// Over all modes, then over the controllable ones; empty where nothing was flown.
     pub agreement: Vec<AgreementRecord>,
 }
 
@@ -56,8 +56,8 @@ pub struct PlannerRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeRecord {
     pub name: String,
-    /// Whether the vehicle can hover under it.
-    pub holds_hover: bool,
+    /// Whether full control is left: hover lies inside the mode's set.
+    pub controllable: bool,
     /// What the plan says of the mode.
     pub outside_s: f64,
     pub last_outside_s: Option<f64>,
@@ -97,7 +97,7 @@ pub struct CellRecord {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AgreementRecord {
-    /// `all`, or `holding_hover`: those under which the vehicle can hover.
+    /// `all` or `controllable`.
     pub modes: &'static str,
     pub mode_count: usize,
     /// All planners, then each.
@@ -128,7 +128,7 @@ impl CampaignRecord {
             healthy: Some(GroupRecord::new(tally.healthy(p))),
             modes: (0..design.model.modes.len()).map(|m| mode(design, tally, p, m)).collect(),
         });
-        let Agreement { all, holding_hover } = Agreement::new(design, tally);
+        let Agreement { all, controllable } = Agreement::new(design, tally);
         CampaignRecord {
             campaign: Some(design.id.to_string()),
             shard: (shard != Shard::WHOLE).then_some(ShardRecord { index: shard.index + 1, of: shard.of }),
@@ -136,7 +136,7 @@ impl CampaignRecord {
             cases: design.cases.count(),
             flights: tally.flights(),
             planners: planners.chain(design.missing.iter().map(missing)).collect(),
-            agreement: vec![AgreementRecord::new("all", &all), AgreementRecord::new("holding_hover", &holding_hover)],
+            agreement: vec![AgreementRecord::new("all", &all), AgreementRecord::new("controllable", &controllable)],
             ..CampaignRecord::without_flights(design.model, &[], spec_sha256)
         }
     }
@@ -185,7 +185,7 @@ fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeReco
     let cells = tally.cells(planner, mode).iter().enumerate();
     ModeRecord {
         name: design.model.modes[mode].name.clone(),
-        holds_hover: design.holds_hover[mode],
+        controllable: design.controllable[mode],
         outside_s: outside.seconds,
         last_outside_s: outside.last,
         flights: GroupRecord::new(tally.mode(planner, mode)),

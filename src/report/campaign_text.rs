@@ -183,7 +183,7 @@ fn map(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -> String {
         out.push_str(&format!("  {:width$}  {}\n", name(m), line.collect::<String>()));
     }
     let end = format!("{} s", number(design.time));
-    let gap = columns.saturating_sub(3);
+    let gap = columns.saturating_sub(3).max(end.len() + 2);
     out + &format!("  {:width$}  0 s{end:>gap$}\n", "")
 }
 
@@ -224,14 +224,16 @@ fn agreement(agreement: &Agreement) -> String {
         "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. Counted are \
          flights that lived to the fault.",
     ));
-    let Agreement { all, holding_hover } = agreement;
-    if holding_hover.modes == all.modes {
+    let Agreement { all, controllable } = agreement;
+    if controllable.modes == all.modes {
         out.push_str(&scope(all));
     } else {
         out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
-        let n = counted(holding_hover.modes, "mode");
-        out.push_str(&format!("\n  Only the {n} under which the vehicle can hover: the others are lost anyway\n"));
-        out.push_str(&scope(holding_hover));
+        let n = counted(controllable.modes, "mode");
+        out.push_str(&format!(
+            "\n  Only the {n} that leave full control: under the others every plan is outside all the time\n"
+        ));
+        out.push_str(&scope(controllable));
     }
     out.push('\n');
     out.push_str(&filled(
