@@ -111,12 +111,12 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
         table.row(cells);
     }
     out.push_str(&table.render(2));
-    if let warning @ 1.. = healthy.all_lost() {
+    if let lost @ 1.. = healthy.all_lost() {
         let text = format!(
-            "Warning: {warning} of {} without a fault {} lost. This plan cannot be flown as it stands, so its losses \
+            "Warning: {lost} of {} without a fault {} lost. This plan cannot be flown as it stands, so its losses \
              say little about faults: limit the tilt, or give the mission more time.",
             counted(healthy.flights, "flight"),
-            if warning == 1 { "was" } else { "were" }
+            if lost == 1 { "was" } else { "were" }
         );
         out.push_str(&filled(&text));
     }
@@ -259,7 +259,17 @@ fn scope(scope: &Scope) -> String {
     };
     scope.planners.iter().for_each(|(planner, t)| row(planner.name().to_uppercase(), t));
     row("all".into(), &scope.total);
-    table.render(2) + &filled(&by_flight(&scope.total)) + &filled(&by_mode(scope))
+    let safe = scope.planners.iter().filter(|(_, t)| t.hits + t.false_alarms == 0 && t.misses > 0);
+    let called_safe: String = safe
+        .map(|(planner, t)| {
+            let (name, all) = (planner.name().to_uppercase(), counted(t.total(), "struck flight"));
+            filled(&format!(
+                "{name}: no fault strikes before the plan was outside for the last time, yet {} of {all} were lost.",
+                t.misses
+            ))
+        })
+        .collect();
+    table.render(2) + &filled(&by_flight(&scope.total)) + &called_safe + &filled(&by_mode(scope))
 }
 
 /// What phi says, good or bad.

@@ -57,7 +57,9 @@ impl<'a> Output<'a> {
             let _ = writeln!(stream, "{}", header());
             return Ok((Output { place: Place::Stream(stream) }, empty()));
         };
-        if let Some(tally) = complete(path, design, shard) {
+        // Parquet is not read back: it is made anew.
+        let whole = if parquet::is_wanted(path) { None } else { complete(path, design, shard) };
+        if let Some(tally) = whole {
             return Ok((Output { place: Place::Complete(path) }, tally));
         }
         let part = part_of(path);
