@@ -1,6 +1,7 @@
 //! The command line: arguments, files, exit codes. No logic of the field.
 
 mod analyze;
+mod campaign;
 mod check;
 mod emit;
 mod explain;
@@ -60,6 +61,8 @@ enum Command {
     Compare(CompareArgs),
     /// Plan the mission and fly it, with the spec's faults in flight
     Simulate(SimulateArgs),
+    /// Fly every planner's plan with every fault mode, at many instants and with many noise seeds
+    Campaign(campaign::CampaignArgs),
     /// Print what one stage of the compiler makes of the spec
     Emit(EmitArgs),
     /// Write a commented spec that plans as it stands
@@ -226,6 +229,7 @@ pub fn run() -> u8 {
         Command::Plan(args) => plan::plan(args, &options),
         Command::Compare(args) => plan::compare(args, &options),
         Command::Simulate(args) => simulate::run(args, &options),
+        Command::Campaign(args) => campaign::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::New { file } => new::run(file, &options),
         Command::Explain { code } => explain::run(code.as_deref()),

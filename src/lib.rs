@@ -2,6 +2,7 @@
 
 pub mod actuation;
 pub mod admissible;
+pub mod campaign;
 pub mod cli;
 pub mod diagnostic;
 pub mod flight;

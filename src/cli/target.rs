@@ -50,6 +50,25 @@ impl Target {
         }
     }
 
+    /// The file that it is, behind all links; `None` for streams.
+    pub fn file(&self) -> Option<&Path> {
+        match &self.place {
+            Place::File(path) => Some(path),
+            _ => None,
+        }
+    }
+
+    /// Begins to write a result piece by piece.
+    pub fn begin(&self) -> Result<Pieces<'_>, Problem> {
+        let sink = match &self.place {
+            Place::Stdout => Ok(Sink::Stream(Box::new(std::io::stdout()))),
+            Place::Stream => OpenOptions::new().write(true).open(&self.name).map(|file| Sink::Stream(Box::new(file))),
+            Place::File(path) => prepared(path).map(|file| Sink::File(file, path)),
+        };
+        let sink = sink.map_err(|e| cannot_write(&self.name, &e))?;
+        Ok(Pieces { name: &self.name, sink })
+    }
+
     /// Whether two results would end up in one place.
     pub fn is_same(&self, other: &Target) -> bool {
         match (&self.place, &other.place) {
@@ -57,6 +76,45 @@ impl Target {
             (Place::File(a), Place::File(b)) => a == b || identity(a).is_some_and(|id| identity(b) == Some(id)),
             _ => false,
         }
+    }
+}
+
+/// A result that is written piece by piece: streams take each piece, a file appears whole once it is finished.
+pub struct Pieces<'a> {
+    name: &'a Path,
+    sink: Sink<'a>,
+}
+
+enum Sink<'a> {
+    Stream(Box<dyn Write + Send>),
+    File(NamedTempFile, &'a Path),
+}
+
+impl Write for Pieces<'_> {
+    fn write(&mut self, bytes: &[u8]) -> IoResult<usize> {
+        match &mut self.sink {
+            Sink::Stream(stream) => stream.write(bytes),
+            Sink::File(file, _) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> IoResult<()> {
+        match &mut self.sink {
+            Sink::Stream(stream) => stream.flush(),
+            Sink::File(file, _) => file.flush(),
+        }
+    }
+}
+
+impl Pieces<'_> {
+    pub fn finish(self) -> Result<(), Problem> {
+        let finished = match self.sink {
+            Sink::Stream(mut stream) => stream.flush(),
+            Sink::File(file, path) => {
+                file.as_file().sync_all().and_then(|()| file.persist(path).map(drop).map_err(|e| e.error))
+            }
+        };
+        finished.map_err(|e| cannot_write(self.name, &e))
     }
 }
 
@@ -83,7 +141,7 @@ pub fn write(results: &[(&Target, String)]) -> Result<(), Problem> {
     Ok(())
 }
 
-fn cannot_write(name: &Path, e: &Error) -> Problem {
+pub fn cannot_write(name: &Path, e: &Error) -> Problem {
     format!("cannot write {}: {}", name.display(), reason(e))
 }
 
@@ -122,7 +180,15 @@ fn folder(path: &Path) -> &Path {
 
 /// A temporary file beside `path`, with its text, and with its permissions and owner where it exists.
 fn beside(path: &Path, text: &str) -> IoResult<NamedTempFile> {
-    let mut file = temporary(path)?;
+    let mut file = prepared(path)?;
+    file.write_all(text.as_bytes())?;
+    file.as_file().sync_all()?;
+    Ok(file)
+}
+
+/// The same, still empty.
+fn prepared(path: &Path) -> IoResult<NamedTempFile> {
+    let file = temporary(path)?;
     if let Ok(there) = path.metadata() {
         #[cfg(unix)]
         {
@@ -132,8 +198,6 @@ fn beside(path: &Path, text: &str) -> IoResult<NamedTempFile> {
         }
         std::fs::set_permissions(file.path(), there.permissions())?;
     }
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
     Ok(file)
 }
 

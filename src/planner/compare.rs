@@ -78,6 +78,8 @@ pub struct Comparison {
 pub enum Scope {
     /// Only what the spec's planner needs for its one trajectory.
     Plan,
+    /// RIP, RCP jointly and RSP at T_d, without their own shortest times: what a campaign flies.
+    Common,
     /// RIP, RCP per mode, RCP jointly and RSP, at their own times and at T_d.
     Everything,
 }
@@ -113,6 +115,7 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
     let setting = Setting::new(model, mission, progress);
     match scope {
         Scope::Plan => setting.plan(),
+        Scope::Common => setting.at_common_time(),
         Scope::Everything => setting.everything(),
     }
 }
@@ -270,27 +273,82 @@ impl<'a> Setting<'a> {
         out
     }
 
+    /// Steps (b) and (c): T_d where the spec does not fix it, the joint RCP's shortest time or the largest
+    /// single-mode one; it stays `None` where no mode has a plan at any time. The joint RCP's search, if there was one.
+    fn seek_common_time(&self, out: &mut Comparison) -> Option<Found> {
+        if out.common_time.is_some() {
+            return None;
+        }
+        let joint = self.search("RCP", &self.joint, Hint::default(), Pool::default());
+        out.effort += joint.effort;
+        out.common_time = match &joint.result {
+            Ok(s) => Some(s.time),
+            Err(_) => {
+                let rip = self.search("RIP", &self.rip, Hint::default(), Pool::default());
+                out.effort += rip.effort;
+                let hint = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
+                let singles: Vec<Found> = self.singles_own(&rip, hint);
+                singles.iter().for_each(|f| out.effort += f.effort);
+                singles.iter().filter_map(|f| Some(f.result.as_ref().ok()?.time)).max_by(f64::total_cmp)
+            }
+        };
+        Some(joint)
+    }
+
+    /// RIP, RCP jointly and RSP at T_d; no runs where there is no such time, and no RCP without modes.
+    fn at_common_time(&self) -> Comparison {
+        let mut out = Comparison {
+            modes: self.names.clone(),
+            runs: Vec::new(),
+            common_time: self.fixed_time(),
+            selected: Vec::new(),
+            effort: Effort::default(),
+        };
+        let joint = self.seek_common_time(&mut out);
+        let Some(time) = out.common_time else { return out };
+        let (rip, rcp) = rayon::join(
+            || self.at("RIP", &self.rip, time, Pool::default()),
+            || {
+                (!self.names.is_empty()).then(|| match &joint {
+                    Some(found) => self.at_or_own("RCP", &self.joint, time, found),
+                    None => self.at("RCP", &self.joint, time, Pool::default()),
+                })
+            },
+        );
+        let (decision, effort) = rip;
+        out.effort += effort;
+        let ending = self.common(time, &decision);
+        let rsp_set = match &decision {
+            Decision::Feasible(planned) => {
+                out.selected = self.violated(planned);
+                self.rip.with(out.selected.clone())
+            }
+            _ => self.rip.clone(),
+        };
+        // Where nothing is selected RSP's plan is RIP's, and where RIP has none RSP has nothing to select by.
+        let rsp = match out.selected.is_empty() {
+            true => ending.clone(),
+            false => {
+                let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default());
+                out.effort += effort;
+                self.common(time, &decision)
+            }
+        };
+        out.runs.push(self.run(PlannerKind::Rip, &[], Run::Common, ending, &self.rip));
+        if let Some((decision, effort)) = rcp {
+            out.effort += effort;
+            let ending = self.common(time, &decision);
+            out.runs.push(self.run(PlannerKind::Rcp, &self.names, Run::Common, ending, &self.joint));
+        }
+        out.runs.push(self.run(PlannerKind::Rsp, &self.names, Run::Common, rsp, &rsp_set));
+        out
+    }
+
     /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates.
     fn rsp_set(&self, out: &mut Comparison) -> Result<PlanningSet, Ending> {
-        let mut pool = Pool::default();
-        if out.common_time.is_none() {
-            let joint = self.search("RCP", &self.joint, Hint::default(), Pool::default());
-            out.effort += joint.effort;
-            out.common_time = match joint.result {
-                Ok(s) => Some(s.time),
-                Err(_) => {
-                    let rip = self.search("RIP", &self.rip, Hint::default(), Pool::default());
-                    out.effort += rip.effort;
-                    let hint = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
-                    let singles: Vec<Found> = self.singles_own(&rip, hint);
-                    singles.iter().for_each(|f| out.effort += f.effort);
-                    singles.iter().filter_map(|f| Some(f.result.as_ref().ok()?.time)).max_by(f64::total_cmp)
-                }
-            };
-            pool = Pool::default();
-        }
+        self.seek_common_time(out);
         let Some(time) = out.common_time else {
-            let found = self.search("RIP", &self.rip, Hint::default(), pool);
+            let found = self.search("RIP", &self.rip, Hint::default(), Pool::default());
             out.effort += found.effort;
             return Err(match self.own(&found) {
                 // RIP has a plan, but no mode does at any time: RSP has nothing to select at.
@@ -298,7 +356,7 @@ impl<'a> Setting<'a> {
                 ending => ending,
             });
         };
-        let (decision, effort) = self.at("RIP", &self.rip, time, pool);
+        let (decision, effort) = self.at("RIP", &self.rip, time, Pool::default());
         out.effort += effort;
         match &decision {
             Decision::Feasible(planned) => {

@@ -59,17 +59,31 @@ pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Stri
     out
 }
 
-/// Adds a line of numbers, each the shortest text that reads back as the same number; no `-0`.
+/// Adds a line of numbers as [`push_shortest`] writes them.
 pub fn push_row(out: &mut String, row: &[f64]) {
-    use std::fmt::Write;
     for (k, v) in row.iter().enumerate() {
-        let v = if *v == 0.0 { 0.0 } else { *v };
-        let comma = if k > 0 { "," } else { "" };
-        let written = match v != 0.0 && (v.abs() < 1e-5 || v.abs() >= 1e15) {
-            true => write!(out, "{comma}{v:e}"),
-            false => write!(out, "{comma}{v}"),
-        };
-        written.expect("a string takes what is written");
+        if k > 0 {
+            out.push(',');
+        }
+        push_shortest(out, *v);
     }
     out.push('\n');
+}
+
+/// Adds the shortest text that reads back as the same number; no `-0`.
+fn push_shortest(out: &mut String, v: f64) {
+    use std::fmt::Write;
+    let v = if v == 0.0 { 0.0 } else { v };
+    let written = match v != 0.0 && (v.abs() < 1e-5 || v.abs() >= 1e15) {
+        true => write!(out, "{v:e}"),
+        false => write!(out, "{v}"),
+    };
+    written.expect("a string takes what is written");
+}
+
+/// The shortest text that reads back as the same number; no `-0`.
+pub fn shortest(v: f64) -> String {
+    let mut text = String::new();
+    push_shortest(&mut text, v);
+    text
 }

@@ -114,6 +114,14 @@ fn case_1_compared() {
     let wrenches = rip.trajectory.node_wrenches(&model.vehicle, model.gravity);
     assert!(comparison.selected.iter().all(|row| wrenches.iter().any(|w| row.excess(w) > VIOLATED)));
     assert_eq!(rip.outside[0].facets.len(), comparison.selected.len());
+    // What a campaign flies are these plans at T_d, found without the others.
+    let flown = run(&model, Scope::Common);
+    assert_eq!((flown.common_time, flown.runs.len()), (comparison.common_time, 3));
+    for run in &flown.runs {
+        let (here, there) = (solved(run), of(run.planner, Run::Common));
+        assert_eq!((run.run, here.time), (Run::Common, at));
+        assert!((here.objective / there.objective - 1.0).abs() < 1e-4, "{} {}", here.objective, there.objective);
+    }
     let alone = run(&model, Scope::Plan);
     assert_eq!(alone.common_time, comparison.common_time);
     let (alone, compared) = (solved(&alone.runs[0]), of(PlannerKind::Rsp, Run::Own));

@@ -1,0 +1,20 @@
+//! Campaigns: every declared fault mode at many instants, with many noise seeds, along the plan of every planner.
+//!
+//! A case has a number; what is flown follows from the number alone, so that cases can be flown in any order, by any
+//! number of threads and machines. A flight is one row, and rows stream: memory grows with planners, modes and
+//! instants, not with seeds.
+
+pub mod agreement;
+pub mod cases;
+pub mod design;
+pub mod merge;
+#[cfg(feature = "parquet")]
+pub mod parquet;
+pub mod rows;
+pub mod run;
+pub mod scan;
+pub mod statistics;
+pub mod tally;
+
+/// What rows call a flight without a fault.
+pub const HEALTHY: &str = "healthy";

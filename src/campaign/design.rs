@@ -1,0 +1,148 @@
+//! What a campaign flies: plans at one mission time, and how each stands to every declared mode.
+
+use super::cases::{Case, Cases, fault_time};
+use crate::admissible::AdmissibleSet;
+use crate::model::{FaultMode, Model, PlannerKind};
+use crate::planner::compare::{Comparison, Ending};
+use crate::planner::select::{SetRow, row};
+use crate::trajectory::Trajectory;
+use crate::trajectory::outside::{Outside, outside};
+use sha2::{Digest, Sha256};
+use std::fmt;
+use std::str::FromStr;
+
+/// One planner's plan.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    pub planner: PlannerKind,
+    /// Names of the modes it plans against.
+    pub against: Vec<String>,
+    pub trajectory: Trajectory,
+    /// Against every declared mode, in their order, with the spec's reserve.
+    pub outside: Vec<Outside>,
+}
+
+/// A planner that is left out.
+#[derive(Debug, Clone)]
+pub struct Missing {
+    pub planner: PlannerKind,
+    /// `None` where it was not run: RCP where no mode is to be stood, or any planner where there is no common time.
+    pub ending: Option<Ending>,
+}
+
+/// A campaign to fly.
+#[derive(Debug, Clone)]
+pub struct Design<'a> {
+    pub model: &'a Model,
+    /// In the order of the spec's planners; never empty.
+    pub plans: Vec<Plan>,
+    pub missing: Vec<Missing>,
+    /// For each declared mode whether hover lies inside its set, with all of thrust, roll, pitch and yaw in hand: only
+    /// such modes can be planned against.
+    pub controllable: Vec<bool>,
+    /// T_d, s.
+    pub time: f64,
+    pub cases: Cases,
+    pub id: Identity,
+}
+
+/// Tells campaigns apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Identity(pub u64);
+
+impl fmt::Display for Identity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:016x}", self.0)
+    }
+}
+
+impl FromStr for Identity {
+    type Err = ();
+
+    /// Sixteen lower-case hexadecimal digits.
+    fn from_str(text: &str) -> Result<Self, ()> {
+        let id = u64::from_str_radix(text, 16).map(Identity).map_err(|_| ())?;
+        if id.to_string() == text { Ok(id) } else { Err(()) }
+    }
+}
+
+impl<'a> Design<'a> {
+    /// From the plans at the common time ([`crate::planner::compare::Scope::Common`]). `Err`: no planner has a plan.
+    ///
+    /// `spec_sha256` is that of all files and overrides.
+    pub fn new(model: &'a Model, comparison: &Comparison, spec_sha256: &str) -> Result<Self, Vec<Missing>> {
+        let mut plans = Vec::new();
+        let mut missing = Vec::new();
+        let modes = mode_rows(model);
+        for &planner in &model.campaign.planners {
+            let run = comparison.runs.iter().find(|r| r.planner == planner);
+            match run.map(|r| (&r.ending, &r.against)) {
+                Some((Ending::Solved(solved), against)) => {
+                    let stand = |rows: &Vec<SetRow>| outside(&solved.trajectory, &model.vehicle, model.gravity, rows);
+                    plans.push(Plan {
+                        planner,
+                        against: against.clone(),
+                        outside: modes.iter().map(|(rows, _)| stand(rows)).collect(),
+                        trajectory: solved.trajectory.clone(),
+                    });
+                }
+                other => missing.push(Missing { planner, ending: other.map(|(ending, _)| ending.clone()) }),
+            }
+        }
+        let Some(time) = comparison.common_time.filter(|_| !plans.is_empty()) else { return Err(missing) };
+        let campaign = &model.campaign;
+        let cases =
+            Cases { planners: plans.len(), modes: model.modes.len(), times: campaign.times, seeds: campaign.seeds };
+        let controllable = modes.iter().map(|(_, controllable)| *controllable).collect();
+        let mut design = Design { model, plans, missing, controllable, time, cases, id: Identity(0) };
+        design.id = design.identity(spec_sha256);
+        Ok(design)
+    }
+
+    /// Hash of the spec, the version, the mission time, the planners and how many there are of everything.
+    fn identity(&self, spec_sha256: &str) -> Identity {
+        let Cases { planners, modes, times, seeds } = self.cases;
+        let mut hash = Sha256::new();
+        hash.update(spec_sha256.as_bytes());
+        hash.update(env!("CARGO_PKG_VERSION").as_bytes());
+        for count in [planners, modes, times, seeds, self.cases.count()] {
+            hash.update((count as u64).to_le_bytes());
+        }
+        hash.update(self.time.to_le_bytes());
+        self.plans.iter().for_each(|plan| hash.update(plan.planner.name().as_bytes()));
+        let bytes = hash.finalize();
+        Identity(bytes.iter().take(8).fold(0, |id, byte| id << 8 | u64::from(*byte)))
+    }
+
+    pub fn plan(&self, case: &Case) -> &Plan {
+        &self.plans[case.planner]
+    }
+
+    /// What the case is struck with, and when, s.
+    pub fn strike(&self, case: &Case) -> Option<(&'a FaultMode, f64)> {
+        case.strike.map(|s| (&self.model.modes[s.mode], self.fault_time(s.time)))
+    }
+
+    pub fn fault_time(&self, index: usize) -> f64 {
+        fault_time(self.time, self.cases.times, index)
+    }
+}
+
+/// Each declared mode's set as rows, and whether hover lies inside, that is, whether the mode is controllable. Sets that hold hover keep the reserve; the others cannot be shrunk about it.
+fn mode_rows(model: &Model) -> Vec<(Vec<SetRow>, bool)> {
+    let healthy = AdmissibleSet::healthy(model);
+    let rows = |mode: usize| {
+        let mut set = AdmissibleSet::of_mode(model, mode);
+        let controllable = set.rank == 4 && set.polytope.margin(&set.hover) > 0.0;
+        if controllable {
+            set = set.with_reserve(model.plan.reserve);
+        }
+        let equalities = set.polytope.equalities.iter().map(|e| {
+            let width = healthy.zonotope.width(&e.normal);
+            SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new() }
+        });
+        let facets = set.polytope.facets.iter().map(|f| row(f, &healthy, Vec::new()));
+        (equalities.chain(facets).collect(), controllable)
+    };
+    (0..model.modes.len()).map(rows).collect()
+}

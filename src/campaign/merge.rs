@@ -1,0 +1,173 @@
+//! Joining the rows of shards: every case exactly once, in order, byte for byte as one run would have written them.
+
+use super::design::Identity;
+use super::rows::{Row, header};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::io::{BufRead, Error, Write};
+
+/// Missing cases that are named.
+const NAMED: usize = 5;
+
+#[derive(Debug)]
+pub enum MergeError {
+    /// Which source could not be read.
+    Read(String, Error),
+    Write(Error),
+    /// The sources do not make a whole campaign.
+    Content(String),
+}
+
+/// What was joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Merged {
+    pub campaign: Identity,
+    pub cases: usize,
+}
+
+/// One source's next row.
+struct Source<R> {
+    name: String,
+    input: R,
+    line: usize,
+    /// The line with its end, and its case.
+    bytes: Vec<u8>,
+    case: usize,
+    /// Distance between its first two cases: how many shards there seem to be.
+    stride: Option<usize>,
+}
+
+/// Writes the rows of all sources in the order of their cases. Memory: one line of each source.
+pub fn merge<R: BufRead>(sources: Vec<(String, R)>, out: &mut impl Write) -> Result<Merged, MergeError> {
+    let mut campaign: Option<(Merged, String)> = None;
+    let mut next = BinaryHeap::new();
+    let mut sources: Vec<Source<R>> = sources
+        .into_iter()
+        .map(|(name, input)| Source { name, input, line: 0, bytes: Vec::new(), case: 0, stride: None })
+        .collect();
+    for (k, source) in sources.iter_mut().enumerate() {
+        source.heading()?;
+        if source.advance(&mut campaign)? {
+            next.push(Reverse((source.case, k)));
+        }
+    }
+    let Some((merged, _)) = campaign.clone() else {
+        return Err(MergeError::Content("there is not one row in these files".into()));
+    };
+    let mut missing = Missing::default();
+    let mut due = 0;
+    let mut last = 0;
+    writeln!(out, "{}", header()).map_err(MergeError::Write)?;
+    while let Some(Reverse((case, k))) = next.pop() {
+        if case < due {
+            let (a, b) = (&sources[last].name, &sources[k].name);
+            return Err(MergeError::Content(format!("case {case} is both in {a} and in {b}: give each shard once")));
+        }
+        missing.add(due..case);
+        // What is not whole is not written on.
+        if missing.count == 0 {
+            out.write_all(&sources[k].bytes).map_err(MergeError::Write)?;
+        }
+        (due, last) = (case + 1, k);
+        if sources[k].advance(&mut campaign)? {
+            next.push(Reverse((sources[k].case, k)));
+        }
+    }
+    missing.add(due..merged.cases);
+    match missing.count {
+        0 => Ok(merged),
+        _ => Err(MergeError::Content(missing.message(merged.cases, sources.iter().find_map(|s| s.stride)))),
+    }
+}
+
+impl<R: BufRead> Source<R> {
+    fn wrong(&self, what: &str) -> MergeError {
+        MergeError::Content(format!("{}, line {}: {what}", self.name, self.line))
+    }
+
+    /// Reads the next line with its end; false where there is none.
+    fn read(&mut self) -> Result<bool, MergeError> {
+        self.bytes.clear();
+        self.line += 1;
+        let read = self.input.read_until(b'\n', &mut self.bytes);
+        read.map_err(|e| MergeError::Read(self.name.clone(), e))?;
+        match self.bytes.last() {
+            None => Ok(false),
+            Some(b'\n') => Ok(true),
+            Some(_) => Err(self.wrong("the line is torn: let that shard run to its end")),
+        }
+    }
+
+    fn heading(&mut self) -> Result<(), MergeError> {
+        if self.read()? && self.bytes.strip_suffix(b"\n") == Some(header().as_bytes()) {
+            return Ok(());
+        }
+        Err(self.wrong("this is not the heading of a campaign's rows"))
+    }
+
+    /// Goes to the next row, which must be of the campaign and after the one before; false at the end.
+    fn advance(&mut self, campaign: &mut Option<(Merged, String)>) -> Result<bool, MergeError> {
+        if !self.read()? {
+            return Ok(false);
+        }
+        let text = str::from_utf8(&self.bytes).ok().and_then(|t| t.strip_suffix('\n'));
+        let row = Row::read(text.ok_or_else(|| self.wrong("it is not UTF-8 text"))?).map_err(|e| self.wrong(&e))?;
+        let own = Merged { campaign: row.campaign, cases: row.cases };
+        let (first, of) = campaign.get_or_insert_with(|| (own, self.name.clone()));
+        if own != *first {
+            let what = format!("a row of campaign {}, while {of} is of {}", own.campaign, first.campaign);
+            return Err(self.wrong(&what));
+        }
+        if row.case >= row.cases {
+            return Err(self.wrong(&format!("case {} of only {}", row.case, row.cases)));
+        }
+        if self.line > 2 && row.case <= self.case {
+            return Err(self.wrong(&format!("case {} comes after case {}", row.case, self.case)));
+        }
+        if self.line == 3 {
+            self.stride = Some(row.case - self.case);
+        }
+        self.case = row.case;
+        Ok(true)
+    }
+}
+
+/// Cases in no source.
+#[derive(Default)]
+struct Missing {
+    count: usize,
+    first: Vec<usize>,
+    /// The case before, and the one distance between all of them.
+    last: usize,
+    stride: Option<usize>,
+    is_uneven: bool,
+}
+
+impl Missing {
+    fn add(&mut self, cases: std::ops::Range<usize>) {
+        for case in cases {
+            if self.count > 0 {
+                let stride = *self.stride.get_or_insert(case - self.last);
+                self.is_uneven |= case - self.last != stride;
+            }
+            if self.first.len() < NAMED {
+                self.first.push(case);
+            }
+            self.last = case;
+            self.count += 1;
+        }
+    }
+
+    /// `shards`: how many there seem to be.
+    fn message(&self, of: usize, shards: Option<usize>) -> String {
+        let named: Vec<String> = self.first.iter().map(usize::to_string).collect();
+        let more = match self.count - self.first.len() {
+            0 => String::new(),
+            n => format!(" and {n} more"),
+        };
+        let whole = shards.filter(|&n| n > 1 && !self.is_uneven && self.stride.is_none_or(|s| s == n));
+        let shard = whole.map_or(String::new(), |n| format!(": they are of shard {}/{n}", self.first[0] % n + 1));
+        let plural = if self.count == 1 { "" } else { "s" };
+        format!("{} of {of} cases are missing, case{plural} {}{more}{shard}", self.count, named.join(", "))
+    }
+}

@@ -1,0 +1,133 @@
+//! Rows as Parquet: the columns of the CSV, typed, in row groups of bounded size. Empty cells are nulls.
+
+use super::rows::{Ending, Row, header};
+use parquet::basic::Compression;
+use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
+use parquet::errors::{ParquetError, Result};
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
+use parquet::schema::parser::parse_message_type;
+use std::io::{BufRead, Write};
+use std::sync::Arc;
+
+/// Rows in a group: some 10 MB in memory.
+const GROUP: usize = 65_536;
+
+/// The columns in the order of [`super::rows::COLUMNS`].
+const SCHEMA: &str = "message campaign {
+    required byte_array campaign (UTF8);
+    required int64 cases;
+    required int64 case;
+    required byte_array planner (UTF8);
+    required byte_array mode (UTF8);
+    optional double fault_time_s;
+    required int64 seed;
+    required byte_array outcome (UTF8);
+    optional byte_array cause (UTF8);
+    required double end_s;
+    required double rms_error_m;
+    required double max_error_m;
+    optional double rms_error_after_m;
+    required double max_tilt_rad;
+    optional double detected_after_s;
+    optional double isolated_after_s;
+    required int64 false_alarms;
+    required int64 refused;
+}";
+
+/// Writes the rows of a finished CSV. Errors: reading, writing, or a line that is no row.
+pub fn convert(input: impl BufRead, out: impl Write + Send) -> Result<()> {
+    let wrong = |line: usize, what: String| ParquetError::General(format!("line {line} of the rows: {what}"));
+    let mut lines = input.lines().enumerate();
+    match lines.next() {
+        Some((_, Ok(line))) if line == header() => {}
+        _ => return Err(wrong(1, "it is not their heading".into())),
+    }
+    let schema = Arc::new(parse_message_type(SCHEMA)?);
+    let properties = Arc::new(WriterProperties::builder().set_compression(Compression::SNAPPY).build());
+    let mut writer = SerializedFileWriter::new(out, schema, properties)?;
+    let mut rows = Vec::new();
+    for (k, line) in lines {
+        rows.push(Row::read(&line?).map_err(|e| wrong(k + 1, e))?);
+        if rows.len() == GROUP {
+            group(&mut writer, &rows)?;
+            rows.clear();
+        }
+    }
+    if !rows.is_empty() {
+        group(&mut writer, &rows)?;
+    }
+    writer.close().map(drop)
+}
+
+fn group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, rows: &[Row]) -> Result<()> {
+    let mut columns = Columns { group: writer.next_row_group()?, rows };
+    columns.text(|r| Some(r.campaign.to_string()), false)?;
+    columns.count(|r| r.cases)?;
+    columns.count(|r| r.case)?;
+    columns.text(|r| Some(r.planner.clone()), false)?;
+    columns.text(|r| Some(r.mode.clone()), false)?;
+    columns.optional(|r| r.fault_time)?;
+    columns.count(|r| r.seed)?;
+    let outcome = |r: &Row| match r.ending {
+        Ending::Flown => "flown",
+        Ending::Landed => "landed",
+        Ending::Lost(_) => "lost",
+    };
+    columns.text(|r| Some(outcome(r).into()), false)?;
+    let cause = |r: &Row| match r.ending {
+        Ending::Lost(cause) => Some(cause.name().to_string()),
+        _ => None,
+    };
+    columns.text(cause, true)?;
+    columns.float(|r| r.end)?;
+    columns.float(|r| r.rms_error)?;
+    columns.float(|r| r.max_error)?;
+    columns.optional(|r| r.rms_error_after)?;
+    columns.float(|r| r.max_tilt)?;
+    columns.optional(|r| r.detected_after)?;
+    columns.optional(|r| r.isolated_after)?;
+    columns.count(|r| r.false_alarms)?;
+    columns.count(|r| r.refused)?;
+    columns.group.close().map(drop)
+}
+
+/// One row group, column by column.
+struct Columns<'a, W: Write> {
+    group: SerializedRowGroupWriter<'a, W>,
+    rows: &'a [Row],
+}
+
+impl<W: Write + Send> Columns<'_, W> {
+    /// Values that are there, and for optional columns which are.
+    fn write<T: DataType>(&mut self, values: &[T::T], levels: Option<&[i16]>) -> Result<()> {
+        let end = || ParquetError::General("the schema has too few columns".into());
+        let mut column = self.group.next_column()?.ok_or_else(end)?;
+        column.typed::<T>().write_batch(values, levels, None)?;
+        column.close()
+    }
+
+    fn text(&mut self, of: impl Fn(&Row) -> Option<String>, optional: bool) -> Result<()> {
+        let cells: Vec<Option<String>> = self.rows.iter().map(of).collect();
+        let levels: Vec<i16> = cells.iter().map(|c| i16::from(c.is_some())).collect();
+        let values: Vec<ByteArray> = cells.iter().flatten().map(|c| ByteArray::from(c.as_str())).collect();
+        self.write::<ByteArrayType>(&values, optional.then_some(&levels))
+    }
+
+    fn count(&mut self, of: impl Fn(&Row) -> usize) -> Result<()> {
+        let values: Vec<i64> = self.rows.iter().map(|r| of(r) as i64).collect();
+        self.write::<Int64Type>(&values, None)
+    }
+
+    fn float(&mut self, of: impl Fn(&Row) -> f64) -> Result<()> {
+        let values: Vec<f64> = self.rows.iter().map(of).collect();
+        self.write::<DoubleType>(&values, None)
+    }
+
+    fn optional(&mut self, of: impl Fn(&Row) -> Option<f64>) -> Result<()> {
+        let cells: Vec<Option<f64>> = self.rows.iter().map(of).collect();
+        let levels: Vec<i16> = cells.iter().map(|c| i16::from(c.is_some())).collect();
+        let values: Vec<f64> = cells.into_iter().flatten().collect();
+        self.write::<DoubleType>(&values, Some(&levels))
+    }
+}

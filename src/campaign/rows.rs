@@ -1,0 +1,192 @@
+//! One flight as one line of CSV: written, and read back strictly. SI units.
+
+use super::HEALTHY;
+use super::cases::Case;
+use super::design::{Design, Identity};
+use crate::flight::{Cause, Flight, Outcome};
+use crate::report::trajectory_csv::shortest;
+
+pub const COLUMNS: [&str; 18] = [
+    "campaign",
+    "cases",
+    "case",
+    "planner",
+    "mode",
+    "fault_time_s",
+    "seed",
+    "outcome",
+    "cause",
+    "end_s",
+    "rms_error_m",
+    "max_error_m",
+    "rms_error_after_m",
+    "max_tilt_rad",
+    "detected_after_s",
+    "isolated_after_s",
+    "false_alarms",
+    "refused",
+];
+
+/// The first line, without its end.
+pub fn header() -> String {
+    COLUMNS.join(",")
+}
+
+/// What became of one case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    pub campaign: Identity,
+    /// Of the whole campaign.
+    pub cases: usize,
+    pub case: usize,
+    pub planner: String,
+    pub mode: String,
+    /// s; `None` for a flight without a fault.
+    pub fault_time: Option<f64>,
+    pub seed: usize,
+    pub ending: Ending,
+    /// s
+    pub end: f64,
+    /// m
+    pub rms_error: f64,
+    pub max_error: f64,
+    /// m; `None` where no fault struck before the end.
+    pub rms_error_after: Option<f64>,
+    /// rad
+    pub max_tilt: f64,
+    /// Seconds after the fault.
+    pub detected_after: Option<f64>,
+    pub isolated_after: Option<f64>,
+    pub false_alarms: usize,
+    pub refused: usize,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    Flown,
+    Landed,
+    Lost(Cause),
+}
+
+const CAUSES: [Cause; 3] = [Cause::Position, Cause::UpsideDown, Cause::Ground];
+
+impl Row {
+    pub fn new(design: &Design, case: &Case, flight: &Flight) -> Self {
+        let (planner, mode, fault_time) = names(design, case);
+        let found = flight.found.first();
+        Row {
+            campaign: design.id,
+            cases: design.cases.count(),
+            case: case.number,
+            planner: planner.into(),
+            mode: mode.into(),
+            fault_time,
+            seed: case.seed,
+            ending: match flight.outcome {
+                Outcome::Flown => Ending::Flown,
+                Outcome::Landed { .. } => Ending::Landed,
+                Outcome::Lost { cause, .. } => Ending::Lost(cause),
+            },
+            end: flight.end,
+            rms_error: flight.rms_error,
+            max_error: flight.max_error,
+            // A vehicle lost before the fault was never struck.
+            rms_error_after: found.map(|_| flight.rms_error_after),
+            max_tilt: flight.max_tilt,
+            detected_after: found.and_then(|f| f.detected_after),
+            isolated_after: found.and_then(|f| f.isolated_after),
+            false_alarms: flight.false_alarms,
+            refused: flight.refused,
+        }
+    }
+
+    pub fn is_lost(&self) -> bool {
+        matches!(self.ending, Ending::Lost(_))
+    }
+
+    /// Lost before the fault could strike.
+    pub fn is_lost_before(&self) -> bool {
+        self.fault_time.is_some() && self.rms_error_after.is_none()
+    }
+
+    /// Whether the row tells of this case of this campaign.
+    pub fn is_of(&self, design: &Design, case: &Case) -> bool {
+        let (planner, mode, fault_time) = names(design, case);
+        (self.campaign, self.cases, self.case) == (design.id, design.cases.count(), case.number)
+            && (self.planner.as_str(), self.mode.as_str(), self.seed) == (planner, mode, case.seed)
+            && self.fault_time == fault_time
+    }
+
+    /// The line, without its end. Numbers are the shortest that read back as the same.
+    pub fn line(&self) -> String {
+        let optional = |v: Option<f64>| v.map(shortest).unwrap_or_default();
+        let (outcome, cause) = match self.ending {
+            Ending::Flown => ("flown", ""),
+            Ending::Landed => ("landed", ""),
+            Ending::Lost(cause) => ("lost", cause.name()),
+        };
+        format!(
+            "{},{},{},{},{},{},{},{outcome},{cause},{},{},{},{},{},{},{},{},{}",
+            self.campaign,
+            self.cases,
+            self.case,
+            self.planner,
+            self.mode,
+            optional(self.fault_time),
+            self.seed,
+            shortest(self.end),
+            shortest(self.rms_error),
+            shortest(self.max_error),
+            optional(self.rms_error_after),
+            shortest(self.max_tilt),
+            optional(self.detected_after),
+            optional(self.isolated_after),
+            self.false_alarms,
+            self.refused
+        )
+    }
+
+    /// A line without its end. Errors: what is wrong with it.
+    pub fn read(line: &str) -> Result<Row, String> {
+        let cells: Vec<&str> = line.split(',').collect();
+        if cells.len() != COLUMNS.len() {
+            return Err(format!("{} cells where there should be {}", cells.len(), COLUMNS.len()));
+        }
+        let wrong = |k: usize| format!("{:?} is no {}", cells[k], COLUMNS[k]);
+        let count = |k: usize| cells[k].parse::<usize>().map_err(|_| wrong(k));
+        let float = |k: usize| cells[k].parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(k));
+        let optional = |k: usize| if cells[k].is_empty() { Ok(None) } else { float(k).map(Some) };
+        let ending = match (cells[7], CAUSES.into_iter().find(|c| c.name() == cells[8])) {
+            ("flown", None) if cells[8].is_empty() => Ending::Flown,
+            ("landed", None) if cells[8].is_empty() => Ending::Landed,
+            ("lost", Some(cause)) => Ending::Lost(cause),
+            _ => return Err(format!("{:?} with cause {:?} is no outcome", cells[7], cells[8])),
+        };
+        Ok(Row {
+            campaign: cells[0].parse().map_err(|()| wrong(0))?,
+            cases: count(1)?,
+            case: count(2)?,
+            planner: cells[3].into(),
+            mode: cells[4].into(),
+            fault_time: optional(5)?,
+            seed: count(6)?,
+            ending,
+            end: float(9)?,
+            rms_error: float(10)?,
+            max_error: float(11)?,
+            rms_error_after: optional(12)?,
+            max_tilt: float(13)?,
+            detected_after: optional(14)?,
+            isolated_after: optional(15)?,
+            false_alarms: count(16)?,
+            refused: count(17)?,
+        })
+    }
+}
+
+/// Planner, mode and instant (s) as rows call them.
+fn names<'a>(design: &'a Design, case: &Case) -> (&'a str, &'a str, Option<f64>) {
+    let strike = design.strike(case);
+    let mode = strike.map_or(HEALTHY, |(mode, _)| mode.name.as_str());
+    (design.plan(case).planner.name(), mode, strike.map(|(_, at)| at))
+}

@@ -1,0 +1,64 @@
+//! Flying cases, many at a time, with results in their order.
+
+use super::cases::{Case, noise_seed};
+use super::design::Design;
+use super::rows::Row;
+use crate::flight::{Sortie, fly};
+use crate::model::Strike;
+use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::source::Span;
+use crate::trajectory::Trajectory;
+use rayon::prelude::*;
+
+/// Flights in a chunk for each thread: enough to even out flights that end early, few enough to lose little when
+/// a campaign is interrupted.
+const CHUNK: usize = 16;
+
+/// A flight goes on for at least this long after the fault, s, in hover where the mission has ended: a vehicle that
+/// is falling when the mission ends has not survived.
+pub const AFTERMATH: f64 = 3.0;
+
+/// Flies one case.
+pub fn fly_case(design: &Design, case: &Case) -> Row {
+    let strikes: Vec<Strike> = case
+        .strike
+        .map(|s| Strike {
+            mode: s.mode,
+            at: design.fault_time(s.time),
+            until: None,
+            span: Span::default(),
+            at_span: Span::default(),
+        })
+        .into_iter()
+        .collect();
+    let seed = noise_seed(design.model.campaign.seed, case.seed);
+    let mut sortie = Sortie::along(design.model, &design.plan(case).trajectory, &strikes, seed);
+    // A shorter simulation would end before the later faults.
+    sortie.duration = sortie.duration.max(design.time);
+    if let Some(strike) = strikes.first().filter(|_| ends_at_rest(&design.plan(case).trajectory)) {
+        sortie.duration = sortie.duration.max(strike.at + AFTERMATH);
+    }
+    Row::new(design, case, &fly(&sortie, None))
+}
+
+/// Where the plan ends in motion nothing says where the vehicle should be later.
+fn ends_at_rest(trajectory: &Trajectory) -> bool {
+    let end = &trajectory.nodes[trajectory.intervals()];
+    [X, Y, Z, YAW].iter().all(|&axis| end[axis][1].abs() < 1e-3)
+}
+
+/// Flies cases and hands their rows on in order, a chunk at a time; ends early where `take` fails.
+pub fn fly_all<E>(
+    design: &Design,
+    cases: impl Iterator<Item = Case>,
+    mut take: impl FnMut(&[Case], &[Row]) -> Result<(), E>,
+) -> Result<(), E> {
+    let size = CHUNK * rayon::current_num_threads();
+    let mut cases = cases.peekable();
+    while cases.peek().is_some() {
+        let chunk: Vec<Case> = cases.by_ref().take(size).collect();
+        let rows: Vec<Row> = chunk.par_iter().map(|case| fly_case(design, case)).collect();
+        take(&chunk, &rows)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,136 @@
+//! The statistics of a campaign, each in its closed form.
+
+use serde::Serialize;
+
+/// The standard normal distribution's 97.5 % point.
+const Z: f64 = 1.959_963_984_540_054;
+
+/// A share with its 95 % confidence interval, all 0..1.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Share {
+    pub share: f64,
+    pub low: f64,
+    pub high: f64,
+}
+
+/// The score interval of a binomial share (Wilson 1927); `None` of nothing.
+pub fn wilson(successes: usize, of: usize) -> Option<Share> {
+    if of == 0 {
+        return None;
+    }
+    let n = of as f64;
+    let share = successes as f64 / n;
+    let scale = 1.0 / (1.0 + Z * Z / n);
+    let center = scale * (share + Z * Z / (2.0 * n));
+    let half = scale * Z * (share * (1.0 - share) / n + Z * Z / (4.0 * n * n)).sqrt();
+    // The ends of none and all are exact; elsewhere rounding must not pass them.
+    let low = if successes == 0 { 0.0 } else { (center - half).max(0.0) };
+    let high = if successes == of { 1.0 } else { (center + half).min(1.0) };
+    Some(Share { share, low, high })
+}
+
+/// Mean, standard deviation and largest of values that pass by.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Moments {
+    pub count: usize,
+    mean: f64,
+    squares: f64,
+    max: f64,
+}
+
+impl Moments {
+    /// Welford's (1962) recurrence.
+    pub fn add(&mut self, value: f64) {
+        self.max = if self.count == 0 { value } else { self.max.max(value) };
+        self.count += 1;
+        let before = value - self.mean;
+        self.mean += before / self.count as f64;
+        self.squares += before * (value - self.mean);
+    }
+
+    /// `None` where nothing passed.
+    pub fn summary(&self) -> Option<Summary> {
+        let n = self.count as f64;
+        (self.count > 0).then(|| {
+            let deviation = if self.count > 1 { (self.squares / (n - 1.0)).sqrt() } else { 0.0 };
+            let half = Z * deviation / n.sqrt();
+            let Moments { count, mean, max, .. } = *self;
+            Summary { count, mean, low: mean - half, high: mean + half, max }
+        })
+    }
+}
+
+/// A mean with its 95 % confidence interval (normal), and the largest value.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Summary {
+    pub count: usize,
+    pub mean: f64,
+    pub low: f64,
+    pub high: f64,
+    pub max: f64,
+}
+
+/// Predicted against observed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Contingency {
+    /// Predicted and observed.
+    pub hits: usize,
+    /// Observed, not predicted.
+    pub misses: usize,
+    /// Predicted, not observed.
+    pub false_alarms: usize,
+    pub correct_negatives: usize,
+}
+
+impl Contingency {
+    pub fn add(&mut self, predicted: bool, observed: usize, of: usize) {
+        let (yes, no) = match predicted {
+            true => (&mut self.hits, &mut self.false_alarms),
+            false => (&mut self.misses, &mut self.correct_negatives),
+        };
+        *yes += observed;
+        *no += of - observed;
+    }
+
+    pub fn total(&self) -> usize {
+        self.hits + self.misses + self.false_alarms + self.correct_negatives
+    }
+
+    /// The share observed, predicted or not.
+    pub fn base_rate(&self) -> Option<f64> {
+        (self.total() > 0).then(|| (self.hits + self.misses) as f64 / self.total() as f64)
+    }
+
+    /// The phi coefficient (Yule 1912), -1..1; `None` where predictions or observations are all the same.
+    pub fn phi(&self) -> Option<f64> {
+        let [a, b, c, d] =
+            [self.hits, self.false_alarms, self.misses, self.correct_negatives].map(|count| count as f64);
+        let margins = (a + b) * (c + d) * (a + c) * (b + d);
+        (margins > 0.0).then(|| (a * d - b * c) / margins.sqrt())
+    }
+}
+
+/// Spearman's rank correlation (1904) with mean ranks for ties, -1..1; `None` where one side is all the same.
+pub fn spearman(pairs: &[(f64, f64)]) -> Option<f64> {
+    let x = ranks(pairs.iter().map(|p| p.0));
+    let y = ranks(pairs.iter().map(|p| p.1));
+    let mean = (pairs.len() as f64 + 1.0) / 2.0;
+    let sum = |f: &dyn Fn(f64, f64) -> f64| x.iter().zip(&y).map(|(x, y)| f(x - mean, y - mean)).sum::<f64>();
+    let spread = sum(&|x, _| x * x) * sum(&|_, y| y * y);
+    (spread > 0.0).then(|| sum(&|x, y| x * y) / spread.sqrt())
+}
+
+/// Ranks from 1; equal values share the mean of theirs.
+fn ranks(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let values: Vec<f64> = values.collect();
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+    let mut ranks = vec![0.0; values.len()];
+    let mut first = 0;
+    for group in order.chunk_by(|&a, &b| values[a] == values[b]) {
+        let shared = first as f64 + (group.len() as f64 + 1.0) / 2.0;
+        group.iter().for_each(|&k| ranks[k] = shared);
+        first += group.len();
+    }
+    ranks
+}

@@ -1,0 +1,121 @@
+//! Counts and sums over rows that pass by; their number does not depend on that of seeds.
+
+use super::cases::{Case, Cases};
+use super::rows::{Ending, Row};
+use super::statistics::Moments;
+use crate::flight::Cause;
+
+/// Flights with one plan, mode and instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Cell {
+    pub flights: usize,
+    /// Those that were still flying when the fault struck.
+    pub struck: usize,
+    /// Of the struck ones.
+    pub lost: usize,
+}
+
+/// Flights with one plan and mode, or without a fault.
+#[derive(Debug, Clone, Default)]
+pub struct Group {
+    pub flights: usize,
+    pub flown: usize,
+    pub landed: usize,
+    /// Position, upside down, ground.
+    pub lost: [usize; 3],
+    /// Lost before the fault could strike; counted in `lost` too.
+    pub lost_before: usize,
+    /// m, over the flights not lost: since the fault, or, without a fault, over the whole flight.
+    pub rms_error: Moments,
+    /// m, the same flights, over the whole flight.
+    pub max_error: Moments,
+    /// s, over the flights in which that came.
+    pub detected_after: Moments,
+    pub isolated_after: Moments,
+    pub false_alarms: usize,
+    pub refused: usize,
+}
+
+impl Group {
+    pub fn all_lost(&self) -> usize {
+        self.lost.iter().sum()
+    }
+
+    pub fn survived(&self) -> usize {
+        self.flown + self.landed
+    }
+
+    /// Flights that lived to the fault.
+    pub fn struck(&self) -> usize {
+        self.flights - self.lost_before
+    }
+
+    fn add(&mut self, row: &Row) {
+        self.flights += 1;
+        match row.ending {
+            Ending::Flown => self.flown += 1,
+            Ending::Landed => self.landed += 1,
+            Ending::Lost(Cause::Position) => self.lost[0] += 1,
+            Ending::Lost(Cause::UpsideDown) => self.lost[1] += 1,
+            Ending::Lost(Cause::Ground) => self.lost[2] += 1,
+        }
+        self.lost_before += usize::from(row.is_lost_before());
+        if !row.is_lost() {
+            self.rms_error.add(row.rms_error_after.unwrap_or(row.rms_error));
+            self.max_error.add(row.max_error);
+        }
+        row.detected_after.into_iter().for_each(|s| self.detected_after.add(s));
+        row.isolated_after.into_iter().for_each(|s| self.isolated_after.add(s));
+        self.false_alarms += row.false_alarms;
+        self.refused += row.refused;
+    }
+}
+
+/// All of a campaign, or of a part of it.
+#[derive(Debug, Clone)]
+pub struct Tally {
+    cases: Cases,
+    /// Planner, then healthy and the modes.
+    groups: Vec<Group>,
+    /// Planner, mode, instant.
+    cells: Vec<Cell>,
+}
+
+impl Tally {
+    pub fn new(cases: Cases) -> Self {
+        let Cases { planners, modes, times, .. } = cases;
+        let groups = vec![Group::default(); planners * (1 + modes)];
+        Tally { cases, groups, cells: vec![Cell::default(); planners * modes * times] }
+    }
+
+    pub fn add(&mut self, case: &Case, row: &Row) {
+        let mode = case.strike.map_or(0, |s| 1 + s.mode);
+        self.groups[case.planner * (1 + self.cases.modes) + mode].add(row);
+        if let Some(strike) = case.strike {
+            let at = (case.planner * self.cases.modes + strike.mode) * self.cases.times + strike.time;
+            let cell = &mut self.cells[at];
+            let struck = !row.is_lost_before();
+            cell.flights += 1;
+            cell.struck += usize::from(struck);
+            cell.lost += usize::from(struck && row.is_lost());
+        }
+    }
+
+    pub fn flights(&self) -> usize {
+        self.groups.iter().map(|g| g.flights).sum()
+    }
+
+    pub fn healthy(&self, planner: usize) -> &Group {
+        &self.groups[planner * (1 + self.cases.modes)]
+    }
+
+    pub fn mode(&self, planner: usize, mode: usize) -> &Group {
+        &self.groups[planner * (1 + self.cases.modes) + 1 + mode]
+    }
+
+    /// One for each instant.
+    pub fn cells(&self, planner: usize, mode: usize) -> &[Cell] {
+        let begin = (planner * self.cases.modes + mode) * self.cases.times;
+        &self.cells[begin..begin + self.cases.times]
+    }
+}

@@ -1,0 +1,213 @@
+//! `mavc campaign`: flies a campaign or a shard of it, or tallies rows that are there.
+
+mod merge;
+mod output;
+mod parquet;
+
+use super::plan::{json, plan_for as plan, ready, spare};
+use super::progress::Flights;
+use super::spec::{self, Loaded, timing};
+use super::target::{Target, write};
+use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, files};
+use crate::campaign::cases::Shard;
+use crate::campaign::design::{Design, Missing};
+use crate::campaign::run::fly_all;
+use crate::campaign::tally::Tally;
+use crate::model::Model;
+use crate::planner::compare::{Ending, Scope};
+use crate::report::campaign_record::CampaignRecord;
+use crate::report::campaign_text;
+use clap::{Args, Subcommand};
+use output::{Output, Stop};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Most instants, seeds and flights of a campaign.
+const MAX_TIMES: u64 = 10_000;
+const MAX_SEEDS: u64 = 1_000_000;
+const MAX_FLIGHTS: usize = 100_000_000;
+
+#[derive(Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub(crate) struct CampaignArgs {
+    #[command(subcommand)]
+    action: Option<Action>,
+    /// The spec, or `-` for standard input
+    #[arg(required = true)]
+    spec: Option<String>,
+    /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
+    #[arg(long = "set", value_name = "FIELD=VALUE")]
+    set: Vec<String>,
+    /// Where the rows go, one a flight: CSV, Parquet by its ending, or `-` for standard output
+    #[arg(short, long, value_name = "ROWS.CSV")]
+    output: Option<PathBuf>,
+    /// Where the report goes (JSON); `-` for standard output, without the one for people
+    #[arg(long, value_name = "CAMPAIGN.JSON")]
+    report: Option<PathBuf>,
+    /// Fly only the I-th of N parts, such as 3/16
+    #[arg(long, value_name = "I/N")]
+    shard: Option<String>,
+    /// Threads that fly; as many as there are cores without it. Results are the same
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..=1024))]
+    threads: Option<u64>,
+    /// Instants of the fault, instead of the spec's
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_TIMES))]
+    times: Option<u64>,
+    /// Noise seeds, instead of the spec's
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_SEEDS))]
+    seeds: Option<u64>,
+    /// Report from rows that were flown, without flying
+    #[arg(long, value_name = "ROWS.CSV", conflicts_with_all = ["output", "threads"])]
+    rows: Option<PathBuf>,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Join the rows of all shards
+    Merge {
+        /// Where the rows go; CSV, or Parquet by its ending
+        #[arg(short, long, value_name = "ALL.CSV")]
+        output: PathBuf,
+        /// The rows of every shard (CSV), in any order
+        #[arg(required = true, value_name = "ROWS.CSV")]
+        rows: Vec<PathBuf>,
+    },
+}
+
+pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
+    if let Some(Action::Merge { output, rows }) = &args.action {
+        return merge::run(output, rows, options);
+    }
+    let shard = args.shard.as_deref().map_or(Ok(Shard::WHOLE), parse_shard)?;
+    let rows = args.output.as_deref().map(Target::new).transpose()?;
+    let report = args.report.as_deref().map(Target::new).transpose()?;
+    if let Some(path) = &args.output {
+        parquet::is_possible(path)?;
+    }
+    apart(&rows, &report)?;
+    if let Some(threads) = args.threads {
+        // Only the first pool of a process is the global one; a command starts none before.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads as usize).build_global();
+    }
+    let spec_args = SpecArgs { spec: args.spec.clone().unwrap_or_default(), set: args.set.clone() };
+    let mut loaded = spec::read(&spec_args, options)?;
+    spare(&loaded, &[&rows, &report])?;
+    if let (Some(target), Some(name)) = (&report, &args.rows) {
+        target.must_spare(name.to_str())?;
+    }
+    let Some((mut model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
+    resize(args, &mut model)?;
+    let Some(comparison) = plan(&loaded, &model, &mission, Scope::Common, options) else {
+        return nothing_flown(&loaded, &model, &[], report.as_ref());
+    };
+    let design = match Design::new(&model, &comparison, &loaded.sha256()) {
+        Ok(design) => design,
+        Err(missing) => {
+            if !report.as_ref().is_some_and(Target::is_stdout) {
+                files::print(campaign_text::left_out(&missing).trim_start())?;
+            }
+            return nothing_flown(&loaded, &model, &missing, report.as_ref());
+        }
+    };
+    let tally = match &args.rows {
+        Some(path) => output::tally(path, &design, shard)?,
+        None => match fly(&design, shard, rows.as_ref(), options)? {
+            Some(tally) => tally,
+            None => return Ok(FINE),
+        },
+    };
+    let text = campaign_text::campaign(&design, shard, &tally);
+    match (&rows, &report) {
+        // What goes to standard output has it to itself.
+        (_, Some(report)) if report.is_stdout() => {}
+        (Some(rows), _) if rows.is_stdout() => files::tell(&text),
+        _ => files::print(&text)?,
+    }
+    if let Some(target) = &report {
+        write(&[(target, json(&CampaignRecord::new(&design, shard, &tally, loaded.sha256()))?)])?;
+    }
+    Ok(if is_inconclusive(&design.missing) { INCONCLUSIVE } else { FINE })
+}
+
+/// Flies what is not there yet. `None`: the reader of the rows has gone away.
+fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Options) -> Result<Option<Tally>, Problem> {
+    let begin = Instant::now();
+    let (mut output, mut tally) = Output::open(rows, design, shard)?;
+    let (done, all) = (tally.flights(), shard.count(design.cases.count()));
+    if done > 0 && !options.quiet {
+        files::tell(&if output.is_complete() {
+            format!("mavc: {}: all {all} flights are there, nothing to fly\n", output.name())
+        } else {
+            format!("mavc: {}: going on after {done} of {all} flights\n", output.name())
+        });
+    }
+    let progress = Flights::new(options, done, all);
+    let flown = fly_all(design, design.cases.of(shard).skip(done), |cases, rows| {
+        let lines: String = rows.iter().map(|row| row.line() + "\n").collect();
+        output.add(&lines)?;
+        cases.iter().zip(rows).for_each(|(case, row)| tally.add(case, row));
+        progress.more(rows.len());
+        Ok(())
+    });
+    progress.done();
+    match flown.and_then(|()| output.finish()) {
+        Ok(()) => {}
+        Err(Stop::ReaderGone) => return Ok(None),
+        Err(Stop::Problem(problem)) => return Err(problem),
+    }
+    timing(options, "fly", begin);
+    if options.timings {
+        let flights = all - done;
+        let rate = flights as f64 / begin.elapsed().as_secs_f64();
+        files::tell(&format!("{:<10} {flights} flights, {rate:.1} a second\n", ""));
+    }
+    Ok(Some(tally))
+}
+
+/// No plan, so no flight: the report says why.
+fn nothing_flown(loaded: &Loaded, model: &Model, missing: &[Missing], report: Option<&Target>) -> Result<u8, Problem> {
+    if let Some(target) = report {
+        write(&[(target, json(&CampaignRecord::without_flights(model, missing, loaded.sha256()))?)])?;
+    }
+    Ok(if is_inconclusive(missing) { INCONCLUSIVE } else { NO_PLAN })
+}
+
+fn is_inconclusive(missing: &[Missing]) -> bool {
+    missing.iter().any(|m| matches!(m.ending, Some(Ending::Inconclusive { .. })))
+}
+
+/// Rows, what is still being written of them, and the report must be three places.
+fn apart(rows: &Option<Target>, report: &Option<Target>) -> Result<(), Problem> {
+    let (Some(rows), Some(report)) = (rows, report) else { return Ok(()) };
+    let part = rows.file().map(output::part_of);
+    if rows.is_same(report) || part.is_some() && part.as_deref() == report.file() {
+        return Err("the rows and the report would go to one place: give -o and --report two names".into());
+    }
+    Ok(())
+}
+
+/// Takes `--times` and `--seeds`, and refuses more flights than can be meant.
+fn resize(args: &CampaignArgs, model: &mut Model) -> Result<(), Problem> {
+    let campaign = &mut model.campaign;
+    if let Some(times) = args.times {
+        campaign.times = times as usize;
+    }
+    if let Some(seeds) = args.seeds {
+        campaign.seeds = seeds as usize;
+    }
+    let blocks = campaign.times.checked_mul(model.modes.len()).and_then(|n| n.checked_add(1));
+    let flights = blocks.and_then(|n| n.checked_mul(campaign.seeds)?.checked_mul(campaign.planners.len()));
+    match flights {
+        Some(n) if n <= MAX_FLIGHTS => Ok(()),
+        _ => Err("a campaign has at most 100 million flights: take fewer modes, --times or --seeds".into()),
+    }
+}
+
+/// `3/16`, counted from 1.
+fn parse_shard(text: &str) -> Result<Shard, Problem> {
+    let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+    match numbers {
+        Some((index @ 1.., of)) if index <= of => Ok(Shard { index: index - 1, of }),
+        _ => Err(format!("--shard {text}: write the part and the number of parts, from 1/16 to 16/16")),
+    }
+}

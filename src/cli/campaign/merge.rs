@@ -1,0 +1,53 @@
+//! `mavc campaign merge`: from the rows of all shards to those of the whole campaign.
+
+use super::super::files::{self, reason};
+use super::super::target::Target;
+use super::super::{FINE, Options, Problem};
+use super::parquet;
+use crate::campaign::merge::{MergeError, merge};
+use std::fs::File;
+use std::io::{BufReader, BufWriter, ErrorKind, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, Problem> {
+    parquet::is_possible(output)?;
+    let target = Target::new(output)?;
+    for path in rows {
+        target.must_spare(path.to_str())?;
+    }
+    let open = |path: &PathBuf| {
+        let name = path.display().to_string();
+        let file = File::open(path).map_err(|e| format!("cannot read {name}: {}", reason(&e)))?;
+        Ok((name, BufReader::new(file)))
+    };
+    let sources = rows.iter().map(open).collect::<Result<Vec<_>, Problem>>()?;
+    let problem = |e: MergeError| match e {
+        MergeError::Read(name, e) => format!("cannot read {name}: {}", reason(&e)),
+        MergeError::Write(e) => format!("cannot write {}: {}", output.display(), reason(&e)),
+        MergeError::Content(what) => format!("cannot merge: {what}"),
+    };
+    let cannot = |e| problem(MergeError::Write(e));
+    let merged = if parquet::is_wanted(output) {
+        // Parquet is made of the whole rows, which stand in a file without a name meanwhile.
+        let mut whole = BufWriter::new(tempfile::tempfile().map_err(cannot)?);
+        let merged = merge(sources, &mut whole).map_err(problem)?;
+        let mut whole = whole.into_inner().map_err(|e| cannot(e.into_error()))?;
+        whole.seek(SeekFrom::Start(0)).map_err(cannot)?;
+        parquet::convert(BufReader::new(whole), &target)?;
+        merged
+    } else {
+        let mut out = BufWriter::new(target.begin()?);
+        let merged = match merge(sources, &mut out) {
+            Err(MergeError::Write(e)) if e.kind() == ErrorKind::BrokenPipe => return Ok(FINE),
+            merged => merged.map_err(problem)?,
+        };
+        out.flush().map_err(cannot)?;
+        out.into_inner().map_err(|e| cannot(e.into_error()))?.finish()?;
+        merged
+    };
+    if !options.quiet {
+        let (n, files) = (merged.cases, rows.len());
+        files::tell(&format!("mavc: campaign {}: {n} flights from {files} files\n", merged.campaign));
+    }
+    Ok(FINE)
+}

@@ -1,0 +1,177 @@
+//! Where the rows of a campaign go. A file grows as `.part` beside its final name, so that an interrupted campaign
+//! goes on from what is there.
+
+use super::super::files::reason;
+use super::super::target::{Pieces, Target, cannot_write};
+use super::{Problem, parquet};
+use crate::campaign::cases::Shard;
+use crate::campaign::design::Design;
+use crate::campaign::rows::header;
+use crate::campaign::scan::{Scan, ScanError, scan};
+use crate::campaign::tally::Tally;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{BufReader, Error, ErrorKind, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+pub struct Output<'a> {
+    place: Place<'a>,
+}
+
+enum Place<'a> {
+    /// Rows are not kept.
+    Nowhere,
+    /// Standard output, a pipe or a device.
+    Stream(Pieces<'a>),
+    Part {
+        file: File,
+        part: PathBuf,
+        path: &'a Path,
+        target: &'a Target,
+    },
+    /// The file holds every row already.
+    Complete(&'a Path),
+}
+
+/// Why flying ends early.
+pub enum Stop {
+    /// Nobody reads the rows any more.
+    ReaderGone,
+    Problem(Problem),
+}
+
+/// Where rows stand while they come in: `rows.csv.part`.
+pub fn part_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_os_string();
+    name.push(".part");
+    name.into()
+}
+
+impl<'a> Output<'a> {
+    /// Opens the place, with a tally of the rows that it holds already.
+    pub fn open(target: Option<&'a Target>, design: &Design, shard: Shard) -> Result<(Self, Tally), Problem> {
+        let empty = || Tally::new(design.cases);
+        let Some(target) = target else { return Ok((Output { place: Place::Nowhere }, empty())) };
+        let Some(path) = target.file() else {
+            let mut stream = target.begin()?;
+            // A reader that is gone already is found at the first rows.
+            let _ = writeln!(stream, "{}", header());
+            return Ok((Output { place: Place::Stream(stream) }, empty()));
+        };
+        // Parquet is not read back: it is made anew.
+        let whole = if parquet::is_wanted(path) { None } else { complete(path, design, shard) };
+        if let Some(tally) = whole {
+            return Ok((Output { place: Place::Complete(path) }, tally));
+        }
+        let part = part_of(path);
+        let (file, tally) = resume(&part, design, shard)?;
+        Ok((Output { place: Place::Part { file, part, path, target } }, tally))
+    }
+
+    pub fn is_complete(&self) -> bool {
+        matches!(self.place, Place::Complete(_))
+    }
+
+    pub fn name(&self) -> String {
+        match &self.place {
+            Place::Part { part, .. } => part.display().to_string(),
+            Place::Complete(path) => path.display().to_string(),
+            _ => "rows".into(),
+        }
+    }
+
+    /// Appends whole lines. They are with the operating system when this returns.
+    pub fn add(&mut self, lines: &str) -> Result<(), Stop> {
+        match &mut self.place {
+            Place::Nowhere | Place::Complete(_) => Ok(()),
+            Place::Stream(stream) => {
+                stream.write_all(lines.as_bytes()).and_then(|()| stream.flush()).map_err(|e| match e.kind() {
+                    ErrorKind::BrokenPipe => Stop::ReaderGone,
+                    _ => Stop::Problem(format!("cannot write the rows: {}", reason(&e))),
+                })
+            }
+            Place::Part { file, part, .. } => {
+                file.write_all(lines.as_bytes()).map_err(|e| Stop::Problem(cannot_write(part, &e)))
+            }
+        }
+    }
+
+    /// Every row is there: the file takes its name.
+    pub fn finish(self) -> Result<(), Stop> {
+        let Place::Part { mut file, part, path, target } = self.place else { return Ok(()) };
+        let cannot = |e: Error| Stop::Problem(cannot_write(path, &e));
+        if parquet::is_wanted(path) {
+            file.seek(SeekFrom::Start(0)).map_err(cannot)?;
+            parquet::convert(BufReader::new(&file), target).map_err(Stop::Problem)?;
+            return std::fs::remove_file(&part).map_err(cannot);
+        }
+        if let Ok(there) = path.metadata() {
+            file.set_permissions(there.permissions()).map_err(cannot)?;
+        }
+        file.sync_all().map_err(cannot)?;
+        std::fs::rename(&part, path).map_err(cannot)
+    }
+}
+
+/// The tally of a file that holds every row of the shard.
+fn complete(path: &Path, design: &Design, shard: Shard) -> Option<Tally> {
+    let mut tally = Tally::new(design.cases);
+    let input = BufReader::new(File::open(path).ok()?);
+    let scan = scan(design, shard, input, |case, row| tally.add(case, row)).ok()?;
+    is_whole(&scan, design, shard).then_some(tally)
+}
+
+fn is_whole(scan: &Scan, design: &Design, shard: Shard) -> bool {
+    // A file without even a heading is not whole, though its shard may have no cases.
+    !scan.torn && scan.bytes > 0 && scan.rows == shard.count(design.cases.count())
+}
+
+/// The file of rows that are coming in, behind its last complete line, with a tally of those that are there.
+fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), Problem> {
+    let cannot = |e: Error| cannot_write(part, &e);
+    let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(part).map_err(cannot)?;
+    // File systems that know no locks do without.
+    if let Err(TryLockError::WouldBlock) = file.try_lock() {
+        return Err(format!("{} is being written by another run: wait for it, or choose another name", part.display()));
+    }
+    let mut tally = Tally::new(design.cases);
+    let found = scan(design, shard, BufReader::new(&file), |case, row| tally.add(case, row));
+    let found = found
+        .map_err(|e| format!("{}; delete it to begin anew, or choose another name with -o", unfit(part, &e, design)))?;
+    file.set_len(found.bytes).map_err(cannot)?;
+    file.seek(SeekFrom::Start(found.bytes)).map_err(cannot)?;
+    if found.bytes == 0 {
+        writeln!(file, "{}", header()).map_err(cannot)?;
+    }
+    Ok((file, tally))
+}
+
+/// The tally of rows that were flown before.
+pub fn tally(path: &Path, design: &Design, shard: Shard) -> Result<Tally, Problem> {
+    let input = File::open(path).map_err(|e| format!("cannot read {}: {}", path.display(), reason(&e)))?;
+    let mut tally = Tally::new(design.cases);
+    let found = scan(design, shard, BufReader::new(input), |case, row| tally.add(case, row));
+    let found = found.map_err(|e| unfit(path, &e, design))?;
+    let due = shard.count(design.cases.count());
+    if !is_whole(&found, design, shard) {
+        return Err(format!("{} holds {} of {due} rows: let the campaign run to its end", path.display(), found.rows));
+    }
+    Ok(tally)
+}
+
+/// Why rows are not those of the campaign or shard.
+fn unfit(path: &Path, error: &ScanError, design: &Design) -> Problem {
+    let name = path.display();
+    match error {
+        ScanError::Read(e) => format!("cannot read {name}: {}", reason(e)),
+        ScanError::Damaged { line, what } => format!("{name}, line {line}: {what}"),
+        ScanError::Foreign => format!(
+            "{name} holds rows of another campaign (this one is {}; the spec, --set, --times, --seeds and the version \
+             make it)",
+            design.id
+        ),
+        ScanError::OutOfOrder { line, found, due } => {
+            let due = due.map_or("no more".into(), |due| format!("case {due}"));
+            format!("{name}, line {line}: case {found} stands where {due} is due; is it of another shard?")
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Rows into Parquet, where mavc was built with the feature `parquet`.
+
+use super::super::target::Target;
+use super::Problem;
+use std::io::BufRead;
+use std::path::Path;
+
+/// A name that ends in `.parquet` asks for it.
+pub fn is_wanted(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e == "parquet")
+}
+
+/// Says early that this mavc cannot.
+pub fn is_possible(path: &Path) -> Result<(), Problem> {
+    if is_wanted(path) && !cfg!(feature = "parquet") {
+        return Err(format!("{}: {WITHOUT}", path.display()));
+    }
+    Ok(())
+}
+
+const WITHOUT: &str = "this mavc was built without Parquet; build it with `--features parquet`, or name a .csv";
+
+/// Writes finished rows, from their heading on, as Parquet.
+#[cfg(feature = "parquet")]
+pub fn convert(rows: impl BufRead, target: &Target) -> Result<(), Problem> {
+    let mut pieces = target.begin()?;
+    crate::campaign::parquet::convert(rows, &mut pieces).map_err(|e| format!("cannot write Parquet: {e}"))?;
+    pieces.finish()
+}
+
+#[cfg(not(feature = "parquet"))]
+pub fn convert(_: impl BufRead, _: &Target) -> Result<(), Problem> {
+    Err(WITHOUT.into())
+}

@@ -1,0 +1,245 @@
+//! The machine-readable report of a campaign, schema in `docs/schema/campaign.schema.json`.
+
+use crate::campaign::agreement::{Agreement, Scope, Worth};
+use crate::campaign::cases::Shard;
+use crate::campaign::design::{Design, Missing};
+use crate::campaign::statistics::{Contingency, Share, Summary, wilson};
+use crate::campaign::tally::{Group, Tally};
+use crate::model::{Detection, Model};
+use crate::planner::compare::Ending;
+use serde::Serialize;
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CampaignRecord {
+    pub schema: u32,
+    pub spec_sha256: String,
+    /// As in the rows; `None` where nothing was flown.
+    pub campaign: Option<String>,
+    /// 1-based; `None` where the report is of the whole campaign.
+    pub shard: Option<ShardRecord>,
+    /// T_d
+    pub mission_time_s: Option<f64>,
+    pub times: usize,
+    pub seeds: usize,
+    pub seed: u64,
+    /// Of the whole campaign, and those in this report.
+    pub cases: usize,
+    pub flights: usize,
+    pub controller: &'static str,
+    pub allocation: &'static str,
+    /// `never`, `after` or `estimator`.
+    pub detection: &'static str,
+    pub detection_delay_s: Option<f64>,
+    pub after_fault: &'static str,
+    pub planners: Vec<PlannerRecord>,
+    /// Over all modes, then over the controllable ones; empty where nothing was flown.
+    pub agreement: Vec<AgreementRecord>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ShardRecord {
+    pub index: usize,
+    pub of: usize,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PlannerRecord {
+    pub name: &'static str,
+    /// `solved`, `infeasible`, `inconclusive` or `not_run`.
+    pub status: &'static str,
+    pub against: Vec<String>,
+    /// Flights without a fault; the error is that of the whole flight.
+    pub healthy: Option<GroupRecord>,
+    pub modes: Vec<ModeRecord>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ModeRecord {
+    pub name: String,
+    /// Whether full control is left: hover lies inside the mode's set.
+    pub controllable: bool,
+    /// What the plan says of the mode.
+    pub outside_s: f64,
+    pub last_outside_s: Option<f64>,
+    pub flights: GroupRecord,
+    pub times: Vec<CellRecord>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GroupRecord {
+    pub flights: usize,
+    pub flown: usize,
+    pub landed: usize,
+    pub lost: usize,
+    pub lost_by_position: usize,
+    pub lost_upside_down: usize,
+    pub lost_to_ground: usize,
+    pub lost_before_fault: usize,
+    /// With Wilson's 95 % interval; `None` of no flights.
+    pub survival: Option<Share>,
+    /// Since the fault, over the survivors.
+    pub rms_error_m: Option<Summary>,
+    pub max_error_m: Option<Summary>,
+    pub detected_after_s: Option<Summary>,
+    pub isolated_after_s: Option<Summary>,
+    pub false_alarms: usize,
+    pub refused: usize,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CellRecord {
+    pub fault_time_s: f64,
+    pub flights: usize,
+    /// Those that lived to the fault, and those of them that were lost.
+    pub struck: usize,
+    pub lost: usize,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AgreementRecord {
+    /// `all` or `controllable`.
+    pub modes: &'static str,
+    pub mode_count: usize,
+    /// All planners, then each.
+    pub by_flight: Vec<TableRecord>,
+    /// Spearman's, of seconds outside with the share lost.
+    pub rank_correlation: Option<f64>,
+    pub rank_worth: Worth,
+    pub pairs: usize,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TableRecord {
+    /// `None`: all.
+    pub planner: Option<&'static str>,
+    #[serde(flatten)]
+    pub counts: Contingency,
+    pub base_rate: Option<f64>,
+    pub phi: Option<f64>,
+    pub worth: Worth,
+}
+
+impl CampaignRecord {
+    pub fn new(design: &Design, shard: Shard, tally: &Tally, spec_sha256: String) -> Self {
+        let planners = design.plans.iter().enumerate().map(|(p, plan)| PlannerRecord {
+            name: plan.planner.name(),
+            status: "solved",
+            against: plan.against.clone(),
+            healthy: Some(GroupRecord::new(tally.healthy(p))),
+            modes: (0..design.model.modes.len()).map(|m| mode(design, tally, p, m)).collect(),
+        });
+        let Agreement { all, controllable } = Agreement::new(design, tally);
+        CampaignRecord {
+            campaign: Some(design.id.to_string()),
+            shard: (shard != Shard::WHOLE).then_some(ShardRecord { index: shard.index + 1, of: shard.of }),
+            mission_time_s: Some(design.time),
+            cases: design.cases.count(),
+            flights: tally.flights(),
+            planners: planners.chain(design.missing.iter().map(missing)).collect(),
+            agreement: vec![AgreementRecord::new("all", &all), AgreementRecord::new("controllable", &controllable)],
+            ..CampaignRecord::without_flights(design.model, &[], spec_sha256)
+        }
+    }
+
+    /// No planner has a plan, or none was asked for one.
+    pub fn without_flights(model: &Model, left_out: &[Missing], spec_sha256: String) -> Self {
+        let simulation = &model.simulation;
+        let (detection, detection_delay_s) = match simulation.detection {
+            Detection::Never => ("never", None),
+            Detection::After(delay) => ("after", Some(delay)),
+            Detection::Estimator => ("estimator", None),
+        };
+        CampaignRecord {
+            schema: 1,
+            spec_sha256,
+            campaign: None,
+            shard: None,
+            mission_time_s: None,
+            times: model.campaign.times,
+            seeds: model.campaign.seeds,
+            seed: model.campaign.seed,
+            cases: 0,
+            flights: 0,
+            controller: simulation.controller.name(),
+            allocation: simulation.allocation.name(),
+            detection,
+            detection_delay_s,
+            after_fault: simulation.after_fault.name(),
+            planners: left_out.iter().map(missing).collect(),
+            agreement: Vec::new(),
+        }
+    }
+}
+
+fn missing(missing: &Missing) -> PlannerRecord {
+    let status = match missing.ending {
+        None | Some(Ending::Solved(_)) => "not_run",
+        Some(Ending::Infeasible { .. }) => "infeasible",
+        Some(Ending::Inconclusive { .. }) => "inconclusive",
+    };
+    PlannerRecord { name: missing.planner.name(), status, against: Vec::new(), healthy: None, modes: Vec::new() }
+}
+
+fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeRecord {
+    let outside = &design.plans[planner].outside[mode];
+    let cells = tally.cells(planner, mode).iter().enumerate();
+    ModeRecord {
+        name: design.model.modes[mode].name.clone(),
+        controllable: design.controllable[mode],
+        outside_s: outside.seconds,
+        last_outside_s: outside.last,
+        flights: GroupRecord::new(tally.mode(planner, mode)),
+        times: cells
+            .map(|(k, cell)| CellRecord {
+                fault_time_s: design.fault_time(k),
+                flights: cell.flights,
+                struck: cell.struck,
+                lost: cell.lost,
+            })
+            .collect(),
+    }
+}
+
+impl GroupRecord {
+    fn new(group: &Group) -> Self {
+        let [lost_by_position, lost_upside_down, lost_to_ground] = group.lost;
+        GroupRecord {
+            flights: group.flights,
+            flown: group.flown,
+            landed: group.landed,
+            lost: group.all_lost(),
+            lost_by_position,
+            lost_upside_down,
+            lost_to_ground,
+            lost_before_fault: group.lost_before,
+            survival: wilson(group.survived(), group.flights),
+            rms_error_m: group.rms_error.summary(),
+            max_error_m: group.max_error.summary(),
+            detected_after_s: group.detected_after.summary(),
+            isolated_after_s: group.isolated_after.summary(),
+            false_alarms: group.false_alarms,
+            refused: group.refused,
+        }
+    }
+}
+
+impl AgreementRecord {
+    fn new(modes: &'static str, scope: &Scope) -> Self {
+        let table = |planner: Option<&'static str>, counts: &Contingency| TableRecord {
+            planner,
+            counts: *counts,
+            base_rate: counts.base_rate(),
+            phi: counts.phi(),
+            worth: Worth::of(counts.phi()),
+        };
+        let each = scope.planners.iter().map(|(planner, counts)| table(Some(planner.name()), counts));
+        AgreementRecord {
+            modes,
+            mode_count: scope.modes,
+            by_flight: std::iter::once(table(None, &scope.total)).chain(each).collect(),
+            rank_correlation: scope.rank_correlation,
+            rank_worth: Worth::of(scope.rank_correlation),
+            pairs: scope.pairs,
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! The report of a campaign for people.
+
+use super::number::{fixed, number, percent, significant};
+use super::table::Table;
+use super::terminal::vehicle_line;
+use crate::campaign::HEALTHY;
+use crate::campaign::agreement::{Agreement, Scope, Worth};
+use crate::campaign::cases::Shard;
+use crate::campaign::design::{Design, Missing, Plan};
+use crate::campaign::run::AFTERMATH;
+use crate::campaign::statistics::{Contingency, Share, wilson};
+use crate::campaign::tally::{Cell, Group, Tally};
+use crate::model::{Detection, Model};
+use crate::planner::compare::Ending;
+use std::cmp::Reverse;
+
+/// Columns of running text and of maps.
+const WIDTH: usize = 110;
+const MAP: usize = 80;
+
+/// Modes shown one by one.
+const SHOWN: usize = 40;
+
+/// The whole report.
+pub fn campaign(design: &Design, shard: Shard, tally: &Tally) -> String {
+    let mut out = head(design, shard, tally);
+    for (p, plan) in design.plans.iter().enumerate() {
+        out.push_str(&format!("\n{}\n", planned(design, tally, p, plan)));
+    }
+    out.push_str(&left_out(&design.missing));
+    out.push_str(&agreement(&Agreement::new(design, tally)));
+    out
+}
+
+fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
+    let (model, cases) = (design.model, design.cases);
+    let mission = model.mission.as_ref().map_or("", |m| m.name.as_str());
+    let mut out = format!("Campaign on mission {mission} with {}\n", vehicle_line(model));
+    let names: Vec<String> = design.plans.iter().map(|p| p.planner.name().to_uppercase()).collect();
+    out.push_str(&format!(
+        "{} in {} s: {} with a fault at {}, {} each, and {} without a fault for each plan\n",
+        names.join(", "),
+        number(design.time),
+        counted(cases.modes, "mode"),
+        counted(cases.times, "instant"),
+        counted(cases.seeds, "seed"),
+        counted(cases.seeds, "flight"),
+    ));
+    let part = match shard {
+        Shard::WHOLE => String::new(),
+        _ => format!(", of which shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
+    };
+    out.push_str(&format!("campaign {}: {}{part}\n", design.id, counted(cases.count(), "flight")));
+    out + &flown_how(model)
+}
+
+/// Controller, allocation, detection, what follows a fault, and when a vehicle counts as lost.
+fn flown_how(model: &Model) -> String {
+    let s = &model.simulation;
+    let detection = match s.detection {
+        Detection::Never => "no fault is detected".to_string(),
+        Detection::After(delay) => format!("the fault is known after {} s", number(delay)),
+        Detection::Estimator => format!("faults are estimated at {} Hz", number(s.estimator_rate)),
+    };
+    format!(
+        "controller {}, allocation {}; {detection}; after_fault = {}\n\
+         lost: {} m from its place, tilted past 90 degrees for {} s, or struck the ground; {}\n",
+        s.controller.name(),
+        s.allocation.name(),
+        s.after_fault.name(),
+        number(s.lost_beyond),
+        number(s.upside_down),
+        format_args!("every fault is given {} s", number(AFTERMATH))
+    )
+}
+
+fn counted(n: usize, what: &str) -> String {
+    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+}
+
+/// One planner: its flights by mode, and the map.
+fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
+    let against = match plan.against.as_slice() {
+        [] => "no mode".to_string(),
+        modes if modes.len() > 8 => format!("{} modes", modes.len()),
+        modes => modes.join(", "),
+    };
+    let mut out = format!("{}, planned against {against}\n", plan.planner.name().to_uppercase());
+    let (modes, all) = (worst(tally, p, design.cases.modes), design.cases.modes);
+    if modes.len() < all {
+        out.push_str(&format!("  the {SHOWN} of {all} modes that lost most; all are in the report of --report\n"));
+    }
+    let mut table = Table::new(&[
+        "mode",
+        "flights",
+        "survived",
+        "95 % interval",
+        "rms error",
+        "max error",
+        "detected",
+        "outside",
+        "last outside",
+    ]);
+    let healthy = tally.healthy(p);
+    table.row(group_cells(HEALTHY, healthy));
+    for &m in &modes {
+        let outside = &plan.outside[m];
+        let mut cells = group_cells(&design.model.modes[m].name, tally.mode(p, m));
+        cells.push(percent(outside.seconds / design.time));
+        cells.push(outside.last.map_or("never".into(), |last| percent(last / design.time)));
+        table.row(cells);
+    }
+    out.push_str(&table.render(2));
+    if let lost @ 1.. = healthy.all_lost() {
+        let text = format!(
+            "Warning: {lost} of {} without a fault {} lost. This plan cannot be flown as it stands, so its losses \
+             say little about faults: limit the tilt, or give the mission more time.",
+            counted(healthy.flights, "flight"),
+            if lost == 1 { "was" } else { "were" }
+        );
+        out.push_str(&filled(&text));
+    }
+    let before: usize = (0..all).map(|m| tally.mode(p, m).lost_before).sum();
+    if before > 0 {
+        out.push_str(&filled(&format!("{} lost before the fault could strike.", counted(before, "flight"))));
+    }
+    if !modes.is_empty() {
+        out.push_str(&map(design, tally, p, &modes));
+    }
+    out.pop();
+    out
+}
+
+/// All modes as declared, or, where they are many, the ones that lost most.
+fn worst(tally: &Tally, p: usize, modes: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..modes).collect();
+    if modes > SHOWN {
+        order.sort_by_key(|&m| Reverse(tally.mode(p, m).all_lost()));
+        order.truncate(SHOWN);
+        order.sort_unstable();
+    }
+    order
+}
+
+/// Name, flights, survival, errors of the survivors, how soon the fault was detected.
+fn group_cells(name: &str, group: &Group) -> Vec<String> {
+    let survival = wilson(group.survived(), group.flights);
+    let (rms, max) = (group.rms_error.summary(), group.max_error.summary());
+    let detected = group.detected_after.summary().map(|d| {
+        let all = d.count == group.struck();
+        format!("{} s{}", fixed(d.mean, 2), if all { String::new() } else { format!(" ({})", d.count) })
+    });
+    let dash = || "-".to_string();
+    vec![
+        name.into(),
+        group.flights.to_string(),
+        survival.map_or_else(dash, |s| percent(s.share)),
+        survival.map_or_else(dash, |Share { low, high, .. }| format!("{} .. {}", hundred(low), hundred(high))),
+        rms.map_or_else(dash, |s| format!("{} m", significant(s.mean, 3))),
+        max.map_or_else(dash, |s| format!("{} m", significant(s.max, 3))),
+        detected.unwrap_or_else(dash),
+    ]
+}
+
+fn hundred(share: f64) -> String {
+    fixed(100.0 * share, 1)
+}
+
+/// Modes down, instants across; of struck flights the share lost.
+fn map(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -> String {
+    let times = design.cases.times;
+    let columns = times.min(MAP);
+    let name = |m: usize| design.model.modes[m].name.as_str();
+    let width = modes.iter().map(|&m| name(m).chars().count()).max().unwrap_or(0);
+    let mut out = String::from("\n  When the fault strikes, and what share is lost: . none, 1 to 9 tenths, # all");
+    if modes.iter().any(|&m| tally.cells(p, m).iter().any(|c| c.flights > 0 && c.struck == 0)) {
+        out.push_str(", x lost before");
+    }
+    out.push('\n');
+    for &m in modes {
+        let cells = tally.cells(p, m);
+        let line = (0..columns).map(|c| mark(&cells[c * times / columns..(c + 1) * times / columns]));
+        out.push_str(&format!("  {:width$}  {}\n", name(m), line.collect::<String>()));
+    }
+    let end = format!("{} s", number(design.time));
+    let gap = columns.saturating_sub(3).max(end.len() + 2);
+    out + &format!("  {:width$}  0 s{end:>gap$}\n", "")
+}
+
+/// One character for cells that share a column.
+fn mark(cells: &[Cell]) -> char {
+    let sum = |of: fn(&Cell) -> usize| cells.iter().map(of).sum::<usize>();
+    match (sum(|c| c.flights), sum(|c| c.struck), sum(|c| c.lost)) {
+        (0, ..) => ' ',
+        (_, 0, _) => 'x',
+        (_, _, 0) => '.',
+        (_, struck, lost) if lost == struck => '#',
+        // Something is lost and something is not: neither 0 nor 10.
+        (_, struck, lost) => {
+            char::from_digit(((10 * lost + struck / 2) / struck).clamp(1, 9) as u32, 10).unwrap_or('9')
+        }
+    }
+}
+
+/// The planners without a plan.
+pub fn left_out(missing: &[Missing]) -> String {
+    let mut out = String::new();
+    for Missing { planner, ending } in missing {
+        let why = match ending {
+            Some(Ending::Infeasible { at }) => format!("it has no plan in {} s (proved)", number(*at)),
+            Some(Ending::Inconclusive { at, status }) => {
+                format!("the solver gave no verdict at {} s ({status})", number(*at))
+            }
+            _ => "there is no mode to plan against, or no common time".into(),
+        };
+        out.push_str(&format!("\n{} is left out: {why}\n", planner.name().to_uppercase()));
+    }
+    out
+}
+
+fn agreement(agreement: &Agreement) -> String {
+    let mut out = String::from("\nDo the plans tell which flights are lost?\n");
+    out.push_str(&filled(
+        "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. Counted are \
+         flights that lived to the fault.",
+    ));
+    let Agreement { all, controllable } = agreement;
+    if controllable.modes == all.modes {
+        out.push_str(&scope(all));
+    } else {
+        out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
+        let n = counted(controllable.modes, "mode");
+        out.push_str(&format!(
+            "\n  Only the {n} that leave full control: under the others every plan is outside all the time\n"
+        ));
+        out.push_str(&scope(controllable));
+    }
+    out.push('\n');
+    out.push_str(&filled(
+        "Intervals take flights as independent. Flights that are struck at one instant differ only in their noise, so \
+         the true uncertainty is larger; more instants help more than more seeds.",
+    ));
+    out
+}
+
+/// The table and what it says in words.
+fn scope(scope: &Scope) -> String {
+    let headings =
+        ["planner", "hits", "misses", "false alarms", "correct negatives", "lost", "lost if predicted", "phi"];
+    let mut table = Table::new(&headings);
+    let mut row = |name: String, t: &Contingency| {
+        let share = |a: usize, b: usize| if b == 0 { "-".into() } else { percent(a as f64 / b as f64) };
+        let mut cells = vec![name];
+        cells.extend([t.hits, t.misses, t.false_alarms, t.correct_negatives].map(|n| n.to_string()));
+        cells.push(share(t.hits + t.misses, t.total()));
+        cells.push(share(t.hits, t.hits + t.false_alarms));
+        cells.push(t.phi().map_or("undefined".into(), |phi| fixed(phi, 2)));
+        table.row(cells);
+    };
+    scope.planners.iter().for_each(|(planner, t)| row(planner.name().to_uppercase(), t));
+    row("all".into(), &scope.total);
+    let safe = scope.planners.iter().filter(|(_, t)| t.hits + t.false_alarms == 0 && t.misses > 0);
+    let called_safe: String = safe
+        .map(|(planner, t)| {
+            let (name, all) = (planner.name().to_uppercase(), counted(t.total(), "struck flight"));
+            filled(&format!(
+                "{name}: no fault strikes before the plan was outside for the last time, yet {} of {all} were lost.",
+                t.misses
+            ))
+        })
+        .collect();
+    table.render(2) + &filled(&by_flight(&scope.total)) + &called_safe + &filled(&by_mode(scope))
+}
+
+/// What phi says, good or bad.
+fn by_flight(t: &Contingency) -> String {
+    let lost = t.hits + t.misses;
+    match (Worth::of(t.phi()), t.phi()) {
+        (Worth::Undefined, _) if t.total() == 0 => "No flight lived to its fault: nothing can be said.".into(),
+        (Worth::Undefined, _) if lost == 0 => "No flight was lost to a fault: the prediction cannot be judged.".into(),
+        (Worth::Undefined, _) if lost == t.total() => {
+            "Every struck flight was lost: the prediction cannot be judged.".into()
+        }
+        (worth, phi) => {
+            let phi = phi.map_or(String::new(), |phi| format!(" (phi {})", fixed(phi, 2)));
+            let what = match worth {
+                Worth::Undefined => "is the same for every flight, so it tells nothing: no better than chance",
+                Worth::Opposite => "is worse than chance: what it calls safe is lost more often",
+                Worth::Chance => "is no better than chance",
+                Worth::Weak => "agrees weakly with what happened",
+                Worth::Moderate => "agrees moderately with what happened",
+                Worth::Strong => "agrees strongly with what happened",
+            };
+            format!("Flight by flight the prediction {what}{phi}.")
+        }
+    }
+}
+
+/// What the rank correlation says.
+fn by_mode(scope: &Scope) -> String {
+    let rho = scope.rank_correlation;
+    let what = match Worth::of(rho) {
+        Worth::Undefined => {
+            return "Seconds outside cannot be ranked against losses: one of them is always the same.".into();
+        }
+        Worth::Opposite => "more seconds outside go with fewer losses",
+        Worth::Chance => "seconds outside tell no more about losses than chance",
+        Worth::Weak => "more seconds outside go weakly with more losses",
+        Worth::Moderate => "more seconds outside go moderately with more losses",
+        Worth::Strong => "more seconds outside go strongly with more losses",
+    };
+    let rho = rho.map_or(String::new(), |rho| fixed(rho, 2));
+    format!("Over {} of planner and mode, {what} (Spearman's rank correlation {rho}).", counted(scope.pairs, "pair"))
+}
+
+fn filled(text: &str) -> String {
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    textwrap::fill(text, options) + "\n"
+}
