@@ -128,7 +128,8 @@ impl<'a> Design<'a> {
     }
 }
 
-/// Each declared mode's set as rows, and whether hover lies inside, that is, whether the mode is controllable. Sets that hold hover keep the reserve; the others cannot be shrunk about it.
+/// Each declared mode's set as rows, and whether hover lies inside, that is, whether the mode is controllable. Sets
+/// that hold hover keep the reserve; the others cannot be shrunk about it.
 fn mode_rows(model: &Model) -> Vec<(Vec<SetRow>, bool)> {
     let healthy = AdmissibleSet::healthy(model);
     let rows = |mode: usize| {

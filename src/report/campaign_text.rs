@@ -263,10 +263,7 @@ fn scope(scope: &Scope) -> String {
     let called_safe: String = safe
         .map(|(planner, t)| {
             let (name, all) = (planner.name().to_uppercase(), counted(t.total(), "struck flight"));
-            filled(&format!(
-                "{name}: no fault strikes before the plan was outside for the last time, yet {} of {all} were lost.",
-                t.misses
-            ))
+            filled(&format!("{name} predicts no loss, yet {} of {all} were lost.", t.misses))
         })
         .collect();
     table.render(2) + &filled(&by_flight(&scope.total)) + &called_safe + &filled(&by_mode(scope))
