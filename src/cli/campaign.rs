@@ -6,6 +6,7 @@ mod parquet;
 
 use super::plan::{json, plan_for as plan, ready, spare};
 use super::progress::Flights;
+use super::simulate::cannot_fly;
 use super::spec::{self, Loaded, timing};
 use super::target::{Target, write};
 use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, files};
@@ -109,6 +110,9 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
             return nothing_flown(&loaded, &model, &missing, report.as_ref());
         }
     };
+    if cannot_fly(&mut loaded, &model, design.time, options) {
+        return Ok(SPEC_ERRORS);
+    }
     let tally = match &args.rows {
         Some(path) => output::tally(path, &design, shard)?,
         None => match fly(&design, shard, rows.as_ref(), options)? {

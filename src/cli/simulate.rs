@@ -1,7 +1,7 @@
 //! `mavc simulate`: plan, then fly.
 
 use super::plan::{json, no_plan_code, plan_for, ready, spare, targets};
-use super::spec::{self, timing};
+use super::spec::{self, Loaded, timing};
 use super::target::{Target, write};
 use super::{FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
 use crate::diagnostic::sort;
@@ -29,13 +29,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         files::print(&terminal::plan(&model, &mission, &comparison))?;
         return Ok(no_plan_code(&comparison));
     };
-    let end = model.simulation.duration.unwrap_or(solved.time);
-    let late: Vec<_> =
-        past_the_end(&model, end).into_iter().chain(too_many_steps(&model, end)).chain(coarse_step(&model)).collect();
-    if !late.is_empty() {
-        loaded.diagnostics = late;
-        sort(&mut loaded.diagnostics);
-        loaded.tell(options);
+    if cannot_fly(&mut loaded, &model, solved.time, options) {
         return Ok(SPEC_ERRORS);
     }
     let strikes = &model.simulation.faults;
@@ -91,6 +85,16 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         files::print(&format!("\nFlight log written to {}\n", path.display()))?;
     }
     Ok(if flight.outcome.is_lost() { LOST } else { FINE })
+}
+
+/// Tells what keeps a plan of `time` s from being flown; some of it shows only once the mission is planned.
+pub(super) fn cannot_fly(loaded: &mut Loaded, model: &Model, time: f64, options: &Options) -> bool {
+    let end = model.simulation.duration.unwrap_or(time);
+    let late = past_the_end(model, end).into_iter();
+    loaded.diagnostics = late.chain(too_many_steps(model, end)).chain(coarse_step(model)).collect();
+    sort(&mut loaded.diagnostics);
+    loaded.tell(options);
+    loaded.has_errors()
 }
 
 /// Every so many acts of the controller make a row of the log.

@@ -53,6 +53,10 @@ pub struct Estimator {
     squares: Vec<f64>,
     gyroscopic: Vector3<f64>,
     count: usize,
+    /// The same as last noted.
+    last_squares: Vec<f64>,
+    last_gyroscopic: Vector3<f64>,
+    has_noted: bool,
     /// The regressor's columns of the last sample, in standard deviations of noise.
     regressor: Vec<Vector3<f64>>,
     /// Room for a matrix (n x n).
@@ -94,17 +98,38 @@ impl Estimator {
             squares: vec![0.0; n],
             gyroscopic: Vector3::zeros(),
             count: 0,
+            last_squares: vec![0.0; n],
+            last_gyroscopic: Vector3::zeros(),
+            has_noted: false,
             regressor: vec![Vector3::zeros(); n],
             spectrum: vec![0.0; n * n],
             columns,
         }
     }
 
-    /// Notes the rotors' modelled speeds (rad/s) and measured body rates (rad/s) between samples.
+    /// Notes the rotors' modelled speeds (rad/s) and measured body rates (rad/s), at even intervals.
     pub fn note(&mut self, speeds: &[f64], rates: &Vector3<f64>) {
-        self.squares.iter_mut().zip(speeds).for_each(|(sum, w)| *sum += w * w);
-        self.gyroscopic += rates.cross(&self.inertia.component_mul(rates));
-        self.count += 1;
+        let gyroscopic = rates.cross(&self.inertia.component_mul(rates));
+        // The integrals over the interval by the trapezium rule: where speeds change fast, a sum of one end's values
+        // is off by more than noise.
+        if self.has_noted {
+            for ((sum, last), w) in self.squares.iter_mut().zip(&mut self.last_squares).zip(speeds) {
+                let square = w * w;
+                *sum += 0.5 * (*last + square);
+                *last = square;
+            }
+            self.gyroscopic += (self.last_gyroscopic + gyroscopic) * 0.5;
+            self.count += 1;
+        } else {
+            self.last_squares.iter_mut().zip(speeds).for_each(|(last, w)| *last = w * w);
+            self.has_noted = true;
+        }
+        self.last_gyroscopic = gyroscopic;
+    }
+
+    /// Speeds (rad/s) that hold from the last note on, where they jump as a flight begins.
+    pub fn settle(&mut self, speeds: &[f64]) {
+        self.last_squares.iter_mut().zip(speeds).for_each(|(last, w)| *last = w * w);
     }
 
     /// Takes in what was noted since the last call, with the rates measured now. True where the estimate was updated.

@@ -223,6 +223,9 @@ impl<'a> Knowledge<'a> {
     /// Rotors turn as commanded, as where a flight begins.
     pub fn settle(&mut self) {
         self.modelled.copy_from_slice(&self.command);
+        if let Some(estimator) = &mut self.estimator {
+            estimator.settle(&self.modelled);
+        }
     }
 
     /// The thrust that the rotors are taken to give, N.

@@ -9,6 +9,9 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Detection, Model};
 use nalgebra::Vector3;
 
+/// Modes, and groups of them, that a message names; of more it gives the number.
+const SHOWN: usize = 6;
+
 /// Modes that an estimator is asked to tell apart are alike in hover.
 pub const ALIKE: &str = "mavc::simulate::alike";
 
@@ -22,11 +25,13 @@ pub fn hover_squares(model: &Model) -> Vec<f64> {
     squares(model, &hover(model))
 }
 
-/// Groups of modes (0 is healthy, i + 1 is `Model::modes[i]`) whose torques at none of the instants differ by more
-/// than the estimator's threshold; only groups of two or more. `instants` holds squared rotor speeds. Modes that fall
-/// with any speeds, such as two that differ in a rotor that does not turn, are among them.
+/// Groups of modes (0 is healthy, i + 1 is `Model::modes[i]`) whose torques at the instants do not tell them apart;
+/// only groups of two or more. `instants` holds squared rotor speeds.
 ///
-/// Being alike is not transitive; a mode joins the first group whose first member it is like.
+/// A fault is like the healthy vehicle where at every instant the difference of their torques is below the threshold at
+/// which the estimator takes a sample in. Two faults are alike where it is below that threshold over the root of the
+/// samples that the forgetting factor keeps, 1/(1 - lambda). Being alike is not transitive; a mode joins the first
+/// group whose first member it is like.
 pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     let simulation = &model.simulation;
     let noise = torque_noise(model, simulation.gyroscope_noise, 1.0 / simulation.estimator_rate);
@@ -49,7 +54,12 @@ pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
         };
         instants.iter().map(under).collect()
     }));
-    let alike = |a: usize, b: usize| torques[a].iter().zip(&torques[b]).all(|(x, y)| (x - y).amax() <= SPEAKS);
+    let kept = 1.0 / (1.0 - simulation.forgetting);
+    let near = |d: Vector3<f64>, healthy: bool| match healthy {
+        true => d.amax() <= SPEAKS,
+        false => d.norm() * kept.sqrt() <= SPEAKS,
+    };
+    let alike = |a: usize, b: usize| torques[a].iter().zip(&torques[b]).all(|(x, y)| near(x - y, a == 0));
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for mode in 0..torques.len() {
         match groups.iter_mut().find(|g| alike(g[0], mode)) {
@@ -76,20 +86,22 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     let groups = twins(model, &[hover_squares(model)]);
     let struck: Vec<usize> = model.simulation.faults.iter().map(|s| s.mode + 1).collect();
     let matters = |group: &&Vec<usize>| model.campaign.written || group.iter().any(|m| struck.contains(m));
-    let warn = |group: &Vec<usize>| {
-        let names = listed(&names(model, group));
-        let span = if model.simulation.written { model.simulation.span } else { model.campaign.span };
-        let message = format!("in hover no estimate tells {names} apart");
+    let told: Vec<String> = groups.iter().filter(matters).map(|group| listed(&names(model, group))).collect();
+    if told.is_empty() {
+        return Vec::new();
+    }
+    let span = if model.simulation.written { model.simulation.span } else { model.campaign.span };
+    let some = if told.len() > SHOWN { format!("; and {} more groups", told.len() - SHOWN) } else { String::new() };
+    let message = format!("in hover no estimate tells apart {}{some}", told[..told.len().min(SHOWN)].join("; nor "));
+    vec![
         Diagnostic::warning(ALIKE, span, message)
             .here("capacities are estimated here")
-            .help("their torques there differ by less than noise: write `detection = 50 ms` for faults told otherwise")
-    };
-    groups.iter().filter(matters).map(warn).collect()
+            .help("their torques there differ by less than noise: write `detection = 50 ms` for faults told otherwise"),
+    ]
 }
 
 /// `healthy and M1_5`; of many the first ones and the number.
 pub fn listed(names: &[&str]) -> String {
-    const SHOWN: usize = 6;
     match names {
         [all @ .., last] if names.len() <= SHOWN => format!("{} and {last}", all.join(", ")),
         _ => format!("{} and {} more", names[..SHOWN].join(", "), names.len() - SHOWN),

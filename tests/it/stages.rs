@@ -8,8 +8,9 @@ use mavc::model::{elaborate, load};
 use std::path::Path;
 use std::process::{Command, Output};
 
-const MISSIONS: [&str; 8] = [
+const MISSIONS: [&str; 9] = [
     "missions/inspection",
+    "paper/campaign",
     "paper/case1",
     "paper/case2",
     "paper/case3",
