@@ -69,8 +69,8 @@ impl FromStr for Identity {
 impl<'a> Design<'a> {
     /// From the plans at the common time ([`crate::planner::compare::Scope::Common`]). `Err`: no planner has a plan.
     ///
-    /// `spec_sha256` is that of all files and overrides.
-    pub fn new(model: &'a Model, comparison: &Comparison, spec_sha256: &str) -> Result<Self, Vec<Missing>> {
+    /// `origin` names all files and overrides, and the program, by their hashes.
+    pub fn new(model: &'a Model, comparison: &Comparison, origin: &str) -> Result<Self, Vec<Missing>> {
         let mut plans = Vec::new();
         let mut missing = Vec::new();
         let modes = mode_rows(model);
@@ -95,15 +95,15 @@ impl<'a> Design<'a> {
             Cases { planners: plans.len(), modes: model.modes.len(), times: campaign.times, seeds: campaign.seeds };
         let controllable = modes.iter().map(|(_, controllable)| *controllable).collect();
         let mut design = Design { model, plans, missing, controllable, time, cases, id: Identity(0) };
-        design.id = design.identity(spec_sha256);
+        design.id = design.identity(origin);
         Ok(design)
     }
 
-    /// Hash of the spec, the version, the mission time, the planners and how many there are of everything.
-    fn identity(&self, spec_sha256: &str) -> Identity {
+    /// Hash of the spec, the program, the mission time, the planners and how many there are of everything.
+    fn identity(&self, origin: &str) -> Identity {
         let Cases { planners, modes, times, seeds } = self.cases;
         let mut hash = Sha256::new();
-        hash.update(spec_sha256.as_bytes());
+        hash.update(origin.as_bytes());
         hash.update(env!("CARGO_PKG_VERSION").as_bytes());
         for count in [planners, modes, times, seeds, self.cases.count()] {
             hash.update((count as u64).to_le_bytes());

@@ -7,7 +7,7 @@ mod parquet;
 use super::plan::{json, plan_for as plan, ready, spare};
 use super::progress::Flights;
 use super::simulate::cannot_fly;
-use super::spec::{self, Loaded, timing};
+use super::spec::{self, Loaded, sha256, timing};
 use super::target::{Target, write};
 use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, files};
 use crate::campaign::cases::Shard;
@@ -101,7 +101,7 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
     let Some(comparison) = plan(&loaded, &model, &mission, Scope::Common, options) else {
         return nothing_flown(&loaded, &model, &[], report.as_ref());
     };
-    let design = match Design::new(&model, &comparison, &loaded.sha256()) {
+    let design = match Design::new(&model, &comparison, &(loaded.sha256() + &binary())) {
         Ok(design) => design,
         Err(missing) => {
             if !report.as_ref().is_some_and(Target::is_stdout) {
@@ -131,6 +131,12 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
         write(&[(target, json(&CampaignRecord::new(&design, shard, &tally, loaded.sha256()))?)])?;
     }
     Ok(if is_inconclusive(&design.missing) { INCONCLUSIVE } else { FINE })
+}
+
+/// Hash of this very program: rows of another build may differ, and must not be joined. Empty where it cannot be read.
+fn binary() -> String {
+    let bytes = std::env::current_exe().and_then(std::fs::read).unwrap_or_default();
+    sha256(&bytes)
 }
 
 /// Flies what is not there yet. `None`: the reader of the rows has gone away.

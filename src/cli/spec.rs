@@ -62,6 +62,15 @@ pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
     Ok(Loaded { files, model, diagnostics })
 }
 
+/// Hash of some bytes, as hexadecimal digits.
+pub fn sha256(bytes: &[u8]) -> String {
+    hex(Sha256::new_with_prefix(bytes))
+}
+
+fn hex(hash: Sha256) -> String {
+    hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
+}
+
 impl Loaded {
     /// Hash of all files that were read, each with its length, in the order they were named.
     pub fn sha256(&self) -> String {
@@ -70,7 +79,7 @@ impl Loaded {
             hash.update((source.text.len() as u64).to_le_bytes());
             hash.update(source.text.as_bytes());
         }
-        hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
+        hex(hash)
     }
 
     pub fn has_errors(&self) -> bool {

@@ -197,6 +197,10 @@ fn lowest(columns: &[Wrench], w: &Wrench, softness: &Wrench, lambda: &Wrench, st
             }
         }
     }
+    // A Newton step that bends nothing ends at the minimum.
+    if bends[..count].iter().all(|t| *t >= 1.0) {
+        return 1.0;
+    }
     let linear = (lambda.component_mul(softness) - w).dot(step);
     let square = step.component_mul(softness).dot(step);
     let slope = |t: f64| {

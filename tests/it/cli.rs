@@ -409,22 +409,26 @@ fn a_code_written_almost_right_is_found() {
     }
 }
 
-/// The README's picture of a plan is what the command prints: words alike, numbers to 2 %.
+/// The README's pictures of a plan and a flight are what the commands print: words alike, numbers to 2 %.
 #[test]
 fn the_readme_tells_the_truth() {
     let readme = include_str!("../../README.md");
-    let told = readme.split("```text\n").nth(1).unwrap().split("```").next().unwrap();
+    let mut pictures = readme.split("```text\n").skip(1).map(|t| t.split("```").next().unwrap());
     let dir = folder();
-    let table = dir.path().join("traj.csv");
-    let ran = mavc(&["plan", CASE_1, "-o", text(&table)]);
-    let printed = out(&ran).replace(text(&table), "traj.csv");
-    let words = |t: &str| -> Vec<String> { t.split_whitespace().map(str::to_string).collect() };
-    let (told, printed) = (words(told), words(&printed));
-    assert_eq!(told.len(), printed.len(), "{printed:?}");
-    for (a, b) in told.iter().zip(&printed) {
-        match (a.parse::<f64>(), b.parse::<f64>()) {
-            (Ok(x), Ok(y)) => assert!((x - y).abs() <= 0.02 * x.abs().max(0.5), "{a} {b}"),
-            _ => assert_eq!(a, b),
+    for (command, spec, written) in
+        [("plan", CASE_1, "traj.csv"), ("simulate", "specs/paper/figure12.mav", "flight.csv")]
+    {
+        let table = dir.path().join(written);
+        let ran = mavc(&[command, spec, "-o", text(&table)]);
+        let printed = out(&ran).replace(text(&table), written);
+        let words = |t: &str| -> Vec<String> { t.split_whitespace().map(str::to_string).collect() };
+        let (told, printed) = (words(pictures.next().unwrap()), words(&printed));
+        assert_eq!(told.len(), printed.len(), "{printed:?}");
+        for (a, b) in told.iter().zip(&printed) {
+            match (a.parse::<f64>(), b.parse::<f64>()) {
+                (Ok(x), Ok(y)) => assert!((x - y).abs() <= 0.02 * x.abs().max(0.5), "{a} {b}"),
+                _ => assert_eq!(a, b),
+            }
         }
     }
     for spec in readme.split("```mav\n").skip(1).map(|t| t.split("```").next().unwrap()) {
