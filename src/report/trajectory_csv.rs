@@ -59,7 +59,7 @@ pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Stri
     out
 }
 
-/// Adds a line of numbers as [`push_shortest`] writes them.
+/// Adds a line of numbers, each the shortest text that reads back as the same number; no `-0`.
 pub fn push_row(out: &mut String, row: &[f64]) {
     for (k, v) in row.iter().enumerate() {
         if k > 0 {
