@@ -82,6 +82,43 @@ pub struct Sample<'a> {
     /// Capacities that the controller believes in, and those that the estimator gives.
     pub believed: &'a [f64],
     pub estimated: &'a [f64],
+    /// Rank and conditioning of the estimator's regressor at the last look, ten of which are taken a second.
+    pub regressor: Option<(usize, f64)>,
+    /// The flight ends here.
+    pub is_last: bool,
+}
+
+/// What a sample is made of, beside rotors and knowledge.
+struct Looks<'a> {
+    body: &'a Body,
+    reference: &'a Reference,
+    wrench: &'a Wrench,
+    wanted: &'a Wrench,
+}
+
+impl<'a> Looks<'a> {
+    fn sample(
+        self,
+        time: f64,
+        rotors: &'a Rotors,
+        knowledge: &'a Knowledge,
+        regressor: Option<&(usize, f64)>,
+        is_last: bool,
+    ) -> Sample<'a> {
+        let Looks { body, reference, wrench, wanted } = self;
+        Sample {
+            time,
+            body,
+            reference,
+            wrench,
+            wanted,
+            speeds: &rotors.speed,
+            believed: &knowledge.belief.capacity,
+            estimated: knowledge.estimated(),
+            regressor: regressor.copied(),
+            is_last,
+        }
+    }
 }
 
 /// What became of a flight.
@@ -121,7 +158,7 @@ pub struct Regressor {
 /// Looks at the regressor a second.
 const CONDITION_RATE: f64 = 10.0;
 
-/// Flies. `record` is given every instant at which the controller acts.
+/// Flies. `record` is given every instant at which the controller acts, and the last of the flight.
 pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flight {
     let Sortie { model, simulation, strikes, .. } = *sortie;
     let h = 1.0 / simulation.rate;
@@ -146,10 +183,11 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut blowing = nalgebra::Vector3::zeros();
     let mut next_event = 0.0;
     let mut wrench = Wrench::zeros();
+    let mut wanted = Wrench::zeros();
     let mut duration = sortie.duration;
     let mut step = 0usize;
     let outcome = loop {
-        let t = step as f64 * h;
+        let t = step as f64 / simulation.rate;
         if t >= next_event {
             next_event = struck(strikes, t, h, model, &mut rotors);
             wrench = rotors.wrench();
@@ -185,8 +223,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 0 => (reference.acceleration + nalgebra::Vector3::z() * frame.gravity).norm(),
                 _ => knowledge.thrust() / frame.mass,
             };
-            let wanted =
-                control::control(simulation.controller, &frame, &simulation.gains, &measured, force, &reference);
+            wanted = control::control(simulation.controller, &frame, &simulation.gains, &measured, force, &reference);
             allocator.speeds(&wanted, &mut rotors.command);
             knowledge.command(&rotors.command);
             if step == 0 {
@@ -200,16 +237,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 conditions.extend(knowledge.conditioning());
             }
             if let Some(record) = record.as_mut() {
-                record(&Sample {
-                    time: t,
-                    body: &body,
-                    reference: &reference,
-                    wrench: &wrench,
-                    wanted: &wanted,
-                    speeds: &rotors.speed,
-                    believed: &knowledge.belief.capacity,
-                    estimated: knowledge.estimated(),
-                });
+                let looks = Looks { body: &body, reference: &reference, wrench: &wrench, wanted: &wanted };
+                record(&looks.sample(t, &rotors, &knowledge, conditions.last(), false));
             }
         }
         let begin = wrench;
@@ -220,10 +249,15 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         body.step(&frame, h, [&begin, &middle, &wrench], &blowing);
         step += 1;
     };
+    let end = step as f64 / simulation.rate;
+    if let Some(record) = record.as_mut() {
+        let looks = Looks { body: &body, reference: &reference, wrench: &wrench, wanted: &wanted };
+        record(&looks.sample(end, &rotors, &knowledge, conditions.last(), true));
+    }
     let (found, false_alarms, refused) = knowledge.finish();
     Flight {
         outcome,
-        end: step as f64 * h,
+        end,
         rms_error: watch.rms_error(),
         max_error: watch.max_error,
         rms_error_after: watch.rms_error_after(),

@@ -1,7 +1,8 @@
 //! Progress on interactive terminals: which planner and mission time, how many flights and how long they still take.
 
 use super::Options;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use std::fmt::Write;
 use std::io::IsTerminal;
 use std::time::Duration;
 
@@ -48,9 +49,12 @@ impl Flights {
         let wanted = !options.quiet && std::io::stderr().is_terminal();
         let bar = wanted.then(|| {
             let bar = ProgressBar::new(all as u64).with_position(done as u64);
-            let template = "{wide_bar} {human_pos}/{human_len} flights, {per_sec}, {eta} left";
+            let template = "{wide_bar} {human_pos}/{human_len} flights, {rate} a second, {eta} left";
             if let Ok(style) = ProgressStyle::with_template(template) {
-                bar.set_style(style);
+                let rate = |state: &ProgressState, out: &mut dyn Write| {
+                    let _ = write!(out, "{:.0}", state.per_sec());
+                };
+                bar.set_style(style.with_key("rate", rate));
             }
             bar.reset_eta();
             bar.enable_steady_tick(Duration::from_millis(200));

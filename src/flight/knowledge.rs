@@ -106,7 +106,8 @@ impl<'a> Knowledge<'a> {
     /// Brings knowledge up to time `t`, the tick-th act of the controller. True where the belief has changed.
     pub fn update(&mut self, t: f64, tick: usize, measured: &Body, allocator: &Allocator) -> bool {
         for k in 0..self.modelled.len() {
-            self.modelled[k] = self.command[k] + (self.modelled[k] - self.command[k]) * self.remaining[k];
+            let difference = (self.modelled[k] - self.command[k]) * self.remaining[k];
+            self.modelled[k] = if difference.abs() < 1e-12 { self.command[k] } else { self.command[k] + difference };
         }
         let changed = match self.detection {
             Detection::Never => false,

@@ -65,7 +65,9 @@ impl Rotors {
     pub fn half_step(&mut self) {
         for (k, speed) in self.speed.iter_mut().enumerate() {
             if self.stuck[k].is_none() {
-                *speed = self.command[k] + (*speed - self.command[k]) * self.remaining[k];
+                let difference = (*speed - self.command[k]) * self.remaining[k];
+                // What fades for ever ends here: numbers near the smallest are slow to compute with.
+                *speed = if difference.abs() < 1e-12 { self.command[k] } else { self.command[k] + difference };
             }
         }
     }

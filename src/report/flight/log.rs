@@ -25,13 +25,13 @@ impl Log {
         for name in ["omega", "theta", "believed"] {
             (1..=rotors).for_each(|k| csv.push_str(&format!(",{name}_{k}")));
         }
-        csv.push('\n');
+        csv.push_str(",regressor_rank,regressor_condition\n");
         Log { csv, every: every.max(1), count: 0, row: Vec::new() }
     }
 
     pub fn add(&mut self, sample: &Sample) {
         self.count += 1;
-        if !(self.count - 1).is_multiple_of(self.every) {
+        if !(self.count - 1).is_multiple_of(self.every) && !sample.is_last {
             return;
         }
         let Sample { body, reference, .. } = sample;
@@ -52,5 +52,14 @@ impl Log {
         row.extend(sample.estimated);
         row.extend(sample.believed);
         push_row(&mut self.csv, row);
+        // Cells are empty where nothing is estimated, or not yet.
+        self.csv.pop();
+        match sample.regressor {
+            Some((rank, condition)) => {
+                self.csv.push(',');
+                push_row(&mut self.csv, &[rank as f64, condition]);
+            }
+            None => self.csv.push_str(",,\n"),
+        }
     }
 }
