@@ -225,6 +225,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             };
             wanted = control::control(simulation.controller, &frame, &simulation.gains, &measured, force, &reference);
             allocator.speeds(&wanted, &mut rotors.command);
+            knowledge.probe(&mut rotors.command);
             knowledge.command(&rotors.command);
             if step == 0 {
                 rotors.settle();

@@ -164,7 +164,7 @@ pub(super) fn no_plan_code(comparison: &Comparison) -> u8 {
 }
 
 /// A mode cannot be stood: the report says that nothing was planned.
-fn refused(loaded: &Loaded, model: &Model, report: Option<&Target>) -> Result<u8, Problem> {
+pub(super) fn refused(loaded: &Loaded, model: &Model, report: Option<&Target>) -> Result<u8, Problem> {
     if let Some(target) = report {
         write(&[(target, json(&Record::refused(model, loaded.sha256()))?)])?;
     }

@@ -1,6 +1,6 @@
 //! `mavc simulate`: plan, then fly.
 
-use super::plan::{json, no_plan_code, plan_for, ready, spare, targets};
+use super::plan::{json, no_plan_code, plan_for, ready, refused, spare, targets};
 use super::spec::{self, Loaded, timing};
 use super::target::{Target, write};
 use super::{FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
@@ -10,6 +10,7 @@ use crate::model::{Model, coarse_step, past_the_end, too_many_steps};
 use crate::planner::compare::{Ending, Scope};
 use crate::report::flight::{FlightRecord, Log, MAX_ROWS, Told, text};
 use crate::report::number::number;
+use crate::report::record::Record;
 use crate::report::terminal;
 use std::time::Instant;
 
@@ -23,10 +24,16 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     spare(&loaded, &[&table, &report])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
-        return Ok(super::NO_PLAN);
+        return refused(&loaded, &model, report.as_ref());
     };
     let Some(Ending::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
-        files::print(&terminal::plan(&model, &mission, &comparison))?;
+        // Where nothing is flown the report is that of the plan.
+        if !report.as_ref().is_some_and(Target::is_stdout) {
+            files::print(&terminal::plan(&model, &mission, &comparison))?;
+        }
+        if let Some(target) = &report {
+            write(&[(target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?)])?;
+        }
         return Ok(no_plan_code(&comparison));
     };
     if cannot_fly(&mut loaded, &model, solved.time, options) {

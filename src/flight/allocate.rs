@@ -84,7 +84,7 @@ impl Allocator {
         for k in 0..self.full.len() {
             self.columns[k] = match belief.stuck[k] {
                 Some(share) => {
-                    self.shift += self.full[k] * share;
+                    self.shift += self.full[k] * (share * belief.capacity[k]);
                     Wrench::zeros()
                 }
                 None => self.full[k] * belief.capacity[k],
@@ -133,7 +133,7 @@ impl Allocator {
         let mut columns = [Wrench::zeros(); MOST_ROTORS];
         for (k, full) in self.full.iter().enumerate() {
             match belief.stuck[k] {
-                Some(share) => wanted -= full * share,
+                Some(share) => wanted -= full * (share * belief.capacity[k]),
                 None => columns[k] = full * belief.capacity[k],
             }
         }

@@ -7,7 +7,8 @@
 //!   (which bounds the covariance), plus a small price on every loss (so that of two explanations the one with less
 //!   loss is taken), over capacities from 0 to 1;
 //! - a sample is taken in only where the torques differ from what the present estimate gives by more than noise
-//!   explains, or where the last one was: in quiet hover nothing moves.
+//!   explains, or where the last one was: in quiet hover nothing moves. One that speaks after silence tells of a change,
+//!   and older ones are forgotten.
 
 use crate::actuation::Actuation;
 use crate::geometry::symmetric::eigenvalues;
@@ -150,6 +151,11 @@ impl Estimator {
         let torque = torque.component_div(&self.noise);
         let predicted = self.regressor.iter().zip(&self.capacity).fold(Vector3::zeros(), |sum, (p, c)| sum + p * *c);
         if (torque - predicted).amax() > SPEAKS {
+            if self.awake == 0 {
+                // Something has changed since the last sample that spoke: what was seen before need not be true now.
+                self.information.fill(0.0);
+                self.evidence.fill(0.0);
+            }
             self.awake = FOLLOWING;
         }
         if self.awake == 0 {

@@ -31,7 +31,8 @@ pub struct Found {
     pub mode: usize,
     /// s
     pub at: f64,
-    /// Seconds until some rotor that it touches was believed weakened; `None` where that never came.
+    /// Seconds until some rotor that it touches was believed weaker than before; `None` where that never came while
+    /// the fault lasted.
     pub detected_after: Option<f64>,
     /// Seconds until every rotor's capacity was believed within 0.2 of what it was.
     pub isolated_after: Option<f64>,
@@ -52,9 +53,13 @@ pub struct Knowledge<'a> {
     /// What is left of a difference to the command after a period.
     remaining: Vec<f64>,
     thrust_coefficient: Vec<f64>,
+    /// Speeds in hover, all rotors at one share of full thrust.
+    hover_speed: Vec<f64>,
     proposal: Belief,
     hover: Wrench,
     found: Vec<Found>,
+    /// What was believed as each strike came: one rotor after the other, strike after strike.
+    at_strike: Vec<f64>,
     period: f64,
     /// Seconds for which each sound rotor has been believed weak.
     alarmed: Vec<f64>,
@@ -75,6 +80,8 @@ impl<'a> Knowledge<'a> {
     ) -> Self {
         let rotors = &model.vehicle.rotors;
         let n = rotors.len();
+        let full: f64 = rotors.iter().map(|r| r.max_thrust()).sum();
+        let share = (model.vehicle.mass * model.gravity / full).min(1.0);
         let estimator = (simulation.detection == Detection::Estimator).then(|| {
             let sample = period * estimator_ticks as f64;
             Estimator::new(model, simulation.forgetting, simulation.gyroscope_noise, sample)
@@ -91,9 +98,11 @@ impl<'a> Knowledge<'a> {
             command: vec![0.0; n],
             remaining: rotors.iter().map(|r| (-period / r.lag()).exp()).collect(),
             thrust_coefficient: rotors.iter().map(|r| r.thrust_coefficient).collect(),
+            hover_speed: rotors.iter().map(|r| r.max_speed * share.sqrt()).collect(),
             proposal: Belief::healthy(n),
             hover: hover(model),
             found: Vec::with_capacity(strikes.len()),
+            at_strike: Vec::with_capacity(strikes.len() * n),
             period,
             alarmed: vec![0.0; n],
             false_alarms: 0,
@@ -177,6 +186,7 @@ impl<'a> Knowledge<'a> {
     fn keep_score(&mut self, t: f64) {
         while let Some(strike) = self.strikes.get(self.found.len()).filter(|s| s.at <= t + 1e-9) {
             self.found.push(Found { mode: strike.mode, at: strike.at, detected_after: None, isolated_after: None });
+            self.at_strike.extend_from_slice(&self.belief.capacity);
         }
         let active = |s: &&Strike| s.at <= t + 1e-9 && s.until.is_none_or(|end| end > t);
         let truth = |k: usize| {
@@ -205,13 +215,31 @@ impl<'a> Knowledge<'a> {
             if stuck { told || b < SOUND } else { (c - b).abs() <= CLOSE }
         };
         let all_close = (0..n).all(is_close);
-        for (found, strike) in self.found.iter_mut().zip(self.strikes) {
-            let is_seen = |k: usize| self.belief.capacity[k] < SOUND || self.belief.stuck[k].is_some();
+        for (index, (found, strike)) in self.found.iter_mut().zip(self.strikes).enumerate() {
+            if strike.until.is_some_and(|end| end <= t) {
+                continue;
+            }
+            // What was believed before is not found now.
+            let before = &self.at_strike[index * n..(index + 1) * n];
+            let is_seen = |k: usize| self.belief.capacity[k] < before[k] - MOVED || self.belief.stuck[k].is_some();
             if found.detected_after.is_none() && (0..n).any(|k| touches(strike, k) && is_seen(k)) {
                 found.detected_after = Some((t - strike.at).max(0.0));
             }
             if found.isolated_after.is_none() && all_close {
                 found.isolated_after = Some((t - strike.at).max(0.0));
+            }
+        }
+    }
+
+    /// Has rotors that the estimator believes lost turn as they would in hover (rad/s). Nothing is asked of them; should
+    /// one answer, the estimator sees it.
+    pub fn probe(&self, command: &mut [f64]) {
+        if self.estimator.is_none() {
+            return;
+        }
+        for (k, speed) in command.iter_mut().enumerate() {
+            if self.belief.capacity[k] == 0.0 {
+                *speed = self.hover_speed[k];
             }
         }
     }

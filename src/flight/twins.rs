@@ -15,6 +15,9 @@ const SHOWN: usize = 6;
 /// Modes that an estimator is asked to tell apart are alike in hover.
 pub const ALIKE: &str = "mavc::simulate::alike";
 
+/// An estimator of capacities is to find a rotor that is stuck.
+pub const STUCK: &str = "mavc::simulate::stuck";
+
 /// Squared rotor speeds (rad^2/s^2) with which the healthy vehicle gives a wrench.
 pub fn squares(model: &Model, wrench: &Wrench) -> Vec<f64> {
     Allocator::new(&model.vehicle).speeds(wrench).iter().map(|w| w * w).collect()
@@ -76,33 +79,49 @@ pub fn names<'a>(model: &'a Model, group: &[usize]) -> Vec<&'a str> {
     group.iter().map(|&m| if m == 0 { HEALTHY } else { model.modes[m - 1].name.as_str() }).collect()
 }
 
-/// Warns where a written `simulate` asks for estimates and modes that it or a campaign may strike are alike in hover.
-/// Every plan begins and ends there, and so does every hold.
+/// Warns where a written `simulate` asks for estimates and modes that it or a campaign may strike pin a rotor or are
+/// alike in hover. Every plan begins and ends there, and so does every hold.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     let written = model.simulation.written || model.campaign.written;
     if !written || !are_asked_for(model) || model.modes.is_empty() {
         return Vec::new();
     }
-    let groups = twins(model, &[hover_squares(model)]);
     let struck: Vec<usize> = model.simulation.faults.iter().map(|s| s.mode + 1).collect();
+    let span = if model.simulation.written { model.simulation.span } else { model.campaign.span };
+    let warning =
+        |code, message: String| Diagnostic::warning(code, span, message).here("capacities are estimated here");
+    let mut found = Vec::new();
+    let is_struck = |mode: usize| model.campaign.written || struck.contains(&(mode + 1));
+    let pinned = |mode: usize| model.modes[mode].stuck.iter().any(Option::is_some);
+    let stuck: Vec<&str> =
+        (0..model.modes.len()).filter(|m| is_struck(*m) && pinned(*m)).map(|m| model.modes[m].name.as_str()).collect();
+    if !stuck.is_empty() {
+        let what = if stuck.len() == 1 { "a stuck rotor" } else { "stuck rotors" };
+        let message = format!("the estimator takes {what} for losses: {}", listed(&stuck));
+        found.push(
+            warning(STUCK, message)
+                .help("a capacity says how much is lost, not that a rotor gives too much: write `detection = 50 ms`"),
+        );
+    }
+    let groups = twins(model, &[hover_squares(model)]);
     let matters = |group: &&Vec<usize>| model.campaign.written || group.iter().any(|m| struck.contains(m));
     let told: Vec<String> = groups.iter().filter(matters).map(|group| listed(&names(model, group))).collect();
     if told.is_empty() {
-        return Vec::new();
+        return found;
     }
-    let span = if model.simulation.written { model.simulation.span } else { model.campaign.span };
     let some = if told.len() > SHOWN { format!("; and {} more groups", told.len() - SHOWN) } else { String::new() };
     let message = format!("in hover no estimate tells apart {}{some}", told[..told.len().min(SHOWN)].join("; nor "));
-    vec![
-        Diagnostic::warning(ALIKE, span, message)
-            .here("capacities are estimated here")
-            .help("their torques there differ by less than noise: write `detection = 50 ms` for faults told otherwise"),
-    ]
+    found
+        .push(warning(ALIKE, message).help(
+            "their torques there differ by less than noise: write `detection = 50 ms` for faults told otherwise",
+        ));
+    found
 }
 
 /// `healthy and M1_5`; of many the first ones and the number.
 pub fn listed(names: &[&str]) -> String {
     match names {
+        [one] => one.to_string(),
         [all @ .., last] if names.len() <= SHOWN => format!("{} and {last}", all.join(", ")),
         _ => format!("{} and {} more", names[..SHOWN].join(", "), names.len() - SHOWN),
     }

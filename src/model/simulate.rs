@@ -177,7 +177,7 @@ impl<'a> Reader<'a> {
             cx.report(error);
             self.fine = false;
         }
-        Some(Simulation {
+        let simulation = Simulation {
             duration: duration?,
             rate: rate?,
             control_rate: control_rate?,
@@ -202,7 +202,12 @@ impl<'a> Reader<'a> {
             written: true,
             span,
             rate_span: self.fields.get("rate").map_or(span, |expr| expr.span),
-        })
+        };
+        if let Some(error) = around.vehicle.and_then(|vehicle| checks::coarse_drag(&simulation, vehicle)) {
+            cx.report(error);
+            self.fine = false;
+        }
+        Some(simulation)
     }
 
     fn default<T>(&mut self, field: &str, (value, text, reason): (T, &str, &str)) -> T {

@@ -316,9 +316,14 @@ fn rows_of_another_campaign_or_shard_are_not_gone_on_with() {
     std::fs::write(desk.path("rows.csv.part"), damaged).unwrap();
     let told = desk.run(&["hop.mav", "--times", "2", "--seeds", "1", "-o", "rows.csv"], 2);
     assert!(told.contains("rows.csv.part, line 2: ") && told.contains("is no outcome"), "{told}");
-    // Finished rows of another campaign are replaced once the new ones are complete.
+    // Nor are finished rows of another campaign replaced: they may have taken hours.
     std::fs::remove_file(desk.path("rows.csv.part")).unwrap();
     std::fs::write(desk.path("rows.csv"), &before).unwrap();
+    let told = desk.run(&["hop.mav", "--times", "1", "--seeds", "1", "-o", "rows.csv", "--quiet"], 2);
+    assert!(told.contains("rows.csv holds rows of another campaign"), "{told}");
+    assert!(desk.bytes("rows.csv") == before);
+    // What is no campaign's may be.
+    std::fs::write(desk.path("rows.csv"), "old notes\n").unwrap();
     desk.run(&["hop.mav", "--times", "1", "--seeds", "1", "-o", "rows.csv", "--quiet"], 0);
     assert_eq!(desk.lines("rows.csv").len(), 1 + 3 * 3);
 }

@@ -152,9 +152,13 @@ fn check_warns_of_modes_that_look_alike_in_hover() {
 fn a_mission_without_a_plan_is_not_flown() {
     let folder = tempfile::tempdir().unwrap();
     let log = folder.path().join("flight.csv");
-    let ran = simulate(&hop(folder.path(), ""), &["-o", log.to_str().unwrap(), "--set", "plan.time=0.5s"]);
+    let report = folder.path().join("sim.json");
+    let outputs = ["-o", log.to_str().unwrap(), "--report", report.to_str().unwrap(), "--set", "plan.time=0.5s"];
+    let ran = simulate(&hop(folder.path(), ""), &outputs);
     assert_eq!(code(&ran), 3);
     assert!(!log.exists());
+    let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    assert_eq!(record["planners"][0]["status"], "infeasible");
     let many = simulate(&hop(folder.path(), ""), &["-o", log.to_str().unwrap(), "--set", "simulate.duration=90000s"]);
     assert_eq!(code(&many), 2, "a log past its bound: {}", err(&many));
 }

@@ -10,7 +10,7 @@ use crate::campaign::rows::header;
 use crate::campaign::scan::{Scan, ScanError, scan};
 use crate::campaign::tally::Tally;
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{BufReader, Error, ErrorKind, Seek, SeekFrom, Write};
+use std::io::{BufRead, BufReader, Error, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 pub struct Output<'a> {
@@ -62,6 +62,12 @@ impl<'a> Output<'a> {
         if let Some(tally) = whole {
             return Ok((Output { place: Place::Complete(path) }, tally));
         }
+        if holds_rows(path) {
+            return Err(format!(
+                "{} holds rows of another campaign or shard, or not all of this one: delete it, or choose another name with -o",
+                path.display()
+            ));
+        }
         let part = part_of(path);
         let (file, tally) = resume(&part, design, shard)?;
         Ok((Output { place: Place::Part { file, part, path, target } }, tally))
@@ -110,6 +116,13 @@ impl<'a> Output<'a> {
         file.sync_all().map_err(cannot)?;
         std::fs::rename(&part, path).map_err(cannot)
     }
+}
+
+/// Whether a file begins like rows of some campaign, and holds at least one.
+fn holds_rows(path: &Path) -> bool {
+    let Ok(file) = File::open(path) else { return false };
+    let mut lines = BufReader::new(file).lines();
+    lines.next().is_some_and(|line| line.is_ok_and(|l| l == header())) && lines.next().is_some()
 }
 
 /// The tally of a file that holds every row of the shard.

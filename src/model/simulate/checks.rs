@@ -13,6 +13,8 @@ use crate::syntax::ast::Expr;
 const MAX_RATE: f64 = 100_000.0;
 /// Most steps of one flight.
 const MAX_STEPS: f64 = 1e8;
+/// Slowest controller and estimator, Hz: the vehicle is looked at when the controller acts.
+const MIN_RATES: [(&str, f64); 2] = [("control_rate", 10.0), ("estimator_rate", 1.0)];
 const RATES: &str = "mavc::simulate::rates";
 
 /// When the flight is over, s, where that is said, and what is said there.
@@ -76,6 +78,22 @@ pub fn coarse_step(model: &Model) -> Option<Diagnostic> {
 
 pub(super) fn coarse(simulation: &Simulation, vehicle: &Vehicle) -> Option<Diagnostic> {
     coarse_for(simulation.rate, simulation.control_rate, simulation.rate_span, vehicle)
+        .or_else(|| coarse_drag(simulation, vehicle))
+}
+
+/// Drag slows the vehicle at the rate drag/mass; two steps at least in its time constant, as for rotors.
+pub(super) fn coarse_drag(simulation: &Simulation, vehicle: &Vehicle) -> Option<Diagnostic> {
+    let slowing = simulation.drag / vehicle.mass;
+    (2.0 * slowing > simulation.rate).then(|| {
+        let message = format!(
+            "a step of {} ms is too coarse for a drag that stops the vehicle in {} ms",
+            number(1e3 / simulation.rate),
+            number(1e3 / slowing)
+        );
+        Diagnostic::error("mavc::simulate::coarse_step", simulation.span, message)
+            .here(format!("`drag` is {} N*s/m here", number(simulation.drag)))
+            .help("look at the `drag`: that of a small multirotor is below 1 N*s/m")
+    })
 }
 
 /// Two steps at least in the time constant of the fastest rotor: beyond that the integration goes astray.
@@ -130,6 +148,14 @@ pub(super) fn rates<'a>(
         error.here(format!("this is {} kHz", number(rate / 1e3))).help("write `rate = 100 kHz` or less")
     });
     let mut told = report(cx, too_fast);
+    for ((name, least), given) in MIN_RATES.into_iter().zip([control_rate, estimator_rate]) {
+        let too_slow = given.filter(|rate| *rate < least).map(|rate| {
+            let error = Diagnostic::error(RATES, place(name), format!("`{name}` is at least {} Hz", number(least)));
+            let error = error.here(format!("this is {} Hz", number(rate)));
+            error.help(format!("write `{name} = {} Hz` or more", number(least)))
+        });
+        told |= report(cx, too_slow);
+    }
     // What `control_rate` is to be, where it has to change.
     let mut undecided = false;
     if let (Some(rate), Some(control_rate), Some(vehicle), false) = (rate, control_rate, vehicle, told) {

@@ -38,7 +38,7 @@ pub fn text(told: &Told) -> String {
             row.push(fault.until_s.map_or("no".into(), |t| format!("{} s", number(t))));
             match fault.struck {
                 true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
-                false => row.extend(["the flight".to_string(), "had ended".to_string()]),
+                false => row.push("not struck".to_string()),
             }
             table.row(row);
         }

@@ -123,3 +123,41 @@ fn by_the_estimator_alone_double_losses_that_are_felt_are_survived() {
         }
     }
 }
+
+/// Beliefs and thrusts at the end of 12 s in hover, with noise: (believed, given, wanted).
+fn ends(model: &Model, strikes: &[mavc::model::Strike]) -> (Vec<f64>, f64, f64) {
+    let plan = staying([0.0, 0.0, 10.0], 0.0, 12.0);
+    let mut last = (Vec::new(), 0.0, 0.0);
+    let flight =
+        fly(&sortie(model, &plan, strikes), Some(&mut |s| last = (s.believed.to_vec(), s.wrench[0], s.wanted[0])));
+    assert!(!flight.outcome.is_lost(), "{flight:?}");
+    last
+}
+
+/// Lost or weakened, a rotor that works again is believed again, and no other pays for it.
+#[test]
+fn rotors_that_recover_are_believed_again() {
+    let mut model = octocopter("PPNNPPNN");
+    model.simulation.detection = Detection::Estimator;
+    let mut weak = lost(&model, &[4]);
+    weak.capacity[3] = 0.6;
+    model.modes = vec![lost(&model, &[3]), weak];
+    for mode in 0..2 {
+        let strikes = [mavc::model::Strike { until: Some(6.0), ..strike(mode, 2.0) }];
+        let (believed, ..) = ends(&model, &strikes);
+        assert!(believed.iter().all(|b| *b > 0.8), "{}: {believed:?}", model.modes[mode].name);
+    }
+}
+
+/// The controller counts neither on a rotor that is stuck and then lost, nor on one that is lost and then stuck.
+#[test]
+fn a_stuck_rotor_that_is_lost_gives_nothing() {
+    let mut model = told(octocopter("PPNNPPNN"));
+    let mut stuck = lost(&model, &[3]);
+    (stuck.capacity[2], stuck.stuck[2]) = (1.0, Some(0.5));
+    model.modes = vec![lost(&model, &[3]), stuck];
+    for order in [[0, 1], [1, 0]] {
+        let (_, given, wanted) = ends(&model, &[strike(order[0], 2.0), strike(order[1], 3.0)]);
+        assert!((given - wanted).abs() < 0.01 * wanted, "{given} N given, {wanted} N wanted");
+    }
+}
