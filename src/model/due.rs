@@ -131,7 +131,11 @@ impl<'a> Context<'a> {
         let list = match self.evaluate(expr)? {
             Value::List(list) => list,
             other => {
-                return self.wrong_kind(&other, &format!("a list of three for `{}`", due.what), expr.span);
+                let message = format!("a list of three for `{}` is due here, not {}", due.what, other.kind());
+                let error = Diagnostic::error("mavc::unit::kind", expr.span, message);
+                let error = error.here(format!("this is {}", other.kind()));
+                self.report(error.help(format!("write `[x, y, z] {}`", due.unit)));
+                return None;
             }
         };
         let [x, y, z] = list[..] else {

@@ -168,7 +168,15 @@ impl<'a> Fields<'a> {
             ExprKind::Name(name) => nearest(name, words.iter().copied()),
             _ => None,
         };
+        let quoted = match &expr.kind {
+            ExprKind::Text(text) => words.iter().find(|word| *word == text),
+            _ => None,
+        };
         cx.report(match near {
+            _ if quoted.is_some() => {
+                let word = quoted.copied().unwrap_or_default();
+                error.here("a text").help(format!("take out the quotes: write `{word}`")).fix(expr.span, word)
+            }
             Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
             None => error.help(format!("write one of them, such as `{}`", words[0])),
         });

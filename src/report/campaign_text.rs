@@ -231,7 +231,7 @@ fn agreement(agreement: &Agreement) -> String {
         out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
         let n = counted(controllable.modes, "mode");
         out.push_str(&format!(
-            "\n  Only the {n} that leave full control: under the others every plan is outside all the time\n"
+            "\n  Only the {n} with hover inside their sets: against the others no plan can be made\n"
         ));
         out.push_str(&scope(controllable));
     }
