@@ -7,7 +7,7 @@ mod parquet;
 use super::plan::{json, plan_for as plan, ready, spare};
 use super::progress::Flights;
 use super::simulate::cannot_fly;
-use super::spec::{self, Loaded, sha256, timing};
+use super::spec::{self, Loaded, hex, timing};
 use super::target::{Target, write};
 use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, files};
 use crate::campaign::cases::Shard;
@@ -20,6 +20,8 @@ use crate::report::campaign_record::CampaignRecord;
 use crate::report::campaign_text;
 use clap::{Args, Subcommand};
 use output::{Output, Stop};
+use sha2::{Digest, Sha256};
+use std::io::Read;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -133,10 +135,17 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
     Ok(if is_inconclusive(&design.missing) { INCONCLUSIVE } else { FINE })
 }
 
-/// Hash of this very program: rows of another build may differ, and must not be joined. Empty where it cannot be read.
+/// Hash of this very program: rows of another build may differ, and must not be joined. That of nothing where it cannot
+/// be read.
 fn binary() -> String {
-    let bytes = std::env::current_exe().and_then(std::fs::read).unwrap_or_default();
-    sha256(&bytes)
+    let mut hash = Sha256::new();
+    if let Ok(mut file) = std::env::current_exe().and_then(std::fs::File::open) {
+        let mut piece = [0; 1 << 16];
+        while let Ok(length @ 1..) = file.read(&mut piece) {
+            hash.update(&piece[..length]);
+        }
+    }
+    hex(hash)
 }
 
 /// Flies what is not there yet. `None`: the reader of the rows has gone away.

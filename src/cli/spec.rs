@@ -62,12 +62,8 @@ pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
     Ok(Loaded { files, model, diagnostics })
 }
 
-/// Hash of some bytes, as hexadecimal digits.
-pub fn sha256(bytes: &[u8]) -> String {
-    hex(Sha256::new_with_prefix(bytes))
-}
-
-fn hex(hash: Sha256) -> String {
+/// Hexadecimal digits of a finished hash.
+pub fn hex(hash: Sha256) -> String {
     hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
 }
 
