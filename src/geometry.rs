@@ -1,4 +1,4 @@
-//! Pure mathematics of small polytopes: zonotopes, half-space descriptions, nearest points.
+//! Pure mathematics of small polytopes: zonotopes, half-space descriptions, nearest points; and eigenvalues.
 //! Nothing here knows a vehicle.
 
 mod cone;

@@ -41,8 +41,10 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     }
     let strikes = &model.simulation.faults;
     let sortie = Sortie::along(&model, &solved.trajectory, strikes, model.simulation.seed);
-    let every = every(&model, rate, sortie.duration)?;
-    let mut log = table.is_some().then(|| Log::new(model.vehicle.rotors.len(), every));
+    let mut log = match &table {
+        Some(_) => Some(Log::new(model.vehicle.rotors.len(), every(&model, rate, sortie.duration)?)),
+        None => None,
+    };
     let begin = Instant::now();
     let flight = match &mut log {
         Some(log) => fly(&sortie, Some(&mut |sample: &Sample| log.add(sample))),
@@ -59,16 +61,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
             if log.is_some() { ", with its log" } else { "" }
         ));
     }
-    let planned: Vec<Vec<f64>> = match twins::are_asked_for(&model) {
-        true => solved
-            .trajectory
-            .node_wrenches(&model.vehicle, model.gravity)
-            .iter()
-            .map(|w| twins::squares(&model, w))
-            .collect(),
-        false => Vec::new(),
-    };
-    let groups = if planned.is_empty() { Vec::new() } else { twins::twins(&model, &planned) };
+    let groups = twins::along(&model, &solved.trajectory);
     let alike: Vec<Vec<&str>> = groups.iter().map(|group| twins::names(&model, group)).collect();
     let told = Told { model: &model, solved, strikes, flight: &flight, alike: &alike };
     let mut results = Vec::new();

@@ -1,12 +1,12 @@
 //! Fault modes that the torques cannot tell apart.
 
 use super::estimate::{SPEAKS, torque_noise};
-use crate::actuation::Actuation;
-use crate::actuation::Wrench;
+use crate::actuation::{Actuation, Wrench};
 use crate::admissible::allocation::Allocator;
 use crate::admissible::{HEALTHY, hover};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Detection, Model};
+use crate::trajectory::Trajectory;
 use nalgebra::Vector3;
 
 /// Modes, and groups of them, that a message names; of more it gives the number.
@@ -19,13 +19,8 @@ pub const ALIKE: &str = "mavc::simulate::alike";
 pub const STUCK: &str = "mavc::simulate::stuck";
 
 /// Squared rotor speeds (rad^2/s^2) with which the healthy vehicle gives a wrench.
-pub fn squares(model: &Model, wrench: &Wrench) -> Vec<f64> {
-    Allocator::new(&model.vehicle).speeds(wrench).iter().map(|w| w * w).collect()
-}
-
-/// Squared speeds in hover, where every plan from rest to rest begins and ends.
-pub fn hover_squares(model: &Model) -> Vec<f64> {
-    squares(model, &hover(model))
+fn squares(allocator: &Allocator, wrench: &Wrench) -> Vec<f64> {
+    allocator.speeds(wrench).iter().map(|w| w * w).collect()
 }
 
 /// Groups of modes (0 is healthy, i + 1 is `Model::modes[i]`) whose torques at the instants do not tell them apart;
@@ -74,6 +69,21 @@ pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     groups
 }
 
+/// Instants of a plan at which modes are compared: with thousands of modes every node would be too many.
+const INSTANTS: usize = 200;
+
+/// Groups of modes that no estimate tells apart at nodes spread over a plan; none where nothing is estimated.
+pub fn along(model: &Model, trajectory: &Trajectory) -> Vec<Vec<usize>> {
+    if model.simulation.detection != Detection::Estimator {
+        return Vec::new();
+    }
+    let wrenches = trajectory.node_wrenches(&model.vehicle, model.gravity);
+    let every = wrenches.len().div_ceil(INSTANTS);
+    let allocator = Allocator::new(&model.vehicle);
+    let instants: Vec<Vec<f64>> = wrenches.iter().step_by(every).map(|w| squares(&allocator, w)).collect();
+    twins(model, &instants)
+}
+
 /// Names of a group's modes, the healthy vehicle's first.
 pub fn names<'a>(model: &'a Model, group: &[usize]) -> Vec<&'a str> {
     group.iter().map(|&m| if m == 0 { HEALTHY } else { model.modes[m - 1].name.as_str() }).collect()
@@ -83,7 +93,7 @@ pub fn names<'a>(model: &'a Model, group: &[usize]) -> Vec<&'a str> {
 /// alike in hover. Every plan begins and ends there, and so does every hold.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     let written = model.simulation.written || model.campaign.written;
-    if !written || !are_asked_for(model) || model.modes.is_empty() {
+    if !written || model.simulation.detection != Detection::Estimator || model.modes.is_empty() {
         return Vec::new();
     }
     let struck: Vec<usize> = model.simulation.faults.iter().map(|s| s.mode + 1).collect();
@@ -103,7 +113,7 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
                 .help("a capacity says how much is lost, not that a rotor gives too much: write `detection = 50 ms`"),
         );
     }
-    let groups = twins(model, &[hover_squares(model)]);
+    let groups = twins(model, &[squares(&Allocator::new(&model.vehicle), &hover(model))]);
     let matters = |group: &&Vec<usize>| model.campaign.written || group.iter().any(|m| struck.contains(m));
     let told: Vec<String> = groups.iter().filter(matters).map(|group| listed(&names(model, group))).collect();
     if told.is_empty() {
@@ -125,9 +135,4 @@ pub fn listed(names: &[&str]) -> String {
         [all @ .., last] if names.len() <= SHOWN => format!("{} and {last}", all.join(", ")),
         _ => format!("{} and {} more", names[..SHOWN].join(", "), names.len() - SHOWN),
     }
-}
-
-/// Whether an estimator is to tell the modes apart.
-pub fn are_asked_for(model: &Model) -> bool {
-    model.simulation.detection == Detection::Estimator
 }

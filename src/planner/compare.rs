@@ -1,8 +1,11 @@
 //! Steps (a) to (f) of section 5.3: which planners are run at which time, and how each plan stands to each mode.
 
+mod common;
+mod everything;
+
 use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
-use super::search::{Hint, NoTime, RESOLUTION, Shortest};
+use super::search::{Hint, NoTime, Shortest};
 use super::select::{PlanningSet, SetRow};
 use crate::admissible::AdmissibleSet;
 use crate::model::{Mission, MissionTime, Model, PlannerKind};
@@ -227,15 +230,20 @@ impl<'a> Setting<'a> {
             .collect()
     }
 
-    /// Only the spec's own planner, at the spec's time or its shortest.
-    fn plan(&self) -> Comparison {
-        let mut out = Comparison {
+    /// A comparison without runs, at the spec's time where it has one.
+    fn begun(&self) -> Comparison {
+        Comparison {
             modes: self.names.clone(),
             runs: Vec::new(),
             common_time: self.fixed_time(),
             selected: Vec::new(),
             effort: Effort::default(),
-        };
+        }
+    }
+
+    /// Only the spec's own planner, at the spec's time or its shortest.
+    fn plan(&self) -> Comparison {
+        let mut out = self.begun();
         let kind = self.model.plan.planner;
         let (set, name) = match kind {
             PlannerKind::Rip => (self.rip.clone(), "RIP"),
@@ -295,55 +303,6 @@ impl<'a> Setting<'a> {
         Some(joint)
     }
 
-    /// RIP, RCP jointly and RSP at T_d; no runs where there is no such time, and no RCP without modes.
-    fn at_common_time(&self) -> Comparison {
-        let mut out = Comparison {
-            modes: self.names.clone(),
-            runs: Vec::new(),
-            common_time: self.fixed_time(),
-            selected: Vec::new(),
-            effort: Effort::default(),
-        };
-        let joint = self.seek_common_time(&mut out);
-        let Some(time) = out.common_time else { return out };
-        let (rip, rcp) = rayon::join(
-            || self.at("RIP", &self.rip, time, Pool::default()),
-            || {
-                (!self.names.is_empty()).then(|| match &joint {
-                    Some(found) => self.at_or_own("RCP", &self.joint, time, found),
-                    None => self.at("RCP", &self.joint, time, Pool::default()),
-                })
-            },
-        );
-        let (decision, effort) = rip;
-        out.effort += effort;
-        let ending = self.common(time, &decision);
-        let rsp_set = match &decision {
-            Decision::Feasible(planned) => {
-                out.selected = self.violated(planned);
-                self.rip.with(out.selected.clone())
-            }
-            _ => self.rip.clone(),
-        };
-        // Where nothing is selected RSP's plan is RIP's, and where RIP has none RSP has nothing to select by.
-        let rsp = match out.selected.is_empty() {
-            true => ending.clone(),
-            false => {
-                let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default());
-                out.effort += effort;
-                self.common(time, &decision)
-            }
-        };
-        out.runs.push(self.run(PlannerKind::Rip, &[], Run::Common, ending, &self.rip));
-        if let Some((decision, effort)) = rcp {
-            out.effort += effort;
-            let ending = self.common(time, &decision);
-            out.runs.push(self.run(PlannerKind::Rcp, &self.names, Run::Common, ending, &self.joint));
-        }
-        out.runs.push(self.run(PlannerKind::Rsp, &self.names, Run::Common, rsp, &rsp_set));
-        out
-    }
-
     /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates.
     fn rsp_set(&self, out: &mut Comparison) -> Result<PlanningSet, Ending> {
         self.seek_common_time(out);
@@ -384,114 +343,6 @@ impl<'a> Setting<'a> {
             self.search(&format!("RCP {name}"), set, hint.clone(), pool)
         };
         self.names.par_iter().zip(self.singles.par_iter()).map(work).collect()
-    }
-
-    /// RIP, RCP per mode, RCP jointly and RSP, at their own shortest times and at T_d.
-    fn everything(&self) -> Comparison {
-        // RIP and the tightest RCP first, side by side: they bound all others.
-        let several = self.names.len() > 1;
-        let (rip, tightest) = rayon::join(
-            || self.search("RIP", &self.rip, Hint::default(), Pool::default()),
-            || (!self.names.is_empty()).then(|| self.search("RCP", &self.joint, Hint::default(), Pool::default())),
-        );
-        let mut effort = rip.effort;
-        effort += tightest.as_ref().map_or(Effort::default(), |f| f.effort);
-        let above_rip = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
-        let mut singles: Vec<Found> = Vec::new();
-        if let Some(joint) = tightest.as_ref().filter(|_| several) {
-            singles = self.singles_own(&rip, Hint { feasible: time(joint), ..above_rip.clone() });
-            singles.iter().for_each(|f| effort += f.effort);
-        }
-        let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
-        let joint = tightest.as_ref().filter(|_| several);
-
-        let longest_single = singles.iter().filter_map(|f| time(f)).max_by(f64::total_cmp);
-        let common_time = self.fixed_time().or(joint.and_then(time)).or(longest_single);
-
-        let none: &[String] = &[];
-        let mut runs = vec![self.run(PlannerKind::Rip, none, Run::Own, self.own(&rip), &self.rip)];
-        // Modes, set, and what its own search found.
-        let mut conservative: Vec<(&[String], &PlanningSet, &Found)> = Vec::new();
-        for ((&found, set), name) in singles.iter().zip(&self.singles).zip(&self.names) {
-            conservative.push((std::slice::from_ref(name), set, found));
-        }
-        conservative.extend(joint.map(|j| (self.names.as_slice(), &self.joint, j)));
-        for (against, set, found) in &conservative {
-            runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
-        }
-        let mut selected = Vec::new();
-        if let Some(at) = common_time {
-            let (decision, spent) = self.at_or_own("RIP", &self.rip, at, &rip);
-            effort += spent;
-            if let Decision::Feasible(planned) = &decision {
-                selected = self.violated(planned);
-            }
-            let rsp_set = self.rip.with(selected.clone());
-            let mut common = vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.rip)];
-            let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
-                || {
-                    let binding = tightest.as_ref().unwrap_or(&rip);
-                    let pool =
-                        binding.pool.translated(if tightest.is_some() { &self.joint } else { &self.rip }, &rsp_set);
-                    self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), selected.is_empty(), pool)
-                },
-                || {
-                    let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
-                        let label = label(PlannerKind::Rcp, against);
-                        let (decision, spent) = self.at_or_own(&label, set, at, found);
-                        let ending = self.common(at, &decision);
-                        (self.run(PlannerKind::Rcp, against, Run::Common, ending, set), spent)
-                    };
-                    conservative.par_iter().map(work).collect::<Vec<_>>()
-                },
-            );
-            effort += rsp_effort;
-            for (run, spent) in others {
-                common.push(run);
-                effort += spent;
-            }
-            runs.push(self.run(PlannerKind::Rsp, &self.names, Run::Own, self.own(&rsp), &rsp_set));
-            common.push(self.run(PlannerKind::Rsp, &self.names, Run::Common, rsp_common, &rsp_set));
-            runs.extend(common);
-        }
-        Comparison { modes: self.names.clone(), runs, common_time, selected, effort }
-    }
-
-    /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there.
-    fn rsp_own_and_common(
-        &self,
-        set: &PlanningSet,
-        at: f64,
-        rip: &Found,
-        above_rip: Hint,
-        same_as_rip: bool,
-        pool: Pool,
-    ) -> (Found, Ending, Effort) {
-        if same_as_rip {
-            let (decision, effort) = self.at_or_own("RSP", set, at, rip);
-            let own = Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
-            return (own, self.common(at, &decision), effort);
-        }
-        // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
-        let below = at - RESOLUTION;
-        let ((decision, mut effort), shorter) = rayon::join(
-            || self.at("RSP", set, at, pool.clone()),
-            || self.fixed_time().is_none().then(|| self.at("RSP", set, below, pool.clone())),
-        );
-        let ending = self.common(at, &decision);
-        let mut hint = hint_from(at, decision);
-        if let Some((shorter, spent)) = shorter {
-            effort += spent;
-            match shorter {
-                Decision::Infeasible => hint.infeasible = Some(below),
-                feasible @ Decision::Feasible(_) => hint = hint_from(below, feasible),
-                Decision::Inconclusive(_) => {}
-            }
-        }
-        hint.infeasible = hint.infeasible.or(above_rip.infeasible);
-        let own = self.search("RSP", set, hint, pool);
-        effort += own.effort;
-        (own, ending, effort)
     }
 
     /// The plan at a time, taken from the own search where that ended at the same time.

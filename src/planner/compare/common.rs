@@ -1,0 +1,50 @@
+//! All planners at one mission time: what a campaign flies.
+
+use super::{Comparison, Run, Setting};
+use crate::model::PlannerKind;
+use crate::planner::rows::{Decision, Pool};
+
+impl Setting<'_> {
+    /// RIP, RCP jointly and RSP at T_d; no runs where there is no such time, and no RCP without modes.
+    pub(super) fn at_common_time(&self) -> Comparison {
+        let mut out = self.begun();
+        let joint = self.seek_common_time(&mut out);
+        let Some(time) = out.common_time else { return out };
+        let (rip, rcp) = rayon::join(
+            || self.at("RIP", &self.rip, time, Pool::default()),
+            || {
+                (!self.names.is_empty()).then(|| match &joint {
+                    Some(found) => self.at_or_own("RCP", &self.joint, time, found),
+                    None => self.at("RCP", &self.joint, time, Pool::default()),
+                })
+            },
+        );
+        let (decision, effort) = rip;
+        out.effort += effort;
+        let ending = self.common(time, &decision);
+        let rsp_set = match &decision {
+            Decision::Feasible(planned) => {
+                out.selected = self.violated(planned);
+                self.rip.with(out.selected.clone())
+            }
+            _ => self.rip.clone(),
+        };
+        // Where nothing is selected RSP's plan is RIP's, and where RIP has none RSP has nothing to select by.
+        let rsp = match out.selected.is_empty() {
+            true => ending.clone(),
+            false => {
+                let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default());
+                out.effort += effort;
+                self.common(time, &decision)
+            }
+        };
+        out.runs.push(self.run(PlannerKind::Rip, &[], Run::Common, ending, &self.rip));
+        if let Some((decision, effort)) = rcp {
+            out.effort += effort;
+            let ending = self.common(time, &decision);
+            out.runs.push(self.run(PlannerKind::Rcp, &self.names, Run::Common, ending, &self.joint));
+        }
+        out.runs.push(self.run(PlannerKind::Rsp, &self.names, Run::Common, rsp, &rsp_set));
+        out
+    }
+}
