@@ -4,18 +4,26 @@ use crate::actuation::{Actuation, Wrench};
 use crate::model::Vehicle;
 use nalgebra::Matrix4;
 
+/// As many as a vehicle can have.
+pub const MOST_ROTORS: usize = 32;
+
+/// Newton steps after which the point reached is taken.
+const MOST_STEPS: usize = 60;
+
+/// Weight on the missing part of a wrench beside the squared shares of thrust: all of it is to be given.
+const EXACT: f64 = 1e12;
+
 /// Allocates wrenches to the rotors of a healthy vehicle.
 #[derive(Debug, Clone)]
 pub struct Allocator {
-    /// Wrench per newton of each rotor, rows scaled by `scale`.
+    /// Wrench of each rotor at the thrust of the strongest, rows scaled by `scale`.
     columns: Vec<Wrench>,
     scale: Wrench,
-    max_thrust: Vec<f64>,
+    /// Full thrust of each in shares of the strongest's, and that in N.
+    most: Vec<f64>,
+    strongest: f64,
     coefficient: Vec<f64>,
 }
-
-/// Newton steps after which the best point is returned.
-const MOST_STEPS: usize = 200;
 
 impl Allocator {
     pub fn new(vehicle: &Vehicle) -> Self {
@@ -23,69 +31,95 @@ impl Allocator {
         let full: Vec<Wrench> = (0..actuation.rotors()).map(|k| actuation.full(k)).collect();
         let extent = full.iter().fold(Wrench::zeros(), |sum, g| sum + g.abs());
         let scale = extent.map(|e| if e > 1e-12 * extent.max() { 1.0 / e } else { 0.0 });
-        let max_thrust: Vec<f64> = vehicle.rotors.iter().map(|r| r.max_thrust()).collect();
-        let columns = full.iter().zip(&max_thrust).map(|(g, t)| g.component_mul(&scale) / *t).collect();
+        let strongest = vehicle.rotors.iter().map(|r| r.max_thrust()).fold(0.0, f64::max);
+        let most: Vec<f64> = vehicle.rotors.iter().map(|r| r.max_thrust() / strongest).collect();
+        let columns = full.iter().zip(&most).map(|(g, most)| g.component_mul(&scale) / *most).collect();
         let coefficient = vehicle.rotors.iter().map(|r| r.thrust_coefficient).collect();
-        Allocator { columns, scale, max_thrust, coefficient }
+        Allocator { columns, scale, most, strongest, coefficient }
     }
 
-    /// Thrusts F (N) that minimise sum F_k^2 subject to B F = w, 0 <= F_k <= F_max.
-    ///
-    /// The dual is concave and piecewise quadratic in four multipliers: F_k = clip(B_k . lambda), and lambda is
-    /// found by Newton's method with a line search. For a wrench that no rotor speeds give, the thrusts come as
-    /// near as the last step did.
+    /// Thrusts F (N) that minimise sum F_k^2 subject to B F = w, 0 <= F_k <= F_max: `bounded` with a weight that
+    /// leaves nothing of w missing. For a wrench that no rotor speeds give, the thrusts come nearest.
     pub fn thrusts(&self, wrench: &Wrench) -> Vec<f64> {
         let w = wrench.component_mul(&self.scale);
-        let mut lambda = Wrench::zeros();
-        let mut best = (f64::INFINITY, self.clipped(&lambda));
-        for _ in 0..MOST_STEPS {
-            let thrusts = self.clipped(&lambda);
-            let missing = w - self.produced(&thrusts);
-            let error = missing.norm();
-            if error < best.0 {
-                best = (error, thrusts);
-            }
-            if error <= 1e-13 {
-                break;
-            }
-            let mut hessian = Matrix4::identity() * 1e-12;
-            for (k, c) in self.columns.iter().enumerate() {
-                let f = c.dot(&lambda);
-                if f >= 0.0 && f <= self.max_thrust[k] {
-                    hessian += c * c.transpose();
-                }
-            }
-            let Some(step) = hessian.cholesky().map(|c| c.solve(&missing)) else { break };
-            // The dual rises along the step; halve until it does so enough.
-            let (value, slope) = (self.dual(&lambda, &w), missing.dot(&step));
-            let mut length = 1.0;
-            while length > 1e-10 && self.dual(&(lambda + step * length), &w) < value + 1e-4 * length * slope {
-                length *= 0.5;
-            }
-            if length <= 1e-10 {
-                break;
-            }
-            lambda += step * length;
-        }
-        best.1
+        let lambda = bounded(&self.columns, &self.most, &w, &Wrench::repeat(EXACT), Wrench::zeros());
+        let shares = self.columns.iter().zip(&self.most).map(|(b, &most)| b.dot(&lambda).clamp(0.0, most));
+        shares.map(|x| x * self.strongest).collect()
     }
 
     /// Rotor speeds, rad/s: w_k = sqrt(F_k / b_k).
     pub fn speeds(&self, wrench: &Wrench) -> Vec<f64> {
         self.thrusts(wrench).iter().zip(&self.coefficient).map(|(f, b)| (f / b).sqrt()).collect()
     }
+}
 
-    fn clipped(&self, lambda: &Wrench) -> Vec<f64> {
-        self.columns.iter().zip(&self.max_thrust).map(|(c, &most)| c.dot(lambda).clamp(0.0, most)).collect()
+/// Multipliers lambda of the shares x_k = clip(b_k . lambda, 0, most_k) that minimise
+///
+/// (1/2) sum x_k^2 + (1/2) sum_i weight_i (w - B x)_i^2 over 0 <= x_k <= most_k.
+///
+/// With the residual r = w - B x the optimum has lambda = weight r, so lambda solves
+/// lambda/weight + B clip(B^T lambda) = w: piecewise linear, monotone, the gradient of a strictly convex function of
+/// four variables. Newton's method with the exact minimum along each step ends after a step or two from a lambda
+/// nearby.
+pub fn bounded(columns: &[Wrench], most: &[f64], w: &Wrench, weights: &Wrench, start: Wrench) -> Wrench {
+    let softness = weights.map(|q| 1.0 / q);
+    let mut lambda = start;
+    for _ in 0..MOST_STEPS {
+        let mut gradient = lambda.component_mul(&softness) - w;
+        let mut hessian = Matrix4::from_diagonal(&softness);
+        for (b, &most) in columns.iter().zip(most) {
+            let share = b.dot(&lambda);
+            gradient += b * share.clamp(0.0, most);
+            if (0.0..=most).contains(&share) {
+                hessian += b * b.transpose();
+            }
+        }
+        // What rounding leaves of it.
+        if gradient.amax() <= 1e-12 + 1e-15 * lambda.amax() {
+            break;
+        }
+        let Some(step) = hessian.cholesky().map(|c| -c.solve(&gradient)) else { break };
+        let next = lambda + step * lowest(columns, most, w, &softness, &lambda, &step);
+        if next == lambda || !next.iter().all(|l| l.is_finite()) {
+            break;
+        }
+        lambda = next;
     }
+    lambda
+}
 
-    fn produced(&self, thrusts: &[f64]) -> Wrench {
-        self.columns.iter().zip(thrusts).fold(Wrench::zeros(), |sum, (c, f)| sum + c * *f)
+/// Where along a step from lambda the function that `bounded` minimises is lowest, in lengths of the step. Its slope
+/// is piecewise linear and grows; it bends where a share comes to a bound.
+fn lowest(columns: &[Wrench], most: &[f64], w: &Wrench, softness: &Wrench, lambda: &Wrench, step: &Wrench) -> f64 {
+    let n = columns.len();
+    let (mut shares, mut changes) = ([0.0; MOST_ROTORS], [0.0; MOST_ROTORS]);
+    let mut bends = [0.0; 2 * MOST_ROTORS];
+    let mut count = 0;
+    for (k, b) in columns.iter().enumerate() {
+        (shares[k], changes[k]) = (b.dot(lambda), b.dot(step));
+        for bound in [0.0, most[k]] {
+            let t = (bound - shares[k]) / changes[k];
+            if t > 0.0 && t.is_finite() {
+                bends[count] = t;
+                count += 1;
+            }
+        }
     }
-
-    /// lambda . w + sum_k min over F_k of (F_k^2 / 2 - B_k . lambda F_k).
-    fn dual(&self, lambda: &Wrench, w: &Wrench) -> f64 {
-        let parts = self.columns.iter().zip(self.clipped(lambda)).map(|(c, f)| f * (0.5 * f - c.dot(lambda)));
-        lambda.dot(w) + parts.sum::<f64>()
+    // A Newton step that bends nothing ends at the minimum.
+    if bends[..count].iter().all(|t| *t >= 1.0) {
+        return 1.0;
     }
+    let linear = (lambda.component_mul(softness) - w).dot(step);
+    let square = step.component_mul(softness).dot(step);
+    let slope = |t: f64| {
+        let rotors = shares[..n].iter().zip(&changes[..n]).zip(most);
+        linear + square * t + rotors.map(|((s, c), &most)| c * (s + c * t).clamp(0.0, most)).sum::<f64>()
+    };
+    let bends = &mut bends[..count];
+    bends.sort_unstable_by(f64::total_cmp);
+    let falling = bends.partition_point(|t| slope(*t) < 0.0);
+    let low = if falling > 0 { bends[falling - 1] } else { 0.0 };
+    let high = bends.get(falling).copied().unwrap_or(low + 1.0);
+    let (at_low, at_high) = (slope(low), slope(high));
+    if at_high > at_low { (low - at_low * (high - low) / (at_high - at_low)).max(0.0) } else { low }
 }

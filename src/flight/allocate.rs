@@ -2,6 +2,7 @@
 //! controller believes in.
 
 use crate::actuation::{Actuation, Wrench};
+use crate::admissible::allocation::{MOST_ROTORS, bounded};
 use crate::model::{Allocation, Model};
 use nalgebra::Matrix4;
 
@@ -9,11 +10,8 @@ use nalgebra::Matrix4;
 /// tau_z in shares of the largest each can be. Yaw is given up first, thrust next, roll and pitch last.
 const WEIGHTS: [f64; 4] = [1e8, 1e10, 1e10, 1e4];
 
-/// As many as a vehicle can have.
-const MOST_ROTORS: usize = 32;
-
-/// Newton steps after which the point reached is taken.
-const MOST_STEPS: usize = 60;
+/// The largest share of full thrust, rotor by rotor.
+const WHOLE: [f64; MOST_ROTORS] = [1.0; MOST_ROTORS];
 
 /// Directions of the wrench that the rotors give more weakly than this, against the strongest, are given up by (42).
 const WEAK: f64 = 1e-5;
@@ -114,7 +112,7 @@ impl Allocator {
         // No vehicle gives more yaw than this, and what is missing of it draws on thrust by its weight.
         if self.method == Allocation::Bounded {
             wanted[3] = wanted[3].clamp(-1.0, 1.0);
-            self.lambda = bounded(&self.columns, &wanted, &WEIGHTS.into(), self.lambda);
+            self.lambda = bounded(&self.columns, &WHOLE, &wanted, &WEIGHTS.into(), self.lambda);
         }
         let (rows, by) = match self.method {
             Allocation::Bounded => (&self.columns, &self.lambda),
@@ -139,79 +137,8 @@ impl Allocator {
         }
         let columns = &columns[..self.full.len()];
         let weights = Wrench::new(1e6, 1e6, 1e6, 1e-3);
-        let lambda = bounded(columns, &wanted, &weights, Wrench::zeros());
+        let lambda = bounded(columns, &WHOLE, &wanted, &weights, Wrench::zeros());
         let given = columns.iter().fold(Wrench::zeros(), |sum, b| sum + b * b.dot(&lambda).clamp(0.0, 1.0));
         (wanted - given).fixed_rows::<3>(0).norm()
     }
-}
-
-/// Multipliers lambda of the shares x_k = clip(b_k . lambda, 0, 1) that minimise
-///
-/// (1/2) sum x_k^2 + (1/2) sum_i weight_i (w - B x)_i^2 over 0 <= x <= 1.
-///
-/// With the residual r = w - B x the optimum has lambda = weight r, so lambda solves
-/// lambda/weight + B clip(B^T lambda) = w: piecewise linear, monotone, the gradient of a strictly convex function of
-/// four variables. Newton's method with the exact minimum along each step ends after a step or two from a lambda
-/// nearby.
-pub fn bounded(columns: &[Wrench], w: &Wrench, weights: &Wrench, start: Wrench) -> Wrench {
-    let softness = weights.map(|q| 1.0 / q);
-    let mut lambda = start;
-    for _ in 0..MOST_STEPS {
-        let mut gradient = lambda.component_mul(&softness) - w;
-        let mut hessian = Matrix4::from_diagonal(&softness);
-        for b in columns {
-            let share = b.dot(&lambda);
-            gradient += b * share.clamp(0.0, 1.0);
-            if (0.0..=1.0).contains(&share) {
-                hessian += b * b.transpose();
-            }
-        }
-        // What rounding leaves of it.
-        if gradient.amax() <= 1e-12 + 1e-15 * lambda.amax() {
-            break;
-        }
-        let Some(step) = hessian.cholesky().map(|c| -c.solve(&gradient)) else { break };
-        let next = lambda + step * lowest(columns, w, &softness, &lambda, &step);
-        if next == lambda || !next.iter().all(|l| l.is_finite()) {
-            break;
-        }
-        lambda = next;
-    }
-    lambda
-}
-
-/// Where along a step from lambda the function that `bounded` minimises is lowest, in lengths of the step. Its slope
-/// is piecewise linear and grows; it bends where a share comes to 0 or 1.
-fn lowest(columns: &[Wrench], w: &Wrench, softness: &Wrench, lambda: &Wrench, step: &Wrench) -> f64 {
-    let n = columns.len();
-    let (mut shares, mut changes) = ([0.0; MOST_ROTORS], [0.0; MOST_ROTORS]);
-    let mut bends = [0.0; 2 * MOST_ROTORS];
-    let mut count = 0;
-    for (k, b) in columns.iter().enumerate() {
-        (shares[k], changes[k]) = (b.dot(lambda), b.dot(step));
-        for bound in [0.0, 1.0] {
-            let t = (bound - shares[k]) / changes[k];
-            if t > 0.0 && t.is_finite() {
-                bends[count] = t;
-                count += 1;
-            }
-        }
-    }
-    // A Newton step that bends nothing ends at the minimum.
-    if bends[..count].iter().all(|t| *t >= 1.0) {
-        return 1.0;
-    }
-    let linear = (lambda.component_mul(softness) - w).dot(step);
-    let square = step.component_mul(softness).dot(step);
-    let slope = |t: f64| {
-        let rotors = shares[..n].iter().zip(&changes[..n]);
-        linear + square * t + rotors.map(|(s, c)| c * (s + c * t).clamp(0.0, 1.0)).sum::<f64>()
-    };
-    let bends = &mut bends[..count];
-    bends.sort_unstable_by(f64::total_cmp);
-    let falling = bends.partition_point(|t| slope(*t) < 0.0);
-    let low = if falling > 0 { bends[falling - 1] } else { 0.0 };
-    let high = bends.get(falling).copied().unwrap_or(low + 1.0);
-    let (at_low, at_high) = (slope(low), slope(high));
-    if at_high > at_low { (low - at_low * (high - low) / (at_high - at_low)).max(0.0) } else { low }
 }

@@ -3,8 +3,9 @@
 use super::{between, normal};
 use crate::vehicles::{hexacopter, octocopter};
 use mavc::actuation::{Actuation, Wrench};
+use mavc::admissible::allocation::{MOST_ROTORS, bounded};
 use mavc::admissible::hover;
-use mavc::flight::allocate::{Allocator, Belief, bounded};
+use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::{Allocation, Model};
 use nalgebra::{DMatrix, DVector, Matrix4};
 use rand_pcg::Pcg64Mcg;
@@ -57,7 +58,7 @@ fn bounded_finds_the_minimiser_among_all_active_sets() {
         let weights = Wrench::from_fn(|_, _| 10f64.powf(between(&mut random, 0.0, 5.0)));
         // From nothing and from another wrench's multipliers, as in flight.
         let start = if case % 2 == 0 { Wrench::zeros() } else { last };
-        let lambda = bounded(&columns, &w, &weights, start);
+        let lambda = bounded(&columns, &[1.0; MOST_ROTORS], &w, &weights, start);
         let wanted = by_active_sets(&columns, &w, &weights);
         for (k, b) in columns.iter().enumerate() {
             let share = b.dot(&lambda).clamp(0.0, 1.0);
@@ -229,7 +230,7 @@ fn bounded_ends_at_the_minimiser_from_anywhere() {
         let w = columns.iter().fold(Wrench::zeros(), |sum, b| sum + b * between(&mut random, -size, 1.0 + size));
         let weights = Wrench::from_fn(|_, _| 10f64.powf(between(&mut random, 0.0, 8.0)));
         let start = Wrench::from_fn(|_, _| normal(&mut random) * 10f64.powf(between(&mut random, -2.0, 4.0)));
-        let lambda = bounded(&columns, &w, &weights, start);
+        let lambda = bounded(&columns, &[1.0; MOST_ROTORS], &w, &weights, start);
         let residual = lambda.component_div(&weights) - w;
         let gradient = columns.iter().fold(residual, |sum, b| sum + b * b.dot(&lambda).clamp(0.0, 1.0));
         assert!(gradient.amax() < 1e-9 + 1e-14 * lambda.amax(), "case {case}: {gradient} at {lambda}");
