@@ -256,6 +256,24 @@ impl PlannerKind {
     }
 }
 
+/// What a plan takes for the wrench of its motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlanModel {
+    /// The paper's, linear about hover.
+    Hover,
+    /// Exact, by differential flatness.
+    Exact,
+}
+
+impl PlanModel {
+    pub fn name(self) -> &'static str {
+        match self {
+            PlanModel::Hover => "hover",
+            PlanModel::Exact => "exact",
+        }
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MissionTime {
     Minimum,
@@ -266,6 +284,9 @@ pub enum MissionTime {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     pub planner: PlannerKind,
+    pub model: PlanModel,
+    /// Whether the planner chooses when waypoints are passed, beyond fixed times.
+    pub chooses_times: bool,
     /// Indices into [`Model::modes`], in the order written, without repeats.
     pub against: Vec<usize>,
     pub time: MissionTime,

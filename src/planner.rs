@@ -1,6 +1,7 @@
 //! Planning as in sections 5.2 and 5.3: waypoint times, rows, selection of facets, shortest times.
 
 pub mod compare;
+mod cost;
 pub mod hover_model;
 mod limits;
 pub mod profile;
@@ -8,5 +9,7 @@ pub mod rows;
 pub mod search;
 pub mod select;
 pub mod spline;
+pub mod successive;
 pub mod transcribe;
+pub mod wrench_model;
 pub mod yaw;

@@ -120,6 +120,10 @@ pub enum RowOrigin {
     Waypoint { waypoint: usize },
     /// Its yaw tolerance.
     WaypointYaw { waypoint: usize },
+    /// The thrust at a node is at most what any attitude gives.
+    Thrust { node: usize },
+    /// The duration of leg `leg`: how much it may change, or that a fixed waypoint time stands.
+    Duration { leg: usize },
     /// The overshoot may not exceed what makes tolerances meaningless.
     Overshoot,
     /// The excess is not less than it needs to be.
@@ -152,6 +156,8 @@ impl RowOrigin {
             RowOrigin::Limit { .. } => "limits",
             RowOrigin::Waypoint { .. } => "waypoints",
             RowOrigin::WaypointYaw { .. } => "waypoint yaw",
+            RowOrigin::Thrust { .. } => "thrust",
+            RowOrigin::Duration { .. } => "durations",
             RowOrigin::Overshoot => "overshoot",
             RowOrigin::Excess => "excess",
         }

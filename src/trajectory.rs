@@ -5,12 +5,13 @@ pub mod outside;
 
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
-use crate::planner::hover_model::{ORDER, WrenchMap, X, Y, YAW, YawState, Z};
+use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::planner::rows::Planned;
 use crate::planner::transcribe::NodeState;
-use crate::planner::yaw::YawPlan;
+use crate::planner::wrench_model::WrenchModel;
 
-/// A plan as polynomials between nodes: degree 5 in x and y, 3 in z and yaw (inputs are piecewise linear).
+/// A plan as polynomials between nodes: an axis whose input is its r-th derivative is of degree r + 1, for inputs are
+/// piecewise linear. See [`WrenchModel::orders`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
     /// Node times, s, ascending; at least two.
@@ -19,21 +20,17 @@ pub struct Trajectory {
     pub nodes: Vec<NodeState>,
     /// Node of each waypoint of the mission.
     pub waypoint_nodes: Vec<usize>,
-    /// The yaw at which the planning model is linearised, where yaw was planned with the rest; `None` where the
-    /// model follows the planned yaw.
-    pub linearised_at: Option<f64>,
+    /// What the plan takes for the wrench of its motion.
+    pub model: WrenchModel,
 }
 
 impl Trajectory {
     pub fn of(planned: &Planned) -> Self {
         Trajectory {
-            times: planned.layout.profile.node_times.clone(),
+            times: planned.profile.node_times.clone(),
             nodes: planned.states.clone(),
-            waypoint_nodes: planned.layout.profile.waypoint_nodes.clone(),
-            linearised_at: match planned.layout.yaw {
-                YawPlan::Free { psi } => Some(psi),
-                YawPlan::Frozen(_) => None,
-            },
+            waypoint_nodes: planned.profile.waypoint_nodes.clone(),
+            model: planned.model,
         }
     }
 
@@ -51,26 +48,9 @@ impl Trajectory {
         self.times.partition_point(|&s| s <= t).clamp(1, self.intervals()) - 1
     }
 
-    /// All derivatives at `t` seconds into interval `k`: right limits at the interval's start.
-    ///
-    /// Orders above the input's: the input's slope is constant over the interval, what is above is zero.
+    /// All derivatives at `t` seconds into interval `k`: right limits at the interval's start. See [`between`].
     pub fn within(&self, k: usize, t: f64) -> NodeState {
-        let (left, right) = (&self.nodes[k], &self.nodes[k + 1]);
-        let h = self.times[k + 1] - self.times[k];
-        let mut state = NodeState::default();
-        for axis in [X, Y, Z, YAW] {
-            let r = ORDER[axis];
-            let slope = (right[axis][r] - left[axis][r]) / h;
-            // d_i(t) = sum_{j >= i} d_j t^(j-i) / (j-i)! by Horner.
-            for (i, derivative) in state[axis].iter_mut().enumerate().take(r + 1) {
-                let highest = slope / factorial(r + 1 - i);
-                *derivative = (i..=r).rev().fold(highest, |value, j| value * t + left[axis][j] / factorial(j - i));
-            }
-            if r < 4 {
-                state[axis][r + 1] = slope;
-            }
-        }
-        state
+        between(&self.nodes[k], &self.nodes[k + 1], self.times[k + 1] - self.times[k], t, self.model)
     }
 
     /// All derivatives at time t (clamped to the flight).
@@ -81,20 +61,34 @@ impl Trajectory {
 
     /// The planning model's wrench for a state of this trajectory.
     pub fn wrench(&self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> Wrench {
-        let map = match self.linearised_at {
-            Some(psi) => WrenchMap::with_free_yaw(vehicle, gravity, psi),
-            None => {
-                let [psi, rate, acceleration, ..] = state[YAW];
-                WrenchMap::new(vehicle, gravity, YawState { psi, rate, acceleration })
-            }
-        };
-        map.at(state)
+        self.model.wrench(vehicle, gravity, state)
     }
 
     /// The wrench at every node.
     pub fn node_wrenches(&self, vehicle: &Vehicle, gravity: f64) -> Vec<Wrench> {
         self.nodes.iter().map(|s| self.wrench(vehicle, gravity, s)).collect()
     }
+}
+
+/// All derivatives `t` seconds after a node, with the next one `h` seconds after it.
+///
+/// Orders above the input's: the input's slope is constant over the interval, what is above is zero.
+pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: WrenchModel) -> NodeState {
+    let mut state = NodeState::default();
+    let orders = model.orders();
+    for axis in [X, Y, Z, YAW] {
+        let r = orders[axis];
+        let slope = (right[axis][r] - left[axis][r]) / h;
+        // d_i(t) = sum_{j >= i} d_j t^(j-i) / (j-i)! by Horner.
+        for (i, derivative) in state[axis].iter_mut().enumerate().take(r + 1) {
+            let highest = slope / factorial(r + 1 - i);
+            *derivative = (i..=r).rev().fold(highest, |value, j| value * t + left[axis][j] / factorial(j - i));
+        }
+        if r < 4 {
+            state[axis][r + 1] = slope;
+        }
+    }
+    state
 }
 
 fn factorial(n: usize) -> f64 {

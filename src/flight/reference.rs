@@ -46,8 +46,7 @@ impl Course<'_> {
                     velocity: order(1),
                     acceleration: order(2),
                     jerk: order(3),
-                    // z is a double integrator: its acceleration is piecewise linear.
-                    snap: Vector3::new(s[X][4], s[Y][4], 0.0),
+                    snap: order(4),
                     yaw: [psi, rate, acceleration],
                 }
             }

@@ -4,13 +4,15 @@ use std::f64::consts::PI;
 
 use super::{Leg, Waypoint};
 
-/// `timing = uniform | distance`
+/// `timing = uniform | distance | optimal`
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Timing {
     /// Every leg the same.
     Uniform,
     /// Every leg by its length.
     Distance,
+    /// As the planner finds best; begun as where nothing is said.
+    Optimal,
 }
 
 /// Below this length, m, a leg's turn counts too.
@@ -32,7 +34,7 @@ pub(super) fn shares(waypoints: &[Waypoint], curves: &[Option<usize>], timing: O
     match timing {
         Some(Timing::Uniform) => effort.fill(1.0),
         Some(Timing::Distance) => {}
-        None => {
+        None | Some(Timing::Optimal) => {
             let mut start = 0;
             for run in curves.chunk_by(|a, b| a == b) {
                 let legs = start..start + run.len();

@@ -7,7 +7,7 @@ use super::due::Due;
 use super::fields::Fields;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
-use super::{DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlannerKind};
+use super::{DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
@@ -17,7 +17,8 @@ use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 pub const MAX_SAMPLES: usize = 100_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-const FIELDS: [&str; 13] = [
+const FIELDS: [&str; 14] = [
+    "model",
     "planner",
     "against",
     "time",
@@ -49,13 +50,22 @@ pub(super) struct Draft<'a> {
     against: Option<&'a Field>,
     /// Whether some statement of the block could not be read.
     broken: bool,
+    /// Whether the planner chooses waypoint times.
+    chooses_times: bool,
     pub span: Option<Span>,
     pub defaults: Vec<DefaultUsed>,
 }
 
 impl<'a> Draft<'a> {
     pub fn read(cx: &mut Context<'a>, block: Option<&'a Block>) -> Self {
-        let mut draft = Draft { fields: None, against: None, broken: false, span: None, defaults: Vec::new() };
+        let mut draft = Draft {
+            fields: None,
+            against: None,
+            broken: false,
+            chooses_times: false,
+            span: None,
+            defaults: Vec::new(),
+        };
         let Some(block) = block else { return draft };
         draft.span = Some(block.keyword.span);
         draft.broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
@@ -126,9 +136,13 @@ impl<'a> Draft<'a> {
             Some(e) => keep(cx.not_negative(Due::new("weight", "1"), e, "mavc::mission::weight"), WEIGHT.0),
             None => self.default("weight", WEIGHT),
         };
-        let timing = match self.word(cx, "timing", &["uniform", "distance"]) {
+        let timing = match self.word(cx, "timing", &["uniform", "distance", "optimal"]) {
             Some(Some("uniform")) => Some(Timing::Uniform),
-            Some(Some(_)) => Some(Timing::Distance),
+            Some(Some("distance")) => Some(Timing::Distance),
+            Some(Some(_)) => {
+                self.chooses_times = true;
+                Some(Timing::Optimal)
+            }
             Some(None) => {
                 fine = false;
                 None
@@ -166,6 +180,10 @@ impl<'a> Draft<'a> {
             }),
             None => Some(self.default("planner", (PlannerKind::Rsp, "rsp", "the risk-sensitive planner"))),
         };
+        let wrench = match self.word(cx, "model", &["hover", "exact"]) {
+            Some(word) => word.map(|w| if w == "hover" { PlanModel::Hover } else { PlanModel::Exact }),
+            None => Some(self.default("model", (PlanModel::Exact, "exact", "what thrust and torques a motion asks for"))),
+        };
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
             None => {
@@ -198,9 +216,10 @@ impl<'a> Draft<'a> {
                 check_time(cx, time, time_span, mission);
             }
         }
-        let plan = match (planner, against, time, samples, reserve, snap, acceleration) {
+        let plan = match (planner, wrench, against, time, samples, reserve, snap, acceleration) {
             (
                 Some(planner),
+                Some(model),
                 Some(against),
                 Some(time),
                 Some(samples),
@@ -209,6 +228,8 @@ impl<'a> Draft<'a> {
                 Some(acceleration_weight),
             ) if !self.broken => Some(Plan {
                 planner,
+                model,
+                chooses_times: self.chooses_times,
                 against,
                 time,
                 samples,

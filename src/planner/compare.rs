@@ -8,7 +8,9 @@ use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
 use super::search::{Hint, NoTime, Shortest};
 use super::select::{PlanningSet, SetRow};
 use crate::admissible::AdmissibleSet;
-use crate::model::{Mission, MissionTime, Model, PlannerKind};
+use super::successive::Successive;
+use super::wrench_model::WrenchModel;
+use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
 use crate::trajectory::outside::{Outside, outside};
@@ -169,12 +171,31 @@ impl<'a> Setting<'a> {
 
     fn search(&self, what: &str, set: &PlanningSet, hint: Hint, pool: Pool) -> Found {
         let mut pool = pool;
-        let (result, effort) = self.with_engine(what, |e| e.shortest(set, hint, &mut pool));
+        let (result, effort) = match self.model.plan.model {
+            PlanModel::Hover => self.with_engine(what, |e| e.shortest(set, hint, &mut pool)),
+            PlanModel::Exact => {
+                let begin = hint.planned.or(hint.begin);
+                self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).shortest(begin.as_deref()))
+            }
+        };
         Found { result, pool, effort }
     }
 
-    fn at(&self, what: &str, set: &PlanningSet, time: f64, mut pool: Pool) -> (Decision, Effort) {
-        self.with_engine(what, |e| e.decide(time, self.model.plan.samples, set, &mut pool))
+    /// The plan at one time; `begin` may be a plan of any set.
+    fn at(
+        &self,
+        what: &str,
+        set: &PlanningSet,
+        time: f64,
+        mut pool: Pool,
+        begin: Option<&Planned>,
+    ) -> (Decision, Effort) {
+        match self.model.plan.model {
+            PlanModel::Hover => self.with_engine(what, |e| e.decide(time, self.model.plan.samples, set, &mut pool)),
+            PlanModel::Exact => {
+                self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).decide(time, begin))
+            }
+        }
     }
 
     fn solved(&self, time: f64, planned: &Planned) -> Solved {
@@ -221,7 +242,7 @@ impl<'a> Setting<'a> {
 
     /// Step (e): the facets of the modes' sets that a plan violates at some node.
     fn violated(&self, planned: &Planned) -> Vec<SetRow> {
-        let solved = self.solved(planned.layout.profile.total, planned);
+        let solved = self.solved(planned.profile.total, planned);
         self.sets
             .iter()
             .zip(&self.singles)
@@ -245,11 +266,11 @@ impl<'a> Setting<'a> {
     fn plan(&self) -> Comparison {
         let mut out = self.begun();
         let kind = self.model.plan.planner;
-        let (set, name) = match kind {
-            PlannerKind::Rip => (self.rip.clone(), "RIP"),
-            PlannerKind::Rcp => (self.joint.clone(), "RCP"),
+        let (set, name, begin) = match kind {
+            PlannerKind::Rip => (self.rip.clone(), "RIP", None),
+            PlannerKind::Rcp => (self.joint.clone(), "RCP", None),
             PlannerKind::Rsp => match self.rsp_set(&mut out) {
-                Ok(set) => (set, "RSP"),
+                Ok((set, begin)) => (set, "RSP", Some(begin)),
                 Err(ending) => {
                     let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
                     out.runs.push(self.run(kind, &self.names, which, ending, &self.rip));
@@ -260,18 +281,19 @@ impl<'a> Setting<'a> {
         let against: &[String] = if kind == PlannerKind::Rip { &[] } else { &self.names };
         let (run, ending, effort) = match self.fixed_time() {
             Some(time) => {
-                let (decision, effort) = self.at(name, &set, time, Pool::default());
+                let (decision, effort) = self.at(name, &set, time, Pool::default(), begin.as_deref());
                 (Run::Common, self.common(time, &decision), effort)
             }
             None => {
                 let hint = match out.common_time {
                     Some(at) => {
-                        let (decision, effort) = self.at(name, &set, at, Pool::default());
+                        let (decision, effort) = self.at(name, &set, at, Pool::default(), begin.as_deref());
                         out.effort += effort;
                         hint_from(at, decision)
                     }
                     None => Hint::default(),
                 };
+                let hint = Hint { begin, ..hint };
                 let found = self.search(name, &set, hint, Pool::default());
                 (Run::Own, self.own(&found), found.effort)
             }
@@ -304,8 +326,9 @@ impl<'a> Setting<'a> {
     }
 
     /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates.
-    fn rsp_set(&self, out: &mut Comparison) -> Result<PlanningSet, Ending> {
-        self.seek_common_time(out);
+    fn rsp_set(&self, out: &mut Comparison) -> Result<(PlanningSet, Box<Planned>), Ending> {
+        let joint = self.seek_common_time(out);
+        let begin = joint.as_ref().and_then(plan_found);
         let Some(time) = out.common_time else {
             let found = self.search("RIP", &self.rip, Hint::default(), Pool::default());
             out.effort += found.effort;
@@ -315,12 +338,12 @@ impl<'a> Setting<'a> {
                 ending => ending,
             });
         };
-        let (decision, effort) = self.at("RIP", &self.rip, time, Pool::default());
+        let (decision, effort) = self.at("RIP", &self.rip, time, Pool::default(), begin);
         out.effort += effort;
-        match &decision {
+        match decision {
             Decision::Feasible(planned) => {
-                out.selected = self.violated(planned);
-                Ok(self.rip.with(out.selected.clone()))
+                out.selected = self.violated(&planned);
+                Ok((self.rip.with(out.selected.clone()), planned))
             }
             _ => Err(self.common(time, &decision)),
         }
@@ -340,7 +363,9 @@ impl<'a> Setting<'a> {
                 }
             }
             let pool = rip.pool.translated(&self.rip, set);
-            self.search(&format!("RCP {name}"), set, hint.clone(), pool)
+            let begin = hint.begin.clone().or_else(|| plan_found(rip).map(|p| Box::new(p.clone())));
+            let hint = Hint { begin, ..hint.clone() };
+            self.search(&format!("RCP {name}"), set, hint, pool)
         };
         self.names.par_iter().zip(self.singles.par_iter()).map(work).collect()
     }
@@ -349,7 +374,7 @@ impl<'a> Setting<'a> {
     fn at_or_own(&self, what: &str, set: &PlanningSet, at: f64, own: &Found) -> (Decision, Effort) {
         match &own.result {
             Ok(s) if s.time == at => (Decision::Feasible(Box::new(s.planned.clone())), Effort::default()),
-            _ => self.at(what, set, at, own.pool.clone()),
+            _ => self.at(what, set, at, own.pool.clone(), plan_found(own)),
         }
     }
 }
@@ -360,6 +385,18 @@ fn hint_from(at: f64, decision: Decision) -> Hint {
         Decision::Feasible(planned) => Hint { feasible: Some(at), planned: Some(planned), ..Hint::default() },
         _ => Hint { near: Some(at), ..Hint::default() },
     }
+}
+
+fn planned_of(decision: &Decision) -> Option<&Planned> {
+    match decision {
+        Decision::Feasible(planned) => Some(planned),
+        _ => None,
+    }
+}
+
+/// The plan at the shortest time.
+fn plan_found(found: &Found) -> Option<&Planned> {
+    found.result.as_ref().ok().map(|s| &s.planned)
 }
 
 fn time(found: &Found) -> Option<f64> {

@@ -44,60 +44,106 @@ fn bounded(kind: LimitKind) -> Bounded {
     }
 }
 
-/// How much wider a bound becomes per unit of sigma: itself, but positions stand.
+/// Whether a limit bounds where the vehicle is, whatever the time it takes.
+pub(super) fn place(kind: LimitKind) -> bool {
+    matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw)
+}
+
+/// By how much bounds give way in a program.
+pub(super) struct Widening {
+    /// Each bound is wider by this share of itself; positions stand.
+    share: Affine,
+    /// The relative change of the time flown: derivatives of order m then shrink by (1 + stretch)^m, and bounds on them, in
+    /// the old time, grow by at least m times it.
+    stretch: Affine,
+}
+
+impl Widening {
+    pub fn by(share: &Affine) -> Self {
+        Widening { share: share.clone(), stretch: Affine::default() }
+    }
+
+    pub fn with_stretch(self, stretch: &Affine) -> Self {
+        Widening { stretch: stretch.clone(), ..self }
+    }
+
+    /// A bound on a derivative of the given order; `side` is 1 for upper bounds, -1 for lower ones.
+    fn bound(&self, bound: f64, order: usize, side: f64) -> Affine {
+        let mut wider = Affine::constant(bound);
+        wider.add(&self.share, side * widens(order, bound));
+        wider.add(&self.stretch, bound * order as f64);
+        wider
+    }
+}
+
+/// How much wider a bound becomes per unit of share: itself, but positions stand.
 fn widens(order: usize, bound: f64) -> f64 {
     if order > 0 { bound.abs() } else { 0.0 }
 }
 
 impl Transcription<'_> {
-    /// Adds one limit's rows at one node; `widening` is the share by which they are wider.
-    pub(super) fn limit(&self, builder: &mut Builder, index: usize, node: usize, widening: &Affine) {
+    /// Adds one limit's rows at one instant.
+    pub(super) fn limit(&self, builder: &mut Builder, index: usize, instant: usize, widening: &Widening) {
         let limit = &self.mission.limits[index];
-        let origin = RowOrigin::Limit { limit: index, node };
+        let origin = RowOrigin::Limit { limit: index, node: instant / self.parts };
         let parts = |axes: &[usize], order: usize| -> Vec<Affine> {
-            axes.iter().map(|&a| self.derivative(node, a, order)).collect()
+            axes.iter().map(|&a| self.derivative(instant, a, order)).collect()
         };
         let mut cone = |reach: Affine, parts: Vec<Affine>| {
             builder.cone(std::iter::once(reach).chain(parts).collect(), origin);
         };
-        let most = |upper: f64| {
-            let mut most = Affine::constant(upper);
-            most.add(widening, upper);
-            most
-        };
-        match (bounded(limit.kind), limit.upper) {
+        match (self.bounded(limit.kind), limit.upper) {
             (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
-                let value = self.derivative(node, axis, order).times(sign);
-                for (bound, side) in [(limit.upper, -1.0), (limit.lower, 1.0)] {
+                let value = self.derivative(instant, axis, order).times(sign);
+                for (bound, side) in [(limit.upper, 1.0), (limit.lower, -1.0)] {
                     let Some(bound) = bound else { continue };
-                    let mut row = value.clone().times(side).plus_constant(-side * bound);
-                    row.add(widening, widens(order, bound));
+                    let mut row = widening.bound(bound, order, side).times(side);
+                    row.add(&value, -side);
                     builder.nonnegative(row, origin);
                 }
             }
-            (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => cone(most(upper), parts(axes, order)),
+            (Bounded::Norm { axes, order }, Some(upper)) if self.plans(X) => {
+                cone(widening.bound(upper, order, 1.0), parts(axes, order));
+            }
             (Bounded::Tilt, Some(upper)) if self.plans(X) => {
-                let mut reach = self.derivative(node, Z, 2).plus_constant(self.model.gravity).times(upper.tan());
-                reach.add(widening, self.model.gravity * upper.tan());
+                let mut reach = self.derivative(instant, Z, 2).times(upper.tan());
+                reach.add(&widening.bound(self.model.gravity, 2, 1.0), upper.tan());
                 cone(reach, parts(&[X, Y], 2));
             }
             (Bounded::Jerk, Some(upper)) if self.plans(X) => {
-                for (interval, step) in self.intervals_beside(node) {
+                for (interval, step) in self.intervals_beside(instant) {
                     let mut slope = self.derivative(interval + 1, Z, 2);
                     slope.add(&self.derivative(interval, Z, 2), -1.0);
                     let mut parts = parts(&[X, Y], 3);
                     parts.push(slope.times(1.0 / step));
-                    cone(most(upper), parts);
+                    cone(widening.bound(upper, 3, 1.0), parts);
                 }
             }
             _ => {}
         }
     }
 
+    /// What a limit bounds, given the integrators: a jerk along z is a state of its own or the slope of the input.
+    fn bounded(&self, kind: LimitKind) -> Bounded {
+        match bounded(kind) {
+            Bounded::Jerk if self.orders[Z] > 2 => Bounded::Norm { axes: &[X, Y, Z], order: 3 },
+            other => other,
+        }
+    }
+
     /// How far states pass a limit at a node when it is widened by `sigma`, as a share of the limit (m or rad for
     /// positions and yaw); negative inside.
     pub(super) fn limit_excess(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
-        let state = &states[node];
+        let mut state = states[node];
+        if let Bounded::Jerk = self.bounded(limit.kind) {
+            let slope = |(interval, step): (usize, f64)| (states[interval + 1][Z][2] - states[interval][Z][2]) / step;
+            state[Z][3] = self.intervals_beside(node).map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
+        }
+        self.excess_of(limit, &state, sigma)
+    }
+
+    /// The same for one state.
+    pub(super) fn excess_of(&self, limit: &Limit, state: &NodeState, sigma: f64) -> f64 {
         let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
         let share = |excess: f64, scale: f64| if scale > 0.0 { excess / scale - sigma } else { excess };
         match (bounded(limit.kind), limit.upper) {
@@ -112,12 +158,7 @@ impl Transcription<'_> {
                 let (g, tan) = (self.model.gravity, upper.tan());
                 share(length(&[X, Y], 2) - tan * (g + state[Z][2]), g * tan)
             }
-            (Bounded::Jerk, Some(upper)) if self.plans(X) => {
-                let slope =
-                    |(interval, step): (usize, f64)| (states[interval + 1][Z][2] - states[interval][Z][2]) / step;
-                let steepest = self.intervals_beside(node).map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
-                share(length(&[X, Y], 3).hypot(steepest) - upper, upper)
-            }
+            (Bounded::Jerk, Some(upper)) if self.plans(X) => share(length(&[X, Y, Z], 3) - upper, upper),
             _ => f64::NEG_INFINITY,
         }
     }

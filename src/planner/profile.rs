@@ -70,6 +70,27 @@ impl Profile {
         (0..self.nodes()).map(|node| of_flown[node - self.holds_before(node)].clone()).collect()
     }
 
+    /// What is said of all nodes, for those of [`Profile::flown`].
+    pub fn without_holds<T: Clone>(&self, of_all: &[T]) -> Vec<T> {
+        (0..self.nodes()).filter(|&node| !self.ends_a_hold(node)).map(|node| of_all[node].clone()).collect()
+    }
+
+    /// The same nodes with the duration of each leg (by the waypoint it starts from) times a factor; holds stay as they are.
+    pub fn with_durations_times(&self, factor: impl Fn(usize) -> f64) -> Profile {
+        let mut changed = self.clone();
+        for (old, s) in self.segments.iter().zip(&mut changed.segments) {
+            if !s.hold {
+                s.duration *= factor(s.from);
+            }
+            let begin = changed.node_times[s.first_node];
+            for i in 1..=s.intervals {
+                changed.node_times[old.first_node + i] = begin + s.duration * i as f64 / s.intervals as f64;
+            }
+        }
+        changed.total = changed.node_times[changed.node_times.len() - 1];
+        changed
+    }
+
     /// Holds that end at or before a node.
     fn holds_before(&self, node: usize) -> usize {
         self.segments.iter().filter(|s| s.hold && s.first_node < node).count()
@@ -77,6 +98,45 @@ impl Profile {
 
     fn ends_a_hold(&self, node: usize) -> bool {
         self.segments.iter().any(|s| s.hold && s.first_node + 1 == node)
+    }
+}
+
+impl Profile {
+    /// The mission with given durations (s) and numbers of intervals of its legs, in order, and the mission's holds; `total` is
+    /// their sum, to the last digit.
+    pub fn with_legs(mission: &Mission, legs: &[(f64, usize)], total: f64) -> Profile {
+        let mut segments = Vec::new();
+        for (i, w) in mission.waypoints.iter().enumerate() {
+            if w.hold > 0.0 {
+                segments.push(Segment { from: i, hold: true, first_node: 0, intervals: 1, duration: w.hold });
+            }
+            if let Some(&(duration, intervals)) = legs.get(i) {
+                segments.push(Segment { from: i, hold: false, first_node: 0, intervals, duration });
+            }
+        }
+        Profile::of_segments(mission, segments, total)
+    }
+
+    /// Times of nodes and waypoints; `first_node` is filled in.
+    fn of_segments(mission: &Mission, mut segments: Vec<Segment>, total: f64) -> Profile {
+        let mut node_times = vec![0.0];
+        let mut waypoint_nodes = vec![0];
+        let mut begin = 0.0;
+        for s in &mut segments {
+            s.first_node = node_times.len() - 1;
+            node_times.extend((1..=s.intervals).map(|i| begin + s.duration * i as f64 / s.intervals as f64));
+            begin += s.duration;
+            if !s.hold {
+                // A time that the spec fixes is met to the last digit.
+                begin = mission.waypoints[s.from + 1].time.unwrap_or(begin);
+                waypoint_nodes.push(node_times.len() - 1);
+            }
+            node_times[s.first_node + s.intervals] = begin;
+        }
+        if let Some(end) = node_times.last_mut() {
+            *end = total;
+        }
+        Profile { total, segments, node_times, waypoint_nodes }
     }
 }
 
@@ -95,6 +155,17 @@ pub fn earliest(mission: &Mission) -> f64 {
     at
 }
 
+/// Stretches of legs (first, one past the last) that lie between fixed times, so that their durations have a given sum.
+pub fn fixed_windows(mission: &Mission) -> Vec<(usize, usize)> {
+    let mut windows = Vec::new();
+    let mut from = 0;
+    for (i, _) in mission.waypoints.iter().enumerate().skip(1).filter(|(_, w)| w.time.is_some()) {
+        windows.push((from, i));
+        from = i;
+    }
+    windows
+}
+
 /// Lays out the mission over `total` seconds with `samples` intervals: one for each hold, at least one for each leg
 /// ([`Mission::least_intervals`] where there are enough).
 ///
@@ -102,34 +173,10 @@ pub fn earliest(mission: &Mission) -> f64 {
 /// `None` where some leg would get no time.
 pub fn profile(mission: &Mission, total: f64, samples: usize) -> Option<Profile> {
     let durations = leg_durations(mission, total)?;
-    let mut segments = Vec::new();
-    for (i, w) in mission.waypoints.iter().enumerate() {
-        if w.hold > 0.0 {
-            segments.push(Segment { from: i, hold: true, first_node: 0, intervals: 1, duration: w.hold });
-        }
-        if let Some(&duration) = durations.get(i) {
-            segments.push(Segment { from: i, hold: false, first_node: 0, intervals: 1, duration });
-        }
-    }
+    let legs: Vec<(f64, usize)> = durations.iter().map(|&d| (d, 1)).collect();
+    let mut segments = Profile::with_legs(mission, &legs, total).segments;
     share_intervals(mission, &mut segments, samples);
-    let mut node_times = vec![0.0];
-    let mut waypoint_nodes = vec![0];
-    let mut begin = 0.0;
-    for s in &mut segments {
-        s.first_node = node_times.len() - 1;
-        node_times.extend((1..=s.intervals).map(|i| begin + s.duration * i as f64 / s.intervals as f64));
-        begin += s.duration;
-        if !s.hold {
-            // A time that the spec fixes is met to the last digit.
-            begin = mission.waypoints[s.from + 1].time.unwrap_or(begin);
-            waypoint_nodes.push(node_times.len() - 1);
-        }
-        node_times[s.first_node + s.intervals] = begin;
-    }
-    if let Some(end) = node_times.last_mut() {
-        *end = total;
-    }
-    Some(Profile { total, segments, node_times, waypoint_nodes })
+    Some(Profile::of_segments(mission, segments, total))
 }
 
 /// Duration of each leg, s.

@@ -3,13 +3,15 @@
 //! Few rows ever bind. A program that lacks rows is a relaxation: where it is infeasible, so is the
 //! full one; where its solution passes no row, it solves the full one.
 
+use super::limits::place;
 use super::profile::{Profile, profile};
 use super::select::{PlanningSet, SetRow};
 use super::transcribe::{NodeState, Purpose, Row, RowAt, Transcription, UNBOUNDED};
+use super::wrench_model::WrenchModel;
 use super::yaw::{YawPlan, plan_yaw};
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
-use crate::model::{LimitKind, Mission, Model};
+use crate::model::{Mission, Model};
 use crate::solve::{Effort, Outcome, Solution, solve};
 use std::collections::BTreeSet;
 
@@ -72,8 +74,8 @@ impl Pool {
             let nearest = |half_steps: usize| (half_steps * to + from) / (2 * from);
             let stretch = |r: &RowAt| {
                 let row = r.row;
-                let (first, last) = (nearest((2 * r.node).saturating_sub(1)), nearest(2 * r.node + 1).min(to));
-                (first..=last).map(move |node| RowAt { row, node })
+                let (first, last) = (nearest((2 * r.instant).saturating_sub(1)), nearest(2 * r.instant + 1).min(to));
+                (first..=last).map(move |instant| RowAt { row, instant })
             };
             self.rows = self.rows.iter().flat_map(stretch).collect();
             self.nodes = nodes;
@@ -126,7 +128,9 @@ pub struct Excess {
 /// An optimal plan at one mission time.
 #[derive(Debug, Clone)]
 pub struct Planned {
-    pub layout: Layout,
+    pub profile: Profile,
+    /// Of the wrench.
+    pub model: WrenchModel,
     /// At every node, both ends of each hold included.
     pub states: Vec<NodeState>,
     /// Value of (48).
@@ -205,7 +209,8 @@ impl<'a> Engine<'a> {
         match attempt.outcome {
             Outcome::Solved(solution) => Decision::Feasible(Box::new(Planned {
                 states: layout.profile.with_holds(&attempt.states),
-                layout,
+                model: layout.yaw.model(),
+                profile: layout.profile,
                 objective: solution.objective,
                 rows: attempt.rows,
             })),
@@ -252,17 +257,15 @@ impl<'a> Engine<'a> {
     /// Whether a plan flown `factor` times slower still keeps every row and limit, so that a longer mission needs no
     /// program of its own. Not told of missions with fixed times, holds or changing yaw.
     pub(super) fn slowed_down_keeps(&self, planned: &Planned, set: &PlanningSet, factor: f64) -> bool {
-        let YawPlan::Free { .. } = planned.layout.yaw else { return false };
+        let WrenchModel::HoverAt(_) = planned.model else { return false };
         let own_times = self.mission.waypoints.iter().any(|w| w.hold > 0.0 || w.time.is_some());
-        let place = |kind: LimitKind| matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw);
         let least_rates = self.mission.limits.iter().any(|l| !place(l.kind) && l.lower.is_some_and(|b| b > 0.0));
         if own_times || least_rates {
             return false;
         }
-        let maps = planned.layout.yaw.maps(self.model, planned.layout.profile.nodes());
-        planned.states.iter().zip(&maps).all(|(state, map)| {
+        planned.states.iter().all(|state| {
             let slow = state.map(|axis| std::array::from_fn(|order| axis[order] * factor.powi(-(order as i32))));
-            let wrench = map.at(&slow);
+            let wrench = planned.model.wrench(&self.model.vehicle, self.model.gravity, &slow);
             set.rows.iter().all(|row| row.excess(&wrench) <= ACCEPTED)
         })
     }
@@ -272,8 +275,8 @@ impl<'a> Engine<'a> {
         let maps = layout.yaw.maps(self.model, layout.flown.nodes());
         let stages = Transcription::new(self.model, self.mission, &layout.flown, set, &maps, layout.yaw.axes());
         pool.rows.retain(|r| match r.row {
-            Row::Facet(facet) => set.rows[facet].excess(&maps[r.node].at(&states[r.node])) > sigma - KEPT,
-            Row::Limit(limit) => stages.limit_excess(&self.mission.limits[limit], states, r.node, sigma) > -KEPT,
+            Row::Facet(facet) => set.rows[facet].excess(&maps[r.instant].at(&states[r.instant])) > sigma - KEPT,
+            Row::Limit(limit) => stages.limit_excess(&self.mission.limits[limit], states, r.instant, sigma) > -KEPT,
         });
     }
 
@@ -441,7 +444,7 @@ fn passed(form: &Transcription, states: &[NodeState], sigma: f64, accepted: f64)
         let limits = limits.filter(|(_, l)| form.limit_excess(l, states, node, sigma) > accepted);
         for row in facet.into_iter().chain(limits.map(|(i, _)| Row::Limit(i))) {
             let around = node.saturating_sub(1)..=(node + 1).min(last);
-            found.extend(around.map(|node| RowAt { row, node }));
+            found.extend(around.map(|instant| RowAt { row, instant }));
         }
     }
     found

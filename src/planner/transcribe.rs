@@ -7,6 +7,7 @@
 //! them.
 
 use super::hover_model::{ORDER, WrenchMap, X, Y, YAW, Z};
+use super::limits::Widening;
 use super::profile::Profile;
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
@@ -31,11 +32,12 @@ pub enum Purpose {
     Excess { epsilon: f64, least: f64 },
 }
 
-/// A row that a program may do without: an inequality of the set or a limit, at one node.
+/// A row that a program may do without: an inequality of the set or a limit, at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RowAt {
     pub row: Row,
-    pub node: usize,
+    /// Instants count from 0; each interval between nodes has [`Transcription::parts`] of them.
+    pub instant: usize,
 }
 
 /// Which row; see [`RowAt`].
@@ -54,10 +56,14 @@ pub struct Transcription<'a> {
     /// Without holds: [`Profile::flown`].
     pub profile: &'a Profile,
     pub set: &'a PlanningSet,
-    /// One wrench map per node.
+    /// One wrench map per instant; those without a row may be empty.
     pub maps: &'a [WrenchMap],
     /// The axes planned here: all four, or only x, y, z where yaw was planned first.
     pub axes: &'a [usize],
+    /// The derivative of each axis that is its input; see `WrenchModel::orders`.
+    pub orders: [usize; 4],
+    /// Instants per interval at which rows can stand; 1 where they stand at nodes only.
+    pub parts: usize,
     form: Form,
 }
 
@@ -79,7 +85,12 @@ impl<'a> Transcription<'a> {
         maps: &'a [WrenchMap],
         axes: &'a [usize],
     ) -> Self {
-        Transcription { model, mission, profile, set, maps, axes, form: Form::Stages }
+        Transcription { model, mission, profile, set, maps, axes, orders: ORDER, parts: 1, form: Form::Stages }
+    }
+
+    /// The same mission with other integrators, and rows also between nodes.
+    pub fn with_orders(self, orders: [usize; 4], parts: usize) -> Self {
+        Transcription { orders, parts, ..self }
     }
 
     /// The same program in spline coefficients.
@@ -96,39 +107,75 @@ impl<'a> Transcription<'a> {
         self.model.plan.snap_weight * step * quadruple.steepest().powi(2)
     }
 
-    fn per_node(&self) -> usize {
-        self.axes.iter().map(|&a| ORDER[a] + 1).sum()
+    /// The spline of an axis among those for quadruple and double integrators.
+    fn spline<'s>(&self, splines: &'s [NodeSpline; 2], axis: usize) -> &'s NodeSpline {
+        &splines[usize::from(self.orders[axis] == 2)]
     }
 
-    fn nodes(&self) -> usize {
+    fn per_node(&self) -> usize {
+        self.axes.iter().map(|&a| self.orders[a] + 1).sum()
+    }
+
+    pub(super) fn nodes(&self) -> usize {
         self.profile.nodes()
+    }
+
+    /// Instants at which rows can stand: the nodes, and those between them.
+    pub fn instants(&self) -> usize {
+        self.profile.intervals() * self.parts + 1
     }
 
     pub fn variables(&self) -> usize {
         match &self.form {
             Form::Stages => self.nodes() * self.per_node(),
-            Form::Splines(splines) => self.axes.iter().map(|&a| spline(splines, a).coefficients()).sum(),
+            Form::Splines(splines) => self.axes.iter().map(|&a| self.spline(splines, a).coefficients()).sum(),
         }
     }
 
     /// Unit of time of the scaled variables, s.
-    fn tau(&self) -> f64 {
+    pub(super) fn tau(&self) -> f64 {
         self.profile.total / self.profile.intervals() as f64 * TAU_STEPS
     }
 
-    fn var(&self, node: usize, axis: usize, order: usize) -> usize {
-        let before: usize = self.axes.iter().take_while(|&&a| a != axis).map(|&a| ORDER[a] + 1).sum();
+    pub(super) fn var(&self, node: usize, axis: usize, order: usize) -> usize {
+        let before: usize = self.axes.iter().take_while(|&&a| a != axis).map(|&a| self.orders[a] + 1).sum();
         node * self.per_node() + before + order
     }
 
-    /// The derivative in SI units as an expression.
-    pub(super) fn derivative(&self, node: usize, axis: usize, order: usize) -> Affine {
+    /// The derivative at an instant, in SI units, as an expression.
+    pub(super) fn derivative(&self, instant: usize, axis: usize, order: usize) -> Affine {
+        let (interval, part) = (instant / self.parts, instant % self.parts);
+        match part {
+            0 => self.at_node(interval, axis, order),
+            _ => self.inside(interval, part as f64 / self.parts as f64, axis, order),
+        }
+    }
+
+    /// The derivative `share` of the way through an interval: the input's slope is constant there.
+    pub(super) fn inside(&self, interval: usize, share: f64, axis: usize, order: usize) -> Affine {
+        let times = &self.profile.node_times;
+        let t = share * (times[interval + 1] - times[interval]);
+        let r = self.orders[axis];
+        let mut sum = Affine::default();
+        let mut power = 1.0;
+        for j in order..=r {
+            sum.add(&self.at_node(interval, axis, j), power);
+            power *= t / (j + 1 - order) as f64;
+        }
+        // power is now t^(m+1)/(m+1)!, m = r - order; the slope of the input is (u1 - u0) share / t.
+        sum.add(&self.at_node(interval, axis, r), -power * share / t);
+        sum.add(&self.at_node(interval + 1, axis, r), power * share / t);
+        sum
+    }
+
+    /// The derivative at a node.
+    pub(super) fn at_node(&self, node: usize, axis: usize, order: usize) -> Affine {
         match &self.form {
             Form::Stages => Affine::term(self.var(node, axis, order), self.tau().powi(-(order as i32))),
             Form::Splines(splines) => {
                 let before = self.axes.iter().take_while(|&&a| a != axis);
-                let first: usize = before.map(|&a| spline(splines, a).coefficients()).sum();
-                let weights = spline(splines, axis).at(node, order);
+                let first: usize = before.map(|&a| self.spline(splines, a).coefficients()).sum();
+                let weights = self.spline(splines, axis).at(node, order);
                 Affine { terms: weights.iter().map(|&(i, w)| (first + i, w)).collect(), constant: 0.0 }
             }
         }
@@ -138,14 +185,14 @@ impl<'a> Transcription<'a> {
         self.axes.contains(&axis)
     }
 
-    /// Component `n . w` at a node, minus `offset`.
-    fn along(&self, node: usize, n: &crate::actuation::Wrench) -> Affine {
-        let map = &self.maps[node];
+    /// Component `n . w` at an instant.
+    pub(super) fn along(&self, instant: usize, n: &crate::actuation::Wrench) -> Affine {
+        let map = &self.maps[instant];
         let mut sum = Affine::constant(n.dot(&map.constant));
         for &(axis, order, c) in &map.terms {
             let coefficient = n.dot(&c);
             if coefficient != 0.0 {
-                sum.add(&self.derivative(node, axis, order), coefficient);
+                sum.add(&self.derivative(instant, axis, order), coefficient);
             }
         }
         sum
@@ -155,7 +202,7 @@ impl<'a> Transcription<'a> {
     pub fn every_row(&self) -> Vec<RowAt> {
         let facets = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality).map(Row::Facet);
         let rows = facets.chain((0..self.mission.limits.len()).map(Row::Limit));
-        rows.flat_map(|row| (0..self.nodes()).map(move |node| RowAt { row, node })).collect()
+        rows.flat_map(|row| (0..self.instants()).map(move |instant| RowAt { row, instant })).collect()
     }
 
     /// The program with every row.
@@ -165,6 +212,15 @@ impl<'a> Transcription<'a> {
 
     /// The program with facets and limits only as `chosen`; equality rows of the set always stand.
     pub fn program(&self, purpose: Purpose, chosen: &[RowAt]) -> QuadraticProgram {
+        self.program_with(purpose, chosen, None)
+    }
+
+    /// The same without the set: the limits in `chosen`, and thrust m |a + g| up to `most`, N.
+    pub(super) fn relaxed_program(&self, purpose: Purpose, chosen: &[RowAt], most: f64) -> QuadraticProgram {
+        self.program_with(purpose, chosen, Some(most))
+    }
+
+    fn program_with(&self, purpose: Purpose, chosen: &[RowAt], thrust: Option<f64>) -> QuadraticProgram {
         let sigma = self.variables();
         let extra = usize::from(!matches!(purpose, Purpose::Plan { .. }));
         let widening = match purpose {
@@ -172,23 +228,33 @@ impl<'a> Transcription<'a> {
             _ => Affine::constant(0.0),
         };
         let mut builder = Builder::new(self.variables() + extra);
-        self.dynamics(&mut builder);
+        self.dynamics(&mut builder, &|_, _, _| Affine::default());
         self.rest(&mut builder);
-        for (facet, row) in self.set.rows.iter().enumerate().filter(|(_, r)| r.equality) {
+        for (facet, row) in self.set.rows.iter().enumerate().filter(|(_, r)| r.equality && thrust.is_none()) {
             for node in 0..self.nodes() {
-                let expression = self.along(node, &row.normal).plus_constant(-row.offset);
+                let expression = self.along(node * self.parts, &row.normal).plus_constant(-row.offset);
                 builder.zero(expression, RowOrigin::Facet { facet, node });
             }
         }
-        for &RowAt { row, node } in chosen {
+        for &RowAt { row, instant } in chosen {
+            let node = instant / self.parts;
             match row {
                 Row::Facet(facet) => {
                     let row = &self.set.rows[facet];
-                    let mut expression = self.along(node, &row.normal).plus_constant(-row.offset).times(-1.0);
+                    let mut expression = self.along(instant, &row.normal).plus_constant(-row.offset).times(-1.0);
                     expression.add(&widening, 1.0);
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node });
                 }
-                Row::Limit(limit) => self.limit(&mut builder, limit, node, &widening),
+                Row::Limit(limit) => self.limit(&mut builder, limit, instant, &Widening::by(&widening)),
+            }
+        }
+        if let Some(most) = thrust.filter(|t| t.is_finite()) {
+            let Model { gravity, vehicle, .. } = self.model;
+            for node in 0..self.nodes() {
+                let mut cone = vec![Affine::constant(most / vehicle.mass)];
+                cone.extend([X, Y].map(|axis| self.at_node(node, axis, 2)));
+                cone.push(self.at_node(node, Z, 2).plus_constant(*gravity));
+                builder.cone(cone, RowOrigin::Thrust { node });
             }
         }
         match purpose {
@@ -215,7 +281,10 @@ impl<'a> Transcription<'a> {
 
     /// Exact steps under first-order hold: with m = r - i,
     /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j + h^m [(1/m! - 1/(m+1)!) u_k + u_{k+1}/(m+1)!]`.
-    fn dynamics(&self, builder: &mut Builder) {
+    ///
+    /// Where the leg that begins at a node may change its duration by another share than the one that ends there, the
+    /// derivatives `d_j` on its side differ by what `bend` says for (node, axis, j), in SI units.
+    pub(super) fn dynamics(&self, builder: &mut Builder, bend: &dyn Fn(usize, usize, usize) -> Affine) {
         if let Form::Splines(_) = self.form {
             return; // the splines are the motions that keep these rows
         }
@@ -224,18 +293,21 @@ impl<'a> Transcription<'a> {
         for (interval, step) in self.profile.steps().enumerate() {
             let h = step / tau;
             for &axis in self.axes {
-                let r = ORDER[axis];
+                let r = self.orders[axis];
                 for i in 0..r {
                     let mut row = Affine::term(self.var(interval + 1, axis, i), -1.0);
-                    for j in i..r {
-                        row = row.plus(self.var(interval, axis, j), h.powi((j - i) as i32) / FACTORIAL[j - i]);
-                    }
                     let m = r - i;
                     let power = h.powi(m as i32);
                     let late = 1.0 / FACTORIAL[m + 1];
-                    row = row
-                        .plus(self.var(interval, axis, r), power * (1.0 / FACTORIAL[m] - late))
-                        .plus(self.var(interval + 1, axis, r), power * late);
+                    for j in i..=r {
+                        let factor = match j {
+                            j if j < r => h.powi((j - i) as i32) / FACTORIAL[j - i],
+                            _ => power * (1.0 / FACTORIAL[m] - late),
+                        };
+                        row = row.plus(self.var(interval, axis, j), factor);
+                        row.add(&bend(interval, axis, j), factor * tau.powi(j as i32));
+                    }
+                    row = row.plus(self.var(interval + 1, axis, r), power * late);
                     builder.zero(row, RowOrigin::Dynamics { interval, axis, derivative: i });
                 }
             }
@@ -249,7 +321,7 @@ impl<'a> Transcription<'a> {
         let mut zero = Vec::new();
         let mut rest = |node: usize, holding: bool| {
             for &axis in self.axes {
-                let highest = if holding { ORDER[axis] } else { ORDER[axis].min(3) };
+                let highest = if holding { self.orders[axis] } else { self.orders[axis].min(3) };
                 zero.extend((1..=highest).map(|order| (node, axis, order)));
             }
         };
@@ -262,53 +334,30 @@ impl<'a> Transcription<'a> {
         zero
     }
 
-    fn rest(&self, builder: &mut Builder) {
+    pub(super) fn rest(&self, builder: &mut Builder) {
         for (node, axis, derivative) in self.at_rest() {
-            let row = self.derivative(node, axis, derivative).times(self.tau().powi(derivative as i32));
+            let row = self.at_node(node, axis, derivative).times(self.tau().powi(derivative as i32));
             builder.zero(row, RowOrigin::Rest { node, axis, derivative });
         }
     }
 
     /// |p - p_i| <= within_i + slack; yaw tolerances widen in the same proportion:
     /// |psi - psi_i| <= yaw_within_i (1 + slack / within_i).
-    fn waypoints(&self, builder: &mut Builder, slack: &Affine) {
+    pub(super) fn waypoints(&self, builder: &mut Builder, slack: &Affine) {
         for (waypoint, (w, &node)) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes).enumerate() {
             if self.plans(X) && w.within < UNBOUNDED {
                 let mut cone = vec![slack.clone().plus_constant(w.within)];
                 for (axis, target) in [X, Y, Z].into_iter().zip(w.position) {
-                    cone.push(self.derivative(node, axis, 0).plus_constant(-target));
+                    cone.push(self.at_node(node, axis, 0).plus_constant(-target));
                 }
                 builder.cone(cone, RowOrigin::Waypoint { waypoint });
             }
             if self.plans(YAW) {
                 for sign in [1.0, -1.0] {
                     let mut row = slack.clone().times(w.yaw_within / w.within).plus_constant(w.yaw_within);
-                    row.add(&self.derivative(node, YAW, 0).plus_constant(-w.yaw), sign);
+                    row.add(&self.at_node(node, YAW, 0).plus_constant(-w.yaw), sign);
                     builder.nonnegative(row, RowOrigin::WaypointYaw { waypoint });
                 }
-            }
-        }
-    }
-
-    /// (48) with exact integrals: over a step h, the integral of u^2 is h (u0^2 + u0 u1 + u1^2) / 3.
-    fn cost(&self, builder: &mut Builder, factor: f64) {
-        let plan = &self.model.plan;
-        for (k, step) in self.profile.steps().enumerate() {
-            for &axis in self.axes {
-                let r = ORDER[axis];
-                let weight = if r == 4 { plan.snap_weight } else { plan.acceleration_weight };
-                let c = factor * weight * step / 3.0;
-                let (u0, u1) = (self.derivative(k, axis, r), self.derivative(k + 1, axis, r));
-                builder.inner_product(&u0, &u0, c);
-                builder.inner_product(&u0, &u1, c);
-                builder.inner_product(&u1, &u1, c);
-            }
-        }
-        for (w, &node) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes) {
-            let targets = [w.position[0], w.position[1], w.position[2], w.yaw];
-            for &axis in self.axes {
-                let miss = self.derivative(node, axis, 0).plus_constant(-targets[axis]);
-                builder.inner_product(&miss, &miss, factor * w.weight);
             }
         }
     }
@@ -318,8 +367,8 @@ impl<'a> Transcription<'a> {
         let mut states = vec![NodeState::default(); self.nodes()];
         for (node, state) in states.iter_mut().enumerate() {
             for &axis in self.axes {
-                for (order, value) in state[axis].iter_mut().enumerate().take(ORDER[axis] + 1) {
-                    *value = self.derivative(node, axis, order).at(x);
+                for (order, value) in state[axis].iter_mut().enumerate().take(self.orders[axis] + 1) {
+                    *value = self.at_node(node, axis, order).at(x);
                 }
             }
         }
@@ -333,11 +382,6 @@ impl<'a> Transcription<'a> {
 
 /// A tolerance this wide binds nothing and gets no row, m.
 pub const UNBOUNDED: f64 = 1e3;
-
-/// The spline of an axis among those for quadruple and double integrators.
-fn spline(splines: &[NodeSpline; 2], axis: usize) -> &NodeSpline {
-    &splines[usize::from(ORDER[axis] == 2)]
-}
 
 /// Steps per unit of scaled time.
 const TAU_STEPS: f64 = 4.0;

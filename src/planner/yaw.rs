@@ -4,6 +4,7 @@ use super::hover_model::{WrenchMap, X, Y, YAW, YawState, Z};
 use super::profile::Profile;
 use super::select::PlanningSet;
 use super::transcribe::{NodeState, Purpose, Transcription};
+use super::wrench_model::WrenchModel;
 use crate::model::{Mission, Model};
 use crate::solve::{Effort, Outcome, solve};
 
@@ -28,6 +29,14 @@ impl YawPlan {
             YawPlan::Frozen(states) => {
                 states.iter().map(|&s| WrenchMap::new(&model.vehicle, model.gravity, s)).collect()
             }
+        }
+    }
+
+    /// What the plan takes for the wrench of its motion.
+    pub fn model(&self) -> WrenchModel {
+        match self {
+            YawPlan::Free { psi } => WrenchModel::HoverAt(*psi),
+            YawPlan::Frozen(_) => WrenchModel::HoverFollowing,
         }
     }
 

@@ -43,6 +43,19 @@ impl Affine {
         self
     }
 
+    /// The same expression with each variable once, in ascending order.
+    pub fn merged(mut self) -> Self {
+        self.terms.sort_by_key(|t| t.0);
+        let mut merged: Vec<(usize, f64)> = Vec::with_capacity(self.terms.len());
+        for (variable, coefficient) in self.terms {
+            match merged.last_mut() {
+                Some(last) if last.0 == variable => last.1 += coefficient,
+                _ => merged.push((variable, coefficient)),
+            }
+        }
+        Affine { terms: merged, constant: self.constant }
+    }
+
     /// Its value at x.
     pub fn at(&self, x: &[f64]) -> f64 {
         self.constant + self.terms.iter().map(|&(v, c)| c * x[v]).sum::<f64>()
@@ -74,6 +87,11 @@ impl Builder {
     /// expression >= 0
     pub fn nonnegative(&mut self, expression: Affine, origin: RowOrigin) {
         self.nonnegative.push((expression, origin));
+    }
+
+    /// How many rows `expression >= 0` there are; the next one has this place among them.
+    pub fn inequalities(&self) -> usize {
+        self.nonnegative.len()
     }
 
     /// first >= |(rest)|

@@ -4,6 +4,7 @@ use super::Trajectory;
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
 use crate::planner::select::{SetRow, VIOLATED};
+use crate::planner::wrench_model::WrenchModel;
 
 /// How a trajectory stands to one set.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -50,7 +51,7 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     found.facets = (0..rows.len()).filter(|&i| violated[i]).collect();
     for k in 0..trajectory.intervals() {
         let h = trajectory.times[k + 1] - trajectory.times[k];
-        let curved = trajectory.linearised_at.is_none();
+        let curved = !matches!(trajectory.model, WrenchModel::HoverAt(_));
         let parts = if curved { PARTS } else { 1 };
         let at = |t: f64| trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
         let mut spans: Vec<(f64, f64)> = Vec::new();

@@ -17,6 +17,7 @@ use mavc::flight::{Flight, Sample, Sortie, fly};
 use mavc::model::{Detection, Model, Strike};
 use mavc::planner::hover_model::{X, Y, YAW, Z};
 use mavc::planner::transcribe::NodeState;
+use mavc::planner::wrench_model::WrenchModel;
 use mavc::source::Span;
 use mavc::trajectory::Trajectory;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -29,7 +30,7 @@ fn staying(place: [f64; 3], yaw: f64, duration: f64) -> Trajectory {
     for (axis, value) in [(X, place[0]), (Y, place[1]), (Z, place[2]), (YAW, yaw)] {
         node[axis][0] = value;
     }
-    Trajectory { times: vec![0.0, duration], nodes: vec![node, node], waypoint_nodes: vec![0, 1], linearised_at: None }
+    Trajectory { times: vec![0.0, duration], nodes: vec![node, node], waypoint_nodes: vec![0, 1], model: WrenchModel::HoverFollowing }
 }
 
 /// Without noise, and with a controller that is told nothing.

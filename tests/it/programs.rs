@@ -8,6 +8,7 @@ use mavc::planner::profile::{determined, earliest, profile};
 use mavc::planner::rows::{ACCEPTED, Decision, Engine, FEASIBLE, Planned, Pool};
 use mavc::planner::select::PlanningSet;
 use mavc::planner::transcribe::{NodeState, Purpose, Transcription, UNBOUNDED};
+use mavc::planner::wrench_model::WrenchModel;
 use mavc::qp::{Cone, QuadraticProgram, RowOrigin, Sparse, mps};
 use mavc::solve::{Outcome, Solution, residuals, solve};
 use mavc::trajectory::Trajectory;
@@ -112,7 +113,7 @@ fn rip_at_24_s_steps_exactly_and_meets_every_waypoint() {
     let found = planned(&model, 24.0);
     assert!(close(found.objective, 0.8386346, 1e-5), "{}", found.objective);
     steps_are_continuous(&Trajectory::of(&found));
-    for (w, &node) in viviani().waypoints.iter().zip(&found.layout.profile.waypoint_nodes) {
+    for (w, &node) in viviani().waypoints.iter().zip(&found.profile.waypoint_nodes) {
         let miss = (0..3).map(|i| (found.states[node][i][0] - w.position[i]).powi(2)).sum::<f64>().sqrt();
         assert!(miss <= w.within + 2.0 * FEASIBLE, "{miss}");
         assert!((found.states[node][3][0] - w.yaw).abs() <= w.yaw_within + 1e-6);
@@ -170,8 +171,8 @@ fn holds_fixed_times_and_yaw_are_planned_as_written() {
     let found = planned(&model, 32.0);
     let trajectory = Trajectory::of(&found);
     steps_are_continuous(&trajectory);
-    assert_eq!(trajectory.linearised_at, None);
-    let p = &found.layout.profile;
+    assert_eq!(trajectory.model, WrenchModel::HoverFollowing);
+    let p = &found.profile;
     assert_eq!(p.node_times[p.waypoint_nodes[2]], 18.0);
     let hold = p.segments.iter().find(|s| s.hold).unwrap();
     assert_eq!((hold.from, hold.duration), (1, 4.0));

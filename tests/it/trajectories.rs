@@ -6,6 +6,7 @@ use mavc::admissible::AdmissibleSet;
 use mavc::admissible::allocation::Allocator;
 use mavc::model::{Mission, Model, PlannerKind};
 use mavc::planner::hover_model::ORDER;
+use mavc::planner::wrench_model::WrenchModel;
 use mavc::planner::rows::{Decision, Engine, Pool};
 use mavc::planner::select::{PlanningSet, SetRow, VIOLATED};
 use mavc::planner::transcribe::NodeState;
@@ -24,7 +25,7 @@ fn factorial(n: usize) -> f64 {
 }
 
 /// A trajectory from its start, steps and inputs, integrated by Taylor's formula with a linear input.
-fn integrated(start: NodeState, steps: &[f64], inputs: &[[f64; 4]], linearised_at: Option<f64>) -> Trajectory {
+fn integrated(start: NodeState, steps: &[f64], inputs: &[[f64; 4]], model: WrenchModel) -> Trajectory {
     let mut nodes = vec![start];
     let mut times = vec![0.0];
     for (axis, &r) in ORDER.iter().enumerate() {
@@ -44,7 +45,7 @@ fn integrated(start: NodeState, steps: &[f64], inputs: &[[f64; 4]], linearised_a
         times.push(times[k] + h);
     }
     let waypoint_nodes = vec![0, steps.len() / 2, steps.len()];
-    Trajectory { times, nodes, waypoint_nodes, linearised_at }
+    Trajectory { times, nodes, waypoint_nodes, model }
 }
 
 fn trajectory() -> impl Strategy<Value = Trajectory> {
@@ -55,7 +56,7 @@ fn trajectory() -> impl Strategy<Value = Trajectory> {
         }
         state
     });
-    let free = prop_oneof![(-3.0..3.0f64).prop_map(Some), Just(None)];
+    let free = prop_oneof![(-3.0..3.0f64).prop_map(WrenchModel::HoverAt), Just(WrenchModel::HoverFollowing)];
     (2usize..12, start, free).prop_flat_map(|(n, start, free)| {
         let steps = prop::collection::vec(0.02..0.5f64, n);
         let inputs = prop::collection::vec((-400.0..400.0f64, -400.0..400.0f64, -9.0..9.0f64, -4.0..4.0f64), n + 1);
@@ -156,7 +157,7 @@ proptest! {
         }
         let grain = 0.5 / DENSE as f64;
         // A yaw that turns bends the wrench; excursions shorter than a sixteenth of an interval may pass unseen.
-        let blind = if flight.linearised_at.is_none() { 0.5 / 16.0 } else { 0.0 };
+        let blind = if flight.model == WrenchModel::HoverFollowing { 0.5 / 16.0 } else { 0.0 };
         let slack = (grain + blind) * (crossings + 1) as f64;
         prop_assert!((found.seconds - seconds).abs() <= slack, "{} {seconds}", found.seconds);
         // Where it says outside last, a row is just being passed, and none is later.
@@ -186,7 +187,7 @@ proptest! {
         let rounding = 1e-9 * (1.0 + dense.abs());
         prop_assert!(found.max_violation >= at_nodes - rounding);
         prop_assert!(found.max_violation <= dense + rounding);
-        if flight.linearised_at.is_some() {
+        if flight.model != WrenchModel::HoverFollowing {
             // A wrench that is linear between nodes is worst at one of them.
             prop_assert!((found.max_violation - at_nodes).abs() <= rounding);
         }

@@ -1,6 +1,6 @@
 //! All planners at one mission time: what a campaign flies.
 
-use super::{Comparison, Run, Setting};
+use super::{Comparison, Run, Setting, plan_found, planned_of};
 use crate::model::PlannerKind;
 use crate::planner::rows::{Decision, Pool};
 
@@ -11,18 +11,18 @@ impl Setting<'_> {
         let joint = self.seek_common_time(&mut out);
         let Some(time) = out.common_time else { return out };
         let (rip, rcp) = rayon::join(
-            || self.at("RIP", &self.rip, time, Pool::default()),
+            || self.at("RIP", &self.rip, time, Pool::default(), joint.as_ref().and_then(plan_found)),
             || {
                 (!self.names.is_empty()).then(|| match &joint {
                     Some(found) => self.at_or_own("RCP", &self.joint, time, found),
-                    None => self.at("RCP", &self.joint, time, Pool::default()),
+                    None => self.at("RCP", &self.joint, time, Pool::default(), None),
                 })
             },
         );
-        let (decision, effort) = rip;
+        let (rip_decision, effort) = rip;
         out.effort += effort;
-        let ending = self.common(time, &decision);
-        let rsp_set = match &decision {
+        let ending = self.common(time, &rip_decision);
+        let rsp_set = match &rip_decision {
             Decision::Feasible(planned) => {
                 out.selected = self.violated(planned);
                 self.rip.with(out.selected.clone())
@@ -33,7 +33,7 @@ impl Setting<'_> {
         let rsp = match out.selected.is_empty() {
             true => ending.clone(),
             false => {
-                let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default());
+                let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default(), planned_of(&rip_decision));
                 out.effort += effort;
                 self.common(time, &decision)
             }

@@ -1,8 +1,8 @@
 //! Every planner at its own shortest time and at T_d.
 
-use super::{Comparison, Ending, Found, Run, Setting, hint_from, label, time, time_below};
-use crate::model::PlannerKind;
-use crate::planner::rows::{Decision, Pool};
+use super::{Comparison, Ending, Found, Run, Setting, hint_from, label, plan_found, planned_of, time, time_below};
+use crate::model::{PlanModel, PlannerKind};
+use crate::planner::rows::{Decision, Planned, Pool};
 use crate::planner::search::{Hint, RESOLUTION};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
@@ -22,7 +22,8 @@ impl Setting<'_> {
         let above_rip = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
         let mut singles: Vec<Found> = Vec::new();
         if let Some(joint) = tightest.as_ref().filter(|_| several) {
-            singles = self.singles_own(&rip, Hint { feasible: time(joint), ..above_rip.clone() });
+            let begin = plan_found(joint).map(|p| Box::new(p.clone()));
+            singles = self.singles_own(&rip, Hint { feasible: time(joint), begin, ..above_rip.clone() });
             singles.iter().for_each(|f| effort += f.effort);
         }
         let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
@@ -56,7 +57,7 @@ impl Setting<'_> {
                     let binding = tightest.as_ref().unwrap_or(&rip);
                     let pool =
                         binding.pool.translated(if tightest.is_some() { &self.joint } else { &self.rip }, &rsp_set);
-                    self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), selected.is_empty(), pool)
+                    self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), planned_of(&decision), selected.is_empty(), pool)
                 },
                 || {
                     let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
@@ -87,6 +88,7 @@ impl Setting<'_> {
         at: f64,
         rip: &Found,
         above_rip: Hint,
+        begin: Option<&Planned>,
         same_as_rip: bool,
         pool: Pool,
     ) -> (Found, Ending, Effort) {
@@ -98,8 +100,8 @@ impl Setting<'_> {
         // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
         let below = at - RESOLUTION;
         let ((decision, mut effort), shorter) = rayon::join(
-            || self.at("RSP", set, at, pool.clone()),
-            || self.fixed_time().is_none().then(|| self.at("RSP", set, below, pool.clone())),
+            || self.at("RSP", set, at, pool.clone(), begin),
+            || (self.fixed_time().is_none() && self.model.plan.model == PlanModel::Hover).then(|| self.at("RSP", set, below, pool.clone(), begin)),
         );
         let ending = self.common(at, &decision);
         let mut hint = hint_from(at, decision);
@@ -112,6 +114,7 @@ impl Setting<'_> {
             }
         }
         hint.infeasible = hint.infeasible.or(above_rip.infeasible);
+        hint.begin = begin.map(|p| Box::new(p.clone()));
         let own = self.search("RSP", set, hint, pool);
         effort += own.effort;
         (own, ending, effort)

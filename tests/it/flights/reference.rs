@@ -3,6 +3,7 @@
 use mavc::flight::reference::{Course, DESCENT, Reference, Stop};
 use mavc::planner::hover_model::{X, Y, YAW, Z};
 use mavc::planner::transcribe::NodeState;
+use mavc::planner::wrench_model::WrenchModel;
 use mavc::trajectory::Trajectory;
 use nalgebra::Vector3;
 
@@ -128,5 +129,5 @@ fn plans_are_followed_to_their_end() {
 }
 
 fn broken() -> Trajectory {
-    Trajectory { times: Vec::new(), nodes: Vec::new(), waypoint_nodes: vec![0, 1], linearised_at: None }
+    Trajectory { times: Vec::new(), nodes: Vec::new(), waypoint_nodes: vec![0, 1], model: WrenchModel::HoverFollowing }
 }

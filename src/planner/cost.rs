@@ -1,0 +1,81 @@
+//! The cost (48): squared inputs over time and squared distances to the waypoints.
+
+use super::hover_model::{X, Y, YAW, Z};
+use super::transcribe::{NodeState, Transcription};
+use crate::qp::build::Builder;
+
+/// Gauss and Legendre's points on 0..1 and their weights: exact for polynomials up to degree 7, and the square of an
+/// acceleration under a piecewise linear snap is of degree 6.
+const GAUSS: [(f64, f64); 4] = [
+    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
+    (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
+    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+];
+
+impl Transcription<'_> {
+    /// (48) times `factor`, with exact integrals: over a step h, the integral of u^2 is h (u0^2 + u0 u1 + u1^2) / 3.
+    ///
+    /// Where z is a quadruple integrator both its input and its acceleration count, each with its own weight.
+    pub(super) fn cost(&self, builder: &mut Builder, factor: f64) {
+        let plan = &self.model.plan;
+        for (k, step) in self.profile.steps().enumerate() {
+            for &axis in self.axes {
+                let r = self.orders[axis];
+                let weight = if r == 4 { plan.snap_weight } else { plan.acceleration_weight };
+                let c = factor * weight * step / 3.0;
+                let (u0, u1) = (self.at_node(k, axis, r), self.at_node(k + 1, axis, r));
+                builder.inner_product(&u0, &u0, c);
+                builder.inner_product(&u0, &u1, c);
+                builder.inner_product(&u1, &u1, c);
+            }
+            if self.climbs_smoothly() {
+                for (share, weight) in GAUSS {
+                    let climb = self.inside(k, share, Z, 2).merged();
+                    builder.inner_product(&climb, &climb, factor * plan.acceleration_weight * step * weight);
+                }
+            }
+        }
+        for (w, &node) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes) {
+            let targets = [w.position[0], w.position[1], w.position[2], w.yaw];
+            for &axis in self.axes {
+                let miss = self.at_node(node, axis, 0).plus_constant(-targets[axis]);
+                builder.inner_product(&miss, &miss, factor * w.weight);
+            }
+        }
+    }
+
+    /// The value of (48) for the derivatives at every node.
+    pub(super) fn cost_of(&self, states: &[NodeState]) -> f64 {
+        let plan = &self.model.plan;
+        let mut sum = 0.0;
+        for (k, step) in self.profile.steps().enumerate() {
+            let (left, right) = (&states[k], &states[k + 1]);
+            for &axis in self.axes {
+                let r = self.orders[axis];
+                let weight = if r == 4 { plan.snap_weight } else { plan.acceleration_weight };
+                let (u0, u1) = (left[axis][r], right[axis][r]);
+                sum += weight * step / 3.0 * (u0 * u0 + u0 * u1 + u1 * u1);
+            }
+            if self.climbs_smoothly() {
+                let slope = (right[Z][4] - left[Z][4]) / step;
+                for (share, weight) in GAUSS {
+                    let t = share * step;
+                    let climb = left[Z][2] + t * (left[Z][3] + t * (left[Z][4] / 2.0 + t * slope / 6.0));
+                    sum += plan.acceleration_weight * step * weight * climb * climb;
+                }
+            }
+        }
+        for (w, &node) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes) {
+            let targets = [(X, w.position[0]), (Y, w.position[1]), (Z, w.position[2]), (YAW, w.yaw)];
+            let misses = targets.into_iter().filter(|(axis, _)| self.plans(*axis));
+            sum += w.weight * misses.map(|(axis, target)| (states[node][axis][0] - target).powi(2)).sum::<f64>();
+        }
+        sum
+    }
+
+    /// Whether z is a quadruple integrator that is planned here.
+    fn climbs_smoothly(&self) -> bool {
+        self.orders[Z] == 4 && self.plans(Z)
+    }
+}

@@ -1,0 +1,328 @@
+//! Plans under a wrench that is not linear in the motion, by successive convexification.
+//!
+//! Each step solves a convex program with the wrench linear about the last motion, its curvature weighed by the last
+//! multipliers (sequential quadratic programming with the convex part of the Lagrangian's Hessian: Nocedal and Wright,
+//! *Numerical Optimization*, chapter 18; for trajectories Mao, Szmuk and Acikmese, CDC 2016). Steps restore feasibility
+//! at one mission time, then lower the cost there; shorter times are tried from the smooth plan of the last.
+
+mod motion;
+mod relaxation;
+mod search;
+mod sequence;
+mod step;
+mod times;
+
+pub use motion::Motion;
+
+use super::hover_model::{WrenchMap, X, Y, YAW, Z};
+use super::limits::place;
+use super::profile::{Profile, fixed_windows};
+use super::rows::Engine;
+use super::select::PlanningSet;
+use super::transcribe::{NodeState, Row, RowAt, Transcription};
+use super::wrench_model::WrenchModel;
+use crate::actuation::Wrench;
+use crate::flatness::FlatState;
+use crate::solve::{Outcome, Solution, solve};
+use std::collections::{BTreeMap, BTreeSet};
+use step::{Objective, Step, change};
+
+/// Share of a facet's width that steps keep free, so that what the last one leaves curved ends inside.
+pub const BACK_OFF: f64 = 1e-4;
+
+/// Instants per interval at which a plan is checked, and at which rows can stand.
+pub const PARTS: usize = 10;
+
+/// Rows of the last motion with less slack than this stand in the next step from its beginning.
+const NEAR: f64 = 0.1;
+
+/// A step is solved again with the rows it passes by more than this, at most [`MOST_ROUNDS`] times.
+const PASSED: f64 = 0.01;
+const MOST_ROUNDS: usize = 2;
+
+/// Multipliers below this do not count.
+const NEGLIGIBLE: f64 = 1e-7;
+
+const ALL_AXES: [usize; 4] = [X, Y, Z, YAW];
+
+/// How far a step may go: where the last one told the truth the next may go further.
+#[derive(Debug, Clone, Copy)]
+struct Trust {
+    /// Weight of changed accelerations; see [`Step::proximity`].
+    proximity: f64,
+    /// Largest change of time; see [`Step::reach`].
+    reach: f64,
+}
+
+impl Trust {
+    const MOST_PROXIMITY: f64 = 1e5;
+    const LEAST_PROXIMITY: f64 = 1e-6;
+    const MOST_REACH: f64 = 0.2;
+
+    /// After a step that gained `gained` where the program promised `expected`.
+    fn after(self, gained: f64, expected: f64) -> Trust {
+        match gained / expected {
+            r if r > 0.7 => Trust {
+                proximity: (0.25 * self.proximity).max(Self::LEAST_PROXIMITY),
+                reach: (2.0 * self.reach).min(Self::MOST_REACH),
+            },
+            r if r < 0.3 => self.less(),
+            _ => self,
+        }
+    }
+
+    fn less(self) -> Trust {
+        Trust { proximity: 4.0 * self.proximity, reach: 0.4 * self.reach }
+    }
+
+    fn exhausted(self) -> bool {
+        self.proximity > Self::MOST_PROXIMITY
+    }
+}
+
+/// What a step weighs against each other.
+#[derive(Debug, Clone, Copy)]
+struct Weights {
+    objective: Objective,
+    /// See [`Step::penalty`].
+    penalty: f64,
+    /// See [`Step::smoothing`].
+    smoothing: f64,
+}
+
+/// Plans one mission against one set.
+pub struct Successive<'e, 'a> {
+    pub engine: &'e mut Engine<'a>,
+    pub wrench: WrenchModel,
+    pub set: &'e PlanningSet,
+    /// What each row of the set keeps free, in widths of the healthy set.
+    back_off: Vec<f64>,
+    /// Of the last program: the sum of multiplier times normal of the facets at each instant.
+    multipliers: BTreeMap<usize, Wrench>,
+}
+
+/// What one program gave.
+struct Stepped {
+    /// In the old time.
+    states: Vec<NodeState>,
+    sigma: f64,
+    /// Relative change of each leg's duration.
+    changes: Vec<f64>,
+}
+
+/// The wrench about a motion, at the instants that have rows.
+struct Lines {
+    maps: Vec<WrenchMap>,
+    wrenches: Vec<Wrench>,
+    /// Change per relative change of time.
+    stretches: Vec<Wrench>,
+}
+
+impl<'e, 'a> Successive<'e, 'a> {
+    pub fn new(engine: &'e mut Engine<'a>, wrench: WrenchModel, set: &'e PlanningSet) -> Self {
+        let model = engine.model;
+        let hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
+        // What hover itself keeps free is all that can be kept free.
+        let back_off = set.rows.iter().map(|row| match row.equality {
+            true => -BACK_OFF,
+            false => BACK_OFF.min(-0.5 * row.excess(&hover)).max(0.0),
+        });
+        Successive { back_off: back_off.collect(), engine, wrench, set, multipliers: BTreeMap::new() }
+    }
+
+    fn transcription<'s>(&self, profile: &'s Profile, maps: &'s [WrenchMap]) -> Transcription<'s>
+    where
+        'a: 's,
+        'e: 's,
+    {
+        let (model, mission) = (self.engine.model, self.engine.mission);
+        Transcription::new(model, mission, profile, self.set, maps, &ALL_AXES).with_orders(self.wrench.orders(), PARTS)
+    }
+
+    fn wrench_at(&self, state: &NodeState) -> Wrench {
+        self.wrench.wrench(&self.engine.model.vehicle, self.engine.model.gravity, state)
+    }
+
+    /// How far a row is passed; a flat set's plane is kept to within [`BACK_OFF`] on both sides.
+    fn excess_of_row(&self, facet: usize, wrench: &Wrench) -> f64 {
+        let row = &self.set.rows[facet];
+        let excess = if row.equality { row.excess(wrench) - BACK_OFF } else { row.excess(wrench) };
+        // A wrench that is not finite is outside of everything.
+        if excess.is_nan() { f64::INFINITY } else { excess }
+    }
+
+    /// The excess of every facet and then of every limit for one state.
+    fn excesses<'s>(&'s self, form: &'s Transcription<'s>, state: &'s NodeState) -> impl Iterator<Item = f64> + 's {
+        let wrench = self.wrench_at(state);
+        let facets = (0..self.set.rows.len()).map(move |facet| self.excess_of_row(facet, &wrench));
+        facets.chain(self.engine.mission.limits.iter().map(move |l| form.excess_of(l, state, 0.0)))
+    }
+
+    /// The largest excess of facets and limits at an instant.
+    fn excess_at(&self, form: &Transcription, state: &NodeState) -> f64 {
+        self.excesses(form, state).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The largest excess over all instants.
+    fn excess(&self, motion: &Motion) -> f64 {
+        let form = self.transcription(&motion.profile, &[]);
+        (0..form.instants()).map(|i| self.excess_at(&form, &motion.at(i))).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Place among the facets and limits of [`Self::excesses`].
+    fn row(&self, place: usize) -> Row {
+        let facets = self.set.rows.len();
+        if place < facets { Row::Facet(place) } else { Row::Limit(place - facets) }
+    }
+
+    /// Rows with an excess over `threshold` at nodes. Equality rows always stand.
+    fn rows_at_nodes(&self, motion: &Motion, threshold: f64) -> BTreeSet<RowAt> {
+        let form = self.transcription(&motion.profile, &[]);
+        let mut found = BTreeSet::new();
+        for (node, state) in motion.states.iter().enumerate() {
+            let over = self.excesses(&form, state).enumerate().filter(|(_, e)| *e > threshold);
+            found.extend(over.map(|(i, _)| RowAt { row: self.row(i), instant: node * PARTS }));
+        }
+        found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
+        found
+    }
+
+    /// Between nodes each row that is passed, where it is passed most in an interval.
+    fn rows_between(&self, motion: &Motion) -> BTreeSet<RowAt> {
+        let form = self.transcription(&motion.profile, &[]);
+        let mut found = BTreeSet::new();
+        for interval in 0..motion.profile.intervals() {
+            let mut worst: BTreeMap<usize, (f64, usize)> = BTreeMap::new();
+            for instant in interval * PARTS + 1..(interval + 1) * PARTS {
+                let state = motion.at(instant);
+                for (i, excess) in self.excesses(&form, &state).enumerate().filter(|(_, e)| *e > 0.0) {
+                    let entry = worst.entry(i).or_insert((excess, instant));
+                    if excess > entry.0 {
+                        *entry = (excess, instant);
+                    }
+                }
+            }
+            found.extend(worst.into_iter().map(|(i, (_, instant))| RowAt { row: self.row(i), instant }));
+        }
+        found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
+        found
+    }
+
+    /// The rows of limits on places, at every node: they do not depend on time, and each program has them all.
+    fn places(&self, profile: &Profile) -> BTreeSet<RowAt> {
+        let limits = self.engine.mission.limits.iter().enumerate().filter(|(_, l)| place(l.kind));
+        let nodes = 0..profile.nodes();
+        limits
+            .flat_map(|(limit, _)| {
+                nodes.clone().map(move |node| RowAt { row: Row::Limit(limit), instant: node * PARTS })
+            })
+            .collect()
+    }
+
+    fn line_up(&self, motion: &Motion, pool: &BTreeSet<RowAt>, lines: &mut Lines) {
+        let instants = motion.profile.intervals() * PARTS + 1;
+        let equalities = self.set.rows.iter().any(|r| r.equality);
+        let nodes = (0..instants).step_by(PARTS).filter(|_| equalities);
+        for instant in pool.iter().map(|r| r.instant).chain(nodes) {
+            if lines.maps[instant].terms.is_empty() {
+                let state = motion.at(instant);
+                let map = self.wrench.linearised(&self.engine.model.vehicle, self.engine.model.gravity, &state);
+                lines.stretches[instant] = map.terms.iter().fold(Wrench::zeros(), |sum, &(axis, order, c)| {
+                    sum - c * (order as f64 * state[axis][order])
+                });
+                lines.wrenches[instant] = map.at(&state);
+                lines.maps[instant] = map;
+            }
+        }
+    }
+
+    /// The convex part of the Lagrangian's curvature about a motion, by the last multipliers.
+    fn curvature(&self, motion: &Motion) -> Vec<(usize, NodeState, Vec<FlatState>)> {
+        let tau = self.transcription(&motion.profile, &[]).tau();
+        let at = |(&instant, n): (&usize, &Wrench)| {
+            let state = motion.at(instant);
+            let (vehicle, gravity) = (&self.engine.model.vehicle, self.engine.model.gravity);
+            (instant, state, self.wrench.curvature(vehicle, gravity, &state, n, tau))
+        };
+        self.multipliers.iter().map(at).collect()
+    }
+
+    /// Solves one step about a motion, with rows added while it passes others; `pool` keeps them.
+    fn step(
+        &mut self,
+        motion: &Motion,
+        legs: &[Option<usize>],
+        trust: Trust,
+        weights: Weights,
+        pool: &mut BTreeSet<RowAt>,
+    ) -> Option<Stepped> {
+        pool.extend(self.rows_at_nodes(motion, -NEAR));
+        pool.extend(self.places(&motion.profile));
+        let instants = motion.profile.intervals() * PARTS + 1;
+        let mut lines = Lines {
+            maps: vec![WrenchMap { constant: Wrench::zeros(), terms: Vec::new() }; instants],
+            wrenches: vec![Wrench::zeros(); instants],
+            stretches: vec![Wrench::zeros(); instants],
+        };
+        let curvature = self.curvature(motion);
+        let fixed = fixed_windows(self.engine.mission);
+        for round in 1.. {
+            self.line_up(motion, pool, &mut lines);
+            let step = Step {
+                from: &motion.states,
+                wrenches: &lines.wrenches,
+                stretches: &lines.stretches,
+                legs,
+                fixed: &fixed,
+                curvature: &curvature,
+                proximity: trust.proximity,
+                objective: weights.objective,
+                penalty: weights.penalty,
+                smoothing: weights.smoothing,
+                reach: trust.reach,
+                back_off: &self.back_off,
+            };
+            let chosen: Vec<RowAt> = pool.iter().copied().collect();
+            let stages = self.transcription(&motion.profile, &lines.maps);
+            // Splines cannot bend where legs change by different shares.
+            let together = legs.iter().all(|leg| *leg == legs[0]);
+            let splines = together.then(|| self.transcription(&motion.profile, &lines.maps).in_splines());
+            let mut found = None;
+            for form in splines.iter().chain([&stages]) {
+                let (program, places) = form.step_program(&step, &chosen);
+                let (outcome, effort) = solve(&program);
+                self.engine.effort += effort;
+                if let Outcome::Solved(Solution { x, z, .. }) = outcome {
+                    found = Some((form, x, z, places));
+                    break;
+                }
+            }
+            let (form, x, z, places) = found?;
+            let variables = form.variables();
+            let of_leg = |leg: &Option<usize>| {
+                leg.map_or(0.0, |i| change(x[variables + 1 + i].clamp(-trust.reach, trust.reach)))
+            };
+            let stepped = Stepped {
+                states: form.states(&x),
+                sigma: x[variables].max(0.0),
+                changes: legs.iter().map(of_leg).collect(),
+            };
+            self.multipliers.clear();
+            for (&RowAt { row, instant }, place) in chosen.iter().zip(&places) {
+                if let (Row::Facet(facet), Some(place)) = (row, place)
+                    && z[*place] > NEGLIGIBLE
+                {
+                    let normal = self.set.rows[facet].normal;
+                    *self.multipliers.entry(instant).or_insert_with(Wrench::zeros) += normal * z[*place];
+                }
+            }
+            let reached = motion.stepped(&stepped.states, &stepped.changes);
+            let known = pool.len();
+            pool.extend(self.rows_at_nodes(&reached, stepped.sigma + PASSED));
+            if round == MOST_ROUNDS || pool.len() == known {
+                return Some(stepped);
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,99 @@
+//! A motion over a mission without its holds, and what changes of time do to it.
+
+use super::super::profile::Profile;
+use super::super::transcribe::NodeState;
+use super::super::wrench_model::WrenchModel;
+use super::PARTS;
+use crate::trajectory::{Trajectory, between};
+
+/// Derivatives at the nodes of a profile without holds.
+#[derive(Debug, Clone)]
+pub struct Motion {
+    pub profile: Profile,
+    pub states: Vec<NodeState>,
+    pub model: WrenchModel,
+}
+
+/// Derivatives of order m times `factor`^-m.
+fn slower(state: &NodeState, factor: f64) -> NodeState {
+    state.map(|axis| std::array::from_fn(|order| axis[order] * factor.powi(-(order as i32))))
+}
+
+impl Motion {
+    fn trajectory(&self) -> Trajectory {
+        Trajectory {
+            times: self.profile.node_times.clone(),
+            nodes: self.states.clone(),
+            waypoint_nodes: self.profile.waypoint_nodes.clone(),
+            model: self.model,
+        }
+    }
+
+    /// The derivatives at an instant; see `Transcription::parts`.
+    pub fn at(&self, instant: usize) -> NodeState {
+        let (interval, part) = (instant / PARTS, instant % PARTS);
+        if part == 0 {
+            return self.states[interval];
+        }
+        let times = &self.profile.node_times;
+        let h = times[interval + 1] - times[interval];
+        let t = h * part as f64 / PARTS as f64;
+        between(&self.states[interval], &self.states[interval + 1], h, t, self.model)
+    }
+
+    /// The same path in the same shares of time, `factor` times slower.
+    pub fn slower(&self, factor: f64) -> Motion {
+        Motion {
+            profile: self.profile.with_durations_times(|_| factor),
+            states: self.states.iter().map(|s| slower(s, factor)).collect(),
+            model: self.model,
+        }
+    }
+
+    /// The motion that a step leads to: its states are those of the old time, and each leg takes longer by its relative
+    /// change. Where legs change by different shares it is joined at waypoints to first order only.
+    pub fn stepped(&self, states: &[NodeState], changes: &[f64]) -> Motion {
+        let mut changed = states.to_vec();
+        for s in &self.profile.segments {
+            // A waypoint's node belongs to the leg that ends there.
+            let first = if s.first_node == 0 { 0 } else { s.first_node + 1 };
+            for state in &mut changed[first..=s.first_node + s.intervals] {
+                *state = slower(state, 1.0 + changes[s.from]);
+            }
+        }
+        Motion {
+            profile: self.profile.with_durations_times(|leg| 1.0 + changes[leg]),
+            states: changed,
+            model: self.model,
+        }
+    }
+
+    /// The same profile with other states.
+    pub fn with_states(&self, states: Vec<NodeState>) -> Motion {
+        Motion { profile: self.profile.clone(), states, model: self.model }
+    }
+
+    /// `share` of the way from this motion's states to others at the same nodes.
+    pub fn towards(&self, states: &[NodeState], share: f64) -> Vec<NodeState> {
+        let blend = |from: &NodeState, to: &NodeState| -> NodeState {
+            std::array::from_fn(|axis| std::array::from_fn(|m| from[axis][m] + share * (to[axis][m] - from[axis][m])))
+        };
+        self.states.iter().zip(states).map(|(from, to)| blend(from, to)).collect()
+    }
+
+    /// The same motion at the nodes of another profile: by shares of each leg's duration.
+    pub fn on(&self, profile: &Profile) -> Motion {
+        let trajectory = self.trajectory();
+        let mut states = Vec::with_capacity(profile.nodes());
+        for (mine, other) in self.profile.segments.iter().zip(&profile.segments) {
+            let begin = self.profile.node_times[mine.first_node];
+            let factor = other.duration / mine.duration;
+            let first = if states.is_empty() { 0 } else { 1 };
+            for i in first..=other.intervals {
+                let t = begin + mine.duration * i as f64 / other.intervals as f64;
+                states.push(slower(&trajectory.at(t), factor));
+            }
+        }
+        Motion { profile: profile.clone(), states, model: self.model }
+    }
+}

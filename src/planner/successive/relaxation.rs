@@ -1,0 +1,51 @@
+//! What any plan must satisfy whatever its attitude: a convex relaxation whose infeasibility is a proof.
+//!
+//! The motion keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within the
+//! largest thrust of the set. Torques are left free.
+
+use super::super::rows::FEASIBLE;
+use super::super::transcribe::Purpose;
+use super::*;
+use crate::qp::RowOrigin;
+use crate::qp::build::{Affine, Builder};
+
+impl Successive<'_, '_> {
+    /// Whether the relaxation has no motion over a profile (without holds): multipliers checked in plain arithmetic say so.
+    pub(super) fn shown_infeasible(&mut self, profile: &Profile) -> bool {
+        let Some(thrust) = self.most_thrust() else { return false };
+        let form = self.transcription(profile, &[]);
+        let limits = 0..self.engine.mission.limits.len();
+        let nodes = 0..profile.nodes();
+        let rows: Vec<RowAt> = limits
+            .flat_map(|limit| nodes.clone().map(move |node| RowAt { row: Row::Limit(limit), instant: node * PARTS }))
+            .collect();
+        let (outcome, effort) = solve(&form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust));
+        self.engine.effort += effort;
+        matches!(outcome, Outcome::Infeasible { .. })
+    }
+
+    /// The largest thrust that the set allows with any torques, N.
+    fn most_thrust(&mut self) -> Option<f64> {
+        let mut builder = Builder::new(4);
+        let scale = self.engine.model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum::<f64>();
+        // Thrust in units of full thrust, torques in those of the rows.
+        let sides = |equality: bool| if equality { &[1.0, -1.0][..] } else { &[1.0] };
+        for (facet, row) in self.set.rows.iter().enumerate() {
+            for side in sides(row.equality) {
+                let mut slack = Affine::constant(side * row.offset);
+                for (i, n) in row.normal.iter().enumerate() {
+                    slack = slack.plus(i, -side * n * if i == 0 { scale } else { 1.0 });
+                }
+                builder.nonnegative(slack, RowOrigin::Facet { facet, node: 0 });
+            }
+        }
+        builder.linear(0, -1.0);
+        let (outcome, effort) = solve(&builder.finish());
+        self.engine.effort += effort;
+        match outcome {
+            // No thrust is larger than the dual bound says.
+            Outcome::Solved(solution) => Some((-solution.bound).min(1.0) * scale),
+            _ => Some(scale),
+        }
+    }
+}

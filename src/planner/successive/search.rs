@@ -1,0 +1,293 @@
+//! Which mission time: shorter and shorter ones, each begun from the plan of least cost at the last, or one that is given.
+
+use super::super::profile::{determined, earliest, profile};
+use super::super::rows::{Decision, Planned};
+use super::super::search::{GRID, NoTime, Shortest};
+use super::super::transcribe::Purpose;
+use super::sequence::{CLOSELY, ROUGHLY};
+use super::*;
+use crate::model::{Leg, Mission};
+
+/// Beyond this a mission is not searched, s.
+const LONGEST: f64 = 100_000.0;
+
+/// Relative precision of changes of time.
+const PRECISION: f64 = 1e-4;
+
+/// Relative steps towards shorter times: the first on the coarse and on the full grid, by how much one shrinks where no
+/// plan is found, and the least.
+const COARSE_STEP: f64 = 0.1;
+const FINE_STEP: f64 = 0.04;
+const SHRINK: f64 = 0.3;
+const LEAST_COARSE: f64 = 0.02;
+const LEAST_FINE: f64 = 0.0025;
+
+/// Where a motion found elsewhere cannot be restored at its own time, it is flown slower by these factors.
+const SLOWER: [f64; 10] = [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5];
+
+/// What is said where no plan is found and none is shown impossible.
+pub const NOT_FOUND: &str = "no plan found";
+
+impl Successive<'_, '_> {
+    /// The mission's profile with legs that take `shares` of the time, or their own.
+    fn lay_out(&self, shares: Option<&[f64]>, total: f64, samples: usize) -> Option<Profile> {
+        match shares {
+            None => profile(self.engine.mission, total, samples),
+            Some(shares) => {
+                let legs = shares.iter().map(|&share| Leg { share }).collect();
+                profile(&Mission { legs, ..self.engine.mission.clone() }, total, samples)
+            }
+        }
+    }
+
+    fn held(&self) -> f64 {
+        self.engine.mission.waypoints.iter().map(|w| w.hold).sum()
+    }
+
+    /// A smooth motion through the waypoints that knows no set: the least cost with positions in their limits.
+    fn smooth(&mut self, profile: &Profile) -> Option<Motion> {
+        let form = self.transcription(profile, &[]);
+        let places: Vec<RowAt> = self.places(profile).into_iter().collect();
+        let program = form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY);
+        let (outcome, effort) = solve(&program);
+        self.engine.effort += effort;
+        let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = outcome else {
+            return None;
+        };
+        Some(Motion { profile: profile.clone(), states: form.states(&x), model: self.wrench })
+    }
+
+    /// The motion's path in its own shares of time, about as fast as stays inside at the nodes. `None` where no slowing
+    /// down helps, or where fixed times leave nothing to slow down.
+    fn timed(&self, motion: &Motion) -> Option<Motion> {
+        let form = self.transcription(&motion.profile, &[]);
+        let inside = |factor: f64| {
+            let slow = motion.slower(factor);
+            slow.states.iter().all(|s| self.excess_at(&form, s) <= 0.0)
+        };
+        if !fixed_windows(self.engine.mission).is_empty() {
+            return inside(1.0).then(|| motion.clone());
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        while !inside(high) {
+            (low, high) = (high, 1.5 * high);
+            if high * motion.profile.total > LONGEST {
+                return None;
+            }
+        }
+        while low == 0.0 || high - low > PRECISION * high {
+            let middle = if low == 0.0 { 0.7 * high } else { 0.5 * (low + high) };
+            match inside(middle) {
+                true => high = middle,
+                false => low = middle,
+            }
+            if high < 1e-3 {
+                break;
+            }
+        }
+        Some(motion.slower(high))
+    }
+
+    /// The motion at the first of [`SLOWER`] times at which it can be restored.
+    fn restore_slower(&mut self, motion: &Motion, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        SLOWER.into_iter().find_map(|factor| {
+            let mut known = pool.clone();
+            let restored = self.restore(motion.slower(factor), &mut known)?;
+            *pool = known;
+            Some(self.settle(restored, ROUGHLY, pool))
+        })
+    }
+
+    /// Shorter and shorter times down to `target` s of flight, each from the plan of least cost at the last: smooth motions
+    /// stay clear of the attitudes at which the wrench bends most.
+    fn descend(
+        &mut self,
+        mut motion: Motion,
+        (first, least): (f64, f64),
+        target: f64,
+        pool: &mut BTreeSet<RowAt>,
+    ) -> Motion {
+        let mut step = first;
+        while step >= least && motion.profile.total > target {
+            let factor = (1.0 - step).max(target / motion.profile.total);
+            self.engine.progress(factor * motion.profile.total + self.held());
+            let mut known = pool.clone();
+            match self.restore(motion.slower(factor), &mut known) {
+                Some(inside) => {
+                    *pool = known;
+                    motion = self.settle(inside, ROUGHLY, pool);
+                }
+                None => step *= SHRINK,
+            }
+        }
+        motion
+    }
+
+    /// A plan of the mission as a motion to begin from.
+    fn motion_of(&self, planned: &Planned) -> Motion {
+        let profile = planned.profile.flown();
+        Motion { states: planned.profile.without_holds(&planned.states), profile, model: self.wrench }
+    }
+
+    /// A first motion inside the set, on the full grid, for the mission about as fast as `near` s of flight.
+    fn first(&mut self, near: f64) -> Option<Motion> {
+        let samples = self.engine.model.plan.samples;
+        let coarse_samples = self.engine.coarse_samples();
+        let guess = self.engine.guess().max(near + self.held());
+        let coarse = self.lay_out(None, guess, coarse_samples)?;
+        let smooth = self.smooth(&coarse.flown())?;
+        let mut motion = self.timed(&smooth)?;
+        let mut pool = BTreeSet::new();
+        if near > motion.profile.total {
+            motion = motion.slower(near / motion.profile.total);
+        }
+        motion = self.restore_slower(&motion, &mut pool)?;
+        motion = self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool);
+        if self.chooses_times() {
+            motion = self.better_times(motion, &mut pool);
+        }
+        let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
+        let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
+        self.multipliers.clear();
+        self.restore_slower(&motion.on(&fine.flown()), &mut BTreeSet::new())
+    }
+
+    /// A plan at one mission time, begun from another plan where there is one.
+    pub fn decide(&mut self, total: f64, begin: Option<&Planned>) -> Decision {
+        let samples = self.engine.model.plan.samples;
+        let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
+        self.engine.progress(total);
+        match self.at(&full, begin) {
+            Some(planned) => Decision::Feasible(Box::new(planned)),
+            None if self.shown_infeasible(&full.flown()) => Decision::Infeasible,
+            None => Decision::Inconclusive(NOT_FOUND.into()),
+        }
+    }
+
+    fn at(&mut self, full: &Profile, begin: Option<&Planned>) -> Option<Planned> {
+        let flown = full.total - self.held();
+        let fixed = !fixed_windows(self.engine.mission).is_empty();
+        let mut pool = BTreeSet::new();
+        if let Some(planned) = begin.filter(|_| !fixed) {
+            let other = self.motion_of(planned);
+            let scaled = other.slower(flown / other.profile.total);
+            if let Some(inside) = self.restore(scaled, &mut pool) {
+                return Some(self.kept(inside, full.total, &mut pool));
+            }
+        }
+        if fixed || !self.chooses_times() {
+            let smooth = self.smooth(&full.flown())?;
+            pool.clear();
+            if let Some(inside) = self.restore(smooth, &mut pool) {
+                return Some(self.kept(inside, full.total, &mut pool));
+            }
+        }
+        if fixed {
+            return None;
+        }
+        let first = match begin {
+            Some(planned) => {
+                let motion = self.motion_of(planned);
+                self.restore_slower(&motion, &mut pool)?
+            }
+            None => self.first(flown)?,
+        };
+        let motion = match first.profile.total <= flown {
+            true => self.restore(first.slower(flown / first.profile.total), &mut pool)?,
+            false => self.descend(first, (FINE_STEP, LEAST_FINE), flown, &mut pool),
+        };
+        let there = (motion.profile.total - flown).abs() <= 1e-9 * flown;
+        there.then(|| self.kept(motion, full.total, &mut pool))
+    }
+
+    /// The plan of least cost about a motion inside the set, with holds.
+    fn kept(&mut self, motion: Motion, total: f64, pool: &mut BTreeSet<RowAt>) -> Planned {
+        let settled = self.settle(motion, CLOSELY, pool);
+        let intervals = settled.profile.segments.iter().map(|s| (s.duration, s.intervals)).collect::<Vec<_>>();
+        let profile = Profile::with_legs(self.engine.mission, &intervals, total);
+        Planned {
+            states: profile.with_holds(&settled.states),
+            profile,
+            model: self.wrench,
+            objective: self.cost(&settled),
+            rows: pool.len(),
+        }
+    }
+
+    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from the plan
+    /// of another set where there is one.
+    pub fn shortest(&mut self, begin: Option<&Planned>) -> Result<Shortest, NoTime> {
+        let shortest =
+            |time: f64, planned: Planned| Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() };
+        let windows = fixed_windows(self.engine.mission);
+        if let Some(total) = determined(self.engine.mission) {
+            return match self.decide(total, begin) {
+                Decision::Feasible(planned) => Ok(shortest(total, *planned)),
+                Decision::Infeasible => Err(NoTime::Infeasible { up_to: total }),
+                Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
+            };
+        }
+        if !windows.is_empty() {
+            return self.shortest_after_fixed_times();
+        }
+        let mut pool = BTreeSet::new();
+        let first = match begin {
+            Some(planned) => {
+                let motion = self.motion_of(planned);
+                self.restore_slower(&motion, &mut pool)
+            }
+            None => self.first(0.0),
+        };
+        let guess = self.engine.guess();
+        let Some(mut motion) = first else { return Err(self.none(guess)) };
+        if self.chooses_times() {
+            motion = self.better_times(motion, &mut pool);
+        }
+        motion = self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool);
+        let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();
+        // Flown a little slower a plan is one still, or nearly always.
+        for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
+            let time = (ticks + late) / (1.0 / GRID).round();
+            let slower = motion.slower((time - self.held()) / motion.profile.total);
+            if let Some(inside) = self.restore(slower, &mut pool) {
+                let planned = self.kept(inside, time, &mut pool);
+                return Ok(shortest(time, planned));
+            }
+        }
+        Err(self.none(motion.profile.total))
+    }
+
+    /// Where only the legs after the last fixed time are free: the first of ever longer times with a plan, then bisection.
+    fn shortest_after_fixed_times(&mut self) -> Result<Shortest, NoTime> {
+        let floor = earliest(self.engine.mission);
+        let mut low = floor;
+        let mut stride = (0.25 * (self.engine.guess() - floor)).max(GRID);
+        let mut best: Option<(f64, Planned)> = None;
+        while best.as_ref().is_none_or(|b| b.0 - low > (LEAST_FINE * b.0).max(GRID)) {
+            let try_at = best.as_ref().map_or(low + stride, |b| 0.5 * (low + b.0));
+            let time = (try_at / GRID).ceil() / (1.0 / GRID).round();
+            match self.decide(time, None) {
+                Decision::Feasible(planned) => best = Some((time, *planned)),
+                _ if best.as_ref().is_some_and(|b| time >= b.0) => break,
+                _ => low = time,
+            }
+            stride *= 1.5;
+            if low > 20.0 * self.engine.guess() {
+                return Err(self.none(low));
+            }
+        }
+        let (time, planned) = best.ok_or_else(|| NoTime::Inconclusive { at: low, status: NOT_FOUND.into() })?;
+        Ok(Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() })
+    }
+
+    /// No plan was found at any time: proved where even a very long flight is shown infeasible.
+    fn none(&mut self, guess: f64) -> NoTime {
+        let samples = self.engine.coarse_samples();
+        let long = 10.0 * guess;
+        let shown = self.lay_out(None, long, samples).is_some_and(|full| self.shown_infeasible(&full.flown()));
+        match shown {
+            true => NoTime::Infeasible { up_to: long },
+            false => NoTime::Inconclusive { at: guess, status: NOT_FOUND.into() },
+        }
+    }
+}

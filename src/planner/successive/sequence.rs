@@ -1,0 +1,152 @@
+//! Sequences of steps at one mission time: into the set, then down to the least cost there.
+
+use super::*;
+
+/// Proximity of steps that restore feasibility: they seek nearly the nearest motion that does.
+const RESTORING: f64 = 0.1;
+
+/// Most steps to restore feasibility; over each [`PATIENCE`] of them the excess has to fall by half.
+const MOST_RESTORING: usize = 8;
+const PATIENCE: usize = 2;
+
+/// Where even the lines leave this much excess, restoring is given up: what comes after takes many steps to nothing, or to
+/// a motion at the edge of what flies (measured).
+const HOPELESS: f64 = 1e-2;
+
+/// Proximity at which steps towards the least cost begin.
+const SETTLING: f64 = 0.03;
+
+/// Weight of the excess against the relative cost, at first.
+const PENALTY: f64 = 2.0;
+
+/// A step that keeps less than this share of itself is not worth a try.
+const LEAST_SHARE: f64 = 0.05;
+
+/// How closely the least cost is sought.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Care {
+    steps: usize,
+    /// Relative gain that ends the sequence.
+    small: f64,
+}
+
+/// On the way to another time.
+pub(super) const ROUGHLY: Care = Care { steps: 2, small: 0.03 };
+/// For a plan that is kept.
+pub(super) const CLOSELY: Care = Care { steps: 25, small: 1e-3 };
+
+impl Successive<'_, '_> {
+    fn durations_stand(&self) -> Vec<Option<usize>> {
+        vec![None; self.engine.mission.legs.len()]
+    }
+
+    /// Steps towards the least excess, until the motion is inside at every instant. `None` where it does not get there.
+    pub(super) fn restore(&mut self, motion: Motion, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        self.restore_unless(motion, HOPELESS, pool)
+    }
+
+    /// The same, given up where the lines leave more excess than `hopeless`.
+    pub(super) fn restore_unless(
+        &mut self,
+        mut motion: Motion,
+        hopeless: f64,
+        pool: &mut BTreeSet<RowAt>,
+    ) -> Option<Motion> {
+        let legs = self.durations_stand();
+        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0 };
+        let mut trust = Trust { proximity: RESTORING, reach: 0.0 };
+        let mut excess = self.excess(&motion);
+        let mut history = Vec::new();
+        self.multipliers.clear();
+        while excess > 0.0 {
+            history.push(excess);
+            let stuck = history.len() > PATIENCE && excess > 0.5 * history[history.len() - 1 - PATIENCE];
+            if history.len() > MOST_RESTORING || stuck || trust.exhausted() {
+                return None;
+            }
+            pool.extend(self.rows_between(&motion));
+            let stepped = self.step(&motion, &legs, trust, weights, pool)?;
+            if stepped.sigma > hopeless {
+                return None;
+            }
+            let mut share = 1.0;
+            let (reached, now) = loop {
+                let reached = motion.with_states(motion.towards(&stepped.states, share));
+                let now = self.excess(&reached);
+                if now <= excess - 0.2 * share * (excess - stepped.sigma) || share < 2.0 * LEAST_SHARE {
+                    break (reached, now);
+                }
+                share *= 0.5;
+            };
+            if share < 0.5 {
+                trust = trust.less();
+            }
+            if now < excess {
+                (motion, excess) = (reached, now);
+            }
+        }
+        self.prune(&motion, pool);
+        Some(motion)
+    }
+
+    /// Steps towards the least cost. Both the motion given and the one returned are inside at every instant; in between
+    /// merit is the cost and a penalty on the excess.
+    pub(super) fn settle(&mut self, motion: Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Motion {
+        let legs = self.durations_stand();
+        let mut trust = Trust { proximity: SETTLING, reach: 0.0 };
+        let mut weights = Weights { objective: Objective::Cost, penalty: PENALTY, smoothing: 1.0 };
+        let mut best = (self.cost(&motion), motion.clone());
+        let (mut at, mut excess) = (motion, 0.0);
+        for _ in 0..care.steps {
+            let here = self.cost(&at);
+            let Some(stepped) = self.step(&at, &legs, trust, weights, pool) else { break };
+            if stepped.sigma > NEGLIGIBLE {
+                weights.penalty *= 4.0;
+            }
+            let penalty = weights.penalty;
+            let merit = |cost: f64, excess: f64| cost / here + penalty * f64::max(excess, 0.0);
+            let was = merit(here, excess);
+            let towards = |s: &Self, share: f64| {
+                let reached = at.with_states(at.towards(&stepped.states, share));
+                (s.cost(&reached), s.excess(&reached), reached)
+            };
+            let expected = was - merit(self.cost(&at.with_states(stepped.states.clone())), stepped.sigma);
+            let mut share = 1.0;
+            let (mut cost, mut now, mut reached) = towards(self, share);
+            while was - merit(cost, now) < 0.3 * share * expected && share > LEAST_SHARE {
+                share *= 0.5;
+                (cost, now, reached) = towards(self, share);
+            }
+            let gained = was - merit(cost, now);
+            if now <= 0.0 && cost < best.0 {
+                best = (cost, reached.clone());
+            }
+            pool.extend(self.rows_between(&reached));
+            trust = trust.after(gained, expected);
+            if gained > 0.0 {
+                (at, excess) = (reached, now);
+            }
+            if expected < care.small && excess <= 0.0 || trust.exhausted() {
+                break;
+            }
+        }
+        best.1
+    }
+
+    pub(super) fn cost(&self, motion: &Motion) -> f64 {
+        self.transcription(&motion.profile, &[]).cost_of(&motion.states)
+    }
+
+    /// Drops the rows that a motion keeps well clear of.
+    fn prune(&self, motion: &Motion, pool: &mut BTreeSet<RowAt>) {
+        let form = self.transcription(&motion.profile, &[]);
+        pool.retain(|r| {
+            let state = motion.at(r.instant);
+            let excess = match r.row {
+                Row::Facet(facet) => self.excess_of_row(facet, &self.wrench_at(&state)),
+                Row::Limit(limit) => form.excess_of(&self.engine.mission.limits[limit], &state, 0.0),
+            };
+            excess > -NEAR
+        });
+    }
+}

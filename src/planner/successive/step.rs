@@ -1,0 +1,222 @@
+//! One convex program of the sequence: the wrench linear about the last motion, time free or fixed.
+//!
+//! Variables are the derivatives at the nodes as if no duration changed, the excess sigma, and a relative change
+//! delta of each leg's duration that may change. A derivative of order m in the new time is D (1 + delta)^-m, so
+//! the wrench along the leg changes by -m dw/dD D delta to first order. The variable is epsilon, with (1 + delta)^4 =
+//! 1 + 4 epsilon: rows times that factor hold the snap, whose torques bind first, without any error.
+
+use super::super::hover_model::{X, Y, YAW, Z};
+use super::super::limits::Widening;
+use super::super::select::SetRow;
+use super::super::wrench_model::DIRECTIONS;
+use super::super::transcribe::{NodeState, Row, RowAt, Transcription};
+use crate::actuation::Wrench;
+use crate::qp::build::{Affine, Builder};
+use crate::flatness::FlatState;
+use crate::qp::{Cone, QuadraticProgram, RowOrigin};
+
+/// What a step seeks; all objectives are relative and of order one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Objective {
+    /// The shortest time.
+    Time,
+    /// The smallest excess.
+    Excess,
+    /// The smallest cost (48).
+    Cost,
+}
+
+/// About what and how far a step goes.
+pub struct Step<'s> {
+    pub objective: Objective,
+    /// Derivatives at the nodes.
+    pub from: &'s [NodeState],
+    /// The wrench per instant, and by how much it changes per relative change of time; where there are rows.
+    pub wrenches: &'s [Wrench],
+    pub stretches: &'s [Wrench],
+    /// Per leg: which change of duration is its own; `None` where its duration stands.
+    pub legs: &'s [Option<usize>],
+    /// Sets of legs (first, past the last) whose durations keep their sum, for a fixed time stands at the end.
+    pub fixed: &'s [(usize, usize)],
+    /// Curvature of the Lagrangian: at each instant squares |factor . (s' - s)|^2 / 2 to be added to the objective.
+    pub curvature: &'s [(usize, NodeState, Vec<FlatState>)],
+    /// Weight of the squared relative change of accelerations, which keeps the step where the lines are true.
+    pub proximity: f64,
+    /// Weight of the excess.
+    pub penalty: f64,
+    /// Weight of the cost (48), relative to that of the last motion.
+    pub smoothing: f64,
+    /// Largest relative change of a duration.
+    pub reach: f64,
+    /// What each row of the set keeps free, in widths of the healthy set.
+    pub back_off: &'s [f64],
+}
+
+/// The highest derivative that the wrench depends on.
+const ORDER_OF_TIME: f64 = 4.0;
+
+/// The relative change of a duration that a value of its variable stands for.
+pub fn change(epsilon: f64) -> f64 {
+    (1.0 + ORDER_OF_TIME * epsilon).max(0.0).powf(1.0 / ORDER_OF_TIME) - 1.0
+}
+
+/// A psi that changes by this much counts like an acceleration that changes by itself, rad.
+const TURN: f64 = 1.0;
+
+/// Accelerations are compared to at least this share of gravity.
+const LEAST_ACCELERATION: f64 = 0.05;
+
+impl Step<'_> {
+    fn changes(&self) -> usize {
+        self.legs.iter().flatten().max().map_or(0, |most| most + 1)
+    }
+}
+
+impl Transcription<'_> {
+    /// The leg that an instant belongs to; at a waypoint the one that ends there.
+    fn leg_of(&self, instant: usize) -> usize {
+        let interval = instant.saturating_sub(1) / self.parts;
+        let after = self.profile.segments.partition_point(|s| s.first_node <= interval);
+        self.profile.segments[after - 1].from
+    }
+
+    /// The change of the duration of an instant's leg.
+    fn stretch(&self, step: &Step, leg: usize) -> Affine {
+        step.legs[leg].map_or(Affine::default(), |i| Affine::term(self.variables() + 1 + i, 1.0))
+    }
+
+    /// The program of one step, with the rows `chosen`; the set's equality rows always stand, at nodes. Also the row of
+    /// the program that each facet in `chosen` became.
+    pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
+        let sigma = self.variables();
+        let excess = Affine::term(sigma, 1.0);
+        let mut builder = Builder::new(sigma + 1 + step.changes());
+        self.dynamics(&mut builder, &|node, axis, order| self.bend(step, node, axis, order));
+        self.rest(&mut builder);
+        self.waypoints(&mut builder, &Affine::constant(0.0));
+        builder.nonnegative(excess.clone(), RowOrigin::Excess);
+        // The row times (1 + delta)^4 = 1 + 4 epsilon: n.w (1 + 4 epsilon) <= e (1 + 4 epsilon).
+        let slack = |instant: usize, row: &SetRow| {
+            let mut slack = self.along(instant, &row.normal).times(-1.0).plus_constant(row.offset);
+            let free = row.offset - row.normal.dot(&step.wrenches[instant]);
+            let change = ORDER_OF_TIME * free - row.normal.dot(&step.stretches[instant]);
+            slack.add(&self.stretch(step, self.leg_of(instant)), change);
+            slack
+        };
+        for (facet, row) in self.set.rows.iter().enumerate().filter(|(_, r)| r.equality) {
+            for node in 0..self.nodes() {
+                for side in [1.0, -1.0] {
+                    let mut expression = excess.clone().plus_constant(-step.back_off[facet]);
+                    expression.add(&slack(node * self.parts, row), side);
+                    builder.nonnegative(expression, RowOrigin::Facet { facet, node });
+                }
+            }
+        }
+        let mut places = Vec::with_capacity(chosen.len());
+        for &RowAt { row, instant } in chosen {
+            places.push(matches!(row, Row::Facet(_)).then(|| builder.inequalities()));
+            match row {
+                Row::Facet(facet) => {
+                    let mut expression = excess.clone().plus_constant(-step.back_off[facet]);
+                    expression.add(&slack(instant, &self.set.rows[facet]), 1.0);
+                    builder.nonnegative(expression, RowOrigin::Facet { facet, node: instant / self.parts });
+                }
+                Row::Limit(limit) => {
+                    let stretch = self.stretch(step, self.leg_of(instant));
+                    self.limit(&mut builder, limit, instant, &Widening::by(&excess).with_stretch(&stretch));
+                }
+            }
+        }
+        self.durations(&mut builder, step);
+        self.stay_near(&mut builder, step);
+        builder.linear(sigma, step.penalty);
+        if step.smoothing > 0.0 {
+            self.cost(&mut builder, step.smoothing / self.cost_of(step.from).max(f64::MIN_POSITIVE));
+        }
+        let program = builder.finish();
+        let equal = match program.cones.first() {
+            Some(Cone::Zero(rows)) => *rows,
+            _ => 0,
+        };
+        places.iter_mut().flatten().for_each(|place| *place += equal);
+        (program, places)
+    }
+
+    /// What derivatives on the later side of a waypoint have more than on the earlier: both legs share the motion in
+    /// the new time, `D (1 - m delta) = D' (1 - m delta')` to first order.
+    fn bend(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
+        if node == 0 || order == 0 {
+            return Affine::default();
+        }
+        let (before, after) = (self.leg_of(node * self.parts), self.leg_of(node * self.parts + 1));
+        if step.legs[before] == step.legs[after] {
+            return Affine::default();
+        }
+        let factor = order as f64 * step.from[node][axis][order];
+        let mut bend = self.stretch(step, after).times(factor);
+        bend.add(&self.stretch(step, before), -factor);
+        bend
+    }
+
+    /// Durations change by at most the step's reach, and keep fixed waypoint times.
+    fn durations(&self, builder: &mut Builder, step: &Step) {
+        for segment in self.profile.segments.iter() {
+            let leg = segment.from;
+            if step.legs[leg].is_none() || step.legs[..leg].contains(&step.legs[leg]) {
+                continue;
+            }
+            let change = self.stretch(step, leg);
+            for side in [1.0, -1.0] {
+                builder.nonnegative(change.clone().times(side).plus_constant(step.reach), RowOrigin::Duration { leg });
+            }
+        }
+        for &(first, past) in step.fixed {
+            let mut sum = Affine::default();
+            for segment in self.profile.segments.iter().filter(|s| (first..past).contains(&s.from)) {
+                sum.add(&self.stretch(step, segment.from), segment.duration / self.profile.total);
+            }
+            if !sum.terms.is_empty() {
+                builder.zero(sum, RowOrigin::Duration { leg: first });
+            }
+        }
+        if step.objective == Objective::Time {
+            for segment in &self.profile.segments {
+                for (variable, share) in self.stretch(step, segment.from).terms {
+                    builder.linear(variable, share * segment.duration / self.profile.total);
+                }
+            }
+        }
+    }
+
+    /// Keeps accelerations, and psi, near those of the last motion: there the wrench's curvature lies.
+    fn stay_near(&self, builder: &mut Builder, step: &Step) {
+        let g = self.model.gravity;
+        let mut steps: Vec<f64> = self.profile.steps().collect();
+        steps.push(0.0);
+        for (instant, from, factors) in step.curvature {
+            for factor in factors {
+                let mut change = Affine::default();
+                for (&(axis, order), weight) in DIRECTIONS.iter().zip(factor.iter()).filter(|(_, w)| **w != 0.0) {
+                    change.add(&self.derivative(*instant, axis, order).plus_constant(-from[axis][order]), *weight);
+                }
+                let change = change.merged();
+                builder.inner_product(&change, &change, 0.5);
+            }
+        }
+        for (node, from) in step.from.iter().enumerate() {
+            let around = 0.5 * (steps[node] + if node > 0 { steps[node - 1] } else { 0.0 });
+            let (sin, cos) = from[YAW][0].sin_cos();
+            let forward = cos * from[X][2] + sin * from[Y][2];
+            let acceleration = forward.hypot(from[Z][2] + g).max(LEAST_ACCELERATION * g);
+            let share = 0.5 * step.proximity * around / self.profile.total;
+            let mut near = |axis: usize, order: usize, scale: f64| {
+                let change = self.at_node(node, axis, order).plus_constant(-from[axis][order]);
+                builder.inner_product(&change, &change, share / (scale * scale));
+            };
+            for axis in [X, Y, Z] {
+                near(axis, 2, acceleration);
+            }
+            near(YAW, 0, TURN);
+        }
+    }
+}

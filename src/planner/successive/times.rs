@@ -1,0 +1,64 @@
+//! When each waypoint is passed: durations of legs as variables of the steps.
+
+use super::sequence::ROUGHLY;
+use super::*;
+
+/// Largest relative change of a leg's duration in the first step, how it changes, and where that ends.
+const FIRST_REACH: f64 = 0.1;
+const FURTHER: f64 = 1.5;
+const SHRINK: f64 = 0.4;
+const LEAST_REACH: f64 = 0.01;
+
+/// Proximity, penalty and smoothing of steps that choose times.
+const PROXIMITY: f64 = 0.1;
+const PENALTY: f64 = 2.0;
+const SMOOTHING: f64 = 0.05;
+
+/// A relative gain in time below this ends the search.
+const SMALL: f64 = 2e-3;
+
+/// A change of many durations is far from a motion at first, and worth more patience than a change of one time.
+const HOPELESS: f64 = 0.3;
+
+/// Most steps.
+const MOST_STEPS: usize = 40;
+
+impl Successive<'_, '_> {
+    /// Whether waypoint times are the planner's to choose.
+    pub(super) fn chooses_times(&self) -> bool {
+        self.engine.model.plan.chooses_times
+    }
+
+    /// Steps in which each leg has its own change of duration; each is made a motion again with those durations and kept
+    /// where the mission has become shorter, so the time never grows.
+    pub(super) fn better_times(&mut self, mut motion: Motion, pool: &mut BTreeSet<RowAt>) -> Motion {
+        let legs: Vec<Option<usize>> = (0..self.engine.mission.legs.len()).map(Some).collect();
+        let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing: SMOOTHING };
+        let mut trust = Trust { proximity: PROXIMITY, reach: FIRST_REACH };
+        for _ in 0..MOST_STEPS {
+            if trust.reach < LEAST_REACH {
+                break;
+            }
+            self.engine.progress(motion.profile.total);
+            let mut known = pool.clone();
+            let shorter = self
+                .step(&motion, &legs, trust, weights, &mut known)
+                .map(|stepped| motion.stepped(&stepped.states, &stepped.changes))
+                .filter(|reached| reached.profile.total < motion.profile.total)
+                .and_then(|reached| self.restore_unless(reached, HOPELESS, &mut known));
+            match shorter {
+                Some(inside) => {
+                    let gained = 1.0 - inside.profile.total / motion.profile.total;
+                    *pool = known;
+                    motion = self.settle(inside, ROUGHLY, pool);
+                    trust.reach = (FURTHER * trust.reach).min(Trust::MOST_REACH);
+                    if gained < SMALL {
+                        break;
+                    }
+                }
+                None => trust.reach *= SHRINK,
+            }
+        }
+        motion
+    }
+}
