@@ -120,6 +120,8 @@ pub enum RowOrigin {
     Waypoint { waypoint: usize },
     /// Its yaw tolerance.
     WaypointYaw { waypoint: usize },
+    /// The thrust at a node points upwards.
+    Upright { node: usize },
     /// The thrust at a node is at most what any attitude gives.
     Thrust { node: usize },
     /// The duration of leg `leg`: how much it may change, or that a fixed waypoint time stands.
@@ -156,6 +158,7 @@ impl RowOrigin {
             RowOrigin::Limit { .. } => "limits",
             RowOrigin::Waypoint { .. } => "waypoints",
             RowOrigin::WaypointYaw { .. } => "waypoint yaw",
+            RowOrigin::Upright { .. } => "upright",
             RowOrigin::Thrust { .. } => "thrust",
             RowOrigin::Duration { .. } => "durations",
             RowOrigin::Overshoot => "overshoot",

@@ -327,8 +327,7 @@ impl<'a> Setting<'a> {
 
     /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates.
     fn rsp_set(&self, out: &mut Comparison) -> Result<(PlanningSet, Box<Planned>), Ending> {
-        let joint = self.seek_common_time(out);
-        let begin = joint.as_ref().and_then(plan_found);
+        self.seek_common_time(out);
         let Some(time) = out.common_time else {
             let found = self.search("RIP", &self.rip, Hint::default(), Pool::default());
             out.effort += found.effort;
@@ -338,7 +337,7 @@ impl<'a> Setting<'a> {
                 ending => ending,
             });
         };
-        let (decision, effort) = self.at("RIP", &self.rip, time, Pool::default(), begin);
+        let (decision, effort) = self.at("RIP", &self.rip, time, Pool::default(), None);
         out.effort += effort;
         match decision {
             Decision::Feasible(planned) => {

@@ -1,7 +1,7 @@
 //! A mission's limits as rows: linear for one axis, second-order cones for norms.
 
 use super::hover_model::{X, Y, YAW, Z};
-use super::transcribe::{NodeState, Transcription};
+use super::transcribe::{NodeState, Transcription, UPRIGHT};
 use crate::model::{Limit, LimitKind};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
@@ -121,6 +121,18 @@ impl Transcription<'_> {
             }
             _ => {}
         }
+    }
+
+    /// z'' + g >= [`UPRIGHT`] g.
+    pub(super) fn upright(&self, builder: &mut Builder, instant: usize, widening: &Widening) {
+        let mut row = self.derivative(instant, Z, 2);
+        row.add(&widening.bound(self.model.gravity, 2, 1.0), 1.0 - UPRIGHT);
+        builder.nonnegative(row, RowOrigin::Upright { node: instant / self.parts });
+    }
+
+    /// How far a state is from upright, as a share of gravity; negative inside.
+    pub(super) fn excess_upright(&self, state: &NodeState) -> f64 {
+        UPRIGHT - 1.0 - state[Z][2] / self.model.gravity
     }
 
     /// What a limit bounds, given the integrators: a jerk along z is a state of its own or the slope of the input.

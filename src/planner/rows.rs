@@ -91,7 +91,7 @@ impl Pool {
             from.rows.iter().map(|a| to.rows.iter().position(|b| !b.equality && same(a, b))).collect();
         let moved = |r: &RowAt| match r.row {
             Row::Facet(facet) => Some(RowAt { row: Row::Facet(image[facet]?), ..*r }),
-            Row::Limit(_) => Some(*r),
+            Row::Limit(_) | Row::Upright => Some(*r),
         };
         Pool { rows: self.rows.iter().filter_map(moved).collect(), nodes: self.nodes }
     }
@@ -277,6 +277,7 @@ impl<'a> Engine<'a> {
         pool.rows.retain(|r| match r.row {
             Row::Facet(facet) => set.rows[facet].excess(&maps[r.instant].at(&states[r.instant])) > sigma - KEPT,
             Row::Limit(limit) => stages.limit_excess(&self.mission.limits[limit], states, r.instant, sigma) > -KEPT,
+            Row::Upright => false,
         });
     }
 

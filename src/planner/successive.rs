@@ -13,6 +13,7 @@ mod step;
 mod times;
 
 pub use motion::Motion;
+pub use search::NOT_FOUND;
 
 use super::hover_model::{WrenchMap, X, Y, YAW, Z};
 use super::limits::place;
@@ -30,15 +31,11 @@ use step::{Objective, Step, change};
 /// Share of a facet's width that steps keep free, so that what the last one leaves curved ends inside.
 pub const BACK_OFF: f64 = 1e-4;
 
-/// Instants per interval at which a plan is checked, and at which rows can stand.
-pub const PARTS: usize = 10;
+/// Instants per interval at which a plan is checked, and at which rows can stand: those at which reports look.
+pub use crate::trajectory::outside::PARTS;
 
 /// Rows of the last motion with less slack than this stand in the next step from its beginning.
 const NEAR: f64 = 0.1;
-
-/// A step is solved again with the rows it passes by more than this, at most [`MOST_ROUNDS`] times.
-const PASSED: f64 = 0.01;
-const MOST_ROUNDS: usize = 2;
 
 /// Multipliers below this do not count.
 const NEGLIGIBLE: f64 = 1e-7;
@@ -155,7 +152,9 @@ impl<'e, 'a> Successive<'e, 'a> {
     fn excesses<'s>(&'s self, form: &'s Transcription<'s>, state: &'s NodeState) -> impl Iterator<Item = f64> + 's {
         let wrench = self.wrench_at(state);
         let facets = (0..self.set.rows.len()).map(move |facet| self.excess_of_row(facet, &wrench));
-        facets.chain(self.engine.mission.limits.iter().map(move |l| form.excess_of(l, state, 0.0)))
+        let limits = self.engine.mission.limits.iter().map(move |l| form.excess_of(l, state, 0.0));
+        let exact = self.wrench == WrenchModel::Exact;
+        facets.chain(limits).chain(exact.then(|| form.excess_upright(state)))
     }
 
     /// The largest excess of facets and limits at an instant.
@@ -169,10 +168,23 @@ impl<'e, 'a> Successive<'e, 'a> {
         (0..form.instants()).map(|i| self.excess_at(&form, &motion.at(i))).fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// The largest excess at the nodes and at the instants of `pool`, and where that is none, over all instants.
+    fn excess_by(&self, motion: &Motion, pool: &BTreeSet<RowAt>) -> f64 {
+        let form = self.transcription(&motion.profile, &[]);
+        let between: BTreeSet<usize> = pool.iter().map(|r| r.instant).filter(|i| i % PARTS != 0).collect();
+        let known = (0..form.instants()).step_by(PARTS).chain(between);
+        let excess = known.map(|i| self.excess_at(&form, &motion.at(i))).fold(f64::NEG_INFINITY, f64::max);
+        if excess > 0.0 { excess } else { self.excess(motion) }
+    }
+
     /// Place among the facets and limits of [`Self::excesses`].
     fn row(&self, place: usize) -> Row {
-        let facets = self.set.rows.len();
-        if place < facets { Row::Facet(place) } else { Row::Limit(place - facets) }
+        let (facets, limits) = (self.set.rows.len(), self.engine.mission.limits.len());
+        match place {
+            p if p < facets => Row::Facet(p),
+            p if p < facets + limits => Row::Limit(p - facets),
+            _ => Row::Upright,
+        }
     }
 
     /// Rows with an excess over `threshold` at nodes. Equality rows always stand.
@@ -219,21 +231,29 @@ impl<'e, 'a> Successive<'e, 'a> {
             .collect()
     }
 
-    fn line_up(&self, motion: &Motion, pool: &BTreeSet<RowAt>, lines: &mut Lines) {
+    /// The wrench about a motion, at the instants of `pool` and, where the set is flat, at the nodes.
+    fn lines(&self, motion: &Motion, pool: &BTreeSet<RowAt>) -> Lines {
         let instants = motion.profile.intervals() * PARTS + 1;
-        let equalities = self.set.rows.iter().any(|r| r.equality);
-        let nodes = (0..instants).step_by(PARTS).filter(|_| equalities);
-        for instant in pool.iter().map(|r| r.instant).chain(nodes) {
-            if lines.maps[instant].terms.is_empty() {
-                let state = motion.at(instant);
-                let map = self.wrench.linearised(&self.engine.model.vehicle, self.engine.model.gravity, &state);
-                lines.stretches[instant] = map.terms.iter().fold(Wrench::zeros(), |sum, &(axis, order, c)| {
-                    sum - c * (order as f64 * state[axis][order])
-                });
-                lines.wrenches[instant] = map.at(&state);
-                lines.maps[instant] = map;
-            }
+        let mut lines = Lines {
+            maps: vec![WrenchMap { constant: Wrench::zeros(), terms: Vec::new() }; instants],
+            wrenches: vec![Wrench::zeros(); instants],
+            stretches: vec![Wrench::zeros(); instants],
+        };
+        let flat = self.set.rows.iter().any(|r| r.equality);
+        let nodes = (0..instants).step_by(PARTS).filter(|_| flat);
+        let needed: BTreeSet<usize> = pool.iter().map(|r| r.instant).chain(nodes).collect();
+        for instant in needed {
+            let state = motion.at(instant);
+            let map = self.wrench.linearised(&self.engine.model.vehicle, self.engine.model.gravity, &state);
+            let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
+                let order: usize = order;
+                sum - c * (order as f64 * state[axis][order])
+            };
+            lines.stretches[instant] = map.terms.iter().fold(Wrench::zeros(), change);
+            lines.wrenches[instant] = map.at(&state);
+            lines.maps[instant] = map;
         }
+        lines
     }
 
     /// The convex part of the Lagrangian's curvature about a motion, by the last multipliers.
@@ -247,7 +267,8 @@ impl<'e, 'a> Successive<'e, 'a> {
         self.multipliers.iter().map(at).collect()
     }
 
-    /// Solves one step about a motion, with rows added while it passes others; `pool` keeps them.
+    /// Solves one step about a motion. Rows that it passes are found afterwards, and stand in the next one: solving the same
+    /// lines again with them takes more programs in all (measured).
     fn step(
         &mut self,
         motion: &Motion,
@@ -258,71 +279,55 @@ impl<'e, 'a> Successive<'e, 'a> {
     ) -> Option<Stepped> {
         pool.extend(self.rows_at_nodes(motion, -NEAR));
         pool.extend(self.places(&motion.profile));
-        let instants = motion.profile.intervals() * PARTS + 1;
-        let mut lines = Lines {
-            maps: vec![WrenchMap { constant: Wrench::zeros(), terms: Vec::new() }; instants],
-            wrenches: vec![Wrench::zeros(); instants],
-            stretches: vec![Wrench::zeros(); instants],
-        };
+        let lines = self.lines(motion, pool);
         let curvature = self.curvature(motion);
         let fixed = fixed_windows(self.engine.mission);
-        for round in 1.. {
-            self.line_up(motion, pool, &mut lines);
-            let step = Step {
-                from: &motion.states,
-                wrenches: &lines.wrenches,
-                stretches: &lines.stretches,
-                legs,
-                fixed: &fixed,
-                curvature: &curvature,
-                proximity: trust.proximity,
-                objective: weights.objective,
-                penalty: weights.penalty,
-                smoothing: weights.smoothing,
-                reach: trust.reach,
-                back_off: &self.back_off,
-            };
-            let chosen: Vec<RowAt> = pool.iter().copied().collect();
-            let stages = self.transcription(&motion.profile, &lines.maps);
-            // Splines cannot bend where legs change by different shares.
-            let together = legs.iter().all(|leg| *leg == legs[0]);
-            let splines = together.then(|| self.transcription(&motion.profile, &lines.maps).in_splines());
-            let mut found = None;
-            for form in splines.iter().chain([&stages]) {
-                let (program, places) = form.step_program(&step, &chosen);
-                let (outcome, effort) = solve(&program);
-                self.engine.effort += effort;
-                if let Outcome::Solved(Solution { x, z, .. }) = outcome {
-                    found = Some((form, x, z, places));
-                    break;
-                }
-            }
-            let (form, x, z, places) = found?;
-            let variables = form.variables();
-            let of_leg = |leg: &Option<usize>| {
-                leg.map_or(0.0, |i| change(x[variables + 1 + i].clamp(-trust.reach, trust.reach)))
-            };
-            let stepped = Stepped {
-                states: form.states(&x),
-                sigma: x[variables].max(0.0),
-                changes: legs.iter().map(of_leg).collect(),
-            };
-            self.multipliers.clear();
-            for (&RowAt { row, instant }, place) in chosen.iter().zip(&places) {
-                if let (Row::Facet(facet), Some(place)) = (row, place)
-                    && z[*place] > NEGLIGIBLE
-                {
-                    let normal = self.set.rows[facet].normal;
-                    *self.multipliers.entry(instant).or_insert_with(Wrench::zeros) += normal * z[*place];
-                }
-            }
-            let reached = motion.stepped(&stepped.states, &stepped.changes);
-            let known = pool.len();
-            pool.extend(self.rows_at_nodes(&reached, stepped.sigma + PASSED));
-            if round == MOST_ROUNDS || pool.len() == known {
-                return Some(stepped);
+        let step = Step {
+            from: &motion.states,
+            wrenches: &lines.wrenches,
+            stretches: &lines.stretches,
+            legs,
+            fixed: &fixed,
+            curvature: &curvature,
+            proximity: trust.proximity,
+            objective: weights.objective,
+            penalty: weights.penalty,
+            smoothing: weights.smoothing,
+            reach: trust.reach,
+            back_off: &self.back_off,
+        };
+        let chosen: Vec<RowAt> = pool.iter().copied().collect();
+        let stages = self.transcription(&motion.profile, &lines.maps);
+        // Splines cannot bend where legs change by different shares.
+        let together = legs.iter().all(|leg| *leg == legs[0]);
+        let splines = together.then(|| self.transcription(&motion.profile, &lines.maps).in_splines());
+        let mut found = None;
+        for form in splines.iter().chain([&stages]) {
+            let (program, places) = form.step_program(&step, &chosen);
+            let (outcome, effort) = solve(&program);
+            self.engine.effort += effort;
+            if let Outcome::Solved(Solution { x, z, .. }) = outcome {
+                found = Some((form, x, z, places));
+                break;
             }
         }
-        None
+        let (form, x, z, places) = found?;
+        let variables = form.variables();
+        let of_leg =
+            |leg: &Option<usize>| leg.map_or(0.0, |i| change(x[variables + 1 + i].clamp(-trust.reach, trust.reach)));
+        self.multipliers.clear();
+        for (&RowAt { row, instant }, place) in chosen.iter().zip(&places) {
+            if let (Row::Facet(facet), Some(place)) = (row, place)
+                && z[*place] > NEGLIGIBLE
+            {
+                let normal = self.set.rows[facet].normal;
+                *self.multipliers.entry(instant).or_insert_with(Wrench::zeros) += normal * z[*place];
+            }
+        }
+        Some(Stepped {
+            states: form.states(&x),
+            sigma: x[variables].max(0.0),
+            changes: legs.iter().map(of_leg).collect(),
+        })
     }
 }

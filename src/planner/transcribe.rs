@@ -47,7 +47,13 @@ pub enum Row {
     Facet(usize),
     /// Of the mission, by place.
     Limit(usize),
+    /// The thrust's vertical part is at least [`UPRIGHT`] times the weight.
+    Upright,
 }
+
+/// Share of the weight that the vertical part of the thrust never falls below in the exact model. Nearer to free fall,
+/// and upside down, ZYX angles jump and the direction of a vanishing thrust says nothing.
+pub const UPRIGHT: f64 = 0.1;
 
 /// All that a program is made of but the choice of rows.
 pub struct Transcription<'a> {
@@ -246,6 +252,7 @@ impl<'a> Transcription<'a> {
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node });
                 }
                 Row::Limit(limit) => self.limit(&mut builder, limit, instant, &Widening::by(&widening)),
+                Row::Upright => self.upright(&mut builder, instant, &Widening::by(&widening)),
             }
         }
         if let Some(most) = thrust.filter(|t| t.is_finite()) {

@@ -101,7 +101,7 @@ impl WrenchModel {
         }
         let eigen = scaled.symmetric_eigen();
         let most = eigen.eigenvalues.amax();
-        let upward = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).filter(|(l, _)| **l > 1e-6 * most);
+        let upward = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).filter(|(l, _)| **l > 1e-3 * most);
         upward.map(|(l, v)| v.component_div(&scale) * l.sqrt()).collect()
     }
 }

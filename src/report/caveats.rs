@@ -3,6 +3,7 @@
 use super::number::{fixed, percent, significant};
 use crate::model::{LimitKind, Model};
 use crate::planner::compare::Solved;
+use crate::planner::wrench_model::WrenchModel;
 use crate::trajectory::checks::{limit_excesses, stretch};
 use serde::Serialize;
 
@@ -46,6 +47,9 @@ pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
             ),
         }
     });
+    if solved.trajectory.model == WrenchModel::Exact {
+        return passed.collect();
+    }
     let s = stretch(&solved.trajectory, model);
     let tilt = s.tilts_too_far().then(|| Caveat {
         kind: CaveatKind::Tilt,

@@ -11,6 +11,8 @@ pub struct Record {
     pub schema: u32,
     /// Over all files of the spec.
     pub spec_sha256: String,
+    /// `hover` or `exact`: what the plans take for the wrench of their motion.
+    pub model: &'static str,
     pub reserve: f64,
     pub planners: Vec<PlannerRecord>,
 }
@@ -74,7 +76,7 @@ pub fn errors(mission: &Mission, solved: &Solved) -> Errors {
 impl Record {
     pub fn new(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Self {
         let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
-        Record { schema: 1, spec_sha256, reserve: model.plan.reserve, planners }
+        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners }
     }
 }
 
@@ -96,7 +98,7 @@ impl Record {
             modes: Vec::new(),
             warnings: Vec::new(),
         };
-        Record { schema: 1, spec_sha256, reserve: model.plan.reserve, planners: vec![planner] }
+        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners: vec![planner] }
     }
 }
 

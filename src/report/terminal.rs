@@ -5,8 +5,10 @@ use super::number::{fixed, number, percent, significant};
 use super::record::errors;
 use super::table::Table;
 use crate::admissible::verdict::ModeAnalysis;
-use crate::model::{Mission, Model, PlannerKind};
+use crate::model::{Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
+use crate::planner::profile::determined;
+use crate::planner::successive::NOT_FOUND;
 
 /// Columns of running text.
 pub const WIDTH: usize = 110;
@@ -24,13 +26,14 @@ fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
         modes => format!("fault modes {}", modes.join(", ")),
     };
     let mut out = format!(
-        "Mission {} with {}\nagainst {against}; reserve {} of each set; {} samples\n",
+        "Mission {} with {}\nagainst {against}; {} model; reserve {} of each set; {} samples\n",
         mission.name,
         vehicle_line(model),
+        model.plan.model.name(),
         percent(model.plan.reserve),
         model.plan.samples
     );
-    if !mission.has_one_yaw() {
+    if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
         out.push_str("Yaw changes: it was planned first, alone; what is infeasible is so for that yaw motion\n");
     }
     out
@@ -73,6 +76,10 @@ pub fn no_plan(model: &Model, run: &PlannerRun, ending: &Ending) -> String {
         (Ending::Infeasible { at }, Run::Own) => {
             format!("no plan with {samples} samples at any time tried, up to {} s (each proved)", number(*at))
         }
+        (Ending::Inconclusive { at, status }, _) if status == NOT_FOUND => format!(
+            "no plan found with {samples} samples at {} s; that there is none is not shown",
+            number(*at)
+        ),
         (Ending::Inconclusive { at, status }, _) => {
             format!("the solver gave no verdict at {} s ({status})", number(*at))
         }
@@ -89,6 +96,9 @@ fn solved_run(model: &Model, mission: &Mission, comparison: &Comparison, run: &P
             model.plan.samples,
             number(t)
         )),
+        (Run::Own, None) if model.plan.model == PlanModel::Exact && determined(mission).is_none() => {
+            out.push_str(", the shortest time found (that none is shorter is not shown)\n");
+        }
         (Run::Own, None) => out.push_str(", the only time that the mission's fixed times allow\n"),
         (Run::Common, _) => out.push('\n'),
     }

@@ -24,8 +24,8 @@ pub struct Outside {
     pub last: Option<f64>,
 }
 
-/// Intervals of yaw-following wrench maps are cut into this many parts when looking for crossings.
-const PARTS: usize = 16;
+/// Intervals over which the wrench bends are cut into this many parts when looking for crossings.
+pub const PARTS: usize = 16;
 
 /// Holds the trajectory against rows. A row is violated where its excess is over [`VIOLATED`].
 ///

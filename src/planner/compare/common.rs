@@ -1,6 +1,6 @@
 //! All planners at one mission time: what a campaign flies.
 
-use super::{Comparison, Run, Setting, plan_found, planned_of};
+use super::{Comparison, Run, Setting, planned_of};
 use crate::model::PlannerKind;
 use crate::planner::rows::{Decision, Pool};
 
@@ -11,7 +11,7 @@ impl Setting<'_> {
         let joint = self.seek_common_time(&mut out);
         let Some(time) = out.common_time else { return out };
         let (rip, rcp) = rayon::join(
-            || self.at("RIP", &self.rip, time, Pool::default(), joint.as_ref().and_then(plan_found)),
+            || self.at("RIP", &self.rip, time, Pool::default(), None),
             || {
                 (!self.names.is_empty()).then(|| match &joint {
                     Some(found) => self.at_or_own("RCP", &self.joint, time, found),

@@ -7,6 +7,7 @@ use crate::planner::search::{Hint, RESOLUTION};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
 use rayon::prelude::*;
+use std::cmp::Ordering::Equal;
 
 impl Setting<'_> {
     /// RIP, RCP per mode, RCP jointly and RSP, at their own shortest times and at T_d.
@@ -28,6 +29,7 @@ impl Setting<'_> {
         }
         let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
         let joint = tightest.as_ref().filter(|_| several);
+        let rip = self.at_most(rip, singles.iter().copied().chain(joint), &mut effort);
 
         let longest_single = singles.iter().filter_map(|f| time(f)).max_by(f64::total_cmp);
         let common_time = self.fixed_time().or(joint.and_then(time)).or(longest_single);
@@ -79,6 +81,19 @@ impl Setting<'_> {
             runs.extend(common);
         }
         Comparison { modes: self.names.clone(), runs, common_time, selected, effort }
+    }
+
+    /// RIP's search, or a further one where another set's plan is shorter: no set is larger than the healthy one, so
+    /// that plan is RIP's too. Only steps that find and do not prove can leave RIP longer.
+    fn at_most<'f>(&self, rip: Found, others: impl Iterator<Item = &'f Found>, effort: &mut Effort) -> Found {
+        let shortest = others.filter(|f| f.result.is_ok()).min_by(|a, b| time(a).partial_cmp(&time(b)).unwrap_or(Equal));
+        let Some(better) = shortest.filter(|f| time(&rip).is_none_or(|t| time(f).is_some_and(|o| o < t))) else {
+            return rip;
+        };
+        let begin = plan_found(better).map(|p| Box::new(p.clone()));
+        let again = self.search("RIP", &self.rip, Hint { begin, ..Hint::default() }, Pool::default());
+        *effort += again.effort;
+        if again.result.is_ok() { again } else { rip }
     }
 
     /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there.

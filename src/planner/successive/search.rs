@@ -19,6 +19,7 @@ const PRECISION: f64 = 1e-4;
 const COARSE_STEP: f64 = 0.1;
 const FINE_STEP: f64 = 0.04;
 const SHRINK: f64 = 0.3;
+const GROW: f64 = 1.5;
 const LEAST_COARSE: f64 = 0.02;
 const LEAST_FINE: f64 = 0.0025;
 
@@ -116,6 +117,7 @@ impl Successive<'_, '_> {
                 Some(inside) => {
                     *pool = known;
                     motion = self.settle(inside, ROUGHLY, pool);
+                    step = (GROW * step).min(first);
                 }
                 None => step *= SHRINK,
             }

@@ -55,7 +55,7 @@ impl Successive<'_, '_> {
         let legs = self.durations_stand();
         let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0 };
         let mut trust = Trust { proximity: RESTORING, reach: 0.0 };
-        let mut excess = self.excess(&motion);
+        let mut excess = self.excess_by(&motion, pool);
         let mut history = Vec::new();
         self.multipliers.clear();
         while excess > 0.0 {
@@ -72,7 +72,7 @@ impl Successive<'_, '_> {
             let mut share = 1.0;
             let (reached, now) = loop {
                 let reached = motion.with_states(motion.towards(&stepped.states, share));
-                let now = self.excess(&reached);
+                let now = self.excess_by(&reached, pool);
                 if now <= excess - 0.2 * share * (excess - stepped.sigma) || share < 2.0 * LEAST_SHARE {
                     break (reached, now);
                 }
@@ -106,16 +106,16 @@ impl Successive<'_, '_> {
             let penalty = weights.penalty;
             let merit = |cost: f64, excess: f64| cost / here + penalty * f64::max(excess, 0.0);
             let was = merit(here, excess);
-            let towards = |s: &Self, share: f64| {
+            let towards = |s: &Self, pool: &BTreeSet<RowAt>, share: f64| {
                 let reached = at.with_states(at.towards(&stepped.states, share));
-                (s.cost(&reached), s.excess(&reached), reached)
+                (s.cost(&reached), s.excess_by(&reached, pool), reached)
             };
             let expected = was - merit(self.cost(&at.with_states(stepped.states.clone())), stepped.sigma);
             let mut share = 1.0;
-            let (mut cost, mut now, mut reached) = towards(self, share);
+            let (mut cost, mut now, mut reached) = towards(self, pool, share);
             while was - merit(cost, now) < 0.3 * share * expected && share > LEAST_SHARE {
                 share *= 0.5;
-                (cost, now, reached) = towards(self, share);
+                (cost, now, reached) = towards(self, pool, share);
             }
             let gained = was - merit(cost, now);
             if now <= 0.0 && cost < best.0 {
@@ -145,6 +145,7 @@ impl Successive<'_, '_> {
             let excess = match r.row {
                 Row::Facet(facet) => self.excess_of_row(facet, &self.wrench_at(&state)),
                 Row::Limit(limit) => form.excess_of(&self.engine.mission.limits[limit], &state, 0.0),
+                Row::Upright => form.excess_upright(&state),
             };
             excess > -NEAR
         });

@@ -112,6 +112,9 @@ impl Transcription<'_> {
                 }
             }
         }
+        let widening = |instant: usize| {
+            Widening::by(&excess).with_stretch(&self.stretch(step, self.leg_of(instant)))
+        };
         let mut places = Vec::with_capacity(chosen.len());
         for &RowAt { row, instant } in chosen {
             places.push(matches!(row, Row::Facet(_)).then(|| builder.inequalities()));
@@ -121,10 +124,8 @@ impl Transcription<'_> {
                     expression.add(&slack(instant, &self.set.rows[facet]), 1.0);
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node: instant / self.parts });
                 }
-                Row::Limit(limit) => {
-                    let stretch = self.stretch(step, self.leg_of(instant));
-                    self.limit(&mut builder, limit, instant, &Widening::by(&excess).with_stretch(&stretch));
-                }
+                Row::Limit(limit) => self.limit(&mut builder, limit, instant, &widening(instant)),
+                Row::Upright => self.upright(&mut builder, instant, &widening(instant)),
             }
         }
         self.durations(&mut builder, step);
