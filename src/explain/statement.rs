@@ -56,17 +56,18 @@ pub fn statements(model: &Model, mission: &Mission) -> Vec<Statement> {
 impl Statement {
     /// Whether multipliers can weigh it: times, holds and the reserve have no rows of their own.
     pub fn has_rows(self) -> bool {
-        !matches!(self, Statement::Arrival(_) | Statement::Hold(_) | Statement::Reserve | Statement::Time)
+        !self.parts().is_empty()
     }
 
-    /// Whether a part of the program comes from this statement.
-    pub fn holds(self, part: Part) -> bool {
-        match part {
-            Part::Waypoint(i) => matches!(self, Statement::Waypoints { first, last } if (first..=last).contains(&i)),
-            Part::RestAtStart => self == Statement::RestAtStart,
-            Part::RestAtEnd => self == Statement::RestAtEnd,
-            Part::Limit(i) => self == Statement::Limit(i),
-            Part::Mode(i) => self == Statement::Mode(i),
+    /// The parts of a program that come from it.
+    pub fn parts(self) -> Vec<Part> {
+        match self {
+            Statement::Waypoints { first, last } => (first..=last).map(Part::Waypoint).collect(),
+            Statement::RestAtStart => vec![Part::RestAtStart],
+            Statement::RestAtEnd => vec![Part::RestAtEnd],
+            Statement::Limit(i) => vec![Part::Limit(i)],
+            Statement::Mode(i) => vec![Part::Mode(i)],
+            Statement::Arrival(_) | Statement::Hold(_) | Statement::Reserve | Statement::Time => Vec::new(),
         }
     }
 

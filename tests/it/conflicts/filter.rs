@@ -111,6 +111,56 @@ fn what_is_left_is_a_smallest_conflict() {
     }
 }
 
+/// Four statements among three hundred waypoints, limits and rests: found within the number of questions.
+#[test]
+fn few_statements_among_many_are_found() {
+    let mut model = spec();
+    let flown = model.mission.as_mut().unwrap();
+    let mut points: Vec<_> = (0..300).map(|i| waypoint([3.0 * f64::from(i), 0.0, 2.0], 0.0)).collect();
+    for (i, point) in points.iter_mut().enumerate() {
+        point.span.start = i as u32;
+        point.time = (i % 10 == 3).then_some(10.0 * i as f64);
+    }
+    flown.legs = mission(points.clone()).legs;
+    flown.waypoints = points;
+    model.plan.time = MissionTime::Fixed(5000.0);
+    let all = statements(&model, model.mission.as_ref().unwrap());
+    assert_eq!(all.len(), 300 + 30 + 2 + 3 + 2);
+    let mut random = Pcg64Mcg::new(11);
+    let place = Uniform::new(0, all.len()).unwrap();
+    for case in 0..20 {
+        let conflict: BTreeSet<Statement> = (0..4).map(|_| all[place.sample(&mut random)]).collect();
+        for (proves, weighs) in [(true, true), (true, false), (false, false)] {
+            let mut known = Known { conflicts: vec![conflict.clone()], proves, weighs, asked: 0 };
+            let mut oracle = Asked { known: &mut known, whole: model.clone() };
+            let found = explain(&model, model.mission.as_ref().unwrap(), &mut oracle).unwrap();
+            let kept: BTreeSet<Statement> = found.conflict.statements.iter().copied().collect();
+            assert!(kept == conflict && found.conflict.irreducible, "{case}: {kept:?} of {conflict:?}");
+            assert!(known.asked <= MOST_QUESTIONS + MOST_TRIES, "{}", known.asked);
+        }
+    }
+}
+
+/// With more members than questions nothing wrong is said: all of the conflict is named, and not called irreducible.
+#[test]
+fn what_is_not_asked_is_not_claimed() {
+    let mut model = spec();
+    let flown = model.mission.as_mut().unwrap();
+    let mut points: Vec<_> = (0..400).map(|i| waypoint([3.0 * f64::from(i), 0.0, 2.0], 0.0)).collect();
+    points.iter_mut().enumerate().for_each(|(i, point)| point.span.start = i as u32);
+    flown.legs = mission(points.clone()).legs;
+    flown.waypoints = points;
+    let all = statements(&model, model.mission.as_ref().unwrap());
+    let conflict: BTreeSet<Statement> =
+        all.iter().copied().filter(|s| matches!(s, Statement::Waypoints { first, .. } if first % 2 == 0)).collect();
+    let mut known = Known { conflicts: vec![conflict.clone()], proves: true, weighs: false, asked: 0 };
+    let mut oracle = Asked { known: &mut known, whole: model.clone() };
+    let found = explain(&model, model.mission.as_ref().unwrap(), &mut oracle).unwrap();
+    let kept: BTreeSet<Statement> = found.conflict.statements.iter().copied().collect();
+    assert!(kept.is_superset(&conflict) && found.conflict.proved && !found.conflict.irreducible);
+    assert!(known.asked <= MOST_QUESTIONS + MOST_TRIES, "{}", known.asked);
+}
+
 #[test]
 fn a_spec_with_a_plan_has_no_conflict() {
     let model = spec();
