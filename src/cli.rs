@@ -13,6 +13,7 @@ mod simulate;
 mod spec;
 mod sweep;
 mod target;
+mod why;
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};

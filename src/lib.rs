@@ -5,6 +5,7 @@ pub mod admissible;
 pub mod campaign;
 pub mod cli;
 pub mod diagnostic;
+pub mod explain;
 pub mod flatness;
 pub mod flight;
 pub mod geometry;

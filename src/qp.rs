@@ -235,6 +235,22 @@ impl QuadraticProgram {
         self.outside(z, |_| 0.0)
     }
 
+    /// What each row, or each second-order cone, weighs in multipliers z: |z| on a row of {0}, z on a nonnegative one, and
+    /// z_0 on a cone, which the others cannot exceed.
+    pub fn weights(&self, z: &[f64]) -> Vec<(RowOrigin, f64)> {
+        let mut weights = Vec::with_capacity(z.len());
+        let mut at = 0;
+        for cone in &self.cones {
+            let weighing = match cone {
+                Cone::SecondOrder(_) => 1,
+                Cone::Zero(n) | Cone::Nonnegative(n) => *n,
+            };
+            weights.extend((at..at + weighing).map(|row| (self.row_origin[row], z[row].abs())));
+            at += cone.rows();
+        }
+        weights
+    }
+
     fn outside(&self, s: &[f64], zero: impl Fn(f64) -> f64) -> f64 {
         let mut worst = 0.0_f64;
         let mut at = 0;

@@ -3,6 +3,7 @@
 pub mod campaign_record;
 pub mod campaign_text;
 pub mod caveats;
+pub mod conflict_record;
 pub mod flight;
 pub mod number;
 pub mod record;

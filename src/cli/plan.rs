@@ -3,11 +3,14 @@
 use super::progress::Progress;
 use super::spec::{self, Loaded, timing};
 use super::target::{Target, write};
+use super::why::why;
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
 use crate::diagnostic::{Diagnostic, Severity, sort};
+use crate::explain::{self, Explanation};
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
+use crate::report::conflict_record::ConflictRecord;
 use crate::report::record::Record;
 use crate::report::{terminal, trajectory_csv};
 use std::path::Path;
@@ -25,6 +28,8 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
         return refused(&loaded, &model, report.as_ref());
     };
+    let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
+    let explanation = if solved { None } else { why(&model, &mission, options) };
     let begin = Instant::now();
     let mut results = Vec::new();
     let code = match comparison.runs.last().map(|r| &r.ending) {
@@ -36,7 +41,10 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         _ => no_plan_code(&comparison),
     };
     if let Some(target) = &report {
-        results.push((target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?));
+        let told = |e: &Explanation| ConflictRecord::new(e, &model, &mission, &loaded.files.sources);
+        let conflict = explanation.as_ref().map(told);
+        let record = Record { conflict, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
+        results.push((target, json(&record)?));
     }
     // A result that goes to standard output has it to itself.
     let text = terminal::plan(&model, &mission, &comparison);
@@ -48,6 +56,9 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     write(&results)?;
     if !told && !report.is_some_and(|r| r.is_stdout()) {
         files::tell(&text);
+    }
+    if let Some(explanation) = &explanation {
+        loaded.tell_also(&explain::diagnose::diagnose(explanation, &model, &mission));
     }
     if told && code == FINE && !options.quiet {
         files::print(&match args.output.as_deref() {

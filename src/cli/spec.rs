@@ -83,8 +83,17 @@ impl Loaded {
     }
 
     pub fn human(&self, color: bool) -> String {
+        self.rendered(&self.diagnostics, color)
+    }
+
+    fn rendered(&self, diagnostics: &[Diagnostic], color: bool) -> String {
         let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100);
-        render_human(&self.diagnostics, &self.files.sources, width, color)
+        render_human(diagnostics, &self.files.sources, width, color)
+    }
+
+    /// Tells one more thing about the spec on standard error.
+    pub fn tell_also(&self, diagnostic: &Diagnostic) {
+        files::tell(&self.rendered(std::slice::from_ref(diagnostic), colored(&std::io::stderr())));
     }
 
     pub fn short(&self) -> String {

@@ -147,32 +147,43 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
             writeln!(f, "  leg {} has a share of {}", i + 1, number(leg.share))?;
         }
     }
-    m.limits.iter().try_for_each(|l| limit(f, l))
+    m.limits.iter().try_for_each(|l| writeln!(f, "  limit {l}"))
 }
 
-fn limit(f: &mut fmt::Formatter<'_>, l: &Limit) -> fmt::Result {
-    let (name, unit, angle) = match l.kind {
-        LimitKind::X => ("x", "m", false),
-        LimitKind::Y => ("y", "m", false),
-        LimitKind::Z => ("z", "m", false),
-        LimitKind::Yaw => ("yaw", "deg", true),
-        LimitKind::Speed => ("speed", "m/s", false),
-        LimitKind::SpeedHorizontal => ("speed_horizontal", "m/s", false),
-        LimitKind::Climb => ("climb", "m/s", false),
-        LimitKind::Descent => ("descent", "m/s", false),
-        LimitKind::Acceleration => ("acceleration", "m/s^2", false),
-        LimitKind::AccelerationHorizontal => ("acceleration_horizontal", "m/s^2", false),
-        LimitKind::Jerk => ("jerk", "m/s^3", false),
-        LimitKind::YawRate => ("yaw_rate", "deg/s", true),
-        LimitKind::YawAcceleration => ("yaw_acceleration", "deg/s^2", true),
-        LimitKind::Tilt => ("tilt", "deg", true),
-    };
-    let shown = |x: f64| if angle { degrees(x) } else { number(x) };
-    match (l.lower, l.upper) {
-        (Some(low), Some(high)) => writeln!(f, "  limit {name} in {} .. {} {unit}", shown(low), shown(high)),
-        (Some(low), None) => writeln!(f, "  limit {name} >= {} {unit}", shown(low)),
-        (None, Some(high)) => writeln!(f, "  limit {name} <= {} {unit}", shown(high)),
-        (None, None) => Ok(()),
+impl LimitKind {
+    /// Its name in the language, the unit one writes, and that unit in SI.
+    pub fn words(self) -> (&'static str, &'static str, f64) {
+        let degree = std::f64::consts::PI / 180.0;
+        match self {
+            LimitKind::X => ("x", "m", 1.0),
+            LimitKind::Y => ("y", "m", 1.0),
+            LimitKind::Z => ("z", "m", 1.0),
+            LimitKind::Yaw => ("yaw", "deg", degree),
+            LimitKind::Speed => ("speed", "m/s", 1.0),
+            LimitKind::SpeedHorizontal => ("speed_horizontal", "m/s", 1.0),
+            LimitKind::Climb => ("climb", "m/s", 1.0),
+            LimitKind::Descent => ("descent", "m/s", 1.0),
+            LimitKind::Acceleration => ("acceleration", "m/s^2", 1.0),
+            LimitKind::AccelerationHorizontal => ("acceleration_horizontal", "m/s^2", 1.0),
+            LimitKind::Jerk => ("jerk", "m/s^3", 1.0),
+            LimitKind::YawRate => ("yaw_rate", "deg/s", degree),
+            LimitKind::YawAcceleration => ("yaw_acceleration", "deg/s^2", degree),
+            LimitKind::Tilt => ("tilt", "deg", degree),
+        }
+    }
+}
+
+/// As one would write it: `speed <= 8 m/s`.
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, unit, scale) = self.kind.words();
+        let shown = |x: f64| if scale == 1.0 { number(x) } else { degrees(x) };
+        match (self.lower, self.upper) {
+            (Some(low), Some(high)) => write!(f, "{name} in {} .. {} {unit}", shown(low), shown(high)),
+            (Some(low), None) => write!(f, "{name} >= {} {unit}", shown(low)),
+            (None, Some(high)) => write!(f, "{name} <= {} {unit}", shown(high)),
+            (None, None) => write!(f, "{name} without bounds"),
+        }
     }
 }
 

@@ -267,9 +267,11 @@ fn no_second(cx: &mut Context, what: &str, blocks: &[&Block]) {
     }
 }
 
-/// Of some blocks a spec has one.
+/// Of some blocks a spec has one. Of one whose keyword is misspelt that has been told, and the two may not be meant alike.
 fn only_one(cx: &mut Context, blocks: &[&Block]) {
-    let [first, rest @ ..] = blocks else { return };
+    let well_spelt = |block: &Block| cx.sources.snippet(block.keyword.span) == block.keyword.value;
+    let spelt: Vec<&Block> = blocks.iter().copied().filter(|block| well_spelt(block)).collect();
+    let [first, rest @ ..] = spelt.as_slice() else { return };
     for block in rest {
         let message = format!("a spec has one `{}` block", block.keyword.value);
         let error = Diagnostic::error("mavc::name::duplicate", block.keyword.span, message);

@@ -111,6 +111,14 @@ pub struct Strike {
     pub at_span: Span,
 }
 
+impl Strike {
+    /// Whether both are in force at some instant, by the same mode.
+    pub fn meets(&self, other: &Strike) -> bool {
+        let ends_by = |a: &Strike, b: &Strike| a.until.is_some_and(|until| until <= b.at);
+        self.mode == other.mode && !ends_by(self, other) && !ends_by(other, self)
+    }
+}
+
 /// The `simulate` block, or its defaults.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Simulation {

@@ -12,6 +12,7 @@ use super::yaw::{YawPlan, plan_yaw};
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
 use crate::model::{Mission, Model};
+use crate::qp::RowOrigin;
 use crate::solve::{Effort, Outcome, Solution, solve};
 use std::collections::BTreeSet;
 
@@ -103,6 +104,9 @@ pub struct Engine<'a> {
     pub mission: &'a Mission,
     pub healthy: &'a AdmissibleSet,
     pub effort: Effort,
+    /// After [`Decision::Infeasible`]: what the rows weigh in the multipliers that show it
+    /// ([`crate::qp::QuadraticProgram::weights`]). Empty where reach, fixed times or the yaw planned first show it.
+    pub weights: Vec<(RowOrigin, f64)>,
     /// Told each mission time before it is tried.
     pub on_progress: Option<&'a (dyn Fn(f64) + Sync)>,
 }
@@ -148,7 +152,7 @@ struct Attempt {
 
 impl<'a> Engine<'a> {
     pub fn new(model: &'a Model, mission: &'a Mission, healthy: &'a AdmissibleSet) -> Self {
-        Engine { model, mission, healthy, effort: Effort::default(), on_progress: None }
+        Engine { model, mission, healthy, effort: Effort::default(), weights: Vec::new(), on_progress: None }
     }
 
     pub(super) fn progress(&self, time: f64) {
@@ -190,6 +194,7 @@ impl<'a> Engine<'a> {
         pool: &mut Pool,
         quickly: bool,
     ) -> Decision {
+        self.weights.clear();
         let layout = match self.layout(total, samples) {
             Ok(Some(layout)) => layout,
             Ok(None) | Err(Outcome::Infeasible { .. }) => return Decision::Infeasible,
@@ -297,7 +302,7 @@ impl<'a> Engine<'a> {
     /// An upper bound on (48) over all feasible plans: inputs that the healthy set allows, waypoints at the edge
     /// of their tolerance. `None` where yaw was planned first, for then the rows hold states too.
     fn largest_cost(&self, layout: &Layout) -> Option<f64> {
-        let bounded = self.mission.waypoints.iter().all(|w| w.within < UNBOUNDED);
+        let bounded = self.mission.waypoints.iter().all(|w| w.within < UNBOUNDED || w.weight == 0.0);
         (bounded && matches!(layout.yaw, YawPlan::Free { .. })).then(|| self.cost_scale(layout))
     }
 
@@ -387,13 +392,18 @@ impl<'a> Engine<'a> {
             let chosen: Vec<RowAt> = pool.rows.iter().copied().collect();
             let splined = smooth && chosen.len() <= FEW_ROWS && !matches!(purpose, Purpose::Overshoot { .. });
             let mut form = if splined { &splines } else { &stages };
-            let (mut outcome, spent) = solve(&form.program(purpose, &chosen));
+            let mut program = form.program(purpose, &chosen);
+            let (mut outcome, spent) = solve(&program);
             self.effort += spent;
             if splined && matches!(outcome, Outcome::Inconclusive { .. }) {
                 form = &stages;
-                let (again, spent) = solve(&stages.program(purpose, &chosen));
+                program = stages.program(purpose, &chosen);
+                let (again, spent) = solve(&program);
                 self.effort += spent;
                 outcome = again;
+            }
+            if let Outcome::Infeasible { certificate: z } | Outcome::Solved(Solution { z, .. }) = &outcome {
+                self.weights = program.weights(z);
             }
             let x = match &outcome {
                 // No feasible plan costs this much.

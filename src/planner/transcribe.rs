@@ -359,7 +359,7 @@ impl<'a> Transcription<'a> {
                 }
                 builder.cone(cone, RowOrigin::Waypoint { waypoint });
             }
-            if self.plans(YAW) {
+            if self.plans(YAW) && w.yaw_within < UNBOUNDED {
                 for sign in [1.0, -1.0] {
                     let mut row = slack.clone().times(w.yaw_within / w.within).plus_constant(w.yaw_within);
                     row.add(&self.at_node(node, YAW, 0).plus_constant(-w.yaw), sign);
@@ -387,7 +387,7 @@ impl<'a> Transcription<'a> {
     }
 }
 
-/// A tolerance this wide binds nothing and gets no row, m.
+/// A tolerance this wide binds nothing and gets no row, m or rad.
 pub const UNBOUNDED: f64 = 1e3;
 
 /// Steps per unit of scaled time.

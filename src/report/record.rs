@@ -1,6 +1,7 @@
 //! The machine-readable report (`--report`), schema in `docs/schema/report.schema.json`.
 
 use super::caveats::{Caveat, caveats};
+use super::conflict_record::ConflictRecord;
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
 use crate::planner::hover_model::YAW;
@@ -15,6 +16,8 @@ pub struct Record {
     pub model: &'static str,
     pub reserve: f64,
     pub planners: Vec<PlannerRecord>,
+    /// Why `mavc plan` has no plan, where it could tell.
+    pub conflict: Option<ConflictRecord>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -76,7 +79,7 @@ pub fn errors(mission: &Mission, solved: &Solved) -> Errors {
 impl Record {
     pub fn new(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Self {
         let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
-        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners }
+        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners, conflict: None }
     }
 }
 
@@ -98,7 +101,7 @@ impl Record {
             modes: Vec::new(),
             warnings: Vec::new(),
         };
-        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners: vec![planner] }
+        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners: vec![planner], conflict: None }
     }
 }
 

@@ -9,7 +9,7 @@ use super::ast::*;
 use super::layout::{Doc, Layout};
 use super::mistake;
 use super::place::{Kind, Place};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Label};
 use crate::source::{FileId, Span, Spanned};
 use pest::Parser;
 use pest::iterators::Pair;
@@ -88,7 +88,29 @@ impl Builder<'_> {
             Any::Statement(_) => Item::Broken(span),
         });
         self.drop_docs(self.text.len());
+        self.beside_the_only_one(&items);
         items
+    }
+
+    /// Of some blocks a spec has one. Where one that is misspelt stands beside it, another spelling mends nothing.
+    fn beside_the_only_one(&mut self, items: &[Item]) {
+        let keywords = || {
+            let blocks = items.iter().filter_map(|item| if let Item::Block(block) = item { Some(block) } else { None });
+            blocks.map(|block| &block.keyword)
+        };
+        let written = |keyword: &Spanned<String>| {
+            let Span { start, end, .. } = keyword.span;
+            self.text.get(start as usize..end as usize)
+        };
+        for diagnostic in self.diagnostics.iter_mut().filter(|d| d.code == "mavc::syntax::unknown_statement") {
+            let Some(meant) = keywords().find(|k| k.span == diagnostic.span).map(|k| &k.value) else { continue };
+            let first = keywords().find(|k| k.value == *meant && written(k) == Some(meant));
+            if let Some(first) = first.filter(|_| ["plan", "simulate", "campaign"].contains(&meant.as_str())) {
+                diagnostic.labels.push(Label { span: first.span, message: format!("the `{meant}` block is here") });
+                diagnostic.help = Some(format!("a spec has one `{meant}` block: move what is missing into it"));
+                diagnostic.fix = None;
+            }
+        }
     }
 
     fn body(&mut self, pair: Pair<Rule>, place: Place) -> Vec<Statement> {

@@ -187,6 +187,29 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     assert_eq!(code(&ran), 3, "{}{}", out(&ran), err(&ran));
     assert!(out(&ran).contains("no plan with 40 samples meets every waypoint"), "{}", out(&ran));
     assert!(!table.exists() && report.exists());
+    // Why, at the places of the spec and of `--set`, and the same in the report.
+    let told = err(&ran);
+    assert!(told.contains("mavc::plan::conflict") && told.contains("cannot hold together"), "{told}");
+    assert!(told.contains("waypoint at [3, 1, 4] m") && told.contains("in 0.7 s"), "{told}");
+    let record: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    let conflict = &record["conflict"];
+    let list = |of: &str, member: &str| -> Vec<String> {
+        let members = conflict[of].as_array().unwrap().iter();
+        members.map(|m| m[member].as_str().unwrap().to_string()).collect()
+    };
+    assert!(list("statements", "kind").contains(&"time".to_string()), "{record:#}");
+    assert!(list("statements", "message").iter().all(|m| told.contains(m.as_str())), "{told}\n{record:#}");
+    assert!(list("fixes", "message").iter().all(|m| told.contains(m.as_str())), "{told}\n{record:#}");
+    let time = conflict["statements"].as_array().unwrap().iter().find(|s| s["kind"] == "time").unwrap();
+    assert_eq!(time["file"], mavc::model::OVERRIDE);
+    // The time that would do does, and asks for no reasons.
+    let later = conflict["fixes"].as_array().unwrap().iter().find(|f| f["kind"] == "time").unwrap();
+    let set = format!("plan.time={}s", later["value"]);
+    let ran = mavc_with(&["plan", "-", "-o", text(&table), "--report", text(&report), "--set", &set], HOP);
+    assert_eq!(code(&ran), 0, "{}{}", out(&ran), err(&ran));
+    assert!(!err(&ran).contains("mavc::plan::conflict"), "{}", err(&ran));
+    let record: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    assert!(record["conflict"].is_null());
 }
 
 #[test]

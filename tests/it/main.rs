@@ -3,6 +3,7 @@
 mod campaigns;
 mod cli;
 mod codes;
+mod conflicts;
 mod controllability;
 mod errors;
 mod flights;

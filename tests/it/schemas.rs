@@ -139,6 +139,10 @@ fn reports_are_as_their_schema_says() {
     let too_short = report_of("plan", &["--set", "plan.time=0.2s"], &hop("weak"));
     assert_valid(&schema, &too_short);
     assert_eq!(too_short["planners"][0]["status"], "infeasible");
+    assert_eq!(too_short["conflict"]["proved"], json!(true));
+    let fixes = too_short["conflict"]["fixes"].as_array().unwrap();
+    assert!(fixes.iter().any(|f| f["kind"] == "time" && f["value"].as_f64() > Some(0.2)), "{too_short:#}");
+    assert_strict(&schema, &too_short, &[]);
 }
 
 #[test]

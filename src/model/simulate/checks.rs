@@ -4,7 +4,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::fields::Fields;
-use crate::model::{Mission, Model, Simulation, Vehicle};
+use crate::model::{Mission, Model, Simulation, Strike, Vehicle};
 use crate::report::number::number;
 use crate::source::Span;
 use crate::syntax::ast::Expr;
@@ -37,20 +37,33 @@ pub(super) fn late(mode: &str, at: f64, span: Span, end: f64) -> Diagnostic {
         .help(format!("write a time before {} s, or let the flight go on with a longer `duration`", number(end)))
 }
 
-/// The faults that strike after a flight of `end` seconds, for plans whose time is known only once they are made. A
-/// flight with a `duration` of its own has been checked against that.
+/// `mode` recovers at `until`, and the flight is over at `end`.
+pub(super) fn late_recovery(mode: &str, until: f64, span: Span, end: f64) -> Diagnostic {
+    let message =
+        format!("fault `{mode}` is over at {} s, after the flight, which ends at {} s", number(until), number(end));
+    Diagnostic::error("mavc::simulate::past_the_end", span, message)
+        .here("its rotors never recover")
+        .help(format!("write a time up to {} s, or take `until` out: the fault then stays", number(end)))
+}
+
+/// The faults that strike or end after a flight of `end` seconds, for plans whose time is known only once they are
+/// made. A flight with a `duration` of its own has been checked against that.
 pub fn past_the_end(model: &Model, end: f64) -> Vec<Diagnostic> {
     let simulation = &model.simulation;
     if simulation.duration.is_some() {
         return Vec::new();
     }
-    let late = simulation.faults.iter().filter(|fault| fault.at >= end);
-    late.map(|fault| late_of_plan(&model.modes[fault.mode].name, fault.at, fault.at_span, end, model.plan.time_span))
-        .collect()
-}
-
-fn late_of_plan(mode: &str, at: f64, span: Span, end: f64, plan: Span) -> Diagnostic {
-    late(mode, at, span, end).also(plan, format!("the plan takes {} s", number(end)))
+    let past = |fault: &Strike| {
+        let mode = &model.modes[fault.mode].name;
+        match fault.until {
+            _ if fault.at >= end => Some(late(mode, fault.at, fault.at_span, end)),
+            Some(until) if until > end => Some(late_recovery(mode, until, fault.span, end)),
+            _ => None,
+        }
+    };
+    let takes = format!("the plan takes {} s", number(end));
+    let told = simulation.faults.iter().filter_map(past);
+    told.map(|error| error.also(model.plan.time_span, takes.clone())).collect()
 }
 
 /// The error of a flight of `end` seconds that takes too many steps, as [`past_the_end`].

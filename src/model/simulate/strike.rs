@@ -21,18 +21,45 @@ pub(super) fn read_all<'a>(
     around: &Around,
     end: Option<End>,
 ) -> Option<Vec<Strike>> {
-    let mut strikes = Some(Vec::new());
+    let mut strikes: Vec<Strike> = Vec::new();
+    let mut fine = true;
     for statement in &block.body {
         let Statement::Strike(clauses) = statement else { continue };
-        match (&mut strikes, read(cx, clauses, around, end)) {
-            (Some(list), Some(strike)) => list.push(strike),
-            (list, _) => *list = None,
+        let told = cx.diagnostics.len();
+        let strike = read(cx, clauses, around, end);
+        if cx.diagnostics.len() > told {
+            // What it was meant to say is unknown.
+            fine = false;
+            continue;
         }
+        match strike.and_then(|new| Some((new, strikes.iter().find(|old| old.meets(&new))?))) {
+            Some((new, old)) => {
+                cx.report(again(&around.modes[new.mode].name, &new, old));
+                fine = false;
+            }
+            None => fine &= strike.is_some(),
+        }
+        strikes.extend(strike);
     }
-    if let Some(list) = &mut strikes {
-        list.sort_by(|a: &Strike, b| a.at.total_cmp(&b.at));
-    }
-    strikes
+    strikes.sort_by(|a, b| a.at.total_cmp(&b.at));
+    fine.then_some(strikes)
+}
+
+/// A mode strikes while it is in force already.
+fn again(mode: &str, new: &Strike, old: &Strike) -> Diagnostic {
+    let (first, last) = (new.at.min(old.at), new.at.max(old.at));
+    let message = match first == last {
+        true => format!("fault `{mode}` strikes twice at {} s", number(first)),
+        false => format!("fault `{mode}` strikes at {} s and, still in force, at {} s", number(first), number(last)),
+    };
+    let in_force = |strike: &Strike| match strike.until {
+        Some(until) => format!("in force from {} s to {} s", number(strike.at), number(until)),
+        None => format!("in force from {} s on", number(strike.at)),
+    };
+    Diagnostic::error("mavc::simulate::struck_twice", new.span, message)
+        .here(in_force(new))
+        .also(old.span, in_force(old))
+        .help("take one of the two out, or let the earlier one be over before the later one with `until`")
 }
 
 fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Option<End>) -> Option<Strike> {
@@ -59,6 +86,12 @@ fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Op
     }
     if let Some((end, span, why)) = end.filter(|end| at >= end.0) {
         cx.report(checks::late(&name.value, at, at_span, end).also(span, why));
+        fine = false;
+    } else if let (Some(Some((until, until_span))), Some((end, span, why))) = (until, end)
+        && until > end
+        && until > at
+    {
+        cx.report(checks::late_recovery(&name.value, until, until_span, end).also(span, why));
         fine = false;
     }
     let until = until?.map(|(until, _)| until);

@@ -131,6 +131,12 @@ fn what_hangs_on_the_time_of_the_plan_is_told_once_it_is_known() {
     assert_eq!(past_the_end(&model, 4.0).len(), 2);
     assert_eq!(too_many_steps(&model, 10_000.0), None);
     assert_eq!(too_many_steps(&model, 10_001.0).unwrap().code, "mavc::simulate::too_many_steps");
+    // Recovering at the very end is recovering; later is not.
+    let model = flown("simulate {\n fault M1 at 5 s until 20 s\n}\n");
+    assert!(past_the_end(&model, 20.0).is_empty());
+    let late = past_the_end(&model, 19.0);
+    assert_eq!((late.len(), late[0].code), (1, "mavc::simulate::past_the_end"));
+    assert!(late[0].message.contains("is over at 20 s"), "{}", late[0].message);
     // A duration of its own has been checked.
     let model = flown("simulate {\n duration = 40 s\n fault M2 at 30 s\n}\n");
     assert!(past_the_end(&model, 20.0).is_empty());

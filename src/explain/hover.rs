@@ -1,0 +1,169 @@
+//! The planners of the linear model about hover as an oracle.
+
+use super::oracle::{Answer, Oracle, Part};
+use crate::admissible::AdmissibleSet;
+use crate::model::{LimitKind, Mission, Model, PlannerKind, Vehicle};
+use crate::planner::profile::profile;
+use crate::planner::rows::{Decision, Engine, Planned, Pool};
+use crate::planner::select::{PlanningSet, SetRow};
+use crate::qp::RowOrigin;
+use crate::solve::Effort;
+use crate::trajectory::Trajectory;
+use crate::trajectory::checks::{past, peak};
+use crate::trajectory::outside::outside;
+
+/// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that passes a limit by far between its
+/// nodes counts as none.
+#[derive(Default)]
+pub struct HoverPlanner<'p> {
+    /// Those of the last question: most questions differ in the mission alone.
+    sets: Option<Sets>,
+    pub effort: Effort,
+    /// Told each mission time before it is tried.
+    on_progress: Option<&'p dyn Fn(f64)>,
+}
+
+impl<'p> HoverPlanner<'p> {
+    pub fn new(on_progress: Option<&'p dyn Fn(f64)>) -> Self {
+        HoverPlanner { on_progress, ..HoverPlanner::default() }
+    }
+}
+
+/// What a planner imposes, and what it follows from.
+struct Sets {
+    vehicle: Vehicle,
+    gravity: f64,
+    against: Vec<usize>,
+    reserve: f64,
+    healthy: AdmissibleSet,
+    rip: PlanningSet,
+    /// Each mode's own, shrunk by the reserve.
+    singles: Vec<PlanningSet>,
+    joint: PlanningSet,
+    /// Rows that bound in earlier plans, of `rip` and `joint`.
+    pools: [Pool; 2],
+}
+
+impl Sets {
+    fn new(model: &Model) -> Self {
+        let plan = &model.plan;
+        let healthy = AdmissibleSet::healthy(model);
+        let shrunk = healthy.with_reserve(plan.reserve);
+        let modes: Vec<AdmissibleSet> =
+            plan.against.iter().map(|&i| AdmissibleSet::of_mode(model, i).with_reserve(plan.reserve)).collect();
+        let rip = PlanningSet::of(&[&shrunk], &healthy);
+        Sets {
+            vehicle: model.vehicle.clone(),
+            gravity: model.gravity,
+            against: plan.against.clone(),
+            reserve: plan.reserve,
+            singles: modes.iter().map(|set| PlanningSet::of(&[set], &healthy)).collect(),
+            joint: match modes.is_empty() {
+                true => rip.clone(),
+                false => PlanningSet::of(&modes.iter().collect::<Vec<_>>(), &healthy),
+            },
+            rip,
+            healthy,
+            pools: Default::default(),
+        }
+    }
+
+    fn are_of(&self, model: &Model) -> bool {
+        let plan = &model.plan;
+        (&self.vehicle, self.gravity, &self.against, self.reserve)
+            == (&model.vehicle, model.gravity, &plan.against, plan.reserve)
+    }
+
+    /// Step (e) of section 5.3: the facets of the modes' sets that a plan violates.
+    fn violated(&self, planned: &Planned) -> Vec<SetRow> {
+        let trajectory = Trajectory::of(planned);
+        let of = |set: &PlanningSet| {
+            let found = outside(&trajectory, &self.vehicle, self.gravity, &set.rows);
+            found.facets.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
+        };
+        self.singles.iter().flat_map(of).collect()
+    }
+}
+
+impl Oracle for HoverPlanner<'_> {
+    fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
+        if let Some(tell) = &self.on_progress {
+            tell(time);
+        }
+        let known = self.sets.take().filter(|sets| sets.are_of(model));
+        let mut sets = known.unwrap_or_else(|| Sets::new(model));
+        let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.pools);
+        let mut engine = Engine::new(model, mission, &sets.healthy);
+        let mut decide = |set: &PlanningSet, pool: &mut Pool| {
+            let decision = engine.decide(time, model.plan.samples, set, pool);
+            let weights = std::mem::take(&mut engine.weights);
+            (decision, weighed(set, weights, mission, time, model.plan.samples))
+        };
+        let (decision, parts) = match model.plan.planner {
+            PlannerKind::Rip => decide(&sets.rip, &mut of_rip),
+            PlannerKind::Rcp => decide(&sets.joint, &mut of_joint),
+            PlannerKind::Rsp => match decide(&sets.rip, &mut of_rip) {
+                (Decision::Feasible(planned), parts) => match sets.violated(&planned) {
+                    none if none.is_empty() => (Decision::Feasible(planned), parts),
+                    facets => decide(&sets.rip.with(facets), &mut of_rip.clone()),
+                },
+                other => other,
+            },
+        };
+        self.effort += engine.effort;
+        sets.pools = [of_rip, of_joint];
+        self.sets = Some(sets);
+        match decision {
+            Decision::Feasible(planned) if passes_a_limit(&planned, mission, model.gravity) => Answer::NotFound,
+            Decision::Feasible(_) => Answer::Feasible,
+            Decision::Infeasible => Answer::Infeasible(parts),
+            Decision::Inconclusive(_) => Answer::NotFound,
+        }
+    }
+}
+
+/// Limits hold at the nodes. A plan that passes one by more than this share of it between them (of 1 m or 1 rad where it
+/// bounds a coordinate) only shows that the grid is too coarse at this mission time.
+const COARSE: f64 = 0.05;
+
+/// Whether a plan passes some limit by more than [`COARSE`].
+fn passes_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
+    let trajectory = Trajectory::of(planned);
+    mission.limits.iter().any(|limit| {
+        let bound = limit.lower.into_iter().chain(limit.upper).map(f64::abs).fold(0.0, f64::max);
+        let scale = match limit.kind {
+            LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => 1.0,
+            _ => bound.max(COARSE),
+        };
+        peak(&trajectory, |state| past(limit, state, gravity)).value > COARSE * scale
+    })
+}
+
+/// What rows weigh, by what they stand for. A facet that several modes share weighs for each of them.
+fn weighed(
+    set: &PlanningSet,
+    weights: Vec<(RowOrigin, f64)>,
+    mission: &Mission,
+    time: f64,
+    samples: usize,
+) -> Vec<(Part, f64)> {
+    let last = profile(mission, time, samples).map(|p| p.flown().nodes() - 1);
+    let mut parts = Vec::new();
+    for (origin, weight) in weights {
+        match origin {
+            RowOrigin::Waypoint { waypoint } | RowOrigin::WaypointYaw { waypoint } => {
+                parts.push((Part::Waypoint(waypoint), weight));
+            }
+            RowOrigin::Limit { limit, .. } => parts.push((Part::Limit(limit), weight)),
+            RowOrigin::Rest { node: 0, .. } => parts.push((Part::RestAtStart, weight)),
+            RowOrigin::Rest { node, .. } if Some(node) == last => parts.push((Part::RestAtEnd, weight)),
+            RowOrigin::Facet { facet, .. } => {
+                // Mode 0 is the healthy vehicle, which no statement could leave out.
+                let modes = set.rows[facet].origin.iter().filter_map(|of| of.mode.checked_sub(1));
+                parts.extend(modes.map(|mode| (Part::Mode(mode), weight)));
+            }
+            _ => {}
+        }
+    }
+    parts
+}

@@ -1,0 +1,122 @@
+//! Questions to the oracle: variants of one spec, the mission time each is asked at, and how many there may be.
+
+use super::oracle::{Answer, Oracle};
+use super::statement::Statement;
+use crate::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
+use crate::planner::profile::{determined, earliest};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A time is long for a mission if it leaves the legs that no fixed time ends this many times what [`unhurried`] asks for.
+const LONG: f64 = 4.0;
+
+/// And this many times what the spec gives them. (Not many more: the samples of all other legs would become few.)
+const LONGER: f64 = 1.5;
+
+/// The longest time asked for, s.
+const LONGEST: f64 = 100_000.0;
+
+pub(super) struct Questions<'a> {
+    pub model: &'a Model,
+    pub mission: &'a Mission,
+    oracle: &'a mut dyn Oracle,
+    /// The mission time of variants that fix none, s.
+    long: f64,
+    /// By what was left out.
+    answers: BTreeMap<BTreeSet<Statement>, Answer>,
+    asked: usize,
+    most: usize,
+}
+
+impl<'a> Questions<'a> {
+    pub fn new(model: &'a Model, mission: &'a Mission, oracle: &'a mut dyn Oracle, most: usize) -> Self {
+        let fixed = match model.plan.time {
+            MissionTime::Fixed(time) => time,
+            MissionTime::Minimum => 0.0,
+        };
+        let settled = earliest(mission);
+        let free = (LONG * unhurried(mission, model.gravity)).max(LONGER * (fixed - settled));
+        let long = (settled + free).ceil().min(LONGEST);
+        Questions { model, mission, oracle, long, answers: BTreeMap::new(), asked: 0, most }
+    }
+
+    pub fn asked(&self) -> usize {
+        self.asked
+    }
+
+    /// Allows more questions from here on.
+    pub fn allow(&mut self, more: usize) {
+        self.most = self.asked + more;
+    }
+
+    /// The mission time of variants that fix none, s.
+    pub fn long(&self) -> f64 {
+        self.long
+    }
+
+    /// The time at which a variant is asked for, and whether it fixes none itself.
+    pub fn time_of(&self, model: &Model, mission: &Mission) -> (f64, bool) {
+        match (determined(mission), model.plan.time) {
+            (Some(time), _) | (None, MissionTime::Fixed(time)) => (time, false),
+            (None, MissionTime::Minimum) => (self.long, true),
+        }
+    }
+
+    /// The spec with some statements left out.
+    pub fn variant(&self, left_out: &BTreeSet<Statement>) -> (Model, Mission) {
+        let (mut model, mut mission) = (self.model.clone(), self.mission.clone());
+        left_out.iter().for_each(|s| s.leave_out(&mut model, &mut mission));
+        (model, mission)
+    }
+
+    /// What the oracle says of the spec with some statements left out; `None` where too much has been asked.
+    pub fn without(&mut self, left_out: &BTreeSet<Statement>) -> Option<Answer> {
+        if let Some(answer) = self.answers.get(left_out) {
+            return Some(answer.clone());
+        }
+        let (model, mission) = self.variant(left_out);
+        let answer = self.ask(model, &mission)?;
+        self.answers.insert(left_out.clone(), answer.clone());
+        Some(answer)
+    }
+
+    /// What the oracle says of any variant; `None` where too much has been asked.
+    pub fn ask(&mut self, mut model: Model, mission: &Mission) -> Option<Answer> {
+        if self.asked >= self.most {
+            return None;
+        }
+        self.asked += 1;
+        let (time, free) = self.time_of(&model, mission);
+        // The time at which RSP selects its facets is a shortest time of RCP, and where RCP has a plan RSP has one.
+        if free && model.plan.planner == PlannerKind::Rsp && self.model.plan.time == MissionTime::Minimum {
+            model.plan.planner = PlannerKind::Rcp;
+        }
+        Some(self.oracle.ask(&model, mission, time))
+    }
+}
+
+/// The time that the legs after the last fixed time take when each is flown from rest to rest at half of g, at each limit alone, one
+/// after the other, s. A measure for what is long, nothing more.
+fn unhurried(mission: &Mission, gravity: f64) -> f64 {
+    let leg = |pair: &[crate::model::Waypoint]| {
+        let apart: [f64; 3] = std::array::from_fn(|i| (pair[1].position[i] - pair[0].position[i]).abs());
+        let length = apart.iter().map(|d| d * d).sum::<f64>().sqrt();
+        let turn = (pair[1].yaw - pair[0].yaw).abs();
+        let accelerated = |way: f64, most: f64| 2.0 * (way / most).sqrt();
+        let limited = mission.limits.iter().filter_map(|limit| {
+            let most = limit.upper.filter(|upper| *upper > 0.0)?;
+            Some(match limit.kind {
+                LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => 0.0,
+                LimitKind::Speed | LimitKind::SpeedHorizontal => length / most,
+                LimitKind::Climb | LimitKind::Descent => apart[2] / most,
+                LimitKind::Acceleration | LimitKind::AccelerationHorizontal => accelerated(length, most),
+                LimitKind::Tilt => accelerated(length, gravity * most.tan()),
+                LimitKind::Jerk => (32.0 * length / most).cbrt(),
+                LimitKind::YawRate => turn / most,
+                LimitKind::YawAcceleration => accelerated(turn, most),
+            })
+        });
+        accelerated(length, 0.5 * gravity) + turn + limited.sum::<f64>()
+    };
+    let last_fixed = mission.waypoints.iter().rposition(|w| w.time.is_some()).unwrap_or(0);
+    mission.waypoints[last_fixed..].windows(2).map(leg).sum::<f64>().max(1.0)
+}

@@ -1,0 +1,311 @@
+//! Single changes to a spec that give it a plan, each found by planning.
+
+use super::Conflict;
+use super::grid::between;
+use super::oracle::Answer;
+use super::question::Questions;
+use super::statement::{Statement, length, written};
+use crate::admissible::diagnose::diagnose;
+use crate::diagnostic::Severity;
+use crate::model::{Limit, LimitKind, Mission, MissionTime, Model};
+use crate::report::number::number;
+
+/// A change to a spec. Numbers are SI; each is one of two digits in the unit that it is written in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Change {
+    /// Another `samples`.
+    Samples(usize),
+    /// Another `time` of the plan.
+    Time(f64),
+    /// Another `time` of a waypoint; where it is the last and the plan says its time too, that as well.
+    Arrival { waypoint: usize, time: f64 },
+    /// Another `within` of the waypoints of one statement.
+    Within { first: usize, last: usize, within: f64 },
+    /// A wider bound.
+    Bound { limit: usize, upper: f64 },
+    /// Another `reserve`.
+    Reserve(f64),
+    /// A limit less.
+    NoLimit(usize),
+    /// A hold less.
+    NoHold(usize),
+    /// A mode less in `against`.
+    NoMode(usize),
+    /// A lighter vehicle.
+    Mass(f64),
+}
+
+/// A change that was tried and gives a plan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fix {
+    pub change: Change,
+    /// The mission time of that plan, s.
+    pub time: f64,
+}
+
+/// Waypoints are widened up to this share of the way to the nearest one beside them.
+const WIDEST: f64 = 0.5;
+/// Bounds are widened up to this many times.
+const WIDER: f64 = 10.0;
+/// The lightest vehicle looked at, as a share of the spec's.
+const LIGHTEST: f64 = 0.2;
+/// A tilt limit is below 90 degrees.
+const MOST_TILT: f64 = 89.0;
+
+/// Changes that give the whole spec a plan, cheapest first: what costs time before what costs accuracy, then room, then
+/// control, then what is given up, then another vehicle.
+pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> {
+    let (model, mission) = (questions.model, questions.mission);
+    let mut found = Vec::new();
+    let needed: usize = (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>()
+        + mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+    if model.plan.samples < needed {
+        found.extend(attempt(questions, Change::Samples(needed)));
+    }
+    let of = |wanted: fn(&Statement) -> bool| -> Vec<Statement> {
+        conflict.statements.iter().copied().filter(wanted).collect()
+    };
+    for statement in of(|s| matches!(s, Statement::Time)) {
+        found.extend(longer(questions, statement));
+    }
+    for statement in of(|s| matches!(s, Statement::Arrival(_))) {
+        found.extend(longer(questions, statement));
+    }
+    for statement in of(|s| matches!(s, Statement::Waypoints { .. })) {
+        found.extend(wider(questions, statement));
+    }
+    for statement in of(|s| matches!(s, Statement::Limit(_) | Statement::Reserve)) {
+        found.extend(looser(questions, statement));
+    }
+    for statement in of(|s| matches!(s, Statement::Limit(_) | Statement::Hold(_) | Statement::Mode(_))) {
+        // A limit that may be wider need not go.
+        if found.iter().all(|fix: &Fix| fix.change.of() != Some(statement)) {
+            found.extend(less(statement).and_then(|change| attempt(questions, change)));
+        }
+    }
+    let mass = model.vehicle.mass;
+    found.extend(seek(questions, &between(mass, LIGHTEST * mass), Change::Mass));
+    found
+}
+
+/// A later time, of the plan or of a waypoint.
+fn longer(questions: &mut Questions, statement: Statement) -> Option<Fix> {
+    let (model, mission) = (questions.model, questions.mission);
+    match (statement, model.plan.time) {
+        (Statement::Time, MissionTime::Fixed(time)) => seek(questions, &between(time, questions.long()), Change::Time),
+        (Statement::Arrival(waypoint), _) => {
+            let time = mission.waypoints[waypoint].time?;
+            let last = waypoint + 1 == mission.waypoints.len();
+            let next = mission.waypoints[waypoint + 1..].iter().find_map(|w| w.time);
+            let end = match model.plan.time {
+                MissionTime::Fixed(total) if !last => Some(total),
+                _ => None,
+            };
+            let latest = next.or(end).unwrap_or(questions.long());
+            seek(questions, &between(time, latest), |time| Change::Arrival { waypoint, time })
+        }
+        _ => None,
+    }
+}
+
+/// Wider tolerances of the waypoints of one statement. Where the vehicle stands at the start is not for the spec to choose.
+fn wider(questions: &mut Questions, statement: Statement) -> Option<Fix> {
+    let Statement::Waypoints { first, last } = statement else { return None };
+    if last == 0 {
+        return None;
+    }
+    let points = &questions.mission.waypoints;
+    let apart =
+        |i: usize| (0..3).map(|k| (points[i].position[k] - points[i + 1].position[k]).powi(2)).sum::<f64>().sqrt();
+    let beside = first.saturating_sub(1)..(last + 1).min(points.len() - 1);
+    let nearest = beside.map(apart).fold(f64::INFINITY, f64::min);
+    let within = points[first..=last].iter().map(|w| w.within).fold(0.0, f64::max);
+    // Two digits in centimetres are two digits in metres.
+    let centimetres = between(100.0 * within, 100.0 * WIDEST * nearest);
+    seek(questions, &centimetres, |cm| Change::Within { first, last, within: cm / 100.0 })
+}
+
+/// A wider bound of a limit, or a smaller reserve.
+fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
+    match statement {
+        Statement::Limit(limit) => {
+            let Limit { kind, lower, upper, .. } = questions.mission.limits[limit];
+            let upper = upper.filter(|u| *u > 0.0 && (lower.is_none() || lower == Some(-u)))?;
+            if matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw) {
+                return None;
+            }
+            let (.., scale) = kind.words();
+            let most = if kind == LimitKind::Tilt { MOST_TILT } else { f64::INFINITY };
+            let values = between(upper / scale, (WIDER * upper / scale).min(most));
+            seek(questions, &values, |value| Change::Bound { limit, upper: value * scale })
+        }
+        Statement::Reserve => {
+            let shares: Vec<f64> =
+                (0..(100.0 * questions.model.plan.reserve).ceil() as i32).rev().map(f64::from).collect();
+            seek(questions, &shares, |share| Change::Reserve(share / 100.0))
+        }
+        _ => None,
+    }
+}
+
+/// The first of `values`, which go ever further, whose change gives a plan: in steps of growing length, then by halving.
+/// Where a plan further on is no promise of one nearer (or the other way round) it is one that gives a plan all the same.
+fn seek(questions: &mut Questions, values: &[f64], change: impl Fn(f64) -> Change) -> Option<Fix> {
+    let end = values.len().checked_sub(1)?;
+    // What cannot be mended in this way is told by the furthest. Not of a waypoint's time, which must leave some to those
+    // after it.
+    let is_arrival = matches!(change(values[0]), Change::Arrival { .. });
+    let furthest = attempt(questions, change(values[end]));
+    if furthest.is_none() && !is_arrival {
+        return None;
+    }
+    let mut best = (end, furthest);
+    let (mut low, mut step) = (None::<usize>, 1);
+    let mut next = 0;
+    while next < best.0 {
+        match attempt(questions, change(values[next])) {
+            Some(fix) => best = (next, Some(fix)),
+            None => low = Some(next),
+        }
+        next += step;
+        step *= 2;
+    }
+    best.1?;
+    let mut low = low.map_or(0, |l| l + 1);
+    while low < best.0 {
+        let middle = low + (best.0 - low) / 2;
+        match attempt(questions, change(values[middle])) {
+            Some(fix) => best = (middle, Some(fix)),
+            None => low = middle + 1,
+        }
+    }
+    best.1
+}
+
+/// The change that leaves a statement out, where an author might.
+fn less(statement: Statement) -> Option<Change> {
+    match statement {
+        Statement::Limit(limit) => Some(Change::NoLimit(limit)),
+        Statement::Hold(waypoint) => Some(Change::NoHold(waypoint)),
+        Statement::Mode(mode) => Some(Change::NoMode(mode)),
+        _ => None,
+    }
+}
+
+/// Tries one change.
+fn attempt(questions: &mut Questions, change: Change) -> Option<Fix> {
+    let (mut model, mut mission) = (questions.model.clone(), questions.mission.clone());
+    change.apply(&mut model, &mut mission);
+    if matches!(change, Change::Mass(_)) && diagnose(&model).iter().any(|d| d.severity == Severity::Error) {
+        return None;
+    }
+    let (time, _) = questions.time_of(&model, &mission);
+    (questions.ask(model, &mission)? == Answer::Feasible).then_some(Fix { change, time })
+}
+
+impl Change {
+    pub fn apply(self, model: &mut Model, mission: &mut Mission) {
+        match self {
+            Change::Samples(samples) => model.plan.samples = samples,
+            Change::Time(time) => model.plan.time = MissionTime::Fixed(time),
+            Change::Arrival { waypoint, time } => {
+                let last = waypoint + 1 == mission.waypoints.len();
+                let waypoint = &mut mission.waypoints[waypoint];
+                waypoint.time = Some(time);
+                if last && matches!(model.plan.time, MissionTime::Fixed(_)) {
+                    model.plan.time = MissionTime::Fixed(time + waypoint.hold);
+                }
+            }
+            Change::Within { first, last, within } => {
+                mission.waypoints[first..=last].iter_mut().for_each(|w| w.within = w.within.max(within));
+            }
+            Change::Bound { limit, upper } => {
+                let limit = &mut mission.limits[limit];
+                limit.upper = Some(upper);
+                limit.lower = limit.lower.map(|_| -upper);
+            }
+            Change::Reserve(reserve) => model.plan.reserve = reserve,
+            Change::NoLimit(limit) => Statement::Limit(limit).leave_out(model, mission),
+            Change::NoHold(waypoint) => Statement::Hold(waypoint).leave_out(model, mission),
+            Change::NoMode(mode) => Statement::Mode(mode).leave_out(model, mission),
+            Change::Mass(mass) => model.vehicle.mass = mass,
+        }
+    }
+
+    /// The kind in a word, for programs.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Change::Samples(_) => "samples",
+            Change::Time(_) => "time",
+            Change::Arrival { .. } => "arrival",
+            Change::Within { .. } => "within",
+            Change::Bound { .. } => "limit",
+            Change::Reserve(_) => "reserve",
+            Change::NoLimit(_) => "no_limit",
+            Change::NoHold(_) => "no_hold",
+            Change::NoMode(_) => "no_mode",
+            Change::Mass(_) => "mass",
+        }
+    }
+
+    /// The number changed to, in SI units.
+    pub fn value(self) -> Option<f64> {
+        match self {
+            Change::Samples(samples) => Some(samples as f64),
+            Change::Time(v) | Change::Reserve(v) | Change::Mass(v) => Some(v),
+            Change::Arrival { time, .. } => Some(time),
+            Change::Within { within, .. } => Some(within),
+            Change::Bound { upper, .. } => Some(upper),
+            Change::NoLimit(_) | Change::NoHold(_) | Change::NoMode(_) => None,
+        }
+    }
+
+    /// The statement of the conflict that it changes, where it is one.
+    pub fn of(self) -> Option<Statement> {
+        match self {
+            Change::Samples(_) | Change::Mass(_) => None,
+            Change::Time(_) => Some(Statement::Time),
+            Change::Arrival { waypoint, .. } => Some(Statement::Arrival(waypoint)),
+            Change::Within { first, last, .. } => Some(Statement::Waypoints { first, last }),
+            Change::Bound { limit, .. } | Change::NoLimit(limit) => Some(Statement::Limit(limit)),
+            Change::Reserve(_) => Some(Statement::Reserve),
+            Change::NoHold(waypoint) => Some(Statement::Hold(waypoint)),
+            Change::NoMode(mode) => Some(Statement::Mode(mode)),
+        }
+    }
+
+    /// What to do, in the words of the language.
+    pub fn instruction(self, model: &Model, mission: &Mission) -> String {
+        let at = |i: usize| match &mission.waypoints[i].name {
+            Some(name) => format!("waypoint `{name}`"),
+            None => format!("waypoint {}", i + 1),
+        };
+        match self {
+            Change::Samples(samples) => format!("write `samples = {samples}`"),
+            Change::Time(time) => format!("write `time = {} s`", number(time)),
+            Change::Arrival { waypoint, time } => {
+                let last = waypoint + 1 == mission.waypoints.len();
+                let both = match model.plan.time {
+                    MissionTime::Fixed(_) if last => {
+                        format!(", and `time = {} s` in `plan`", number(time + mission.waypoints[waypoint].hold))
+                    }
+                    _ => String::new(),
+                };
+                format!("write `time {} s` at {}{both}", number(time), at(waypoint))
+            }
+            Change::Within { first, last, within } if first == last => {
+                format!("write `within {}` at {}", length(within), at(first))
+            }
+            Change::Within { within, .. } => format!("write `within = {}` in the curve", length(within)),
+            Change::Bound { limit, upper } => {
+                let (name, unit, scale) = mission.limits[limit].kind.words();
+                format!("write `{name} <= {} {unit}`", number(upper / scale))
+            }
+            Change::Reserve(reserve) => format!("write `reserve = {} %`", number(100.0 * reserve)),
+            Change::NoLimit(limit) => format!("take `{}` out", written(&mission.limits[limit])),
+            Change::NoHold(waypoint) => format!("take the `hold` at {} out", at(waypoint)),
+            Change::NoMode(mode) => format!("leave `{}` out of `against`", model.modes[mode].name),
+            Change::Mass(mass) => format!("make the vehicle lighter: `mass = {} kg`", number(mass)),
+        }
+    }
+}

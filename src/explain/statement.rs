@@ -1,0 +1,170 @@
+//! The statements of a spec that a plan has to meet, one by one.
+
+use super::oracle::Part;
+use crate::model::{Limit, Mission, MissionTime, Model, PlannerKind};
+use crate::planner::transcribe::UNBOUNDED;
+use crate::report::number::{number, percent};
+use crate::source::Span;
+
+/// One statement, or one default that stands for it. Places are those in [`Mission`] and [`Model`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Statement {
+    /// The waypoints of one statement: more than one on a curve.
+    Waypoints {
+        first: usize,
+        last: usize,
+    },
+    /// A waypoint's own `time`.
+    Arrival(usize),
+    /// What `hold` says after a waypoint.
+    Hold(usize),
+    RestAtStart,
+    RestAtEnd,
+    Limit(usize),
+    /// `Model::modes[i]` is to be stood.
+    Mode(usize),
+    Reserve,
+    /// `time` in `plan`.
+    Time,
+}
+
+/// Every statement that a plan of this planner has to meet, in the order of flight.
+pub fn statements(model: &Model, mission: &Mission) -> Vec<Statement> {
+    let plan = &model.plan;
+    let mut all = Vec::new();
+    let mut first = 0;
+    for group in mission.waypoints.chunk_by(|a, b| a.span == b.span) {
+        all.push(Statement::Waypoints { first, last: first + group.len() - 1 });
+        first += group.len();
+    }
+    for (i, waypoint) in mission.waypoints.iter().enumerate() {
+        // The first waypoint is reached at time zero, said or not.
+        all.extend((i > 0 && waypoint.time.is_some()).then_some(Statement::Arrival(i)));
+        all.extend((waypoint.hold > 0.0).then_some(Statement::Hold(i)));
+    }
+    all.extend(mission.start_at_rest.then_some(Statement::RestAtStart));
+    all.extend(mission.end_at_rest.then_some(Statement::RestAtEnd));
+    all.extend((0..mission.limits.len()).map(Statement::Limit));
+    if plan.planner != PlannerKind::Rip {
+        all.extend(plan.against.iter().map(|&mode| Statement::Mode(mode)));
+    }
+    all.extend((plan.reserve > 0.0).then_some(Statement::Reserve));
+    all.extend(matches!(plan.time, MissionTime::Fixed(_)).then_some(Statement::Time));
+    all
+}
+
+impl Statement {
+    /// Whether multipliers can weigh it: times, holds and the reserve have no rows of their own.
+    pub fn has_rows(self) -> bool {
+        !self.parts().is_empty()
+    }
+
+    /// The parts of a program that come from it.
+    pub fn parts(self) -> Vec<Part> {
+        match self {
+            Statement::Waypoints { first, last } => (first..=last).map(Part::Waypoint).collect(),
+            Statement::RestAtStart => vec![Part::RestAtStart],
+            Statement::RestAtEnd => vec![Part::RestAtEnd],
+            Statement::Limit(i) => vec![Part::Limit(i)],
+            Statement::Mode(i) => vec![Part::Mode(i)],
+            Statement::Arrival(_) | Statement::Hold(_) | Statement::Reserve | Statement::Time => Vec::new(),
+        }
+    }
+
+    /// Leaves it out. The times at which the others ask for something stay what they are, but for those that it fixed.
+    pub fn leave_out(self, model: &mut Model, mission: &mut Mission) {
+        match self {
+            Statement::Waypoints { first, last } => {
+                for waypoint in &mut mission.waypoints[first..=last] {
+                    (waypoint.within, waypoint.yaw_within, waypoint.weight) = (UNBOUNDED, UNBOUNDED, 0.0);
+                }
+            }
+            Statement::Arrival(i) => mission.waypoints[i].time = None,
+            Statement::Hold(i) => mission.waypoints[i].hold = 0.0,
+            Statement::RestAtStart => mission.start_at_rest = false,
+            Statement::RestAtEnd => mission.end_at_rest = false,
+            Statement::Limit(i) => (mission.limits[i].lower, mission.limits[i].upper) = (None, None),
+            Statement::Mode(mode) => model.plan.against.retain(|&other| other != mode),
+            Statement::Reserve => model.plan.reserve = 0.0,
+            Statement::Time => model.plan.time = MissionTime::Minimum,
+        }
+    }
+
+    /// Where it is said; where a default says it, the block that it would stand in.
+    pub fn span(self, model: &Model, mission: &Mission) -> Span {
+        let waypoint = |i: usize| &mission.waypoints[i];
+        match self {
+            Statement::Waypoints { first, .. } => waypoint(first).span,
+            Statement::Arrival(i) => waypoint(i).time_span.unwrap_or(waypoint(i).span),
+            Statement::Hold(i) => waypoint(i).hold_span.unwrap_or(waypoint(i).span),
+            Statement::RestAtStart => waypoint(0).span,
+            Statement::RestAtEnd => waypoint(mission.waypoints.len() - 1).span,
+            Statement::Limit(i) => mission.limits[i].span,
+            Statement::Mode(mode) => model.modes[mode].span,
+            Statement::Reserve => model.plan.reserve_span,
+            Statement::Time => model.plan.time_span,
+        }
+    }
+
+    /// The kind in a word, for programs.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Statement::Waypoints { .. } => "waypoint",
+            Statement::Arrival(_) => "arrival",
+            Statement::Hold(_) => "hold",
+            Statement::RestAtStart => "rest_at_start",
+            Statement::RestAtEnd => "rest_at_end",
+            Statement::Limit(_) => "limit",
+            Statement::Mode(_) => "mode",
+            Statement::Reserve => "reserve",
+            Statement::Time => "time",
+        }
+    }
+
+    /// What it asks for, as a label at its place.
+    pub fn label(self, model: &Model, mission: &Mission) -> String {
+        match self {
+            Statement::Waypoints { first, last } => {
+                let points = &mission.waypoints[first..=last];
+                let mut within = length(points[0].within);
+                if !mission.has_one_yaw() {
+                    within = format!("{within} and {} deg", number(points[0].yaw_within.to_degrees()));
+                }
+                match points.len() {
+                    1 => format!("met within {within}"),
+                    n if points.iter().all(|p| p.within == points[0].within) => {
+                        format!("{n} points, each met within {within}")
+                    }
+                    n => format!("{n} points met"),
+                }
+            }
+            Statement::Arrival(i) => format!("at {} s", number(mission.waypoints[i].time.unwrap_or(0.0))),
+            Statement::Hold(i) => format!("standing still for {} s", number(mission.waypoints[i].hold)),
+            Statement::RestAtStart => "from rest".into(),
+            Statement::RestAtEnd => "to rest".into(),
+            Statement::Limit(i) => format!("`{}` kept", written(&mission.limits[i])),
+            Statement::Mode(mode) => format!("{} stood", model.modes[mode].name),
+            Statement::Reserve => {
+                let default = model.defaults.iter().any(|d| d.field == "plan.reserve");
+                let of = if default { " (the default)" } else { "" };
+                format!("a reserve of {}{of}", percent(model.plan.reserve))
+            }
+            Statement::Time => match model.plan.time {
+                MissionTime::Fixed(time) => format!("in {} s", number(time)),
+                MissionTime::Minimum => "in the shortest time".into(),
+            },
+        }
+    }
+}
+
+/// A limit as one writes it: of one that bounds a rate both ways alike only `<=`.
+pub(super) fn written(limit: &Limit) -> String {
+    let both_ways = limit.lower.is_some() && limit.lower == limit.upper.map(|upper| -upper);
+    let lower = limit.lower.filter(|_| !both_ways);
+    Limit { lower, ..*limit }.to_string()
+}
+
+/// A tolerance as one writes it: centimetres below a metre.
+pub(super) fn length(metres: f64) -> String {
+    if metres < 1.0 { format!("{} cm", number(100.0 * metres)) } else { format!("{} m", number(metres)) }
+}
