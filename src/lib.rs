@@ -3,6 +3,7 @@
 pub mod actuation;
 pub mod admissible;
 pub mod campaign;
+pub mod certificate;
 pub mod cli;
 pub mod diagnostic;
 pub mod flight;
@@ -16,3 +17,4 @@ pub mod source;
 pub mod syntax;
 pub mod trajectory;
 pub mod unit;
+pub mod verify;

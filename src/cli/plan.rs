@@ -5,6 +5,7 @@ use super::spec::{self, Loaded, timing};
 use super::target::{Target, write};
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
+use crate::certificate;
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
@@ -19,8 +20,10 @@ pub const NO_MISSION: &str = "mavc::plan::no_mission";
 pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let rate = args.rate.as_deref().map(parse_rate).transpose()?;
     let (table, report) = targets(args.output.as_deref(), args.report.as_deref())?;
+    let proof = args.certificate.as_deref().map(Target::new).transpose()?;
+    apart(&proof, &[&table, &report])?;
     let mut loaded = spec::read(&args.spec, options)?;
-    spare(&loaded, &[&table, &report])?;
+    spare(&loaded, &[&table, &report, &proof])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
         return refused(&loaded, &model, report.as_ref());
@@ -35,6 +38,14 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         }
         _ => no_plan_code(&comparison),
     };
+    if let Some(target) = &proof {
+        let began = Instant::now();
+        match certificate::of(&model, &mission, &comparison, loaded.sha256()) {
+            Some(record) => results.push((target, json(&record)?)),
+            None => files::tell("mavc: no certificate is written: this outcome has none\n"),
+        }
+        timing(options, "certify", began);
+    }
     if let Some(target) = &report {
         results.push((target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?));
     }
@@ -81,6 +92,15 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     } else {
         FINE
     })
+}
+
+/// Refuses one place for two results.
+fn apart(proof: &Option<Target>, others: &[&Option<Target>]) -> Result<(), Problem> {
+    let Some(proof) = proof else { return Ok(()) };
+    match others.iter().copied().flatten().any(|other| proof.is_same(other)) {
+        true => Err("the certificate and another result would go to one place: give --certificate its own name".into()),
+        false => Ok(()),
+    }
 }
 
 /// Where the trajectory and the report go.

@@ -1,0 +1,53 @@
+//! `mavc verify`: decide a certificate.
+
+use super::spec::{self, timing};
+use super::{FINE, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, files};
+use crate::certificate::{MAX_BYTES, Scope};
+use crate::report::table::Table;
+use crate::verify::verify;
+use std::time::Instant;
+
+pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
+    let name = args.certificate.display().to_string();
+    if name == "-" && args.spec.spec == "-" {
+        return Err("only one of the certificate and the spec can be standard input".into());
+    }
+    let bytes = files::read_spec(&name, MAX_BYTES)?;
+    let mut loaded = spec::read(&args.spec, options)?;
+    let sha256 = loaded.sha256();
+    let Some(model) = loaded.model.clone() else {
+        loaded.tell(options);
+        return Ok(SPEC_ERRORS);
+    };
+    // Remarks on the spec are `mavc check`'s to make.
+    loaded.diagnostics.clear();
+    let begin = Instant::now();
+    let verdict = verify(&bytes, &model, &sha256);
+    timing(options, "verify", begin);
+    match verdict {
+        Ok(verdict) => {
+            let mut table = Table::new(&["shown", "where"]);
+            for shown in &verdict.shown {
+                table.row(vec![shown.statement.clone(), words(shown.scope)]);
+            }
+            if !options.quiet {
+                files::print(&table.render_left(0))?;
+            }
+            files::print(&format!("{name}: every claim holds\n"))?;
+            Ok(FINE)
+        }
+        Err(diagnostic) => {
+            loaded.diagnostics.push(diagnostic);
+            loaded.tell(options);
+            Ok(REJECTED)
+        }
+    }
+}
+
+fn words(scope: Scope) -> String {
+    match scope {
+        Scope::Nodes => "checked at nodes".into(),
+        Scope::Grid(points) => format!("checked on a grid of {points} points an interval"),
+        Scope::EveryInstant => "proved for every instant".into(),
+    }
+}

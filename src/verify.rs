@@ -1,0 +1,93 @@
+//! Decides certificates with code of its own: from the spec's [`Model`] and the certificate's numbers alone, in interval
+//! and exact arithmetic. Nothing of the planner, the sets or the solver is used, so an error there does not pass here.
+
+pub mod dyadic;
+pub mod interval;
+mod limits;
+pub mod motion;
+pub mod plan;
+pub mod proof;
+pub mod series;
+pub mod sets;
+pub mod wrench;
+
+use crate::certificate::{Certificate, Claim, MAX_BYTES, SCHEMA};
+use crate::diagnostic::Diagnostic;
+use crate::model::Model;
+use crate::report::number::number;
+use crate::source::Span;
+use plan::{Checker, Shown};
+
+/// A certificate that does not show what it claims.
+pub const REJECTED: &str = "mavc::verify::rejected";
+/// A certificate of another spec.
+pub const OTHER_SPEC: &str = "mavc::verify::other_spec";
+/// What was given as a certificate is none.
+pub const MALFORMED: &str = "mavc::verify::malformed";
+
+/// The first claim found that does not stand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rejection {
+    /// What is claimed of: a set, a limit, a waypoint.
+    pub claim: String,
+    pub detail: String,
+    /// s
+    pub at: Option<f64>,
+    /// The statement of the spec.
+    pub span: Option<Span>,
+}
+
+impl Rejection {
+    pub fn new(claim: impl Into<String>, detail: impl Into<String>) -> Self {
+        Rejection { claim: claim.into(), detail: detail.into(), at: None, span: None }
+    }
+
+    fn diagnostic(&self, model: &Model) -> Diagnostic {
+        let at = self.at.map_or(String::new(), |t| format!(" at {} s", number(t)));
+        let message = format!("the certificate is rejected: {}{at}: {}", self.claim, self.detail);
+        let error = Diagnostic::error(REJECTED, self.span.unwrap_or(model.plan.span), message);
+        let error = error.here("not shown for this");
+        error.help("write the certificate anew with `mavc plan --certificate`; if it fails again, the plan does not hold")
+    }
+}
+
+/// What a certificate shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// Every claim, in order.
+    pub shown: Vec<Shown>,
+}
+
+/// Reads a certificate and decides it for a checked spec with the given hash.
+pub fn verify(bytes: &[u8], model: &Model, spec_sha256: &str) -> Result<Verdict, Diagnostic> {
+    let malformed = |why: String| {
+        let error = Diagnostic::error(MALFORMED, model.plan.span, format!("this is no certificate: {why}"));
+        error.here("the plan it should be about").help("give the file that `mavc plan --certificate` wrote")
+    };
+    if bytes.len() > MAX_BYTES {
+        return Err(malformed(format!("it has more than {} MiB", MAX_BYTES >> 20)));
+    }
+    let certificate: Certificate = serde_json::from_slice(bytes).map_err(|e| malformed(e.to_string()))?;
+    if certificate.schema != SCHEMA {
+        return Err(malformed(format!("its schema is {}, and this program reads {SCHEMA}", certificate.schema)));
+    }
+    if certificate.spec_sha256 != spec_sha256 {
+        let error = Diagnostic::error(OTHER_SPEC, model.plan.span, "the certificate was written for another spec");
+        let error = error.here("this spec's hash is another one");
+        return Err(error.help("give the spec it was written for, with the same files and the same `--set`"));
+    }
+    decide(&certificate, model).map_err(|r| r.diagnostic(model))
+}
+
+/// Decides a certificate that is known to be about this model.
+pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejection> {
+    let Some(mission) = &model.mission else {
+        return Err(Rejection::new("the mission", "the spec has none"));
+    };
+    match &certificate.claim {
+        Claim::Plan(claim) => {
+            let shown = Checker::new(model, mission, certificate.model, claim)?.decide(claim)?;
+            Ok(Verdict { shown })
+        }
+    }
+}
