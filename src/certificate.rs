@@ -2,9 +2,10 @@
 //! records, whose schema is `docs/schema/certificate.schema.json`; [`plan`] and [`infeasible`] write them from results,
 //! `crate::verify` decides them.
 
+pub mod infeasible;
 pub mod plan;
 
-use crate::model::{Mission, Model};
+use crate::model::{Mission, MissionTime, Model};
 use crate::planner::compare::{Comparison, Ending};
 use serde::{Deserialize, Serialize};
 
@@ -38,6 +39,7 @@ pub enum DynamicModel {
 #[serde(rename_all = "snake_case")]
 pub enum Claim {
     Plan(PlanClaim),
+    Infeasible(InfeasibleClaim),
 }
 
 /// A motion, and what is claimed of it.
@@ -117,10 +119,73 @@ pub struct SetClaim {
     pub bounds: Vec<Bound>,
 }
 
-/// One facet of a mode's set.
+/// There is no motion whose inputs are linear between these nodes and that keeps every row: with these multipliers the
+/// rows add up to a contradiction. Holds are left out: nothing changes in them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct FacetClaim {
+pub struct InfeasibleClaim {
+    pub times_s: Vec<f64>,
+    pub waypoint_nodes: Vec<usize>,
+    pub facets: Vec<FacetRecord>,
+    pub multipliers: Vec<Multiplier>,
+}
+
+/// A row, and its multiplier in SI: one number, or one for each part of a second-order cone. Those of the dynamics are not
+/// listed; they follow.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Multiplier {
+    pub row: RowRecord,
+    pub z: Vec<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    Upper,
+    Lower,
+}
+
+/// Which row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum RowRecord {
+    /// A derivative that is zero at rest; axes count x, y, z, yaw from 0.
+    Rest {
+        node: usize,
+        axis: usize,
+        derivative: usize,
+    },
+    /// `facets[facet]` at a node.
+    Facet {
+        facet: usize,
+        node: usize,
+    },
+    /// A bound on one coordinate or rate.
+    Limit {
+        limit: usize,
+        node: usize,
+        side: Side,
+    },
+    /// A bound on a norm; `interval` tells which z''' of a jerk is meant.
+    LimitNorm {
+        limit: usize,
+        node: usize,
+        interval: usize,
+    },
+    Waypoint {
+        waypoint: usize,
+    },
+    WaypointYaw {
+        waypoint: usize,
+        side: Side,
+    },
+}
+
+/// A facet of a mode's set, by the rotors that span it and the side it is on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FacetRecord {
     pub mode: String,
     /// Three rotors, from 1, whose wrenches span it.
     pub rotors: [usize; 3],
@@ -128,7 +193,14 @@ pub struct FacetClaim {
     pub normal: [f64; 4],
     /// The largest `normal . w` over the set, before the reserve.
     pub offset: f64,
-    /// How the planned wrench keeps to it, the reserve taken off; shares of the healthy set's width.
+}
+
+/// How the planned wrench keeps to a facet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FacetClaim {
+    pub facet: FacetRecord,
+    /// The reserve taken off; shares of the healthy set's width.
     pub bounds: Vec<Bound>,
 }
 
@@ -137,8 +209,16 @@ pub fn of(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256
     let run = comparison.runs.last()?;
     match &run.ending {
         Ending::Solved(solved) => plan::certificate(model, mission, run, solved, spec_sha256),
+        Ending::Infeasible { at } if has_one_time(model, mission) => {
+            infeasible::certificate(model, mission, run, *at, spec_sha256)
+        }
         _ => None,
     }
+}
+
+/// Whether the spec leaves one mission time only, so that having no plan then is having none.
+fn has_one_time(model: &Model, mission: &Mission) -> bool {
+    matches!(model.plan.time, MissionTime::Fixed(_)) || mission.waypoints.last().is_some_and(|w| w.time.is_some())
 }
 
 impl MotionRecord {

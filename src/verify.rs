@@ -2,21 +2,24 @@
 //! and exact arithmetic. Nothing of the planner, the sets or the solver is used, so an error there does not pass here.
 
 pub mod dyadic;
+pub mod facets;
+mod infeasible;
 pub mod interval;
 mod limits;
 pub mod motion;
 pub mod plan;
 pub mod proof;
+mod schedule;
 pub mod series;
 pub mod sets;
 pub mod wrench;
 
-use crate::certificate::{Certificate, Claim, MAX_BYTES, SCHEMA};
+use crate::certificate::{Certificate, Claim, MAX_BYTES, SCHEMA, Scope};
 use crate::diagnostic::Diagnostic;
-use crate::model::Model;
+use crate::model::{FaultMode, Model, PlannerKind};
 use crate::report::number::number;
 use crate::source::Span;
-use plan::{Checker, Shown};
+use plan::Checker;
 
 /// A certificate that does not show what it claims.
 pub const REJECTED: &str = "mavc::verify::rejected";
@@ -47,7 +50,56 @@ impl Rejection {
         let message = format!("the certificate is rejected: {}{at}: {}", self.claim, self.detail);
         let error = Diagnostic::error(REJECTED, self.span.unwrap_or(model.plan.span), message);
         let error = error.here("not shown for this");
-        error.help("write the certificate anew with `mavc plan --certificate`; if it fails again, the plan does not hold")
+        error.help(
+            "write the certificate anew with `mavc plan --certificate`; if it fails again, the plan does not hold",
+        )
+    }
+}
+
+/// What stands, and where it does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shown {
+    pub statement: String,
+    /// `None` where it is about no motion.
+    pub scope: Option<Scope>,
+    /// So many of the kind.
+    pub count: usize,
+}
+
+impl Shown {
+    fn new(statement: String, scope: Scope) -> Self {
+        Shown { statement, scope: Some(scope), count: 1 }
+    }
+
+    /// A proof about all motions.
+    fn proved(statement: String) -> Self {
+        Shown { statement, scope: None, count: 1 }
+    }
+
+    fn at_nodes(statement: String) -> Self {
+        Shown::new(statement, Scope::Nodes)
+    }
+
+    /// One more of a kind.
+    fn count(shown: &mut Vec<Shown>, statement: &str, scope: Scope) {
+        match shown.iter_mut().find(|s| s.statement == statement && s.scope == Some(scope)) {
+            Some(same) => same.count += 1,
+            None => shown.push(Shown::new(statement.into(), scope)),
+        }
+    }
+}
+
+/// A fault mode by its name.
+fn mode_named<'a>(model: &'a Model, name: &str) -> Option<&'a FaultMode> {
+    model.modes.iter().find(|m| m.name == name)
+}
+
+/// The modes whose sets the spec's planner keeps to.
+fn required(model: &Model) -> Vec<String> {
+    let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i));
+    match model.plan.planner {
+        PlannerKind::Rcp if !model.plan.against.is_empty() => against.map(|m| m.name.clone()).collect(),
+        _ => vec![sets::HEALTHY.into()],
     }
 }
 
@@ -87,6 +139,10 @@ pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejec
     match &certificate.claim {
         Claim::Plan(claim) => {
             let shown = Checker::new(model, mission, certificate.model, claim)?.decide(claim)?;
+            Ok(Verdict { shown })
+        }
+        Claim::Infeasible(claim) => {
+            let shown = infeasible::decide(model, mission, certificate.model, claim)?;
             Ok(Verdict { shown })
         }
     }

@@ -1,9 +1,12 @@
 //! A certificate for a plan, from what the planner found. Bounds are the planner's own figures, rounded up; how far they
 //! reach between the nodes is asked of the checker.
 
-use super::{Bound, Certificate, Claim, DynamicModel, FacetClaim, LimitClaim, MotionRecord, PlanClaim, SCHEMA, Scope, SetClaim};
+use super::{
+    Bound, Certificate, Claim, DynamicModel, FacetClaim, FacetRecord, LimitClaim, MotionRecord, PlanClaim, SCHEMA,
+    Scope, SetClaim,
+};
 use crate::actuation::Wrench;
-use crate::admissible::{AdmissibleSet, FacetOf, HEALTHY};
+use crate::admissible::{AdmissibleSet, FacetOf};
 use crate::model::{Limit, LimitKind, Mission, Model, PlannerKind};
 use crate::planner::compare::{PlannerRun, Solved};
 use crate::planner::hover_model::{X, Y, YAW, Z};
@@ -25,7 +28,13 @@ const ROUNDING: f64 = 1e-9;
 const MISSED: [f64; 2] = [1e-6, 1e-3];
 
 /// The certificate of a run's plan. `None` where the numbers do not make a motion.
-pub fn certificate(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved, sha256: String) -> Option<Certificate> {
+pub fn certificate(
+    model: &Model,
+    mission: &Mission,
+    run: &PlannerRun,
+    solved: &Solved,
+    sha256: String,
+) -> Option<Certificate> {
     let trajectory = &solved.trajectory;
     let kind = DynamicModel::Hover;
     let mut claim = PlanClaim {
@@ -77,17 +86,18 @@ pub fn certificate(model: &Model, mission: &Mission, run: &PlannerRun, solved: &
             excess.max(0.0) / margin
         });
         let name = set.name.clone();
-        let bounds = strongest(up(nodes), between, 1.0, |bounds| checker.set(&SetClaim { mode: name.clone(), bounds }).is_ok());
+        let bounds =
+            strongest(up(nodes), between, 1.0, |bounds| checker.set(&SetClaim { mode: name.clone(), bounds }).is_ok());
         claim.sets.push(SetClaim { mode: set.name, bounds });
     }
     for row in run.set.rows.iter().filter(|r| !r.equality) {
-        let Some((mut facet, rows)) = facet(model, row) else { continue };
-        let (nodes, between) = largest(trajectory, |state| rows.excess(&wrench(state)));
+        let Some(facet) = facet_of(model, row) else { continue };
+        let (nodes, between) = largest(trajectory, |state| row.excess(&wrench(state)));
         let index = claim.facets.len();
-        facet.bounds = strongest(up(nodes), between, 1.0, |bounds| {
-            checker.facet(index, &FacetClaim { bounds, ..facet.clone() }).is_ok()
+        let bounds = strongest(up(nodes), between, 1.0, |bounds| {
+            checker.facet(index, &FacetClaim { facet: facet.clone(), bounds }).is_ok()
         });
-        claim.facets.push(facet);
+        claim.facets.push(FacetClaim { facet, bounds });
     }
     Some(Certificate { schema: SCHEMA, spec_sha256: sha256, model: kind, claim: Claim::Plan(claim) })
 }
@@ -180,22 +190,14 @@ fn set_of(model: &Model, mode: usize) -> AdmissibleSet {
     }
 }
 
-/// A facet as it is printed, without bounds, and its row; `None` in a flat set, whose facets have fewer rotors.
-fn facet<'r>(model: &Model, row: &'r SetRow) -> Option<(FacetClaim, &'r SetRow)> {
+/// The facet that a row stands for; `None` in a flat set, whose facets have fewer rotors.
+pub(super) fn facet_of(model: &Model, row: &SetRow) -> Option<FacetRecord> {
     let FacetOf { mode, facet, spanning } = *row.origin.first()?;
     let set = set_of(model, mode);
     let plane = set.polytope.facets.get(facet)?;
     let rotors: Vec<usize> = spanning.generators().collect();
-    let rotors = steepest(&set.zonotope.generators, &rotors, &plane.normal)?;
-    let mode = if mode == 0 { HEALTHY.to_string() } else { set.name.clone() };
-    let claim = FacetClaim {
-        mode,
-        rotors: rotors.map(|k| k + 1),
-        normal: plane.normal.into(),
-        offset: plane.offset,
-        bounds: Vec::new(),
-    };
-    Some((claim, row))
+    let rotors = steepest(&set.zonotope.generators, &rotors, &plane.normal)?.map(|k| k + 1);
+    Some(FacetRecord { mode: set.name, rotors, normal: plane.normal.into(), offset: plane.offset })
 }
 
 /// The three rotors of a facet whose wrenches are furthest from dependence, in coordinates of like size.

@@ -28,7 +28,8 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
         Ok(verdict) => {
             let mut table = Table::new(&["shown", "where"]);
             for shown in &verdict.shown {
-                table.row(vec![shown.statement.clone(), words(shown.scope)]);
+                let count = if shown.count > 1 { format!("{} ", shown.count) } else { String::new() };
+                table.row(vec![count + &shown.statement, words(shown.scope)]);
             }
             if !options.quiet {
                 files::print(&table.render_left(0))?;
@@ -44,10 +45,11 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     }
 }
 
-fn words(scope: Scope) -> String {
+fn words(scope: Option<Scope>) -> String {
     match scope {
-        Scope::Nodes => "checked at nodes".into(),
-        Scope::Grid(points) => format!("checked on a grid of {points} points an interval"),
-        Scope::EveryInstant => "proved for every instant".into(),
+        None => "proved".into(),
+        Some(Scope::Nodes) => "checked at nodes".into(),
+        Some(Scope::Grid(points)) => format!("checked on a grid of {points} points an interval"),
+        Some(Scope::EveryInstant) => "proved for every instant".into(),
     }
 }

@@ -23,8 +23,7 @@ impl Dyadic {
         let bits = x.to_bits();
         let (stored, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
         // Numbers below 2^-1022 have no hidden leading one.
-        let (mantissa, exponent) =
-            if stored == 0 { (fraction, -1074) } else { (fraction | 1 << 52, stored - 1075) };
+        let (mantissa, exponent) = if stored == 0 { (fraction, -1074) } else { (fraction | 1 << 52, stored - 1075) };
         let trailing = mantissa.trailing_zeros();
         let mantissa = BigInt::from(mantissa >> trailing);
         Dyadic { mantissa: if x < 0.0 { -mantissa } else { mantissa }, exponent: exponent + trailing as i32 }
@@ -106,8 +105,7 @@ pub fn orthogonal(a: &[Dyadic; 4], b: &[Dyadic; 4], c: &[Dyadic; 4]) -> [Dyadic;
             _ => [0, 1, 2],
         };
         let minor = |p: usize, q: usize| b[p].times(&c[q]).minus(&b[q].times(&c[p]));
-        let determinant =
-            a[p].times(&minor(q, r)).minus(&a[q].times(&minor(p, r))).plus(&a[r].times(&minor(p, q)));
+        let determinant = a[p].times(&minor(q, r)).minus(&a[q].times(&minor(p, r))).plus(&a[r].times(&minor(p, q)));
         if i % 2 == 0 { determinant } else { determinant.negated() }
     })
 }

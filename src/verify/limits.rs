@@ -48,7 +48,8 @@ fn bounded(kind: LimitKind, state: &State) -> Series {
 /// |d|, whose rate is at most |d'| either way: no division by a length that may vanish.
 fn length(state: &State, axes: &[usize], order: usize) -> Series {
     let squares = |order: usize| {
-        axes.iter().fold(Interval::ZERO, |sum, &axis| sum + state[axis].get(order).map_or(Interval::ZERO, |d| d.square()))
+        axes.iter()
+            .fold(Interval::ZERO, |sum, &axis| sum + state[axis].get(order).map_or(Interval::ZERO, |d| d.square()))
     };
     let parts: Vec<Series> = axes.iter().map(|&axis| series(&state[axis], order)).collect();
     let square = parts.iter().fold(Series::constant(Interval::ZERO), |sum, &p| sum + p * p);

@@ -1,20 +1,18 @@
 //! Decides what a certificate claims of a plan.
 
-use super::Rejection;
+use super::facets::spanned;
 use super::interval::Interval;
 use super::limits;
 use super::motion::{Motion, State, X, Y, YAW, Z};
 use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds};
 use super::sets::{Generators, MAX_TRIPLES, Plane, along};
 use super::wrench::Dynamics;
+use super::{Rejection, Shown, mode_named, required};
 use crate::certificate::{Bound, DynamicModel, FacetClaim, LimitClaim, PlanClaim, Scope, SetClaim};
-use crate::model::{FaultMode, Mission, MissionTime, Model, PlannerKind};
+use crate::model::{Mission, MissionTime, Model};
 use crate::report::caveats::limit_words;
 use crate::report::number::number;
 use crate::source::Span;
-
-/// The name of the set without faults.
-const HEALTHY: &str = "healthy";
 
 /// Pieces of a plan join within this, m and rad.
 pub const MOST_GAP: f64 = 1e-5;
@@ -26,17 +24,8 @@ pub const MOST_PAST_LIMIT: f64 = 1e-5;
 pub const MOST_OUTSIDE: f64 = 1e-4;
 /// Two instants are one, s.
 const SAME_TIME: f64 = 1e-9;
-/// Printed normals and offsets may be off by this share.
-const PRINTED: f64 = 1e-9;
 /// Evaluations that one certificate may cost.
 const EVALUATIONS: usize = 200_000_000;
-
-/// One claim that stands.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Shown {
-    pub statement: String,
-    pub scope: Scope,
-}
 
 /// Decides claims about one motion.
 pub struct Checker<'a> {
@@ -49,7 +38,12 @@ pub struct Checker<'a> {
 }
 
 impl<'a> Checker<'a> {
-    pub fn new(model: &'a Model, mission: &'a Mission, kind: DynamicModel, claim: &PlanClaim) -> Result<Self, Rejection> {
+    pub fn new(
+        model: &'a Model,
+        mission: &'a Mission,
+        kind: DynamicModel,
+        claim: &PlanClaim,
+    ) -> Result<Self, Rejection> {
         let motion = Motion::new(&claim.motion, kind).map_err(|why| Rejection::new("the motion", why))?;
         let first = mission.waypoints.first().map_or(0.0, |w| w.yaw);
         // As the language says: one yaw throughout is linearised there.
@@ -65,53 +59,46 @@ impl<'a> Checker<'a> {
         self.rest()?;
         self.waypoints(claim)?;
         let mut shown = vec![
-            Shown { statement: format!("{} pieces join", self.motion.pieces()), scope: Scope::Nodes },
-            Shown { statement: format!("{} waypoints met, and rest where the spec asks for it", self.mission.waypoints.len()), scope: Scope::Nodes },
+            Shown::at_nodes(format!("{} pieces join", self.motion.pieces())),
+            Shown::at_nodes(format!(
+                "{} waypoints met, and rest where the spec asks for it",
+                self.mission.waypoints.len()
+            )),
         ];
         if claim.limits.len() != self.mission.limits.len() {
-            let counts = format!("the mission has {}, the certificate tells of {}", self.mission.limits.len(), claim.limits.len());
+            let counts = format!(
+                "the mission has {}, the certificate tells of {}",
+                self.mission.limits.len(),
+                claim.limits.len()
+            );
             return Err(Rejection::new("the limits", counts));
         }
         for (index, limit) in claim.limits.iter().enumerate() {
             let scope = self.limit(index, limit)?;
-            shown.push(Shown { statement: format!("limit on {}", limit.limit), scope });
+            shown.push(Shown::new(format!("limit on {}", limit.limit), scope));
         }
-        for mode in self.required() {
+        for mode in required(self.model) {
             if !claim.sets.iter().any(|s| s.mode == mode) {
                 let why = "the planner is to stay inside it, and the certificate says nothing of it".to_string();
-                return Err(Rejection { span: self.span_of(&mode), ..Rejection::new(format!("the set of {mode}"), why) });
+                return Err(Rejection {
+                    span: self.span_of(&mode),
+                    ..Rejection::new(format!("the set of {mode}"), why)
+                });
             }
         }
         for set in &claim.sets {
             let scope = self.set(set)?;
-            shown.push(Shown { statement: format!("wrench inside the set of {}", set.mode), scope });
+            shown.push(Shown::new(format!("wrench inside the set of {}", set.mode), scope));
         }
         for (index, facet) in claim.facets.iter().enumerate() {
             let scope = self.facet(index, facet)?;
-            let [a, b, c] = facet.rotors;
-            let statement = format!("facet {} of {}, spanned by rotors {a}, {b} and {c}", index + 1, facet.mode);
-            shown.push(Shown { statement, scope });
+            Shown::count(&mut shown, &format!("facets of {} kept", facet.facet.mode), scope);
         }
         Ok(shown)
     }
 
-    /// The modes whose sets the spec's planner keeps to.
-    fn required(&self) -> Vec<String> {
-        let plan = &self.model.plan;
-        let stood: Vec<String> =
-            plan.against.iter().filter_map(|&i| self.model.modes.get(i)).map(|m| m.name.clone()).collect();
-        match plan.planner {
-            PlannerKind::Rcp if !stood.is_empty() => stood,
-            _ => vec![HEALTHY.into()],
-        }
-    }
-
-    fn mode(&self, name: &str) -> Option<&'a FaultMode> {
-        self.model.modes.iter().find(|m| m.name == name)
-    }
-
     fn span_of(&self, mode: &str) -> Option<Span> {
-        self.mode(mode).map(|m| m.span)
+        mode_named(self.model, mode).map(|m| m.span)
     }
 
     /// Node times: from zero, with fixed arrivals, holds and the mission's time as the spec says.
@@ -124,11 +111,19 @@ impl<'a> Checker<'a> {
         }
         let within = nodes.iter().all(|&n| n < times.len()) && nodes.windows(2).all(|w| w[0] < w[1]);
         if nodes.len() != points.len() || !within || nodes.first() != Some(&0) {
-            return wrong("each waypoint needs a node of its own, in flight order, the first at the start".into(), None);
+            return wrong(
+                "each waypoint needs a node of its own, in flight order, the first at the start".into(),
+                None,
+            );
         }
         for (i, (point, &node)) in points.iter().zip(nodes).enumerate() {
             if let Some(fixed) = point.time.filter(|t| !((t - times[node]).abs() <= SAME_TIME * t.max(1.0))) {
-                let why = format!("waypoint {} is due at {} s and reached at {} s", i + 1, number(fixed), number(times[node]));
+                let why = format!(
+                    "waypoint {} is due at {} s and reached at {} s",
+                    i + 1,
+                    number(fixed),
+                    number(times[node])
+                );
                 return wrong(why, point.time_span);
             }
             let Some(leaves) = self.held_until(i) else {
@@ -141,7 +136,11 @@ impl<'a> Checker<'a> {
         }
         match self.model.plan.time {
             MissionTime::Fixed(total) if !((total - times[times.len() - 1]).abs() <= SAME_TIME * total.max(1.0)) => {
-                let why = format!("the mission is to take {} s and takes {} s", number(total), number(times[times.len() - 1]));
+                let why = format!(
+                    "the mission is to take {} s and takes {} s",
+                    number(total),
+                    number(times[times.len() - 1])
+                );
                 wrong(why, Some(self.model.plan.time_span))
             }
             _ => Ok(()),
@@ -162,7 +161,12 @@ impl<'a> Checker<'a> {
         for piece in 0..self.motion.pieces() {
             let gap = self.motion.gap(piece);
             if !(gap <= claim.joins_within) {
-                let why = format!("piece {} misses the next by {} (m or rad), not by {}", piece + 1, number(gap), number(claim.joins_within));
+                let why = format!(
+                    "piece {} misses the next by {} (m or rad), not by {}",
+                    piece + 1,
+                    number(gap),
+                    number(claim.joins_within)
+                );
                 return Err(Rejection { at: Some(self.motion.times[piece + 1]), ..Rejection::new("the pieces", why) });
             }
         }
@@ -203,9 +207,8 @@ impl<'a> Checker<'a> {
         // A tolerance of a kilometre binds nothing.
         const UNBOUNDED: f64 = 1e3;
         for (i, (point, &node)) in self.mission.waypoints.iter().zip(&self.motion.waypoint_nodes).enumerate() {
-            let apart = |axis: usize, due: f64| {
-                Interval::point(self.motion.at_node(node, axis, 0)) - Interval::point(due)
-            };
+            let apart =
+                |axis: usize, due: f64| Interval::point(self.motion.at_node(node, axis, 0)) - Interval::point(due);
             let [x, y, z] = point.position;
             let distance = [(X, x), (Y, y), (Z, z)]
                 .iter()
@@ -214,8 +217,16 @@ impl<'a> Checker<'a> {
             let position = distance - Interval::point(point.within);
             let yaw = apart(YAW, point.yaw).abs() - Interval::point(point.yaw_within);
             let missed = |what: &str, by: Interval, most: f64, unit: &str| {
-                let why = format!("the {what} is missed by {} {unit} beside its tolerance, not by {}", number(by.high), number(most));
-                Err(Rejection { at: Some(self.motion.times[node]), span: Some(point.span), ..Rejection::new(format!("waypoint {}", i + 1), why) })
+                let why = format!(
+                    "the {what} is missed by {} {unit} beside its tolerance, not by {}",
+                    number(by.high),
+                    number(most)
+                );
+                Err(Rejection {
+                    at: Some(self.motion.times[node]),
+                    span: Some(point.span),
+                    ..Rejection::new(format!("waypoint {}", i + 1), why)
+                })
             };
             if point.within < UNBOUNDED && !(position.high <= claim.position_excess_m) {
                 return missed("position", position, claim.position_excess_m, "m");
@@ -238,57 +249,45 @@ impl<'a> Checker<'a> {
             let why = "the certificate names another limit than the spec";
             return Err(Rejection { span: Some(limit.span), ..Rejection::new(what, why) });
         }
-        self.bounds(&family, &claim.bounds, MOST_PAST_LIMIT * size, |_| String::new())
-            .map_err(|r| Rejection { claim: what, span: Some(limit.span), ..r })
-    }
-
-    fn generators(&mut self, mode: &str) -> Result<Generators, Rejection> {
-        let unknown = || Rejection::new(format!("the set of {mode}"), "the spec has no such mode");
-        let found = if mode == HEALTHY { None } else { Some(self.mode(mode).ok_or_else(unknown)?) };
-        Ok(Generators::new(&self.model.vehicle, self.model.gravity, found, self.model.plan.reserve))
+        self.bounds(&family, &claim.bounds, MOST_PAST_LIMIT * size, |_| String::new()).map_err(|r| Rejection {
+            claim: what,
+            span: Some(limit.span),
+            ..r
+        })
     }
 
     /// One set; the widest scope shown.
     pub fn set(&mut self, claim: &SetClaim) -> Result<Scope, Rejection> {
         let what = format!("the set of {}", claim.mode);
         let span = self.span_of(&claim.mode);
-        let generators = self.generators(&claim.mode)?;
+        let generators = Generators::of(self.model, &claim.mode)?;
         self.triples += generators.triples();
         if self.triples > MAX_TRIPLES {
-            return Err(Rejection { span, ..Rejection::new(what, "the certificate is about more sets than are checked at once") });
+            return Err(Rejection {
+                span,
+                ..Rejection::new(what, "the certificate is about more sets than are checked at once")
+            });
         }
         let planes = generators.planes().map_err(|why| Rejection { span, ..Rejection::new(what.clone(), why) })?;
-        let named = |member: usize| planes.get(member).map_or(String::new(), |p| format!(", at the plane of rotors {:?}", p.rotors));
+        let named = |member: usize| {
+            planes.get(member).map_or(String::new(), |p| format!(", at the plane of rotors {:?}", p.rotors))
+        };
         let family = wrench_family(&self.dynamics.clone(), &planes);
         self.bounds(&family, &claim.bounds, MOST_OUTSIDE, named).map_err(|r| Rejection { claim: what, span, ..r })
     }
 
     /// One facet; the widest scope shown.
     pub fn facet(&mut self, index: usize, claim: &FacetClaim) -> Result<Scope, Rejection> {
-        let what = format!("facet {} ({}, rotors {:?})", index + 1, claim.mode, claim.rotors);
-        let span = self.span_of(&claim.mode);
-        let generators = self.generators(&claim.mode)?;
-        let wrong = |why: String| Rejection { span, ..Rejection::new(what.clone(), why) };
-        let Some(facet) = generators.spanned(claim.rotors, &claim.normal) else {
-            return Err(wrong("these rotors span no facet on that side".into()));
-        };
-        let off = |printed: f64, exact: Interval, scale: f64| {
-            let gap = (Interval::point(printed) - exact).magnitude();
-            !(gap <= PRINTED * scale)
-        };
-        if let Some(i) = (0..4).find(|&i| off(claim.normal[i], facet.normal[i], 1.0)) {
-            let axis = ["T", "tau_x", "tau_y", "tau_z"][i];
-            let why = format!("the normal's {axis} is {}, not {}", number(facet.normal[i].middle()), number(claim.normal[i]));
-            return Err(wrong(why));
-        }
-        let size = facet.offset.magnitude().max(1.0);
-        if off(claim.offset, facet.offset, size) {
-            let why = format!("the offset is {}, not {}", number(facet.offset.middle()), number(claim.offset));
-            return Err(wrong(why));
-        }
-        let planes = [facet.plane];
+        let what = format!("facet {} ({}, rotors {:?})", index + 1, claim.facet.mode, claim.facet.rotors);
+        let span = self.span_of(&claim.facet.mode);
+        let plane = spanned(self.model, &claim.facet).map_err(|r| Rejection { claim: what.clone(), span, ..r })?;
+        let planes = [plane];
         let family = wrench_family(&self.dynamics.clone(), &planes);
-        self.bounds(&family, &claim.bounds, MOST_OUTSIDE, |_| String::new()).map_err(|r| Rejection { claim: what, span, ..r })
+        self.bounds(&family, &claim.bounds, MOST_OUTSIDE, |_| String::new()).map_err(|r| Rejection {
+            claim: what,
+            span,
+            ..r
+        })
     }
 
     /// Every bound stands, and one of them is close enough to mean something.
@@ -335,7 +334,11 @@ fn failed(bound: &Bound, failure: &Failure, place: String) -> Rejection {
 
 /// A tolerance that a certificate allows itself, and no more than means something.
 fn allowed(name: &str, claimed: f64, most: f64) -> Result<(), Rejection> {
-    if claimed <= most { Ok(()) } else { Err(Rejection::new(name, format!("{} is more than the {} that a plan may miss", number(claimed), number(most)))) }
+    if claimed <= most {
+        Ok(())
+    } else {
+        Err(Rejection::new(name, format!("{} is more than the {} that a plan may miss", number(claimed), number(most))))
+    }
 }
 
 /// The excess of the wrench over each plane.

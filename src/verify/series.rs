@@ -112,9 +112,7 @@ impl Sub for Series {
 impl Mul for Series {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Series(std::array::from_fn(|n| {
-            (0..=n).fold(Interval::ZERO, |sum, j| sum + self.0[j] * other.0[n - j])
-        }))
+        Series(std::array::from_fn(|n| (0..=n).fold(Interval::ZERO, |sum, j| sum + self.0[j] * other.0[n - j])))
     }
 }
 

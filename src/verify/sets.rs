@@ -7,8 +7,12 @@
 
 use super::dyadic::{Dyadic, dot, orthogonal};
 use super::interval::Interval;
-use crate::model::{FaultMode, Rotor, Spin, Vehicle};
+use super::{Rejection, mode_named};
+use crate::model::{FaultMode, Model, Rotor, Spin, Vehicle};
 use std::cmp::Ordering;
+
+/// The name of the set without faults.
+pub const HEALTHY: &str = "healthy";
 
 /// Triples of generators that one certificate may need.
 pub const MAX_TRIPLES: usize = 4_000_000;
@@ -81,6 +85,13 @@ fn is_zero(v: &Exact) -> bool {
 }
 
 impl Generators {
+    /// Of `healthy` or a fault mode, by name.
+    pub fn of(model: &Model, mode: &str) -> Result<Self, Rejection> {
+        let unknown = || Rejection::new(format!("the set of {mode}"), "the spec has no such mode");
+        let found = if mode == HEALTHY { None } else { Some(mode_named(model, mode).ok_or_else(unknown)?) };
+        Ok(Generators::new(&model.vehicle, model.gravity, found, model.plan.reserve))
+    }
+
     /// Of a mode, `None` for the healthy vehicle.
     pub fn new(vehicle: &Vehicle, gravity: f64, mode: Option<&FaultMode>, reserve: f64) -> Self {
         let healthy: Vec<Exact> = vehicle.rotors.iter().map(full_thrust).collect();
@@ -160,6 +171,19 @@ impl Generators {
             [self.plane(&normal, rotors.clone()), self.plane(&opposite, rotors)]
         };
         Ok(normals.into_iter().flat_map(both).collect())
+    }
+
+    /// The range of T, tau_x, tau_y and tau_z over the set, the reserve taken off.
+    pub fn extent(&self) -> [Interval; 4] {
+        std::array::from_fn(|axis| {
+            let reach = |sign: f64| {
+                let mut normal = zero();
+                normal[axis] = Dyadic::of(sign);
+                let plane = self.plane(&normal, Vec::new());
+                plane.offset / plane.normal[axis]
+            };
+            Interval::new(reach(-1.0).low, reach(1.0).high)
+        })
     }
 
     /// n.c + sum of max(0, n.g_k), exactly.
