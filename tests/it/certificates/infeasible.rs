@@ -21,14 +21,14 @@ fn is_infeasible(model: &Model) -> bool {
 /// Every kind of row, and a time just below the independent threshold of 15.526 s.
 #[test]
 fn what_has_no_plan_is_certified() {
-    let mut fixed = |planner, time| {
+    let fixed = |planner, time| {
         let mut model = paper_case(planner, &[0]);
         model.plan.time = MissionTime::Fixed(time);
         model.plan.reserve = 0.0;
         model
     };
     let mut models = vec![fixed(PlannerKind::Rip, 15.5), fixed(PlannerKind::Rcp, 15.9), fixed(PlannerKind::Rip, 2.0)];
-    models.extend([2.0, 4.0, 5.0].map(|time| hop(PlannerKind::Rcp, time)));
+    models.extend([2.0, 3.0, 4.0].map(|time| hop(PlannerKind::Rcp, time)));
     for model in models {
         assert!(is_infeasible(&model), "{:?}", model.plan.time);
         let certificate = certified(&model).expect("a certificate");
@@ -45,13 +45,13 @@ fn what_has_no_plan_is_certified() {
 #[test]
 fn no_multipliers_refute_a_plan() {
     let mut numbers = Numbers(10);
-    let (short, long) = (hop(PlannerKind::Rcp, 5.0), hop(PlannerKind::Rcp, 9.0));
+    let (short, long) = (hop(PlannerKind::Rcp, 4.0), hop(PlannerKind::Rcp, 9.0));
     assert!(!is_infeasible(&long));
     let certificate = certified(&short).unwrap();
     let moved = {
         let mut moved = certificate.clone();
         // The leg's share of the time in flight, half a second of which is a hold.
-        claim(&mut moved).times_s.iter_mut().for_each(|t| *t *= 8.5 / 4.5);
+        claim(&mut moved).times_s.iter_mut().for_each(|t| *t *= 8.5 / 3.5);
         moved
     };
     let refused = decide(&moved, &long).unwrap_err();
@@ -92,22 +92,22 @@ fn no_multipliers_refute_a_plan() {
 /// Another grid, another schedule, facets that do not bind: the claim would be about another mission.
 #[test]
 fn another_missions_nodes_are_refused() {
-    let model = hop(PlannerKind::Rcp, 5.0);
+    let model = hop(PlannerKind::Rcp, 4.0);
     let certificate = certified(&model).unwrap();
     let refused = |change: &dyn Fn(&mut InfeasibleClaim), of: &str| {
         let mut changed = certificate.clone();
         change(claim(&mut changed));
-        let rejection = decide(&changed, &model).unwrap_err();
+        let Err(rejection) = decide(&changed, &model) else { panic!("accepted: {of}") };
         assert!(rejection.claim.starts_with(of), "{rejection:?}");
     };
     refused(&|c| c.times_s.iter_mut().for_each(|t| *t *= 0.5), "the times");
     refused(&|c| c.times_s[3] += 1e-3, "the times");
     refused(&|c| c.waypoint_nodes[1] += 1, "the times");
-    refused(&|c| drop(c.times_s.pop()), "the times");
+    refused(&|c| c.times_s.truncate(20), "the times");
     refused(&|c| c.times_s.clear(), "the times");
     refused(&|c| c.facets[0].mode = "healthy".into(), "facet 1");
     refused(&|c| c.facets[1].mode = "M2".into(), "facet 2");
-    refused(&|c| c.facets[2].offset *= 0.99, "facet 3");
+    refused(&|c| c.facets[2].offset += 0.01, "facet 3");
     refused(&|c| c.multipliers.clear(), "that there is no plan");
     refused(&|c| c.multipliers[0].row = RowRecord::Rest { node: 4, axis: 0, derivative: 1 }, "multiplier 1");
     refused(&|c| c.multipliers[0].row = RowRecord::Rest { node: 0, axis: 9, derivative: 9 }, "multiplier 1");
