@@ -111,10 +111,10 @@ pub struct Verdict {
 }
 
 /// Reads a certificate and decides it for a checked spec with the given hash.
-pub fn verify(bytes: &[u8], model: &Model, spec_sha256: &str) -> Result<Verdict, Diagnostic> {
+pub fn verify(bytes: &[u8], model: &Model, spec_sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
     let malformed = |why: String| {
         let error = Diagnostic::error(MALFORMED, model.plan.span, format!("this is no certificate: {why}"));
-        error.here("the plan it should be about").help("give the file that `mavc plan --certificate` wrote")
+        error.here("the plan it should be about").help("give the file that `mavc plan --certificate` wrote").into()
     };
     if bytes.len() > MAX_BYTES {
         return Err(malformed(format!("it has more than {} MiB", MAX_BYTES >> 20)));
@@ -126,9 +126,9 @@ pub fn verify(bytes: &[u8], model: &Model, spec_sha256: &str) -> Result<Verdict,
     if certificate.spec_sha256 != spec_sha256 {
         let error = Diagnostic::error(OTHER_SPEC, model.plan.span, "the certificate was written for another spec");
         let error = error.here("this spec's hash is another one");
-        return Err(error.help("give the spec it was written for, with the same files and the same `--set`"));
+        return Err(error.help("give the spec it was written for, with the same files and the same `--set`").into());
     }
-    decide(&certificate, model).map_err(|r| r.diagnostic(model))
+    decide(&certificate, model).map_err(|r| r.diagnostic(model).into())
 }
 
 /// Decides a certificate that is known to be about this model.

@@ -38,7 +38,7 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
             Ok(FINE)
         }
         Err(diagnostic) => {
-            loaded.diagnostics.push(diagnostic);
+            loaded.diagnostics.push(*diagnostic);
             loaded.tell(options);
             Ok(REJECTED)
         }

@@ -1,7 +1,7 @@
 //! Facets as certificates print them: three rotors, a normal and an offset that follow from them.
 
 use super::Rejection;
-use super::interval::Interval;
+use super::interval::{Interval, exceeds};
 use super::sets::{Generators, Plane};
 use crate::certificate::FacetRecord;
 use crate::model::Model;
@@ -18,8 +18,7 @@ pub fn spanned(model: &Model, record: &FacetRecord) -> Result<Plane, Rejection> 
         return wrong("these rotors span no facet on that side".into());
     };
     let off = |printed: f64, exact: Interval, size: f64| {
-        let gap = (Interval::point(printed) - exact).magnitude();
-        gap.partial_cmp(&(PRINTED * size)).is_none_or(|order| order.is_gt())
+        exceeds((Interval::point(printed) - exact).magnitude(), PRINTED * size)
     };
     if let Some(i) = (0..4).find(|&i| off(record.normal[i], facet.normal[i], 1.0)) {
         let axis = ["T", "tau_x", "tau_y", "tau_z"][i];

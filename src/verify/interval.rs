@@ -19,6 +19,11 @@ const HALF_PI: Interval = Interval { low: FRAC_PI_2, high: FRAC_PI_2.next_up() }
 /// Arguments of sines beyond this are not reduced.
 const MOST_ANGLE: f64 = 1e6;
 
+/// Whether a number is above another; what is no number is above everything.
+pub fn exceeds(x: f64, most: f64) -> bool {
+    x.partial_cmp(&most).is_none_or(|order| order.is_gt())
+}
+
 impl Interval {
     pub const ZERO: Interval = Interval { low: 0.0, high: 0.0 };
     pub const ONE: Interval = Interval { low: 1.0, high: 1.0 };
@@ -100,7 +105,7 @@ impl Interval {
         let everything = Interval { low: -1.0, high: 1.0 };
         let middle = self.middle();
         let radius = (self - Interval::point(middle)).magnitude();
-        if radius.partial_cmp(&1.0) != Some(std::cmp::Ordering::Less) || middle.abs() > MOST_ANGLE {
+        if exceeds(radius, 1.0) || middle.abs() > MOST_ANGLE {
             return (everything, everything);
         }
         let (s, c) = sin_cos_of(middle);

@@ -43,10 +43,8 @@ impl Motion {
         if let Some(node) = record.z.iter().position(|z| z.len() != vertical + 1) {
             return Err(format!("z needs {} derivatives at node {node}", vertical + 1));
         }
-        if let Some(k) = (1..count)
-            .find(|&k| record.times_s[k].partial_cmp(&record.times_s[k - 1]) != Some(std::cmp::Ordering::Greater))
-        {
-            return Err(format!("the times do not rise at node {k}"));
+        if !record.times_s.windows(2).all(|w| w[0] < w[1]) {
+            return Err("the times do not rise".into());
         }
         let node = |k: usize| [record.x[k].to_vec(), record.y[k].to_vec(), record.z[k].clone(), record.yaw[k].to_vec()];
         Ok(Motion {

@@ -1,7 +1,7 @@
 //! Decides what a certificate claims of a plan.
 
 use super::facets::spanned;
-use super::interval::Interval;
+use super::interval::{Interval, exceeds};
 use super::limits;
 use super::motion::{Motion, State, X, Y, YAW, Z};
 use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds};
@@ -117,7 +117,7 @@ impl<'a> Checker<'a> {
             );
         }
         for (i, (point, &node)) in points.iter().zip(nodes).enumerate() {
-            if let Some(fixed) = point.time.filter(|t| !((t - times[node]).abs() <= SAME_TIME * t.max(1.0))) {
+            if let Some(fixed) = point.time.filter(|t| exceeds((t - times[node]).abs(), SAME_TIME * t.max(1.0))) {
                 let why = format!(
                     "waypoint {} is due at {} s and reached at {} s",
                     i + 1,
@@ -135,7 +135,9 @@ impl<'a> Checker<'a> {
             }
         }
         match self.model.plan.time {
-            MissionTime::Fixed(total) if !((total - times[times.len() - 1]).abs() <= SAME_TIME * total.max(1.0)) => {
+            MissionTime::Fixed(total)
+                if exceeds((total - times[times.len() - 1]).abs(), SAME_TIME * total.max(1.0)) =>
+            {
                 let why = format!(
                     "the mission is to take {} s and takes {} s",
                     number(total),
@@ -160,7 +162,7 @@ impl<'a> Checker<'a> {
         allowed("joins_within", claim.joins_within, MOST_GAP)?;
         for piece in 0..self.motion.pieces() {
             let gap = self.motion.gap(piece);
-            if !(gap <= claim.joins_within) {
+            if exceeds(gap, claim.joins_within) {
                 let why = format!(
                     "piece {} misses the next by {} (m or rad), not by {}",
                     piece + 1,
@@ -228,10 +230,10 @@ impl<'a> Checker<'a> {
                     ..Rejection::new(format!("waypoint {}", i + 1), why)
                 })
             };
-            if point.within < UNBOUNDED && !(position.high <= claim.position_excess_m) {
+            if point.within < UNBOUNDED && exceeds(position.high, claim.position_excess_m) {
                 return missed("position", position, claim.position_excess_m, "m");
             }
-            if !(yaw.high <= claim.yaw_excess_rad) {
+            if exceeds(yaw.high, claim.yaw_excess_rad) {
                 return missed("yaw", yaw, claim.yaw_excess_rad, "rad");
             }
         }
@@ -299,7 +301,7 @@ impl<'a> Checker<'a> {
         named: impl Fn(usize) -> String,
     ) -> Result<Scope, Rejection> {
         let tightest = bounds.iter().map(|b| b.excess).fold(f64::INFINITY, f64::min);
-        if !(tightest <= most) {
+        if exceeds(tightest, most) {
             return Err(Rejection::new("", format!("no bound is claimed that is at most {}", number(most))));
         }
         for bound in bounds {

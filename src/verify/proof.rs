@@ -1,6 +1,6 @@
 //! What holds at nodes, on a grid, at every instant: bounds on quantities along a motion.
 
-use super::interval::Interval;
+use super::interval::{Interval, exceeds};
 use super::motion::{Motion, State};
 use crate::certificate::{Bound, Scope};
 
@@ -11,11 +11,13 @@ pub struct Rated {
     pub rate: Interval,
 }
 
+/// The quantities asked for, in order.
+pub type Evaluate<'a> = Box<dyn Fn(&State, &[usize]) -> Vec<Rated> + 'a>;
+
 /// Some quantities that one bound is about: limits have one or two sides, sets a plane for each.
 pub struct Family<'a> {
     pub members: usize,
-    /// Those asked for, in order.
-    pub evaluate: Box<dyn Fn(&State, &[usize]) -> Vec<Rated> + 'a>,
+    pub evaluate: Evaluate<'a>,
     /// All are linear in time over each piece, so that its ends bound what lies between.
     pub linear: bool,
 }
@@ -81,8 +83,7 @@ fn at_instant(family: &Family, state: &State, at: f64, most: f64, budget: &mut B
     let everything: Vec<usize> = (0..family.members).collect();
     let enough = budget.spend(family.members);
     for (member, found) in (family.evaluate)(state, &everything).iter().enumerate() {
-        // Written so that what is no number does not pass.
-        if !(enough && found.value.high <= most) {
+        if !enough || exceeds(found.value.high, most) {
             return Err(Failure { member, at, excess: found.value.high, refuted: found.value.low > most });
         }
     }
@@ -110,7 +111,7 @@ fn throughout(
     let mut left = Vec::new();
     for ((&member, there), all) in members.iter().zip(&at_middle).zip(&over) {
         let value = (there.value + all.rate * away).meet(all.value);
-        if value.high <= most {
+        if !exceeds(value.high, most) {
             continue;
         }
         let refuted = there.value.low > most;

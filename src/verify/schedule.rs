@@ -1,6 +1,7 @@
 //! The nodes of a claim that there is no plan: those that the spec asks for, holds left out.
 
 use super::Rejection;
+use super::interval::exceeds;
 use crate::model::{Mission, MissionTime, Model};
 use crate::report::number::number;
 
@@ -34,22 +35,22 @@ pub(super) fn check(model: &Model, mission: &Mission, times: &[f64], nodes: &[us
         return wrong(format!("the spec's samples make {pieces} pieces in flight, and there are {}", times.len() - 1));
     }
     let Some(arrivals) = arrivals(mission, total) else { return wrong("some leg is left no time".into()) };
-    let same = |a: f64, b: f64| (a - b).abs() <= SAME_TIME * total.max(1.0);
+    let apart = |a: f64, b: f64| exceeds((a - b).abs(), SAME_TIME * total.max(1.0));
     for (leg, (ends, at)) in nodes.windows(2).zip(arrivals.windows(2)).enumerate() {
         let intervals = (ends[1] - ends[0]) as f64;
-        for node in ends[0]..=ends[1] {
+        for (node, &time) in times.iter().enumerate().take(ends[1] + 1).skip(ends[0]) {
             let due = at[0] + (at[1] - at[0]) * (node - ends[0]) as f64 / intervals;
-            if !same(due, times[node]) {
+            if apart(due, time) {
                 return wrong(format!(
                     "node {node} on leg {} is due at {} s in flight and stands at {} s",
                     leg + 1,
                     number(due),
-                    number(times[node])
+                    number(time)
                 ));
             }
         }
     }
-    if times.windows(2).any(|w| w[0].partial_cmp(&w[1]) != Some(std::cmp::Ordering::Less)) {
+    if !times.windows(2).all(|w| w[0] < w[1]) {
         return wrong("they do not rise".into());
     }
     Ok(total)
@@ -70,9 +71,7 @@ fn arrivals(mission: &Mission, total: f64) -> Option<Vec<f64>> {
         let held: f64 = points[from..to].iter().map(|w| w.hold).sum();
         let free = due - left_at - held;
         let shares: f64 = mission.legs[from..to].iter().map(|l| l.share).sum();
-        if free.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
-            return None;
-        }
+        let free = Some(free).filter(|f| *f > 0.0)?;
         for leg in &mission.legs[from..to] {
             flown.push(flown[flown.len() - 1] + free * leg.share / shares);
         }

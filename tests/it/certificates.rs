@@ -3,6 +3,7 @@
 
 mod arithmetic;
 mod command;
+mod exact;
 mod infeasible;
 mod sets;
 mod tampering;

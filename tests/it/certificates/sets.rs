@@ -38,10 +38,10 @@ fn assert_same(model: &Model, mode: Option<usize>, reserve: f64, numbers: &mut N
     }
     assert!(inside > 200 && outside > 200, "{}: {inside}", set.name);
     let extent = generators.extent();
-    for axis in 0..4 {
+    for (axis, range) in extent.iter().enumerate() {
         let n = Wrench::from_fn(|i, _| f64::from(u8::from(i == axis)));
         let shrunk = |n: &Wrench| n.dot(&set.hover) + (1.0 - reserve) * (set.zonotope.support(n) - n.dot(&set.hover));
-        assert!((extent[axis].high - shrunk(&n)).abs() < 1e-9 && (extent[axis].low + shrunk(&-n)).abs() < 1e-9);
+        assert!((range.high - shrunk(&n)).abs() < 1e-9 && (range.low + shrunk(&-n)).abs() < 1e-9);
     }
 }
 

@@ -81,8 +81,8 @@ fn flown(t: &Trajectory, mission: &Mission, claim: &PlanClaim) -> Option<String>
         let h = t.times[k + 1] - t.times[k];
         let end = t.within(k, h);
         for (axis, order) in [(X, 4), (Y, 4), (Z, 2), (YAW, 2)] {
-            for i in 0..order {
-                let gap = (end[axis][i] - t.nodes[k + 1][axis][i]).abs() * h.powi(i as i32);
+            for (i, (a, b)) in end[axis].iter().zip(&t.nodes[k + 1][axis]).take(order).enumerate() {
+                let gap = (a - b).abs() * h.powi(i as i32);
                 if gap > claim.joins_within + CLEAR {
                     return Some(format!("gap {gap} after piece {k}"));
                 }

@@ -12,10 +12,10 @@ use mavc::verify::motion::{Motion, State};
 use mavc::verify::wrench::{Dynamics, Wrench};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-const G: f64 = 9.81;
+pub const G: f64 = 9.81;
 
 /// Polynomials of degree 5 for x, y, z and of degree 3 for yaw: derivatives at time 0.
-type Path = [[f64; 6]; 4];
+pub type Path = [[f64; 6]; 4];
 
 fn path(numbers: &mut Numbers) -> Path {
     let mut path = [[0.0; 6]; 4];
@@ -29,7 +29,7 @@ fn path(numbers: &mut Numbers) -> Path {
     path
 }
 
-fn at(path: &Path, t: f64) -> Path {
+pub fn at(path: &Path, t: f64) -> Path {
     path.map(|d| std::array::from_fn(|i| (i..6).rev().fold(0.0, |sum, j| d[j] + sum * t / (j + 1 - i) as f64)))
 }
 
@@ -53,7 +53,7 @@ fn rates(path: &Path, t: f64) -> Vector3<f64> {
     Vector3::new(m[(2, 1)], m[(0, 2)], m[(1, 0)])
 }
 
-fn exact_by_differences(path: &Path, vehicle: &Vehicle, t: f64) -> [f64; 4] {
+pub fn exact_by_differences(path: &Path, vehicle: &Vehicle, t: f64) -> [f64; 4] {
     let h = 1e-3;
     let omega = rates(path, t);
     let turning = (rates(path, t - 2.0 * h) - rates(path, t + 2.0 * h)
