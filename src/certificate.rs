@@ -204,15 +204,29 @@ pub struct FacetClaim {
     pub bounds: Vec<Bound>,
 }
 
-/// The certificate of the last run's outcome, where it has one.
-pub fn of(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Option<Certificate> {
-    let run = comparison.runs.last()?;
-    match &run.ending {
-        Ending::Solved(solved) => plan::certificate(model, mission, run, solved, spec_sha256),
-        Ending::Infeasible { at } if has_one_time(model, mission) => {
+/// The certificate of the last run's outcome. It is checked before it is given: what is written is accepted.
+///
+/// # Errors
+/// Why there is none.
+pub fn of(
+    model: &Model,
+    mission: &Mission,
+    comparison: &Comparison,
+    spec_sha256: String,
+) -> Result<Certificate, String> {
+    match comparison.runs.last().map(|run| (run, &run.ending)) {
+        Some((run, Ending::Solved(solved))) => {
+            let certificate = plan::certificate(model, mission, run, solved, spec_sha256)?;
+            match crate::verify::decide(&certificate, model) {
+                Ok(_) => Ok(certificate),
+                Err(rejection) => Err(format!("{}: {}", rejection.claim, rejection.detail)),
+            }
+        }
+        Some((run, Ending::Infeasible { at })) if has_one_time(model, mission) => {
             infeasible::certificate(model, mission, run, *at, spec_sha256)
         }
-        _ => None,
+        Some((_, Ending::Infeasible { .. })) => Err("no plan at many times is more than a certificate says".into()),
+        _ => Err("there is no verdict".into()),
     }
 }
 

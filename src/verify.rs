@@ -14,7 +14,7 @@ pub mod series;
 pub mod sets;
 pub mod wrench;
 
-use crate::certificate::{Certificate, Claim, MAX_BYTES, SCHEMA, Scope};
+use crate::certificate::{Bound, Certificate, Claim, MAX_BYTES, SCHEMA, Scope};
 use crate::diagnostic::Diagnostic;
 use crate::model::{FaultMode, Model, PlannerKind};
 use crate::report::number::number;
@@ -56,35 +56,43 @@ impl Rejection {
     }
 }
 
+/// How far a claim is shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// `None` where it is about no motion.
+    pub scope: Option<Scope>,
+    /// A wider scope, and by how much the quantity exceeds what it may be there, where that is more than nothing.
+    pub beyond: Option<Bound>,
+}
+
 /// What stands, and where it does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shown {
     pub statement: String,
-    /// `None` where it is about no motion.
-    pub scope: Option<Scope>,
+    pub reach: Reach,
     /// So many of the kind.
     pub count: usize,
 }
 
 impl Shown {
-    fn new(statement: String, scope: Scope) -> Self {
-        Shown { statement, scope: Some(scope), count: 1 }
+    fn new(statement: String, reach: Reach) -> Self {
+        Shown { statement, reach, count: 1 }
+    }
+
+    fn at_nodes(statement: String) -> Self {
+        Shown::new(statement, Reach { scope: Some(Scope::Nodes), beyond: None })
     }
 
     /// A proof about all motions.
     fn proved(statement: String) -> Self {
-        Shown { statement, scope: None, count: 1 }
-    }
-
-    fn at_nodes(statement: String) -> Self {
-        Shown::new(statement, Scope::Nodes)
+        Shown::new(statement, Reach { scope: None, beyond: None })
     }
 
     /// One more of a kind.
-    fn count(shown: &mut Vec<Shown>, statement: &str, scope: Scope) {
-        match shown.iter_mut().find(|s| s.statement == statement && s.scope == Some(scope)) {
+    fn count(shown: &mut Vec<Shown>, statement: &str, reach: Reach) {
+        match shown.iter_mut().find(|s| s.statement == statement && s.reach == reach) {
             Some(same) => same.count += 1,
-            None => shown.push(Shown::new(statement.into(), scope)),
+            None => shown.push(Shown::new(statement.into(), reach)),
         }
     }
 }

@@ -20,29 +20,37 @@ const COST: f64 = 1e-12;
 /// Multipliers below this share of the largest are left out, if the others show it still.
 const NEGLIGIBLE: [f64; 4] = [1e-6, 1e-8, 1e-10, 0.0];
 
-/// The certificate that `run` has no plan at `total` seconds. `None` where yaw changes, the start is not at rest, some
-/// facet has no three rotors, or the multipliers found do not show it.
+/// The certificate that `run` has no plan at `total` seconds.
+///
+/// # Errors
+/// Where yaw changes, some facet has no three rotors, or the multipliers found do not show it; they cannot where the start
+/// is not at rest.
 pub fn certificate(
     model: &Model,
     mission: &Mission,
     run: &PlannerRun,
     total: f64,
     sha256: String,
-) -> Option<Certificate> {
+) -> Result<Certificate, String> {
     let healthy = AdmissibleSet::healthy(model);
     let mut engine = Engine::new(model, mission, &healthy);
-    let layout = engine.layout(total, model.plan.samples).ok()??;
-    let YawPlan::Free { .. } = layout.yaw else { return None };
+    let layout = match engine.layout(total, model.plan.samples) {
+        Ok(Some(layout)) => layout,
+        Ok(None) => return Err("fixed times and holds leave some leg no time".into()),
+        Err(_) => return Err("yaw alone has no plan".into()),
+    };
+    let YawPlan::Free { .. } = layout.yaw else { return Err("yaw changes, and was planned first".into()) };
     let maps = layout.yaw.maps(model, layout.flown.nodes());
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());
     let program = form.full_program(Purpose::Overshoot { epsilon: COST });
     let z = match solve(&program).0 {
         Outcome::Solved(solution) => solution.z,
         Outcome::Infeasible { certificate } => certificate,
-        Outcome::Inconclusive { .. } => return None,
+        Outcome::Inconclusive { .. } => return Err("no multipliers were found".into()),
     };
-    let facets = run.set.rows.iter().map(|row| facet_of(model, row)).collect::<Option<Vec<FacetRecord>>>()?;
-    let every = multipliers(&program, &z, form.tau(), mission)?;
+    let facets = run.set.rows.iter().map(|row| facet_of(model, row)).collect::<Option<Vec<FacetRecord>>>();
+    let facets = facets.ok_or("a flat set has facets that no three rotors span")?;
+    let every = multipliers(&program, &z, form.tau(), mission).ok_or("a row of the program has no name")?;
     let size = |m: &Multiplier| m.z.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let largest = every.iter().map(size).fold(0.0, f64::max);
     let of = |share: f64| InfeasibleClaim {
@@ -58,7 +66,8 @@ pub fn certificate(
         claim: Claim::Infeasible(of(share)),
     });
     // What does not show it is not written.
-    written.into_iter().find(|certificate| verify::decide(certificate, model).is_ok())
+    let mut shown = written.into_iter().filter(|certificate| verify::decide(certificate, model).is_ok());
+    shown.next().ok_or_else(|| "the multipliers found do not show it".into())
 }
 
 /// The multipliers of all rows but the dynamics'. Rows of one origin follow each other in the program: the sides of a

@@ -27,16 +27,19 @@ const ROUNDING: f64 = 1e-9;
 /// Tried in turn as bounds for every instant: what the looks at the motion may have missed, as a share of the size.
 const MISSED: [f64; 2] = [1e-6, 1e-3];
 
-/// The certificate of a run's plan. `None` where the numbers do not make a motion.
+/// The certificate of a run's plan.
+///
+/// # Errors
+/// Where the numbers do not make a motion.
 pub fn certificate(
     model: &Model,
     mission: &Mission,
     run: &PlannerRun,
     solved: &Solved,
     sha256: String,
-) -> Option<Certificate> {
+) -> Result<Certificate, String> {
     let trajectory = &solved.trajectory;
-    let kind = DynamicModel::Hover;
+    let kind = model_of(trajectory);
     let mut claim = PlanClaim {
         motion: motion(trajectory, kind),
         joins_within: 0.0,
@@ -46,7 +49,7 @@ pub fn certificate(
         sets: Vec::new(),
         facets: Vec::new(),
     };
-    claim.joins_within = up(joins(trajectory));
+    claim.joins_within = up(joins(trajectory, kind));
     for (w, &node) in mission.waypoints.iter().zip(&trajectory.waypoint_nodes) {
         let state = &trajectory.nodes[node];
         let distance = (0..3).map(|i| (state[i][0] - w.position[i]).powi(2)).sum::<f64>().sqrt();
@@ -58,11 +61,11 @@ pub fn certificate(
     // Without a bounded tolerance there is nothing to exceed.
     claim.position_excess_m = up(if claim.position_excess_m.is_finite() { claim.position_excess_m } else { 0.0 });
     claim.yaw_excess_rad = up(claim.yaw_excess_rad);
-    let mut checker = Checker::new(model, mission, kind, &claim).ok()?;
+    let mut checker = Checker::new(model, mission, kind, &claim).map_err(|r| r.detail)?;
     let healthy = AdmissibleSet::healthy(model);
     let wrench = |state: &NodeState| trajectory.wrench(&model.vehicle, model.gravity, state);
     for (index, limit) in mission.limits.iter().enumerate() {
-        let (nodes, between) = largest(trajectory, |state| limit_excess(limit, state, model.gravity));
+        let (nodes, between) = largest(trajectory, kind, |state| limit_excess(limit, state, model.gravity));
         let told = LimitClaim {
             limit: limit_words(limit.kind).0.into(),
             lower: limit.lower,
@@ -80,7 +83,7 @@ pub fn certificate(
         let rows = PlanningSet::of(&[&set.with_reserve(model.plan.reserve)], &healthy).rows;
         // A wrench that passes the facets by a share leaves the set, seen from hover, by that share over hover's margin.
         let margin = rows.iter().filter(|r| !r.equality).map(|r| -r.excess(&set.hover)).fold(1.0, f64::min);
-        let (nodes, between) = largest(trajectory, |state| {
+        let (nodes, between) = largest(trajectory, kind, |state| {
             let wrench = wrench(state);
             let excess = rows.iter().map(|row| row.excess(&wrench)).fold(f64::NEG_INFINITY, f64::max);
             excess.max(0.0) / margin
@@ -92,44 +95,53 @@ pub fn certificate(
     }
     for row in run.set.rows.iter().filter(|r| !r.equality) {
         let Some(facet) = facet_of(model, row) else { continue };
-        let (nodes, between) = largest(trajectory, |state| row.excess(&wrench(state)));
+        let (nodes, between) = largest(trajectory, kind, |state| row.excess(&wrench(state)));
         let index = claim.facets.len();
         let bounds = strongest(up(nodes), between, 1.0, |bounds| {
             checker.facet(index, &FacetClaim { facet: facet.clone(), bounds }).is_ok()
         });
         claim.facets.push(FacetClaim { facet, bounds });
     }
-    Some(Certificate { schema: SCHEMA, spec_sha256: sha256, model: kind, claim: Claim::Plan(claim) })
+    Ok(Certificate { schema: SCHEMA, spec_sha256: sha256, model: kind, claim: Claim::Plan(claim) })
 }
 
 fn up(x: f64) -> f64 {
     x + ROUNDING * (1.0 + x.abs())
 }
 
-fn motion(trajectory: &Trajectory, kind: DynamicModel) -> MotionRecord {
-    let highest = match kind {
+/// The equations that the plan follows.
+fn model_of(_: &Trajectory) -> DynamicModel {
+    DynamicModel::Hover
+}
+
+/// The input's derivative order of z.
+fn vertical(kind: DynamicModel) -> usize {
+    match kind {
         DynamicModel::Hover => 2,
         DynamicModel::Exact => 4,
-    };
+    }
+}
+
+fn motion(trajectory: &Trajectory, kind: DynamicModel) -> MotionRecord {
     let nodes = &trajectory.nodes;
     MotionRecord {
         times_s: trajectory.times.clone(),
         x: nodes.iter().map(|s| s[X]).collect(),
         y: nodes.iter().map(|s| s[Y]).collect(),
-        z: nodes.iter().map(|s| s[Z][..=highest].to_vec()).collect(),
+        z: nodes.iter().map(|s| s[Z][..=vertical(kind)].to_vec()).collect(),
         yaw: nodes.iter().map(|s| [s[YAW][0], s[YAW][1], s[YAW][2]]).collect(),
         waypoint_nodes: trajectory.waypoint_nodes.clone(),
     }
 }
 
 /// The widest gap between pieces, |gap of derivative i| h^i.
-fn joins(trajectory: &Trajectory) -> f64 {
+fn joins(trajectory: &Trajectory, kind: DynamicModel) -> f64 {
     let mut widest = 0.0_f64;
     for k in 0..trajectory.intervals() {
         let h = trajectory.times[k + 1] - trajectory.times[k];
         let (end, next) = (trajectory.within(k, h), &trajectory.nodes[k + 1]);
         for (axis, derivatives) in next.iter().enumerate() {
-            let orders = derivatives.iter().enumerate().take(crate::planner::hover_model::ORDER[axis]);
+            let orders = derivatives.iter().enumerate().take([4, 4, vertical(kind), 2][axis]);
             let gaps = orders.map(|(i, d)| (end[axis][i] - d).abs() * h.powi(i as i32));
             widest = gaps.fold(widest, f64::max);
         }
@@ -138,14 +150,15 @@ fn joins(trajectory: &Trajectory) -> f64 {
 }
 
 /// The largest value at the nodes, as either piece beside them has it, and between.
-fn largest(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> (f64, f64) {
+fn largest(trajectory: &Trajectory, kind: DynamicModel, quantity: impl Fn(&NodeState) -> f64) -> (f64, f64) {
     let (mut nodes, mut between) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
     for k in 0..trajectory.intervals() {
         let h = trajectory.times[k + 1] - trajectory.times[k];
         let mut last = trajectory.nodes[k + 1];
-        // z''' is constant over a piece of the hover model.
-        let slopes = trajectory.within(k, h);
-        last[Z][3] = slopes[Z][3];
+        if kind == DynamicModel::Hover {
+            // z''' is constant over a piece, and jumps at nodes.
+            last[Z][3] = trajectory.within(k, h)[Z][3];
+        }
         nodes = nodes.max(quantity(&trajectory.within(k, 0.0))).max(quantity(&last));
         for i in 1..=LOOKS {
             between = between.max(quantity(&trajectory.within(k, h * i as f64 / (LOOKS + 1) as f64)));

@@ -28,6 +28,12 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
         return refused(&loaded, &model, report.as_ref());
     };
+    let certified = proof.as_ref().map(|target| {
+        let begin = Instant::now();
+        let certificate = certificate::of(&model, &mission, &comparison, loaded.sha256());
+        timing(options, "certify", begin);
+        (target, certificate)
+    });
     let begin = Instant::now();
     let mut results = Vec::new();
     let code = match comparison.runs.last().map(|r| &r.ending) {
@@ -38,13 +44,10 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         }
         _ => no_plan_code(&comparison),
     };
-    if let Some(target) = &proof {
-        let began = Instant::now();
-        match certificate::of(&model, &mission, &comparison, loaded.sha256()) {
-            Some(record) => results.push((target, json(&record)?)),
-            None => files::tell("mavc: no certificate is written: this outcome has none\n"),
-        }
-        timing(options, "certify", began);
+    match &certified {
+        Some((target, Ok(record))) => results.push((target, json(record)?)),
+        Some((_, Err(why))) => files::tell(&format!("mavc: no certificate is written: {why}\n")),
+        None => {}
     }
     if let Some(target) = &report {
         results.push((target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?));

@@ -3,8 +3,9 @@
 use super::spec::{self, timing};
 use super::{FINE, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, files};
 use crate::certificate::{MAX_BYTES, Scope};
+use crate::report::number::number;
 use crate::report::table::Table;
-use crate::verify::verify;
+use crate::verify::{Reach, verify};
 use std::time::Instant;
 
 pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
@@ -29,7 +30,7 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
             let mut table = Table::new(&["shown", "where"]);
             for shown in &verdict.shown {
                 let count = if shown.count > 1 { format!("{} ", shown.count) } else { String::new() };
-                table.row(vec![count + &shown.statement, words(shown.scope)]);
+                table.row(vec![count + &shown.statement, words(shown.reach)]);
             }
             if !options.quiet {
                 files::print(&table.render_left(0))?;
@@ -45,11 +46,14 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     }
 }
 
-fn words(scope: Option<Scope>) -> String {
-    match scope {
+fn words(reach: Reach) -> String {
+    let shown = match reach.scope {
         None => "proved".into(),
         Some(Scope::Nodes) => "checked at nodes".into(),
         Some(Scope::Grid(points)) => format!("checked on a grid of {points} points an interval"),
         Some(Scope::EveryInstant) => "proved for every instant".into(),
-    }
+    };
+    let Some(beyond) = reach.beyond else { return shown };
+    let seen = if beyond.scope == Scope::EveryInstant { "at any instant" } else { "on a grid" };
+    format!("{shown}; passed {seen} by at most {}", number(beyond.excess))
 }

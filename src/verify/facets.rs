@@ -10,6 +10,16 @@ use crate::report::number::number;
 /// Printed normals and offsets may be off by this share.
 const PRINTED: f64 = 1e-9;
 
+/// Facets of one certificate.
+const MAX_FACETS: usize = 50_000;
+
+pub(super) fn few<T>(facets: &[T]) -> Result<(), Rejection> {
+    if facets.len() <= MAX_FACETS {
+        return Ok(());
+    }
+    Err(Rejection::new("the facets", format!("there are {}, and {MAX_FACETS} are checked at once", facets.len())))
+}
+
 /// The half-space that the rotors span, once the printed normal and offset are found to be its.
 pub fn spanned(model: &Model, record: &FacetRecord) -> Result<Plane, Rejection> {
     let wrong = |why: String| Err(Rejection::new("the facet", why));

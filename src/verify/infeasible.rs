@@ -7,7 +7,7 @@
 //! to the first waypoint's tolerance, and the sets bound the inputs; where the largest value over all of these is negative,
 //! there is no plan.
 
-use super::facets::spanned;
+use super::facets::{few, spanned};
 use super::interval::Interval;
 use super::motion::{X, Y, YAW, Z};
 use super::schedule;
@@ -19,6 +19,9 @@ use crate::report::number::number;
 
 /// A plan may miss a waypoint by this much beside its tolerance, m; yaw in proportion.
 const FEASIBLE: f64 = 1e-6;
+
+/// A tolerance of a kilometre binds nothing, m.
+const UNBOUNDED: f64 = 1e3;
 
 /// The input's derivative order: x and y are quadruple integrators (45), z and yaw double ones (44).
 const ORDER: [usize; 4] = [4, 4, 2, 2];
@@ -75,6 +78,7 @@ pub(super) fn decide(
         return outside("multipliers are checked for one yaw throughout and a start at rest");
     }
     let total = schedule::check(model, mission, &claim.times_s, &claim.waypoint_nodes)?;
+    few(&claim.facets)?;
     let mut planes = Vec::new();
     for (index, facet) in claim.facets.iter().enumerate() {
         let named = |r: Rejection| Rejection {
@@ -89,7 +93,10 @@ pub(super) fn decide(
     let rows = Rows { model, mission, claim, planes, yaw: Interval::point(first.yaw).sin_cos() };
     let most = rows.largest()?;
     if most.high < 0.0 {
-        let statement = format!("no plan of {} s with {} pieces in flight", number(total), claim.times_s.len() - 1);
+        let selected = claim.facets.iter().any(|f| !required(model).contains(&f.mode));
+        let keeping = if selected { " keeps the facets selected" } else { "" };
+        let pieces = claim.times_s.len() - 1;
+        let statement = format!("no plan of {} s with {pieces} pieces in flight{keeping}", number(total));
         Ok(vec![Shown::proved(statement)])
     } else {
         let why = format!("the rows, weighted, add up to {} at most, which contradicts nothing", number(most.high));
@@ -137,7 +144,9 @@ impl Rows<'_> {
         let [x, y, z] = start.position;
         let (near, turned) = self.tolerances(0);
         for (axis, due, reach) in [(X, x, near), (Y, y, near), (Z, z, near), (YAW, start.yaw, turned)] {
-            most = most + sums[0][axis][0] * (Interval::point(due) + Interval::around_zero(reach.high));
+            let near = Interval::point(due) + Interval::around_zero(reach.high);
+            let at = if axis != YAW && start.within >= UNBOUNDED { Interval::WHOLE } else { near };
+            most = most + sums[0][axis][0] * at;
         }
         Ok(most)
     }
@@ -232,6 +241,9 @@ impl Rows<'_> {
             }
             RowRecord::Waypoint { waypoint } => {
                 let (point, node) = of_waypoint(waypoint)?;
+                if point.within >= UNBOUNDED {
+                    return Err(format!("waypoint {waypoint} has no tolerance that binds"));
+                }
                 let mut parts = vec![Expression::constant(self.tolerances(waypoint).0)];
                 for (axis, due) in [X, Y, Z].into_iter().zip(point.position) {
                     parts.push(Expression::of(node, axis, 0).minus(Interval::point(due)));

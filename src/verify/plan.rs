@@ -1,13 +1,13 @@
 //! Decides what a certificate claims of a plan.
 
-use super::facets::spanned;
+use super::facets::{few, spanned};
 use super::interval::{Interval, exceeds};
 use super::limits;
 use super::motion::{Motion, State, X, Y, YAW, Z};
 use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds};
 use super::sets::{Generators, MAX_TRIPLES, Plane, along};
 use super::wrench::Dynamics;
-use super::{Rejection, Shown, mode_named, required};
+use super::{Reach, Rejection, Shown, mode_named, required};
 use crate::certificate::{Bound, DynamicModel, FacetClaim, LimitClaim, PlanClaim, Scope, SetClaim};
 use crate::model::{Mission, MissionTime, Model};
 use crate::report::caveats::limit_words;
@@ -74,8 +74,8 @@ impl<'a> Checker<'a> {
             return Err(Rejection::new("the limits", counts));
         }
         for (index, limit) in claim.limits.iter().enumerate() {
-            let scope = self.limit(index, limit)?;
-            shown.push(Shown::new(format!("limit on {}", limit.limit), scope));
+            let reach = self.limit(index, limit)?;
+            shown.push(Shown::new(format!("limit on {}", limit.limit), reach));
         }
         for mode in required(self.model) {
             if !claim.sets.iter().any(|s| s.mode == mode) {
@@ -87,12 +87,13 @@ impl<'a> Checker<'a> {
             }
         }
         for set in &claim.sets {
-            let scope = self.set(set)?;
-            shown.push(Shown::new(format!("wrench inside the set of {}", set.mode), scope));
+            let reach = self.set(set)?;
+            shown.push(Shown::new(format!("wrench inside the set of {}", set.mode), reach));
         }
+        few(&claim.facets)?;
         for (index, facet) in claim.facets.iter().enumerate() {
-            let scope = self.facet(index, facet)?;
-            Shown::count(&mut shown, &format!("facets of {} kept", facet.facet.mode), scope);
+            let reach = self.facet(index, facet)?;
+            Shown::count(&mut shown, &format!("facets of {} kept", facet.facet.mode), reach);
         }
         Ok(shown)
     }
@@ -240,8 +241,8 @@ impl<'a> Checker<'a> {
         Ok(())
     }
 
-    /// One limit; the widest scope shown.
-    pub fn limit(&mut self, index: usize, claim: &LimitClaim) -> Result<Scope, Rejection> {
+    /// One limit, and how far it is shown.
+    pub fn limit(&mut self, index: usize, claim: &LimitClaim) -> Result<Reach, Rejection> {
         let limit = &self.mission.limits[index];
         let size = limit.upper.unwrap_or(0.0).abs().max(limit.lower.unwrap_or(0.0).abs()).max(1.0);
         let family = limits::family(limit, self.model.gravity);
@@ -258,8 +259,8 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// One set; the widest scope shown.
-    pub fn set(&mut self, claim: &SetClaim) -> Result<Scope, Rejection> {
+    /// One set, and how far it is shown.
+    pub fn set(&mut self, claim: &SetClaim) -> Result<Reach, Rejection> {
         let what = format!("the set of {}", claim.mode);
         let span = self.span_of(&claim.mode);
         let generators = Generators::of(self.model, &claim.mode)?;
@@ -278,8 +279,8 @@ impl<'a> Checker<'a> {
         self.bounds(&family, &claim.bounds, MOST_OUTSIDE, named).map_err(|r| Rejection { claim: what, span, ..r })
     }
 
-    /// One facet; the widest scope shown.
-    pub fn facet(&mut self, index: usize, claim: &FacetClaim) -> Result<Scope, Rejection> {
+    /// One facet, and how far it is shown.
+    pub fn facet(&mut self, index: usize, claim: &FacetClaim) -> Result<Reach, Rejection> {
         let what = format!("facet {} ({}, rotors {:?})", index + 1, claim.facet.mode, claim.facet.rotors);
         let span = self.span_of(&claim.facet.mode);
         let plane = spanned(self.model, &claim.facet).map_err(|r| Rejection { claim: what.clone(), span, ..r })?;
@@ -299,7 +300,7 @@ impl<'a> Checker<'a> {
         bounds: &[Bound],
         most: f64,
         named: impl Fn(usize) -> String,
-    ) -> Result<Scope, Rejection> {
+    ) -> Result<Reach, Rejection> {
         let tightest = bounds.iter().map(|b| b.excess).fold(f64::INFINITY, f64::min);
         if exceeds(tightest, most) {
             return Err(Rejection::new("", format!("no bound is claimed that is at most {}", number(most))));
@@ -310,8 +311,10 @@ impl<'a> Checker<'a> {
             }
             holds(family, &self.motion, bound, &mut self.budget).map_err(|f| failed(bound, &f, named(f.member)))?;
         }
-        let widest = bounds.iter().filter(|b| b.excess <= most).map(|b| b.scope);
-        Ok(widest.max_by_key(rank).unwrap_or(Scope::Nodes))
+        let close = bounds.iter().filter(|b| b.excess <= most).map(|b| b.scope);
+        let scope = close.max_by_key(rank).unwrap_or(Scope::Nodes);
+        let beyond = bounds.iter().filter(|b| rank(&b.scope) > rank(&scope)).copied();
+        Ok(Reach { scope: Some(scope), beyond: beyond.max_by_key(|b| rank(&b.scope)) })
     }
 }
 

@@ -15,7 +15,7 @@ use std::cmp::Ordering;
 pub const HEALTHY: &str = "healthy";
 
 /// Triples of generators that one certificate may need.
-pub const MAX_TRIPLES: usize = 4_000_000;
+pub const MAX_TRIPLES: usize = 500_000;
 
 type Exact = [Dyadic; 4];
 

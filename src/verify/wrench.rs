@@ -53,7 +53,7 @@ impl Dynamics<'_> {
     }
 
     /// The thrust carries m (p'' + g e_z) along b_3; of ZYX angles the heading is that of b_1, which is therefore
-    /// orthogonal to y_C = (-s, c, 0). With R' = R [omega]: p = -b_2.b_3', q = b_1.b_3', r = b_2.b_1'; then
+    /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3', q = b_1.b_3', r = b_2.b_1'; then
     /// tau = J omega' + omega x J omega.
     fn exact(&self, state: &State) -> [Series; 4] {
         let g = Series::constant(Interval::point(self.gravity));

@@ -60,10 +60,24 @@ fn hop(planner: PlannerKind, time: f64) -> Model {
     model
 }
 
+/// The checker uses nothing that the planner is made of.
+#[test]
+fn the_checker_stands_alone() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let rooms = std::fs::read_dir(root.join("verify")).unwrap().map(|entry| entry.unwrap().path());
+    for file in rooms.chain([root.join("verify.rs")]) {
+        let text = std::fs::read_to_string(&file).unwrap();
+        for room in ["actuation", "admissible", "flight", "geometry", "planner", "qp", "solve", "trajectory"] {
+            assert!(!text.contains(&format!("crate::{room}")), "{} uses {room}", file.display());
+        }
+        assert!(!text.contains("nalgebra"), "{}", file.display());
+    }
+}
+
 fn planned(model: &Model) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
 }
 
 fn certified(model: &Model) -> Option<Certificate> {
-    mavc::certificate::of(model, model.mission.as_ref().unwrap(), &planned(model), SHA.into())
+    mavc::certificate::of(model, model.mission.as_ref().unwrap(), &planned(model), SHA.into()).ok()
 }

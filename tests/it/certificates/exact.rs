@@ -133,8 +133,12 @@ fn exact_motions_are_proved_at_every_instant() {
     let model = model();
     let certificate = certificate(&model);
     let verdict = decide(&certificate, &model).unwrap();
-    let proved = verdict.shown.iter().filter(|s| s.scope == Some(Scope::EveryInstant)).count();
+    let proved = verdict.shown.iter().filter(|s| s.reach.scope == Some(Scope::EveryInstant)).count();
     assert_eq!(proved, 4, "{verdict:?}");
+    // Grids are weaker claims, and have a size.
+    let on_grid = |points| changed(&certificate, |c| c.sets[0].bounds[0].scope = Scope::Grid(points));
+    assert!(decide(&on_grid(10), &model).is_ok());
+    assert!(decide(&on_grid(100_000), &model).unwrap_err().detail.contains("1000 points"));
     // A little less than what was sampled is false, and found to be.
     let tighter = changed(&certificate, |c| c.sets[0].bounds[0].excess -= 2e-3);
     let rejection = decide(&tighter, &model).unwrap_err();
