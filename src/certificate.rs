@@ -61,8 +61,8 @@ pub struct PlanClaim {
     pub facets: Vec<FacetClaim>,
 }
 
-/// Node times and derivatives at the nodes. Inputs (the highest derivative of each axis) are linear between nodes; a piece
-/// starts from the derivatives at its left node.
+/// Node times and derivatives at the nodes. Inputs (the highest derivative of each axis) are linear between nodes; a
+/// piece starts from the derivatives at its left node.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MotionRecord {
@@ -97,7 +97,8 @@ pub struct Bound {
     pub excess: f64,
 }
 
-/// A limit of the mission. The excess is in the limit's SI unit; of tilt it is |(x'', y'')| cos L - (z'' + g) sin L over g.
+/// A limit of the mission. The excess is in the limit's SI unit; of tilt it is |(x'', y'')| cos L - (z'' + g) sin L
+/// over g.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LimitClaim {
@@ -109,8 +110,8 @@ pub struct LimitClaim {
     pub bounds: Vec<Bound>,
 }
 
-/// The wrench stays inside a mode's set, shrunk by the reserve. The excess is the largest over all planes that bound the
-/// set, as a share of the healthy set's width.
+/// The wrench stays inside a mode's set, shrunk by the reserve. The excess is the largest over all planes that bound
+/// the set, as a share of the healthy set's width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SetClaim {
@@ -130,8 +131,8 @@ pub struct InfeasibleClaim {
     pub multipliers: Vec<Multiplier>,
 }
 
-/// A row, and its multiplier in SI: one number, or one for each part of a second-order cone. Those of the dynamics are not
-/// listed; they follow.
+/// A row, and its multiplier in SI: one number, or one for each part of a second-order cone. Those of the dynamics are
+/// not listed; they follow.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Multiplier {

@@ -1,5 +1,6 @@
-//! Decides certificates with code of its own: from the spec's [`Model`] and the certificate's numbers alone, in interval
-//! and exact arithmetic. Nothing of the planner, the sets or the solver is used, so an error there does not pass here.
+//! Decides certificates with code of its own: from the spec's [`Model`] and the certificate's numbers alone, in
+//! interval and exact arithmetic. Nothing of the planner, the sets or the solver is used, so an error there does not
+//! pass here.
 
 pub mod dyadic;
 pub mod facets;

@@ -22,9 +22,8 @@ const NEGLIGIBLE: [f64; 4] = [1e-6, 1e-8, 1e-10, 0.0];
 
 /// The certificate that `run` has no plan at `total` seconds.
 ///
-/// # Errors
-/// Where yaw changes, some facet has no three rotors, or the multipliers found do not show it; they cannot where the start
-/// is not at rest.
+/// # Errors Where yaw changes, some facet has no three rotors, or the multipliers found do not show it; they cannot
+/// where the start is not at rest.
 pub fn certificate(
     model: &Model,
     mission: &Mission,

@@ -1,5 +1,5 @@
-//! A certificate for a plan, from what the planner found. Bounds are the planner's own figures, rounded up; how far they
-//! reach between the nodes is asked of the checker.
+//! A certificate for a plan, from what the planner found. Bounds are the planner's own figures, rounded up; how far
+//! they reach between the nodes is asked of the checker.
 
 use super::{
     Bound, Certificate, Claim, DynamicModel, FacetClaim, FacetRecord, LimitClaim, MotionRecord, PlanClaim, SCHEMA,
@@ -81,7 +81,8 @@ pub fn certificate(
     for mode in stood(model) {
         let set = set_of(model, mode);
         let rows = PlanningSet::of(&[&set.with_reserve(model.plan.reserve)], &healthy).rows;
-        // A wrench that passes the facets by a share leaves the set, seen from hover, by that share over hover's margin.
+        // A wrench that passes the facets by a share leaves the set, seen from hover, by that share over hover's
+        // margin.
         let margin = rows.iter().filter(|r| !r.equality).map(|r| -r.excess(&set.hover)).fold(1.0, f64::min);
         let (nodes, between) = largest(trajectory, kind, |state| {
             let wrench = wrench(state);

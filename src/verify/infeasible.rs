@@ -1,11 +1,11 @@
 //! Decides a claim that there is no plan (hover model, one yaw, from rest).
 //!
 //! Every motion is what its start and its inputs at the nodes make of it. Each row says that some expression in the
-//! derivatives at a node is not negative (a cone: that its parts have a non-negative product with every vector of the dual
-//! cone); rest says that one is zero. So for multipliers z in the dual cone `sum of z_j expression_j >= 0` for every plan.
-//! Carried back through the dynamics the sum is `constant + a_0 . start + sum over nodes of c_k . u_k`. The start is known
-//! to the first waypoint's tolerance, and the sets bound the inputs; where the largest value over all of these is negative,
-//! there is no plan.
+//! derivatives at a node is not negative (a cone: that its parts have a non-negative product with every vector of the
+//! dual cone); rest says that one is zero. So for multipliers z in the dual cone `sum of z_j expression_j >= 0` for
+//! every plan. Carried back through the dynamics the sum is `constant + a_0 . start + sum over nodes of c_k . u_k`. The
+//! start is known to the first waypoint's tolerance, and the sets bound the inputs; where the largest value over all of
+//! these is negative, there is no plan.
 
 use super::facets::{few, spanned};
 use super::interval::Interval;
@@ -151,9 +151,10 @@ impl Rows<'_> {
         Ok(most)
     }
 
-    /// Replaces derivatives at a node by what they are made of one node earlier, from the last to the first. With
-    /// m = r - i: d_i(k+1) = sum over i <= j < r of h^(j-i)/(j-i)! d_j(k) + h^m [(1/m! - 1/(m+1)!) u(k) + u(k+1)/(m+1)!],
-    /// since u is linear in between.
+    /// Replaces derivatives at a node by what they are made of one node earlier, from the last to the first. The input is
+    /// linear in between, so with m = r - i
+    ///
+    /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j(k) + h^m [(1/m! - 1/(m+1)!) u(k) + u(k+1)/(m+1)!]`.
     fn carry_back(&self, sums: &mut [[[Interval; 5]; 4]]) {
         const FACTORIAL: [f64; 6] = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0];
         let over = |power: Interval, n: usize| power / Interval::point(FACTORIAL[n]);
@@ -266,8 +267,8 @@ impl Rows<'_> {
         (within + more, turned * (Interval::ONE + more / within))
     }
 
-    /// Rest as the language has it: velocity, acceleration, horizontal jerk, yaw rate and yaw acceleration; in a hold the
-    /// inputs too.
+    /// Rest as the language has it: velocity, acceleration, horizontal jerk, yaw rate and yaw acceleration; in a hold
+    /// the inputs too.
     fn rests(&self, node: usize, axis: usize, derivative: usize) -> bool {
         if axis > YAW || derivative == 0 {
             return false;
@@ -280,7 +281,8 @@ impl Rows<'_> {
         (ends || held) && derivative <= highest
     }
 
-    /// e - n.w with T = m (g + z''), tau_x = Ixx/g (s x'''' - c y''''), tau_y = Iyy/g (c x'''' + s y''''), tau_z = Izz psi''.
+    /// e - n.w with T = m (g + z''), tau_x = Ixx/g (s x'''' - c y''''), tau_y = Iyy/g (c x'''' + s y''''), tau_z = Izz
+    /// psi''.
     fn keeps(&self, plane: &Plane, node: usize) -> Expression {
         let [thrust, roll, pitch, turn] = plane.normal;
         let (s, c) = self.yaw;

@@ -1,8 +1,9 @@
 //! Closed intervals of `f64` whose operations round outwards: a result holds every value that the exact operation takes
-//! on points of its operands (R. E. Moore, R. B. Kearfott, M. J. Cloud, *Introduction to Interval Analysis*, SIAM 2009).
+//! on points of its operands (R. E. Moore, R. B. Kearfott, M. J. Cloud, *Introduction to Interval Analysis*, SIAM
+//! 2009).
 //!
-//! Rust's `+ - * /` and `sqrt` round to nearest, so one step to the next number on either side encloses the exact value.
-//! What is not defined, or not a number, is the whole line: no comparison that proves something holds for it.
+//! Rust's `+ - * /` and `sqrt` round to nearest, so one step to the next number on either side encloses the exact
+//! value. What is not defined, or not a number, is the whole line: no comparison that proves something holds for it.
 
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -92,8 +92,8 @@ impl Motion {
         })
     }
 
-    /// All derivatives at every instant of a stretch `at` of a piece, s since the piece began: Taylor's formula about the
-    /// middle of the stretch, whose derivatives are d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
+    /// All derivatives at every instant of a stretch `at` of a piece, s since the piece began: Taylor's formula about
+    /// the middle of the stretch, whose derivatives are d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
     pub fn over(&self, piece: usize, at: Interval) -> State {
         let left = self.node_in(piece, piece);
         let middle = Interval::point(at.middle());

@@ -1,5 +1,5 @@
-//! Truncated Taylor series in time with interval coefficients: the value of a quantity and its next derivatives, exact up
-//! to rounding, without a formula for any of them (Moore, Kearfott, Cloud, chapter 9).
+//! Truncated Taylor series in time with interval coefficients: the value of a quantity and its next derivatives, exact
+//! up to rounding, without a formula for any of them (Moore, Kearfott, Cloud, chapter 9).
 
 use super::interval::Interval;
 use std::ops::{Add, Mul, Neg, Sub};

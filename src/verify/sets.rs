@@ -119,7 +119,8 @@ impl Generators {
         n * n.saturating_sub(1) * n.saturating_sub(2) / 6
     }
 
-    /// The plane orthogonal to three rotors' wrenches, on the side that `towards` points to; `None` where they span none.
+    /// The plane orthogonal to three rotors' wrenches, on the side that `towards` points to; `None` where they span
+    /// none.
     pub fn spanned(&self, rotors: [usize; 3], towards: &[f64; 4]) -> Option<Facet> {
         let [a, b, c] = rotors.map(|k| k.checked_sub(1).and_then(|k| self.own.get(k)));
         let normal = orthogonal(a?, b?, c?);

@@ -33,8 +33,8 @@ impl Dynamics<'_> {
         Wrench { value: parts.map(|p| p.value()), rate: parts.map(|p| p.slope()) }
     }
 
-    /// T = m (g + z''), tau = (Ixx phi'', Iyy theta'', Izz psi'') with phi = (s x'' - c y'')/g, theta = (c x'' + s y'')/g:
-    /// the series of phi and theta hold their second derivatives.
+    /// T = m (g + z''), tau = (Ixx phi'', Iyy theta'', Izz psi'') with phi = (s x'' - c y'')/g, theta = (c x'' + s
+    /// y'')/g: the series of phi and theta hold their second derivatives.
     fn about_hover(&self, state: &State) -> [Series; 4] {
         let g = Interval::point(self.gravity);
         let yaw = match self.one_yaw {
@@ -53,8 +53,8 @@ impl Dynamics<'_> {
     }
 
     /// The thrust carries m (p'' + g e_z) along b_3; of ZYX angles the heading is that of b_1, which is therefore
-    /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3', q = b_1.b_3', r = b_2.b_1'; then
-    /// tau = J omega' + omega x J omega.
+    /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3',
+    /// q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
     fn exact(&self, state: &State) -> [Series; 4] {
         let g = Series::constant(Interval::point(self.gravity));
         let a: Vector = [series(&state[X], 2), series(&state[Y], 2), series(&state[Z], 2) + g];

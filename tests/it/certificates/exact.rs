@@ -1,5 +1,5 @@
-//! Certificates in the exact model: a motion from rest to rest with turning yaw, built here, with bounds from differences
-//! of its attitude.
+//! Certificates in the exact model: a motion from rest to rest with turning yaw, built here, with bounds from
+//! differences of its attitude.
 
 use super::SHA;
 use super::wrench::{G, Path, at, exact_by_differences};
