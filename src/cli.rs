@@ -14,6 +14,7 @@ mod spec;
 mod sweep;
 mod target;
 mod why;
+mod verify;
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -29,6 +30,8 @@ pub const USAGE: u8 = 2;
 pub const NO_PLAN: u8 = 3;
 /// The solver gave no verdict.
 pub const INCONCLUSIVE: u8 = 4;
+/// A certificate does not show what it claims.
+pub const REJECTED: u8 = 5;
 /// The simulated vehicle is lost.
 pub const LOST: u8 = 6;
 
@@ -37,7 +40,7 @@ pub const LOST: u8 = 6;
     name = "mavc",
     version,
     about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
-    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict; 6 the simulated vehicle is lost. SPEC may be `-` for standard input."
+    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict; 5 the certificate is rejected; 6 the simulated vehicle is lost. SPEC may be `-` for standard input."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -60,6 +63,8 @@ enum Command {
     Plan(PlanArgs),
     /// Run RIP, RCP and RSP side by side
     Compare(CompareArgs),
+    /// Check a certificate that `plan --certificate` wrote, without the planner
+    Verify(VerifyArgs),
     /// Plan the mission and fly it, with the spec's faults in flight
     Simulate(SimulateArgs),
     /// Fly every planner's plan with every fault mode, at many instants and with many noise seeds
@@ -144,6 +149,18 @@ pub(crate) struct PlanArgs {
     /// Resample the trajectory, such as 100Hz; waypoints keep their rows
     #[arg(long, value_name = "RATE")]
     rate: Option<String>,
+    /// Where the certificate goes (JSON), for `mavc verify`
+    #[arg(long, value_name = "CERT.JSON")]
+    certificate: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(crate) struct VerifyArgs {
+    /// The certificate
+    #[arg(value_name = "CERT.JSON")]
+    certificate: PathBuf,
+    #[command(flatten)]
+    spec: SpecArgs,
 }
 
 #[derive(Args)]
@@ -229,6 +246,7 @@ pub fn run() -> u8 {
         Command::Analyze(args) => analyze::run(args, &options),
         Command::Plan(args) => plan::plan(args, &options),
         Command::Compare(args) => plan::compare(args, &options),
+        Command::Verify(args) => verify::run(args, &options),
         Command::Simulate(args) => simulate::run(args, &options),
         Command::Campaign(args) => campaign::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),

@@ -3,6 +3,7 @@
 pub mod actuation;
 pub mod admissible;
 pub mod campaign;
+pub mod certificate;
 pub mod cli;
 pub mod diagnostic;
 pub mod explain;
@@ -18,3 +19,4 @@ pub mod source;
 pub mod syntax;
 pub mod trajectory;
 pub mod unit;
+pub mod verify;

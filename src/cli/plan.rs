@@ -6,6 +6,7 @@ use super::target::{Target, write};
 use super::why::why;
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
+use crate::certificate;
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
 use crate::model::{Mission, Model};
@@ -22,14 +23,22 @@ pub const NO_MISSION: &str = "mavc::plan::no_mission";
 pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let rate = args.rate.as_deref().map(parse_rate).transpose()?;
     let (table, report) = targets(args.output.as_deref(), args.report.as_deref())?;
+    let proof = args.certificate.as_deref().map(Target::new).transpose()?;
+    apart(&proof, &[&table, &report])?;
     let mut loaded = spec::read(&args.spec, options)?;
-    spare(&loaded, &[&table, &report])?;
+    spare(&loaded, &[&table, &report, &proof])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
         return refused(&loaded, &model, report.as_ref());
     };
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
     let explanation = if solved { None } else { why(&model, &mission, options) };
+    let certified = proof.as_ref().map(|target| {
+        let begin = Instant::now();
+        let certificate = certificate::of(&model, &mission, &comparison, loaded.sha256());
+        timing(options, "certify", begin);
+        (target, certificate)
+    });
     let begin = Instant::now();
     let mut results = Vec::new();
     let code = match comparison.runs.last().map(|r| &r.ending) {
@@ -40,6 +49,11 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         }
         _ => no_plan_code(&comparison),
     };
+    match &certified {
+        Some((target, Ok(record))) => results.push((target, json(record)?)),
+        Some((_, Err(why))) => files::tell(&format!("mavc: no certificate is written: {why}\n")),
+        None => {}
+    }
     if let Some(target) = &report {
         let told = |e: &Explanation| ConflictRecord::new(e, &model, &mission, &loaded.files.sources);
         let conflict = explanation.as_ref().map(told);
@@ -92,6 +106,15 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     } else {
         FINE
     })
+}
+
+/// Refuses one place for two results.
+fn apart(proof: &Option<Target>, others: &[&Option<Target>]) -> Result<(), Problem> {
+    let Some(proof) = proof else { return Ok(()) };
+    match others.iter().copied().flatten().any(|other| proof.is_same(other)) {
+        true => Err("the certificate and another result would go to one place: give --certificate its own name".into()),
+        false => Ok(()),
+    }
 }
 
 /// Where the trajectory and the report go.

@@ -139,7 +139,7 @@ impl<'a> Transcription<'a> {
     }
 
     /// Unit of time of the scaled variables, s.
-    pub(super) fn tau(&self) -> f64 {
+    pub(crate) fn tau(&self) -> f64 {
         self.profile.total / self.profile.intervals() as f64 * TAU_STEPS
     }
 

@@ -86,7 +86,7 @@ pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
 }
 
 /// Name, unit for people and factor from SI.
-fn limit_words(kind: LimitKind) -> (&'static str, &'static str, f64) {
+pub(crate) fn limit_words(kind: LimitKind) -> (&'static str, &'static str, f64) {
     let degrees = 180.0 / std::f64::consts::PI;
     match kind {
         LimitKind::X => ("x", "m", 1.0),

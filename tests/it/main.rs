@@ -1,6 +1,7 @@
 //! One integration binary: every test of the compiler through its public interface.
 
 mod campaigns;
+mod certificates;
 mod cli;
 mod codes;
 mod conflicts;

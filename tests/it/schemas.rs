@@ -182,6 +182,28 @@ fn problems_are_as_their_schema_says() {
 }
 
 #[test]
+fn certificates_are_as_their_schema_says() {
+    let schema = schema("certificate");
+    let certificate_of = |spec: &str, time: &str| -> Value {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cert.json");
+        printed(&["plan", "-", "--quiet", "--certificate", path.to_str().unwrap(), "--set", time], spec);
+        serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+    };
+    let limits = "limits { speed <= 3 m/s; tilt <= 30 deg; altitude in 0 m .. 2 m; jerk <= 30 m/s^3 }\n}\nplan {";
+    let spec = hop("weak").replace("}\nplan {", limits);
+    for (time, claim) in [("plan.time=4s", "plan"), ("plan.time=0.5s", "infeasible")] {
+        let certificate = certificate_of(&spec, time);
+        assert_valid(&schema, &certificate);
+        assert!(certificate["claim"][claim].is_object(), "{certificate:#}");
+        assert_strict(&schema, &certificate, &[]);
+    }
+    // Turning yaw: bounds between nodes that differ from those at the nodes.
+    let turning = spec.replace("at [1, 0, 1.5] m", "at [1, 0, 1.5] m yaw 90 deg");
+    assert_valid(&schema, &certificate_of(&turning, "plan.time=6s"));
+}
+
+#[test]
 fn exported_programs_are_as_their_schema_says() {
     let schema = schema("qp");
     let record = json_of(&["emit", "qp", "-", "--format", "json"], &hop("weak"));

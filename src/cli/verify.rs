@@ -1,0 +1,59 @@
+//! `mavc verify`: decide a certificate.
+
+use super::spec::{self, timing};
+use super::{FINE, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, files};
+use crate::certificate::{MAX_BYTES, Scope};
+use crate::report::number::number;
+use crate::report::table::Table;
+use crate::verify::{Reach, verify};
+use std::time::Instant;
+
+pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
+    let name = args.certificate.display().to_string();
+    if name == "-" && args.spec.spec == "-" {
+        return Err("only one of the certificate and the spec can be standard input".into());
+    }
+    let bytes = files::read_spec(&name, MAX_BYTES)?;
+    let mut loaded = spec::read(&args.spec, options)?;
+    let sha256 = loaded.sha256();
+    let Some(model) = loaded.model.clone() else {
+        loaded.tell(options);
+        return Ok(SPEC_ERRORS);
+    };
+    // Remarks on the spec are `mavc check`'s to make.
+    loaded.diagnostics.clear();
+    let begin = Instant::now();
+    let verdict = verify(&bytes, &model, &sha256);
+    timing(options, "verify", begin);
+    match verdict {
+        Ok(verdict) => {
+            let mut table = Table::new(&["shown", "where"]);
+            for shown in &verdict.shown {
+                let count = if shown.count > 1 { format!("{} ", shown.count) } else { String::new() };
+                table.row(vec![count + &shown.statement, words(shown.reach)]);
+            }
+            if !options.quiet {
+                files::print(&table.render_left(0))?;
+            }
+            files::print(&format!("{name}: every claim holds\n"))?;
+            Ok(FINE)
+        }
+        Err(diagnostic) => {
+            loaded.diagnostics.push(*diagnostic);
+            loaded.tell(options);
+            Ok(REJECTED)
+        }
+    }
+}
+
+fn words(reach: Reach) -> String {
+    let shown = match reach.scope {
+        None => "proved".into(),
+        Some(Scope::Nodes) => "checked at nodes".into(),
+        Some(Scope::Grid(points)) => format!("checked on a grid of {points} points an interval"),
+        Some(Scope::EveryInstant) => "proved for every instant".into(),
+    };
+    let Some(beyond) = reach.beyond else { return shown };
+    let seen = if beyond.scope == Scope::EveryInstant { "at any instant" } else { "on a grid" };
+    format!("{shown}; passed {seen} by at most {}", number(beyond.excess))
+}

@@ -1,0 +1,166 @@
+//! Decides certificates with code of its own: from the spec's [`Model`] and the certificate's numbers alone, in
+//! interval and exact arithmetic. Nothing of the planner, the sets or the solver is used, so an error there does not
+//! pass here.
+
+pub mod dyadic;
+pub mod facets;
+mod infeasible;
+pub mod interval;
+mod limits;
+pub mod motion;
+pub mod plan;
+pub mod proof;
+mod schedule;
+pub mod series;
+pub mod sets;
+pub mod wrench;
+
+use crate::certificate::{DynamicModel, Bound, Certificate, Claim, MAX_BYTES, SCHEMA, Scope};
+use crate::diagnostic::Diagnostic;
+use crate::model::{FaultMode, Model, PlanModel, PlannerKind};
+use crate::report::number::number;
+use crate::source::Span;
+use plan::Checker;
+
+/// A certificate that does not show what it claims.
+pub const REJECTED: &str = "mavc::verify::rejected";
+/// A certificate of another spec.
+pub const OTHER_SPEC: &str = "mavc::verify::other_spec";
+/// What was given as a certificate is none.
+pub const MALFORMED: &str = "mavc::verify::malformed";
+
+/// The first claim found that does not stand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rejection {
+    /// What is claimed of: a set, a limit, a waypoint.
+    pub claim: String,
+    pub detail: String,
+    /// s
+    pub at: Option<f64>,
+    /// The statement of the spec.
+    pub span: Option<Span>,
+}
+
+impl Rejection {
+    pub fn new(claim: impl Into<String>, detail: impl Into<String>) -> Self {
+        Rejection { claim: claim.into(), detail: detail.into(), at: None, span: None }
+    }
+
+    fn diagnostic(&self, model: &Model) -> Diagnostic {
+        let at = self.at.map_or(String::new(), |t| format!(" at {} s", number(t)));
+        let message = format!("the certificate is rejected: {}{at}: {}", self.claim, self.detail);
+        let error = Diagnostic::error(REJECTED, self.span.unwrap_or(model.plan.span), message);
+        let error = error.here("not shown for this");
+        error.help(
+            "write the certificate anew with `mavc plan --certificate`; if it fails again, the plan does not hold",
+        )
+    }
+}
+
+/// How far a claim is shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// `None` where it is about no motion.
+    pub scope: Option<Scope>,
+    /// A wider scope, and by how much the quantity exceeds what it may be there, where that is more than nothing.
+    pub beyond: Option<Bound>,
+}
+
+/// What stands, and where it does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shown {
+    pub statement: String,
+    pub reach: Reach,
+    /// So many of the kind.
+    pub count: usize,
+}
+
+impl Shown {
+    fn new(statement: String, reach: Reach) -> Self {
+        Shown { statement, reach, count: 1 }
+    }
+
+    fn at_nodes(statement: String) -> Self {
+        Shown::new(statement, Reach { scope: Some(Scope::Nodes), beyond: None })
+    }
+
+    /// A proof about all motions.
+    fn proved(statement: String) -> Self {
+        Shown::new(statement, Reach { scope: None, beyond: None })
+    }
+
+    /// One more of a kind.
+    fn count(shown: &mut Vec<Shown>, statement: &str, reach: Reach) {
+        match shown.iter_mut().find(|s| s.statement == statement && s.reach == reach) {
+            Some(same) => same.count += 1,
+            None => shown.push(Shown::new(statement.into(), reach)),
+        }
+    }
+}
+
+/// A fault mode by its name.
+fn mode_named<'a>(model: &'a Model, name: &str) -> Option<&'a FaultMode> {
+    model.modes.iter().find(|m| m.name == name)
+}
+
+/// The modes whose sets the spec's planner keeps to.
+fn required(model: &Model) -> Vec<String> {
+    let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i));
+    match model.plan.planner {
+        PlannerKind::Rcp if !model.plan.against.is_empty() => against.map(|m| m.name.clone()).collect(),
+        _ => vec![sets::HEALTHY.into()],
+    }
+}
+
+/// What a certificate shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// Every claim, in order.
+    pub shown: Vec<Shown>,
+}
+
+/// Reads a certificate and decides it for a checked spec with the given hash.
+pub fn verify(bytes: &[u8], model: &Model, spec_sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
+    let malformed = |why: String| {
+        let error = Diagnostic::error(MALFORMED, model.plan.span, format!("this is no certificate: {why}"));
+        error.here("the plan it should be about").help("give the file that `mavc plan --certificate` wrote").into()
+    };
+    if bytes.len() > MAX_BYTES {
+        return Err(malformed(format!("it has more than {} MiB", MAX_BYTES >> 20)));
+    }
+    let certificate: Certificate = serde_json::from_slice(bytes).map_err(|e| malformed(e.to_string()))?;
+    if certificate.schema != SCHEMA {
+        return Err(malformed(format!("its schema is {}, and this program reads {SCHEMA}", certificate.schema)));
+    }
+    if certificate.spec_sha256 != spec_sha256 {
+        let error = Diagnostic::error(OTHER_SPEC, model.plan.span, "the certificate was written for another spec");
+        let error = error.here("this spec's hash is another one");
+        return Err(error.help("give the spec it was written for, with the same files and the same `--set`").into());
+    }
+    decide(&certificate, model).map_err(|r| r.diagnostic(model).into())
+}
+
+/// Decides a certificate that is known to be about this model.
+pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejection> {
+    let Some(mission) = &model.mission else {
+        return Err(Rejection::new("the mission", "the spec has none"));
+    };
+    let asked = match model.plan.model {
+        PlanModel::Hover => DynamicModel::Hover,
+        PlanModel::Exact => DynamicModel::Exact,
+    };
+    if certificate.model != asked {
+        let name = model.plan.model.name();
+        return Err(Rejection::new("the model", format!("the spec plans with `model = {name}`")));
+    }
+    match &certificate.claim {
+        Claim::Plan(claim) => {
+            let shown = Checker::new(model, mission, certificate.model, claim)?.decide(claim)?;
+            Ok(Verdict { shown })
+        }
+        Claim::Infeasible(claim) => {
+            let shown = infeasible::decide(model, mission, certificate.model, claim)?;
+            Ok(Verdict { shown })
+        }
+    }
+}

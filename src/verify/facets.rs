@@ -1,0 +1,42 @@
+//! Facets as certificates print them: three rotors, a normal and an offset that follow from them.
+
+use super::Rejection;
+use super::interval::{Interval, exceeds};
+use super::sets::{Generators, Plane};
+use crate::certificate::FacetRecord;
+use crate::model::Model;
+use crate::report::number::number;
+
+/// Printed normals and offsets may be off by this share.
+const PRINTED: f64 = 1e-9;
+
+/// Facets of one certificate.
+const MAX_FACETS: usize = 50_000;
+
+pub(super) fn few<T>(facets: &[T]) -> Result<(), Rejection> {
+    if facets.len() <= MAX_FACETS {
+        return Ok(());
+    }
+    Err(Rejection::new("the facets", format!("there are {}, and {MAX_FACETS} are checked at once", facets.len())))
+}
+
+/// The half-space that the rotors span, once the printed normal and offset are found to be its.
+pub fn spanned(model: &Model, record: &FacetRecord) -> Result<Plane, Rejection> {
+    let wrong = |why: String| Err(Rejection::new("the facet", why));
+    let generators = Generators::of(model, &record.mode)?;
+    let Some(facet) = generators.spanned(record.rotors, &record.normal) else {
+        return wrong("these rotors span no facet on that side".into());
+    };
+    let off = |printed: f64, exact: Interval, size: f64| {
+        exceeds((Interval::point(printed) - exact).magnitude(), PRINTED * size)
+    };
+    if let Some(i) = (0..4).find(|&i| off(record.normal[i], facet.normal[i], 1.0)) {
+        let axis = ["T", "tau_x", "tau_y", "tau_z"][i];
+        let exact = number(facet.normal[i].middle());
+        return wrong(format!("the normal's part along {axis} is {exact}, not {}", number(record.normal[i])));
+    }
+    if off(record.offset, facet.offset, facet.offset.magnitude().max(1.0)) {
+        return wrong(format!("the offset is {}, not {}", number(facet.offset.middle()), number(record.offset)));
+    }
+    Ok(facet.plane)
+}

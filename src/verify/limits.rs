@@ -1,0 +1,69 @@
+//! The mission's limits as quantities along a motion.
+
+use super::interval::Interval;
+use super::motion::{State, X, Y, YAW, Z, series};
+use super::proof::{Family, Rated};
+use super::series::Series;
+use crate::model::{Limit, LimitKind};
+
+/// How far a limit is passed, side by side: upper, then lower; in the limit's SI unit. Of tilt it is
+/// `(|(x'', y'')| cos L - (z'' + g) sin L) / g`: the acceleration's way out of the cone over gravity.
+pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
+    let Limit { kind, lower, upper, .. } = *limit;
+    let sides: Vec<(f64, f64)> = upper.map(|u| (1.0, -u)).into_iter().chain(lower.map(|l| (-1.0, l))).collect();
+    let members = sides.len();
+    let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
+        let tilted = |&(_, minus): &(f64, f64)| tilt_excess(state, -minus, gravity);
+        let plain = |&(sign, constant): &(f64, f64)| {
+            bounded(kind, state).times(Interval::point(sign)) + Series::constant(Interval::point(constant))
+        };
+        let series = wanted.iter().filter_map(|&m| sides.get(m)).map(|side| match kind {
+            LimitKind::Tilt => tilted(side),
+            _ => plain(side),
+        });
+        series.map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
+    };
+    Family { members, evaluate: Box::new(evaluate), linear: false }
+}
+
+/// The quantity itself; tilt is told apart above.
+fn bounded(kind: LimitKind, state: &State) -> Series {
+    match kind {
+        LimitKind::X => series(&state[X], 0),
+        LimitKind::Y => series(&state[Y], 0),
+        LimitKind::Z => series(&state[Z], 0),
+        LimitKind::Yaw => series(&state[YAW], 0),
+        LimitKind::YawRate => series(&state[YAW], 1),
+        LimitKind::YawAcceleration => series(&state[YAW], 2),
+        LimitKind::Climb => series(&state[Z], 1),
+        LimitKind::Descent => -series(&state[Z], 1),
+        LimitKind::Speed => length(state, &[X, Y, Z], 1),
+        LimitKind::SpeedHorizontal => length(state, &[X, Y], 1),
+        LimitKind::Acceleration => length(state, &[X, Y, Z], 2),
+        LimitKind::AccelerationHorizontal | LimitKind::Tilt => length(state, &[X, Y], 2),
+        LimitKind::Jerk => length(state, &[X, Y, Z], 3),
+    }
+}
+
+/// |d|, whose rate is at most |d'| either way: no division by a length that may vanish.
+fn length(state: &State, axes: &[usize], order: usize) -> Series {
+    let squares = |order: usize| {
+        axes.iter()
+            .fold(Interval::ZERO, |sum, &axis| sum + state[axis].get(order).map_or(Interval::ZERO, |d| d.square()))
+    };
+    let parts: Vec<Series> = axes.iter().map(|&axis| series(&state[axis], order)).collect();
+    let square = parts.iter().fold(Series::constant(Interval::ZERO), |sum, &p| sum + p * p);
+    let value = squares(order).sqrt();
+    let steepest = Interval::around_zero(squares(order + 1).sqrt().high);
+    // d.d'/|d| where the length cannot vanish, never more than |d'|.
+    let rate = (square.slope() / (value * Interval::point(2.0))).meet(steepest);
+    Series([value, rate, Interval::WHOLE, Interval::WHOLE])
+}
+
+fn tilt_excess(state: &State, limit: f64, gravity: f64) -> Series {
+    let (sine, cosine) = Interval::point(limit).sin_cos();
+    let g = Interval::point(gravity);
+    let lift = series(&state[Z], 2) + Series::constant(g);
+    let out = length(state, &[X, Y], 2).times(cosine) - lift.times(sine);
+    Series(out.0.map(|c| c / g))
+}

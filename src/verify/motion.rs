@@ -1,0 +1,138 @@
+//! The motion of a certificate: polynomial pieces rebuilt from node derivatives, with their own evaluation.
+
+use super::interval::Interval;
+use super::series::{Series, TERMS};
+use crate::certificate::{DynamicModel, MotionRecord};
+
+/// Axes in the order of the records.
+pub const X: usize = 0;
+pub const Y: usize = 1;
+pub const Z: usize = 2;
+pub const YAW: usize = 3;
+
+/// Derivatives of one axis up to the fifth; what is above a piece's degree is zero.
+pub type Axis = [Interval; 6];
+
+/// Enclosures of all derivatives at an instant, or over a stretch of time.
+pub type State = [Axis; 4];
+
+/// Pieces between nodes.
+#[derive(Debug, Clone)]
+pub struct Motion {
+    /// s
+    pub times: Vec<f64>,
+    /// `[node][axis][derivative]` up to the input's.
+    nodes: Vec<[Vec<f64>; 4]>,
+    pub waypoint_nodes: Vec<usize>,
+    /// The input's derivative order of each axis.
+    orders: [usize; 4],
+}
+
+impl Motion {
+    /// Orders the numbers of a record; says what is wrong with its shape.
+    pub fn new(record: &MotionRecord, model: DynamicModel) -> Result<Motion, String> {
+        let count = record.nodes();
+        let lengths = [record.x.len(), record.y.len(), record.z.len(), record.yaw.len()];
+        if count < 2 || lengths.iter().any(|&n| n != count) {
+            return Err(format!("{count} times with {lengths:?} nodes of x, y, z and yaw are no motion"));
+        }
+        let vertical = match model {
+            DynamicModel::Hover => 2,
+            DynamicModel::Exact => 4,
+        };
+        if let Some(node) = record.z.iter().position(|z| z.len() != vertical + 1) {
+            return Err(format!("z needs {} derivatives at node {node}", vertical + 1));
+        }
+        if !record.times_s.windows(2).all(|w| w[0] < w[1]) {
+            return Err("the times do not rise".into());
+        }
+        let node = |k: usize| [record.x[k].to_vec(), record.y[k].to_vec(), record.z[k].clone(), record.yaw[k].to_vec()];
+        Ok(Motion {
+            times: record.times_s.clone(),
+            nodes: (0..count).map(node).collect(),
+            waypoint_nodes: record.waypoint_nodes.clone(),
+            orders: [4, 4, vertical, 2],
+        })
+    }
+
+    pub fn pieces(&self) -> usize {
+        self.times.len() - 1
+    }
+
+    pub fn order(&self, axis: usize) -> usize {
+        self.orders[axis]
+    }
+
+    /// A derivative at a node.
+    pub fn at_node(&self, node: usize, axis: usize, order: usize) -> f64 {
+        self.nodes[node][axis][order]
+    }
+
+    /// Duration of a piece, s.
+    pub fn duration(&self, piece: usize) -> Interval {
+        Interval::point(self.times[piece + 1]) - Interval::point(self.times[piece])
+    }
+
+    /// The input's constant rate of change over a piece.
+    fn slope(&self, piece: usize, axis: usize) -> Interval {
+        let input = self.orders[axis];
+        let [left, right] = [piece, piece + 1].map(|node| Interval::point(self.nodes[node][axis][input]));
+        (right - left) / self.duration(piece)
+    }
+
+    /// A node's own derivatives, and the rates of its inputs in the piece.
+    pub fn node_in(&self, node: usize, piece: usize) -> State {
+        std::array::from_fn(|axis| {
+            let mut state = [Interval::ZERO; 6];
+            for (slot, &value) in state.iter_mut().zip(&self.nodes[node][axis]) {
+                *slot = Interval::point(value);
+            }
+            state[self.orders[axis] + 1] = self.slope(piece, axis);
+            state
+        })
+    }
+
+    /// All derivatives at every instant of a stretch `at` of a piece, s since the piece began: Taylor's formula about
+    /// the middle of the stretch, whose derivatives are d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
+    pub fn over(&self, piece: usize, at: Interval) -> State {
+        let left = self.node_in(piece, piece);
+        let middle = Interval::point(at.middle());
+        let spread = at - middle;
+        left.map(|axis| {
+            let centre = shifted(&axis, middle);
+            if at.low == at.high { centre } else { shifted(&centre, spread) }
+        })
+    }
+
+    /// How far the end of a piece misses its right node: |gap of derivative i| h^i, m or rad.
+    pub fn gap(&self, piece: usize) -> f64 {
+        let h = self.duration(piece);
+        let end = self.over(piece, h);
+        let mut widest = 0.0_f64;
+        for (axis, derivatives) in end.iter().enumerate() {
+            let mut power = Interval::ONE;
+            for (i, &derivative) in derivatives.iter().enumerate().take(self.orders[axis]) {
+                let gap = (derivative - Interval::point(self.nodes[piece + 1][axis][i])) * power;
+                widest = widest.max(gap.magnitude());
+                power = power * h;
+            }
+        }
+        widest
+    }
+}
+
+/// Derivatives of a polynomial a time `by` later.
+fn shifted(derivatives: &Axis, by: Interval) -> Axis {
+    std::array::from_fn(|i| {
+        // Horner: d_i + by (d_(i+1) + by/2 (d_(i+2) + by/3 (...))).
+        (i..6).rev().fold(Interval::ZERO, |sum, j| {
+            let step = by / Interval::point((j + 1 - i) as f64);
+            derivatives[j] + step * sum
+        })
+    })
+}
+
+/// The series of an axis's derivative of some order.
+pub fn series(axis: &Axis, order: usize) -> Series {
+    Series::of_derivatives(&axis[order..(order + TERMS).min(6)])
+}

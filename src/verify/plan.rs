@@ -1,0 +1,359 @@
+//! Decides what a certificate claims of a plan.
+
+use super::facets::{few, spanned};
+use super::interval::{Interval, exceeds};
+use super::limits;
+use super::motion::{Motion, State, X, Y, YAW, Z};
+use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds};
+use super::sets::{Generators, MAX_TRIPLES, Plane, along};
+use super::wrench::Dynamics;
+use super::{Reach, Rejection, Shown, mode_named, required};
+use crate::certificate::{Bound, DynamicModel, FacetClaim, LimitClaim, PlanClaim, Scope, SetClaim};
+use crate::model::{Mission, MissionTime, Model};
+use crate::report::caveats::limit_words;
+use crate::report::number::number;
+use crate::source::Span;
+
+/// Pieces of a plan join within this, m and rad.
+pub const MOST_GAP: f64 = 1e-5;
+/// A waypoint may be missed by this beside its tolerance, m and rad.
+pub const MOST_MISS: f64 = 1e-5;
+/// A limit may be passed by this at the nodes, in its SI unit, and by this share of itself.
+pub const MOST_PAST_LIMIT: f64 = 1e-5;
+/// A set may be left by this share of the healthy set's width, as reports count violations.
+pub const MOST_OUTSIDE: f64 = 1e-4;
+/// Two instants are one, s.
+const SAME_TIME: f64 = 1e-9;
+/// Evaluations that one certificate may cost.
+const EVALUATIONS: usize = 200_000_000;
+
+/// Decides claims about one motion.
+pub struct Checker<'a> {
+    model: &'a Model,
+    mission: &'a Mission,
+    dynamics: Dynamics<'a>,
+    motion: Motion,
+    budget: Budget,
+    triples: usize,
+}
+
+impl<'a> Checker<'a> {
+    pub fn new(
+        model: &'a Model,
+        mission: &'a Mission,
+        kind: DynamicModel,
+        claim: &PlanClaim,
+    ) -> Result<Self, Rejection> {
+        let motion = Motion::new(&claim.motion, kind).map_err(|why| Rejection::new("the motion", why))?;
+        let first = mission.waypoints.first().map_or(0.0, |w| w.yaw);
+        // As the language says: one yaw throughout is linearised there.
+        let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
+        let dynamics = Dynamics { vehicle: &model.vehicle, gravity: model.gravity, model: kind, one_yaw };
+        Ok(Checker { model, mission, dynamics, motion, budget: Budget(EVALUATIONS), triples: 0 })
+    }
+
+    /// Everything that is claimed, and that nothing is missing.
+    pub fn decide(&mut self, claim: &PlanClaim) -> Result<Vec<Shown>, Rejection> {
+        self.times()?;
+        self.joins(claim)?;
+        self.rest()?;
+        self.waypoints(claim)?;
+        let mut shown = vec![
+            Shown::at_nodes(format!("{} pieces join", self.motion.pieces())),
+            Shown::at_nodes(format!(
+                "{} waypoints met, and rest where the spec asks for it",
+                self.mission.waypoints.len()
+            )),
+        ];
+        if claim.limits.len() != self.mission.limits.len() {
+            let counts = format!(
+                "the mission has {}, the certificate tells of {}",
+                self.mission.limits.len(),
+                claim.limits.len()
+            );
+            return Err(Rejection::new("the limits", counts));
+        }
+        for (index, limit) in claim.limits.iter().enumerate() {
+            let reach = self.limit(index, limit)?;
+            shown.push(Shown::new(format!("limit on {}", limit.limit), reach));
+        }
+        for mode in required(self.model) {
+            if !claim.sets.iter().any(|s| s.mode == mode) {
+                let why = "the planner is to stay inside it, and the certificate says nothing of it".to_string();
+                return Err(Rejection {
+                    span: self.span_of(&mode),
+                    ..Rejection::new(format!("the set of {mode}"), why)
+                });
+            }
+        }
+        for set in &claim.sets {
+            let reach = self.set(set)?;
+            shown.push(Shown::new(format!("wrench inside the set of {}", set.mode), reach));
+        }
+        few(&claim.facets)?;
+        for (index, facet) in claim.facets.iter().enumerate() {
+            let reach = self.facet(index, facet)?;
+            Shown::count(&mut shown, &format!("facets of {} kept", facet.facet.mode), reach);
+        }
+        Ok(shown)
+    }
+
+    fn span_of(&self, mode: &str) -> Option<Span> {
+        mode_named(self.model, mode).map(|m| m.span)
+    }
+
+    /// Node times: from zero, with fixed arrivals, holds and the mission's time as the spec says.
+    fn times(&self) -> Result<(), Rejection> {
+        let (times, nodes) = (&self.motion.times, &self.motion.waypoint_nodes);
+        let wrong = |why: String, span: Option<Span>| Err(Rejection { span, ..Rejection::new("the times", why) });
+        let points = &self.mission.waypoints;
+        if times[0] != 0.0 {
+            return wrong(format!("the motion begins at {} s", number(times[0])), None);
+        }
+        let within = nodes.iter().all(|&n| n < times.len()) && nodes.windows(2).all(|w| w[0] < w[1]);
+        if nodes.len() != points.len() || !within || nodes.first() != Some(&0) {
+            return wrong(
+                "each waypoint needs a node of its own, in flight order, the first at the start".into(),
+                None,
+            );
+        }
+        for (i, (point, &node)) in points.iter().zip(nodes).enumerate() {
+            if let Some(fixed) = point.time.filter(|t| exceeds((t - times[node]).abs(), SAME_TIME * t.max(1.0))) {
+                let why = format!(
+                    "waypoint {} is due at {} s and reached at {} s",
+                    i + 1,
+                    number(fixed),
+                    number(times[node])
+                );
+                return wrong(why, point.time_span);
+            }
+            let Some(leaves) = self.held_until(i) else {
+                let why = format!("the motion does not stay {} s at waypoint {}", number(point.hold), i + 1);
+                return wrong(why, point.hold_span);
+            };
+            if i + 1 == points.len() && leaves + 1 != times.len() {
+                return wrong("the motion goes on after the last waypoint".into(), Some(point.span));
+            }
+        }
+        match self.model.plan.time {
+            MissionTime::Fixed(total)
+                if exceeds((total - times[times.len() - 1]).abs(), SAME_TIME * total.max(1.0)) =>
+            {
+                let why = format!(
+                    "the mission is to take {} s and takes {} s",
+                    number(total),
+                    number(times[times.len() - 1])
+                );
+                wrong(why, Some(self.model.plan.time_span))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The node at which a waypoint's hold ends; its own where there is none.
+    fn held_until(&self, waypoint: usize) -> Option<usize> {
+        let node = self.motion.waypoint_nodes[waypoint];
+        let hold = self.mission.waypoints[waypoint].hold;
+        let ends = self.motion.times[node] + hold;
+        let is_end = |&n: &usize| (self.motion.times[n] - ends).abs() <= SAME_TIME * ends.max(1.0);
+        if hold > 0.0 { (node + 1..self.motion.times.len()).find(is_end) } else { Some(node) }
+    }
+
+    fn joins(&self, claim: &PlanClaim) -> Result<(), Rejection> {
+        allowed("joins_within", claim.joins_within, MOST_GAP)?;
+        for piece in 0..self.motion.pieces() {
+            let gap = self.motion.gap(piece);
+            if exceeds(gap, claim.joins_within) {
+                let why = format!(
+                    "piece {} misses the next by {} (m or rad), not by {}",
+                    piece + 1,
+                    number(gap),
+                    number(claim.joins_within)
+                );
+                return Err(Rejection { at: Some(self.motion.times[piece + 1]), ..Rejection::new("the pieces", why) });
+            }
+        }
+        Ok(())
+    }
+
+    /// Rest at both ends (unless `moving`) and in holds: derivatives are zero, in holds the inputs too.
+    fn rest(&self) -> Result<(), Rejection> {
+        let last = self.motion.times.len() - 1;
+        let ends = [(0, self.mission.start_at_rest), (last, self.mission.end_at_rest)];
+        let mut still: Vec<(usize, bool)> = ends.iter().filter(|e| e.1).map(|e| (e.0, false)).collect();
+        for (i, point) in self.mission.waypoints.iter().enumerate().filter(|(_, w)| w.hold > 0.0) {
+            let until = self.held_until(i).unwrap_or(self.motion.waypoint_nodes[i]);
+            if until == self.motion.waypoint_nodes[i] {
+                let why = format!("the motion does not stay at waypoint {}", i + 1);
+                return Err(Rejection { span: point.hold_span, ..Rejection::new("rest", why) });
+            }
+            still.extend((self.motion.waypoint_nodes[i]..=until).map(|node| (node, true)));
+        }
+        for (node, held) in still {
+            for axis in [X, Y, Z, YAW] {
+                // At rest the horizontal jerk vanishes beside velocity and acceleration.
+                let rest = if axis == X || axis == Y { 3 } else { 2 };
+                let highest = if held { self.motion.order(axis) } else { rest };
+                if let Some(order) = (1..=highest).find(|&i| self.motion.at_node(node, axis, i) != 0.0) {
+                    let name = ["x", "y", "z", "yaw"][axis];
+                    let why = format!("derivative {order} of {name} is not zero");
+                    return Err(Rejection { at: Some(self.motion.times[node]), ..Rejection::new("rest", why) });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn waypoints(&self, claim: &PlanClaim) -> Result<(), Rejection> {
+        allowed("position_excess_m", claim.position_excess_m, MOST_MISS)?;
+        allowed("yaw_excess_rad", claim.yaw_excess_rad, MOST_MISS)?;
+        // A tolerance of a kilometre binds nothing.
+        const UNBOUNDED: f64 = 1e3;
+        for (i, (point, &node)) in self.mission.waypoints.iter().zip(&self.motion.waypoint_nodes).enumerate() {
+            let apart =
+                |axis: usize, due: f64| Interval::point(self.motion.at_node(node, axis, 0)) - Interval::point(due);
+            let [x, y, z] = point.position;
+            let distance = [(X, x), (Y, y), (Z, z)]
+                .iter()
+                .fold(Interval::ZERO, |sum, &(axis, due)| sum + apart(axis, due).square())
+                .sqrt();
+            let position = distance - Interval::point(point.within);
+            let yaw = apart(YAW, point.yaw).abs() - Interval::point(point.yaw_within);
+            let missed = |what: &str, by: Interval, most: f64, unit: &str| {
+                let why = format!(
+                    "the {what} is missed by {} {unit} beside its tolerance, not by {}",
+                    number(by.high),
+                    number(most)
+                );
+                Err(Rejection {
+                    at: Some(self.motion.times[node]),
+                    span: Some(point.span),
+                    ..Rejection::new(format!("waypoint {}", i + 1), why)
+                })
+            };
+            if point.within < UNBOUNDED && exceeds(position.high, claim.position_excess_m) {
+                return missed("position", position, claim.position_excess_m, "m");
+            }
+            if exceeds(yaw.high, claim.yaw_excess_rad) {
+                return missed("yaw", yaw, claim.yaw_excess_rad, "rad");
+            }
+        }
+        Ok(())
+    }
+
+    /// One limit, and how far it is shown.
+    pub fn limit(&mut self, index: usize, claim: &LimitClaim) -> Result<Reach, Rejection> {
+        let limit = &self.mission.limits[index];
+        let size = limit.upper.unwrap_or(0.0).abs().max(limit.lower.unwrap_or(0.0).abs()).max(1.0);
+        let family = limits::family(limit, self.model.gravity);
+        let what = format!("limit {} ({})", index + 1, claim.limit);
+        let named = limit_words(limit.kind).0 == claim.limit;
+        if !named || limit.lower != claim.lower || limit.upper != claim.upper {
+            let why = "the certificate names another limit than the spec";
+            return Err(Rejection { span: Some(limit.span), ..Rejection::new(what, why) });
+        }
+        self.bounds(&family, &claim.bounds, MOST_PAST_LIMIT * size, |_| String::new()).map_err(|r| Rejection {
+            claim: what,
+            span: Some(limit.span),
+            ..r
+        })
+    }
+
+    /// One set, and how far it is shown.
+    pub fn set(&mut self, claim: &SetClaim) -> Result<Reach, Rejection> {
+        let what = format!("the set of {}", claim.mode);
+        let span = self.span_of(&claim.mode);
+        let generators = Generators::of(self.model, &claim.mode)?;
+        self.triples += generators.triples();
+        if self.triples > MAX_TRIPLES {
+            return Err(Rejection {
+                span,
+                ..Rejection::new(what, "the certificate is about more sets than are checked at once")
+            });
+        }
+        let planes = generators.planes().map_err(|why| Rejection { span, ..Rejection::new(what.clone(), why) })?;
+        let named = |member: usize| {
+            planes.get(member).map_or(String::new(), |p| format!(", at the plane of rotors {:?}", p.rotors))
+        };
+        let family = wrench_family(&self.dynamics.clone(), &planes);
+        self.bounds(&family, &claim.bounds, MOST_OUTSIDE, named).map_err(|r| Rejection { claim: what, span, ..r })
+    }
+
+    /// One facet, and how far it is shown.
+    pub fn facet(&mut self, index: usize, claim: &FacetClaim) -> Result<Reach, Rejection> {
+        let what = format!("facet {} ({}, rotors {:?})", index + 1, claim.facet.mode, claim.facet.rotors);
+        let span = self.span_of(&claim.facet.mode);
+        let plane = spanned(self.model, &claim.facet).map_err(|r| Rejection { claim: what.clone(), span, ..r })?;
+        let planes = [plane];
+        let family = wrench_family(&self.dynamics.clone(), &planes);
+        self.bounds(&family, &claim.bounds, MOST_OUTSIDE, |_| String::new()).map_err(|r| Rejection {
+            claim: what,
+            span,
+            ..r
+        })
+    }
+
+    /// Every bound stands, and one of them is close enough to mean something.
+    fn bounds(
+        &mut self,
+        family: &Family,
+        bounds: &[Bound],
+        most: f64,
+        named: impl Fn(usize) -> String,
+    ) -> Result<Reach, Rejection> {
+        let tightest = bounds.iter().map(|b| b.excess).fold(f64::INFINITY, f64::min);
+        if exceeds(tightest, most) {
+            return Err(Rejection::new("", format!("no bound is claimed that is at most {}", number(most))));
+        }
+        for bound in bounds {
+            if matches!(bound.scope, Scope::Grid(points) if points > MAX_GRID) {
+                return Err(Rejection::new("", format!("a grid has at most {MAX_GRID} points a piece")));
+            }
+            holds(family, &self.motion, bound, &mut self.budget).map_err(|f| failed(bound, &f, named(f.member)))?;
+        }
+        let close = bounds.iter().filter(|b| b.excess <= most).map(|b| b.scope);
+        let scope = close.max_by_key(rank).unwrap_or(Scope::Nodes);
+        let beyond = bounds.iter().filter(|b| rank(&b.scope) > rank(&scope)).copied();
+        Ok(Reach { scope: Some(scope), beyond: beyond.max_by_key(|b| rank(&b.scope)) })
+    }
+}
+
+/// Scopes from the weakest up.
+fn rank(scope: &Scope) -> usize {
+    match scope {
+        Scope::Nodes => 0,
+        Scope::Grid(points) => *points,
+        Scope::EveryInstant => usize::MAX,
+    }
+}
+
+fn failed(bound: &Bound, failure: &Failure, place: String) -> Rejection {
+    let (claimed, found) = (number(bound.excess), number(failure.excess));
+    let detail = if failure.refuted {
+        format!("the excess is {found}, above the {claimed} claimed{place}")
+    } else {
+        format!("an excess of at most {claimed} could not be proved{place}")
+    };
+    Rejection { at: Some(failure.at), ..Rejection::new("", detail) }
+}
+
+/// A tolerance that a certificate allows itself, and no more than means something.
+fn allowed(name: &str, claimed: f64, most: f64) -> Result<(), Rejection> {
+    if claimed <= most {
+        Ok(())
+    } else {
+        Err(Rejection::new(name, format!("{} is more than the {} that a plan may miss", number(claimed), number(most))))
+    }
+}
+
+/// The excess of the wrench over each plane.
+fn wrench_family<'b>(dynamics: &Dynamics<'b>, planes: &'b [Plane]) -> Family<'b> {
+    let linear = dynamics.model == DynamicModel::Hover && dynamics.one_yaw.is_some();
+    let dynamics = dynamics.clone();
+    let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
+        let wrench = dynamics.wrench(state);
+        let planes = wanted.iter().filter_map(|&m| planes.get(m));
+        planes.map(|p| Rated { value: p.excess(&wrench.value), rate: along(&p.normal, &wrench.rate) }).collect()
+    };
+    Family { members: planes.len(), evaluate: Box::new(evaluate), linear }
+}

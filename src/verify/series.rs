@@ -1,0 +1,133 @@
+//! Truncated Taylor series in time with interval coefficients: the value of a quantity and its next derivatives, exact
+//! up to rounding, without a formula for any of them (Moore, Kearfott, Cloud, chapter 9).
+
+use super::interval::Interval;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// Coefficients kept: a wrench needs the attitude's second derivative, and its rate of change the third.
+pub const TERMS: usize = 4;
+
+/// `sum of c_n s^n` for n < TERMS.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Series(pub [Interval; TERMS]);
+
+impl Series {
+    pub fn constant(value: Interval) -> Self {
+        let mut c = [Interval::ZERO; TERMS];
+        c[0] = value;
+        Series(c)
+    }
+
+    /// From a quantity's derivatives: `c_n = d_n / n!`.
+    pub fn of_derivatives(derivatives: &[Interval]) -> Self {
+        const FACTORIAL: [f64; TERMS] = [1.0, 1.0, 2.0, 6.0];
+        Series(std::array::from_fn(|n| match derivatives.get(n) {
+            Some(&d) if n < 2 => d,
+            Some(&d) => d / Interval::point(FACTORIAL[n]),
+            None => Interval::ZERO,
+        }))
+    }
+
+    pub fn value(&self) -> Interval {
+        self.0[0]
+    }
+
+    /// The first derivative's value.
+    pub fn slope(&self) -> Interval {
+        self.0[1]
+    }
+
+    pub fn times(&self, factor: Interval) -> Self {
+        Series(self.0.map(|c| c * factor))
+    }
+
+    /// The derivative with respect to time: one coefficient fewer is known.
+    pub fn rate(&self) -> Self {
+        Series(std::array::from_fn(|n| match self.0.get(n + 1) {
+            Some(&c) => c * Interval::point((n + 1) as f64),
+            None => Interval::WHOLE,
+        }))
+    }
+
+    /// `self / divisor`: q_n = (a_n - sum over j < n of q_j b_(n-j)) / b_0.
+    pub fn over(&self, divisor: &Series) -> Self {
+        let mut q = [Interval::ZERO; TERMS];
+        for n in 0..TERMS {
+            let known = (0..n).fold(self.0[n], |sum, j| sum - q[j] * divisor.0[n - j]);
+            q[n] = known / divisor.0[0];
+        }
+        Series(q)
+    }
+
+    /// s_0 = sqrt(a_0), s_n = (a_n - sum over 0 < j < n of s_j s_(n-j)) / (2 s_0).
+    pub fn sqrt(&self) -> Self {
+        let mut s = [Interval::ZERO; TERMS];
+        s[0] = self.0[0].sqrt();
+        let double = s[0] * Interval::point(2.0);
+        for n in 1..TERMS {
+            let known = (1..n).fold(self.0[n], |sum, j| sum - s[j] * s[n - j]);
+            s[n] = known / double;
+        }
+        Series(s)
+    }
+
+    /// n s_n = sum over j of j a_j c_(n-j), n c_n = -(sum over j of j a_j s_(n-j)).
+    pub fn sin_cos(&self) -> (Self, Self) {
+        let (mut s, mut c) = ([Interval::ZERO; TERMS], [Interval::ZERO; TERMS]);
+        (s[0], c[0]) = self.0[0].sin_cos();
+        for n in 1..TERMS {
+            let mut sums = (Interval::ZERO, Interval::ZERO);
+            for j in 1..=n {
+                let weighted = self.0[j] * Interval::point(j as f64);
+                sums = (sums.0 + weighted * c[n - j], sums.1 - weighted * s[n - j]);
+            }
+            let n_th = Interval::point(n as f64);
+            (s[n], c[n]) = (sums.0 / n_th, sums.1 / n_th);
+        }
+        (Series(s), Series(c))
+    }
+}
+
+impl Add for Series {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Series(std::array::from_fn(|n| self.0[n] + other.0[n]))
+    }
+}
+
+impl Neg for Series {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Series(self.0.map(|c| -c))
+    }
+}
+
+impl Sub for Series {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Series {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Series(std::array::from_fn(|n| (0..=n).fold(Interval::ZERO, |sum, j| sum + self.0[j] * other.0[n - j])))
+    }
+}
+
+/// A vector whose components change with time.
+pub type Vector = [Series; 3];
+
+pub fn dot(a: &Vector, b: &Vector) -> Series {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: &Vector, b: &Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub fn unit(a: &Vector) -> Vector {
+    let length = dot(a, a).sqrt();
+    [a[0].over(&length), a[1].over(&length), a[2].over(&length)]
+}

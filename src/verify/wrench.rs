@@ -1,0 +1,74 @@
+//! The wrench of a motion, worked out from series in time: no derivative is taken by hand.
+
+use super::interval::Interval;
+use super::motion::{State, X, Y, YAW, Z, series};
+use super::series::{Series, Vector, cross, dot, unit};
+use crate::certificate::DynamicModel;
+use crate::model::Vehicle;
+
+/// Value and rate of change of T, tau_x, tau_y, tau_z: N, N m and per second.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wrench {
+    pub value: [Interval; 4],
+    pub rate: [Interval; 4],
+}
+
+/// What turns motions into wrenches.
+#[derive(Debug, Clone)]
+pub struct Dynamics<'a> {
+    pub vehicle: &'a Vehicle,
+    /// m/s^2
+    pub gravity: f64,
+    pub model: DynamicModel,
+    /// rad: where all waypoints ask for one yaw, the hover model's torques are taken there.
+    pub one_yaw: Option<f64>,
+}
+
+impl Dynamics<'_> {
+    pub fn wrench(&self, state: &State) -> Wrench {
+        let parts = match self.model {
+            DynamicModel::Hover => self.about_hover(state),
+            DynamicModel::Exact => self.exact(state),
+        };
+        Wrench { value: parts.map(|p| p.value()), rate: parts.map(|p| p.slope()) }
+    }
+
+    /// T = m (g + z''), tau = (Ixx phi'', Iyy theta'', Izz psi'') with phi = (s x'' - c y'')/g, theta = (c x'' + s
+    /// y'')/g: the series of phi and theta hold their second derivatives.
+    fn about_hover(&self, state: &State) -> [Series; 4] {
+        let g = Interval::point(self.gravity);
+        let yaw = match self.one_yaw {
+            Some(psi) => Series::constant(Interval::point(psi)),
+            None => series(&state[YAW], 0),
+        };
+        let (s, c) = yaw.sin_cos();
+        let (ax, ay) = (series(&state[X], 2), series(&state[Y], 2));
+        let over_g = |a: Series| Series(a.0.map(|x| x / g));
+        let roll = over_g(s * ax - c * ay).rate().rate();
+        let pitch = over_g(c * ax + s * ay).rate().rate();
+        let [ixx, iyy, izz] = self.vehicle.inertia.map(Interval::point);
+        let lift = series(&state[Z], 2) + Series::constant(g);
+        let thrust = lift.times(Interval::point(self.vehicle.mass));
+        [thrust, roll.times(ixx), pitch.times(iyy), series(&state[YAW], 2).times(izz)]
+    }
+
+    /// The thrust carries m (p'' + g e_z) along b_3; of ZYX angles the heading is that of b_1, which is therefore
+    /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3',
+    /// q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
+    fn exact(&self, state: &State) -> [Series; 4] {
+        let g = Series::constant(Interval::point(self.gravity));
+        let a: Vector = [series(&state[X], 2), series(&state[Y], 2), series(&state[Z], 2) + g];
+        let (s, c) = series(&state[YAW], 0).sin_cos();
+        let b3 = unit(&a);
+        let b1 = unit(&cross(&[-s, c, Series::constant(Interval::ZERO)], &b3));
+        let b2 = cross(&b3, &b1);
+        let (b1_rate, b3_rate) = (b1.map(|x| x.rate()), b3.map(|x| x.rate()));
+        let omega: Vector = [-dot(&b2, &b3_rate), dot(&b1, &b3_rate), dot(&b2, &b1_rate)];
+        let inertia = self.vehicle.inertia.map(Interval::point);
+        let momentum: Vector = std::array::from_fn(|i| omega[i].times(inertia[i]));
+        let gyroscopic = cross(&omega, &momentum);
+        let tau: Vector = std::array::from_fn(|i| momentum[i].rate() + gyroscopic[i]);
+        let thrust = dot(&a, &a).sqrt().times(Interval::point(self.vehicle.mass));
+        [thrust, tau[0], tau[1], tau[2]]
+    }
+}

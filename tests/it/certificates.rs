@@ -1,0 +1,83 @@
+//! Certificates: what the checker's own arithmetic, sets and wrenches say against other ways to the same, and that no
+//! false claim passes.
+
+mod arithmetic;
+mod command;
+mod exact;
+mod infeasible;
+mod sets;
+mod tampering;
+mod wrench;
+
+use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
+use mavc::certificate::Certificate;
+use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
+use mavc::planner::compare::{Comparison, Scope, compare};
+
+/// The hash that certificates in these tests carry.
+const SHA: &str = "0123";
+
+/// Numbers that look random and are the same in every run (splitmix64).
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// From -1 to 1.
+    fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        (self.next() % n.max(1) as u64) as usize
+    }
+}
+
+/// An octocopter that hops over a hold against two single losses, within limits that bind.
+fn hop(planner: PlannerKind, time: f64) -> Model {
+    let mut model = octocopter("PPNNPPNN");
+    model.modes = (1..=8).map(|k| lost(&model, &[k])).collect();
+    let mut flight =
+        mission(vec![waypoint([0.0, 0.0, 2.0], 0.3), waypoint([3.0, 1.0, 3.0], 0.3), waypoint([5.0, 0.0, 2.5], 0.3)]);
+    flight.waypoints[1].hold = 0.5;
+    flight.limits = vec![
+        limit(LimitKind::Speed, 2.5),
+        limit(LimitKind::Tilt, 0.4),
+        limit(LimitKind::Climb, 1.0),
+        limit(LimitKind::Z, 4.0),
+    ];
+    model.mission = Some(flight);
+    model.plan.planner = planner;
+    model.plan.against = vec![0, 4];
+    model.plan.time = MissionTime::Fixed(time);
+    model.plan.samples = 30;
+    model.plan.reserve = 0.05;
+    model
+}
+
+/// The checker uses nothing that the planner is made of.
+#[test]
+fn the_checker_stands_alone() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let rooms = std::fs::read_dir(root.join("verify")).unwrap().map(|entry| entry.unwrap().path());
+    for file in rooms.chain([root.join("verify.rs")]) {
+        let text = std::fs::read_to_string(&file).unwrap();
+        for room in ["actuation", "admissible", "flight", "geometry", "planner", "qp", "solve", "trajectory"] {
+            assert!(!text.contains(&format!("crate::{room}")), "{} uses {room}", file.display());
+        }
+        assert!(!text.contains("nalgebra"), "{}", file.display());
+    }
+}
+
+fn planned(model: &Model) -> Comparison {
+    compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
+}
+
+fn certified(model: &Model) -> Option<Certificate> {
+    mavc::certificate::of(model, model.mission.as_ref().unwrap(), &planned(model), SHA.into()).ok()
+}

@@ -1,0 +1,179 @@
+//! Certificates in the exact model: a motion from rest to rest with turning yaw, built here, with bounds from
+//! differences of its attitude.
+
+use super::SHA;
+use super::wrench::{G, Path, at, exact_by_differences};
+use crate::vehicles::{limit, mission, octocopter, waypoint};
+use mavc::actuation::Wrench;
+use mavc::admissible::AdmissibleSet;
+use mavc::certificate::{
+    Bound, Certificate, Claim, DynamicModel, LimitClaim, MotionRecord, PlanClaim, SCHEMA, Scope, SetClaim,
+};
+use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
+use mavc::verify::decide;
+use nalgebra::{DMatrix, DVector};
+
+const PIECES: usize = 24;
+const STEP: f64 = 0.125;
+
+/// Derivatives at all nodes of a chain of `order` integrators whose input is linear between nodes and zero at the ends.
+fn integrated(order: usize, start: f64, inputs: &[f64]) -> Vec<Vec<f64>> {
+    let mut state = vec![0.0; order];
+    state[0] = start;
+    let mut nodes = vec![];
+    for k in 0..=PIECES {
+        let mut node = state.clone();
+        node.push(inputs[k]);
+        if k < PIECES {
+            node.push((inputs[k + 1] - inputs[k]) / STEP);
+            let late = |i: usize| (i..node.len()).rev().fold(0.0, |sum, j| node[j] + sum * STEP / (j + 1 - i) as f64);
+            state = (0..order).map(late).collect();
+            node.pop();
+        }
+        nodes.push(node);
+    }
+    nodes
+}
+
+/// The inputs of least length that carry such a chain from rest at `start` to rest at `end`.
+fn rest_to_rest(order: usize, start: f64, end: f64) -> Vec<Vec<f64>> {
+    let unit = |k: usize| -> Vec<f64> { (0..=PIECES).map(|i| f64::from(u8::from(i == k))).collect() };
+    let reached = DMatrix::from_fn(order, PIECES - 1, |i, k| integrated(order, 0.0, &unit(k + 1))[PIECES][i]);
+    let mut wanted = DVector::zeros(order);
+    wanted[0] = end - start;
+    let inputs = reached.pseudo_inverse(1e-14).unwrap() * wanted;
+    let all: Vec<f64> = std::iter::once(0.0).chain(inputs.iter().copied()).chain([0.0]).collect();
+    let mut nodes = integrated(order, start, &all);
+    nodes[PIECES][1..].fill(0.0);
+    nodes
+}
+
+fn model() -> Model {
+    let mut model = octocopter("PPNNPPNN");
+    model.vehicle.inertia = [0.03, 0.05, 0.07];
+    let mut flight = mission(vec![waypoint([0.0, 0.0, 2.0], 0.2), waypoint([2.5, -1.5, 3.0], 1.2)]);
+    flight.limits = vec![limit(LimitKind::Tilt, 0.7), limit(LimitKind::Jerk, 40.0), limit(LimitKind::YawRate, 2.0)];
+    model.mission = Some(flight);
+    model.plan.planner = PlannerKind::Rip;
+    model.plan.time = MissionTime::Fixed(STEP * PIECES as f64);
+    model.plan.reserve = 0.05;
+    model
+}
+
+/// The largest excess over the healthy set's facets, and over each limit, at many instants.
+fn sampled(model: &Model, record: &MotionRecord) -> (f64, [f64; 3]) {
+    let set = AdmissibleSet::healthy(model).with_reserve(model.plan.reserve);
+    let (mut outside, mut past) = (f64::NEG_INFINITY, [f64::NEG_INFINITY; 3]);
+    for k in 0..PIECES {
+        let mut path: Path = [[0.0; 6]; 4];
+        let axes = [&record.x[k][..], &record.y[k], &record.z[k], &record.yaw[k]];
+        let next = [&record.x[k + 1][..], &record.y[k + 1], &record.z[k + 1], &record.yaw[k + 1]];
+        for (axis, (now, then)) in axes.into_iter().zip(next).enumerate() {
+            path[axis][..now.len()].copy_from_slice(now);
+            path[axis][now.len()] = (then[now.len() - 1] - now[now.len() - 1]) / STEP;
+        }
+        for i in 0..=16 {
+            let t = STEP * f64::from(i) / 16.0;
+            let w = Wrench::from(exact_by_differences(&path, &model.vehicle, t));
+            let excess = |n: &Wrench, e: f64| (n.dot(&w) - e) / set.zonotope.width(n);
+            outside = set.polytope.facets.iter().map(|f| excess(&f.normal, f.offset)).fold(outside, f64::max);
+            let s = at(&path, t);
+            let lift = s[2][2] + G;
+            let size = (s[0][2].powi(2) + s[1][2].powi(2) + lift * lift).sqrt();
+            let tilted = size * (s[0][2].hypot(s[1][2]).atan2(lift) - 0.7).sin() / G;
+            let jerk = (s[0][3].powi(2) + s[1][3].powi(2) + s[2][3].powi(2)).sqrt() - 40.0;
+            for (most, value) in past.iter_mut().zip([tilted, jerk, s[3][1] - 2.0]) {
+                *most = most.max(value);
+            }
+        }
+    }
+    (outside, past)
+}
+
+fn certificate(model: &Model) -> Certificate {
+    let wide = |start, end| -> Vec<[f64; 5]> {
+        rest_to_rest(4, start, end).into_iter().map(|n| n.try_into().unwrap()).collect()
+    };
+    let motion = MotionRecord {
+        times_s: (0..=PIECES).map(|k| STEP * k as f64).collect(),
+        x: wide(0.0, 2.5),
+        y: wide(0.0, -1.5),
+        z: rest_to_rest(4, 2.0, 3.0),
+        yaw: rest_to_rest(2, 0.2, 1.2).into_iter().map(|n| n.try_into().unwrap()).collect(),
+        waypoint_nodes: vec![0, PIECES],
+    };
+    let (outside, past) = sampled(model, &motion);
+    assert!(outside < -0.01, "the motion leaves the set: {outside}");
+    let every = |excess: f64| vec![Bound { scope: Scope::EveryInstant, excess }];
+    let names = ["tilt", "jerk", "yaw rate"];
+    let limits = model.mission.as_ref().unwrap().limits.iter().zip(names).zip(past).map(|((limit, name), most)| {
+        LimitClaim { limit: name.into(), lower: limit.lower, upper: limit.upper, bounds: every(most + 1e-3) }
+    });
+    let claim = PlanClaim {
+        joins_within: 1e-9,
+        position_excess_m: 0.0,
+        yaw_excess_rad: 0.0,
+        limits: limits.collect(),
+        sets: vec![SetClaim { mode: "healthy".into(), bounds: every(outside + 1e-3) }],
+        facets: vec![],
+        motion,
+    };
+    Certificate { schema: SCHEMA, spec_sha256: SHA.into(), model: DynamicModel::Exact, claim: Claim::Plan(claim) }
+}
+
+fn changed(certificate: &Certificate, change: impl Fn(&mut PlanClaim)) -> Certificate {
+    let mut changed = certificate.clone();
+    let Claim::Plan(claim) = &mut changed.claim else { panic!("no plan") };
+    change(claim);
+    changed
+}
+
+#[test]
+fn exact_motions_are_proved_at_every_instant() {
+    let model = model();
+    let certificate = certificate(&model);
+    let verdict = decide(&certificate, &model).unwrap();
+    let proved = verdict.shown.iter().filter(|s| s.reach.scope == Some(Scope::EveryInstant)).count();
+    assert_eq!(proved, 4, "{verdict:?}");
+    // Grids are weaker claims, and have a size.
+    let on_grid = |points| changed(&certificate, |c| c.sets[0].bounds[0].scope = Scope::Grid(points));
+    assert!(decide(&on_grid(10), &model).is_ok());
+    assert!(decide(&on_grid(100_000), &model).unwrap_err().detail.contains("1000 points"));
+    // A little less than what was sampled is false, and found to be.
+    let tighter = changed(&certificate, |c| c.sets[0].bounds[0].excess -= 2e-3);
+    let rejection = decide(&tighter, &model).unwrap_err();
+    assert!(rejection.claim == "the set of healthy" && rejection.detail.contains("above the"), "{rejection:?}");
+    for limit in 0..3 {
+        let tighter = changed(&certificate, |c| c.limits[limit].bounds[0].excess -= 2e-3);
+        assert!(decide(&tighter, &model).unwrap_err().claim.starts_with(&format!("limit {}", limit + 1)));
+    }
+}
+
+/// The two models differ by more than the claims leave, and a certificate in one is none in the other.
+#[test]
+fn models_are_told_apart() {
+    let mut model = model();
+    let exact = certificate(&model);
+    let hover = Certificate { model: DynamicModel::Hover, ..exact.clone() };
+    assert_eq!(decide(&hover, &model).unwrap_err().claim, "the motion");
+    // Of a lighter and a heavier vehicle one at least comes closer to its set's edge on the same motion.
+    let mass = model.vehicle.mass;
+    let mut accepts = |factor: f64| {
+        model.vehicle.mass = mass * factor;
+        decide(&exact, &model).is_ok()
+    };
+    assert!(!(accepts(0.8) && accepts(1.25)));
+}
+
+/// Without thrust there is no attitude: nothing is proved, and nothing is accepted.
+#[test]
+fn free_fall_is_not_proved() {
+    let model = model();
+    let falling = changed(&certificate(&model), |c| {
+        c.motion.x.iter_mut().chain(&mut c.motion.y).for_each(|n| n[1..].fill(0.0));
+        c.motion.z[5][2] = -G;
+    });
+    assert!(decide(&falling, &model).is_err());
+    let only_set = changed(&falling, |c| c.joins_within = f64::INFINITY);
+    assert!(decide(&only_set, &model).is_err());
+}

@@ -1,0 +1,92 @@
+//! The checker's planes against the sets that the planner uses.
+
+use super::Numbers;
+use crate::vehicles::{hexacopter, lost, octocopter, quadcopter};
+use mavc::actuation::Wrench;
+use mavc::admissible::AdmissibleSet;
+use mavc::model::Model;
+use mavc::verify::interval::Interval;
+use mavc::verify::sets::{Generators, Plane};
+
+fn excess(planes: &[Plane], w: &Wrench) -> f64 {
+    let w: [Interval; 4] = std::array::from_fn(|i| Interval::point(w[i]));
+    planes.iter().map(|p| p.excess(&w).middle()).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Both say the same of wrenches about the boundary, to rounding.
+fn assert_same(model: &Model, mode: Option<usize>, reserve: f64, numbers: &mut Numbers) {
+    let set = mode.map_or_else(|| AdmissibleSet::healthy(model), |i| AdmissibleSet::of_mode(model, i));
+    let kept = set.with_reserve(reserve);
+    let mode = mode.map(|i| &model.modes[i]);
+    let generators = Generators::new(&model.vehicle, model.gravity, mode, reserve);
+    let planes = generators.planes().unwrap();
+    let healthy = AdmissibleSet::healthy(model);
+    let (mut inside, mut outside) = (0, 0);
+    for _ in 0..300 {
+        // A direction from hover, as far as the boundary, and a little less or more.
+        let scale = healthy.zonotope.scale();
+        let mut direction = Wrench::from_fn(|i, _| numbers.unit() * scale[i]);
+        for e in &set.polytope.equalities {
+            direction -= e.normal * e.normal.dot(&direction) / e.normal.norm_squared();
+        }
+        let Some((_, far)) = kept.polytope.chord(&set.hover, &direction, 1e-9) else { continue };
+        let found = |share: f64| excess(&planes, &(set.hover + direction * (far * share)));
+        assert!(found(0.999) < 1e-9, "{}", found(0.999));
+        assert!(found(1.001) > 1e-9, "{}", found(1.001));
+        assert!(found(1.0).abs() < 1e-9, "{}", found(1.0));
+        (inside, outside) = (inside + 1, outside + 1);
+    }
+    assert!(inside > 200 && outside > 200, "{}: {inside}", set.name);
+    let extent = generators.extent();
+    for (axis, range) in extent.iter().enumerate() {
+        let n = Wrench::from_fn(|i, _| f64::from(u8::from(i == axis)));
+        let shrunk = |n: &Wrench| n.dot(&set.hover) + (1.0 - reserve) * (set.zonotope.support(n) - n.dot(&set.hover));
+        assert!((range.high - shrunk(&n)).abs() < 1e-9 && (range.low + shrunk(&-n)).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn sets_are_the_planners() {
+    let mut numbers = Numbers(8);
+    for mut model in [octocopter("PPNNPPNN"), octocopter("PNPNPNPN"), hexacopter("PPNNPN"), quadcopter()] {
+        model.modes = vec![lost(&model, &[1]), lost(&model, &[2])];
+        model.modes[0].capacity[0] = 0.6;
+        model.modes[1].capacity[1] = 1.0;
+        model.modes[1].stuck[1] = Some(0.3);
+        for mode in [None, Some(0)] {
+            assert_same(&model, mode, 0.0, &mut numbers);
+            assert_same(&model, mode, 0.2, &mut numbers);
+        }
+    }
+    let mut model = octocopter("PPNNPPNN");
+    model.modes = vec![lost(&model, &[3]), lost(&model, &[1, 6]), lost(&model, &[4])];
+    model.modes[2].capacity[3] = 1.0;
+    model.modes[2].stuck[3] = Some(0.4);
+    for mode in 0..3 {
+        assert_same(&model, Some(mode), 0.1, &mut numbers);
+    }
+}
+
+/// A quadcopter without rotor 1 reaches a flat set only: wrenches beside it are outside, however near hover they are.
+#[test]
+fn flat_sets_have_no_inside() {
+    let mut model = quadcopter();
+    model.modes = vec![lost(&model, &[1])];
+    let set = AdmissibleSet::of_mode(&model, 0);
+    let generators = Generators::new(&model.vehicle, model.gravity, Some(&model.modes[0]), 0.0);
+    let planes = generators.planes().unwrap();
+    let inside = set.zonotope.generators.iter().fold(Wrench::zeros(), |sum, g| sum + g * 0.5);
+    assert!(excess(&planes, &inside).abs() < 1e-12);
+    let normal = set.polytope.equalities[0].normal;
+    for side in [1.0, -1.0] {
+        assert!(excess(&planes, &(inside + normal * (side * 1e-3))) > 1e-6);
+    }
+    // Along the set it ends where the planner's facets end.
+    let direction = set.zonotope.generators[1] - set.zonotope.generators[3] * 0.7;
+    let (_, far) = set.polytope.chord(&inside, &direction, 1e-9).unwrap();
+    assert!(excess(&planes, &(inside + direction * (far * 0.999))) < 1e-9);
+    assert!(excess(&planes, &(inside + direction * (far * 1.001))) > 1e-6);
+    // Two rotors leave a plane, which is not decided.
+    model.modes = vec![lost(&model, &[1, 2])];
+    assert!(Generators::new(&model.vehicle, model.gravity, Some(&model.modes[0]), 0.0).planes().is_err());
+}

@@ -1,0 +1,330 @@
+//! A thousand certificates changed at random. Whether a change makes a claim false is decided in plain `f64` by the
+//! planner's sets and wrench maps, none of which the checker uses; every certificate found false has to be rejected.
+
+use super::{Numbers, SHA, certified, hop};
+use mavc::actuation::Wrench;
+use mavc::admissible::AdmissibleSet;
+use mavc::certificate::{Bound, Certificate, Claim, DynamicModel, FacetClaim, PlanClaim, Scope};
+use mavc::model::{LimitKind, Mission, Model, PlannerKind};
+use mavc::planner::hover_model::{WrenchMap, X, Y, YAW, Z};
+use mavc::planner::transcribe::NodeState;
+use mavc::trajectory::Trajectory;
+use mavc::trajectory::checks::past;
+use mavc::verify::verify;
+use serde_json::{Value, json};
+
+/// What is off by no more than this is not told apart from rounding.
+const CLEAR: f64 = 2e-9;
+
+/// Some reason why a claim is false, if one is found.
+fn falsehood(certificate: &Certificate, model: &Model) -> Option<String> {
+    let Claim::Plan(claim) = &certificate.claim else { return Some("no plan".into()) };
+    let mission = model.mission.as_ref().unwrap();
+    let record = &claim.motion;
+    let n = record.times_s.len();
+    let lengths = [record.x.len(), record.y.len(), record.z.len(), record.yaw.len()];
+    let bent = certificate.model != DynamicModel::Hover || record.z.iter().any(|z| z.len() != 3);
+    if lengths.iter().any(|&l| l != n) || bent || record.times_s.windows(2).any(|w| w[0] >= w[1]) {
+        return Some("no motion".into());
+    }
+    let nodes: Vec<NodeState> = (0..n)
+        .map(|k| {
+            let mut state = [record.x[k], record.y[k], [0.0; 5], [0.0; 5]];
+            state[Z][..3].copy_from_slice(&record.z[k]);
+            state[YAW][..3].copy_from_slice(&record.yaw[k]);
+            state
+        })
+        .collect();
+    let trajectory = Trajectory {
+        times: record.times_s.clone(),
+        nodes,
+        waypoint_nodes: record.waypoint_nodes.clone(),
+        linearised_at: Some(mission.waypoints[0].yaw),
+    };
+    scheduled(&trajectory, mission, model)
+        .or_else(|| flown(&trajectory, mission, claim))
+        .or_else(|| limited(&trajectory, mission, claim, model.gravity))
+        .or_else(|| inside(&trajectory, claim, model))
+}
+
+/// Times, waypoints in order, holds.
+fn scheduled(t: &Trajectory, mission: &Mission, model: &Model) -> Option<String> {
+    let off = |a: f64, b: f64| (a - b).abs() > 1e-7;
+    let (last, places) = (t.times.len() - 1, &t.waypoint_nodes);
+    let in_order = places.windows(2).all(|w| w[0] < w[1]) && places.iter().all(|&p| p <= last);
+    if places.len() != mission.waypoints.len() || !in_order || places[0] != 0 || places[places.len() - 1] != last {
+        return Some("waypoints out of order".into());
+    }
+    let mavc::model::MissionTime::Fixed(total) = model.plan.time else { panic!("the time is open") };
+    if off(t.times[0], 0.0) || off(t.times[last], total) {
+        return Some("other mission time".into());
+    }
+    let hold = &mission.waypoints[1];
+    let leaves = t.times[places[1]] + hold.hold;
+    let until = t.times.iter().position(|&s| !off(s, leaves));
+    let Some(until) = until else { return Some("no hold".into()) };
+    let highest = [4, 4, 2, 2];
+    for (node, held) in [(0, false), (last, false)].into_iter().chain((places[1]..=until).map(|n| (n, true))) {
+        for axis in [X, Y, Z, YAW] {
+            let orders = if held { highest[axis] } else { [3, 3, 2, 2][axis] };
+            if t.nodes[node][axis][1..=orders].iter().any(|&d| d != 0.0) {
+                return Some(format!("no rest at node {node}"));
+            }
+        }
+    }
+    None
+}
+
+/// Joins and waypoints.
+fn flown(t: &Trajectory, mission: &Mission, claim: &PlanClaim) -> Option<String> {
+    for k in 0..t.intervals() {
+        let h = t.times[k + 1] - t.times[k];
+        let end = t.within(k, h);
+        for (axis, order) in [(X, 4), (Y, 4), (Z, 2), (YAW, 2)] {
+            for (i, (a, b)) in end[axis].iter().zip(&t.nodes[k + 1][axis]).take(order).enumerate() {
+                let gap = (a - b).abs() * h.powi(i as i32);
+                if gap > claim.joins_within + CLEAR {
+                    return Some(format!("gap {gap} after piece {k}"));
+                }
+            }
+        }
+    }
+    for (w, &node) in mission.waypoints.iter().zip(&t.waypoint_nodes) {
+        let s = &t.nodes[node];
+        let distance = (0..3).map(|i| (s[i][0] - w.position[i]).powi(2)).sum::<f64>().sqrt();
+        let turned = (s[YAW][0] - w.yaw).abs();
+        if distance - w.within > claim.position_excess_m + CLEAR || turned - w.yaw_within > claim.yaw_excess_rad + CLEAR
+        {
+            return Some(format!("waypoint missed at node {node}"));
+        }
+    }
+    None
+}
+
+/// Whether a quantity is seen above some bound.
+fn passes(t: &Trajectory, bounds: &[Bound], quantity: impl Fn(&NodeState) -> f64) -> Option<String> {
+    for bound in bounds {
+        let looks = match bound.scope {
+            Scope::Nodes => 1,
+            Scope::Grid(points) => points + 1,
+            Scope::EveryInstant => 24,
+        };
+        for k in 0..t.intervals() {
+            let h = t.times[k + 1] - t.times[k];
+            let mut states: Vec<NodeState> = (0..looks).map(|i| t.within(k, h * i as f64 / looks as f64)).collect();
+            states.push(t.nodes[k + 1]);
+            let largest = states.iter().map(&quantity).fold(f64::NEG_INFINITY, f64::max);
+            if largest > bound.excess + CLEAR {
+                return Some(format!("{largest} over {bound:?} on piece {k}"));
+            }
+        }
+    }
+    None
+}
+
+fn limited(t: &Trajectory, mission: &Mission, claim: &PlanClaim, g: f64) -> Option<String> {
+    if claim.limits.len() != mission.limits.len() {
+        return Some("limits missing".into());
+    }
+    mission.limits.iter().zip(&claim.limits).find_map(|(limit, told)| {
+        let words = match limit.kind {
+            LimitKind::Speed => "speed",
+            LimitKind::Tilt => "tilt",
+            LimitKind::Climb => "climb",
+            LimitKind::Z => "altitude",
+            other => panic!("{other:?}"),
+        };
+        if told.limit != words || told.lower != limit.lower || told.upper != limit.upper {
+            return Some("another limit".into());
+        }
+        if told.bounds.is_empty() {
+            return Some("nothing is claimed".into());
+        }
+        passes(t, &told.bounds, |s| match limit.kind {
+            LimitKind::Tilt => {
+                // |a| sin(tilt - L) / g
+                let lift = s[Z][2] + g;
+                let size = (s[X][2].powi(2) + s[Y][2].powi(2) + lift * lift).sqrt();
+                size * (s[X][2].hypot(s[Y][2]).atan2(lift) - limit.upper.unwrap()).sin() / g
+            }
+            _ => past(limit, s, g),
+        })
+    })
+}
+
+fn set_named(model: &Model, name: &str) -> Option<AdmissibleSet> {
+    match name {
+        "healthy" => Some(AdmissibleSet::healthy(model)),
+        _ => Some(AdmissibleSet::of_mode(model, model.modes.iter().position(|m| m.name == name)?)),
+    }
+}
+
+fn inside(t: &Trajectory, claim: &PlanClaim, model: &Model) -> Option<String> {
+    let healthy = AdmissibleSet::healthy(model);
+    let map = WrenchMap::with_free_yaw(&model.vehicle, model.gravity, t.linearised_at.unwrap());
+    let needed: Vec<&str> = match model.plan.planner {
+        PlannerKind::Rcp => model.plan.against.iter().map(|&i| model.modes[i].name.as_str()).collect(),
+        _ => vec!["healthy"],
+    };
+    if needed.iter().any(|name| !claim.sets.iter().any(|s| s.mode == *name && !s.bounds.is_empty())) {
+        return Some("a set is missing".into());
+    }
+    let shrunk = |w: &Wrench, n: &Wrench, e: f64| {
+        let hover = n.dot(&healthy.hover);
+        (n.dot(w) - hover - (1.0 - model.plan.reserve) * (e - hover)) / healthy.zonotope.width(n)
+    };
+    let sets = claim.sets.iter().find_map(|told| {
+        let Some(set) = set_named(model, &told.mode) else { return Some("no such mode".into()) };
+        let largest = |s: &NodeState| {
+            let w = map.at(s);
+            set.polytope.facets.iter().map(|f| shrunk(&w, &f.normal, f.offset)).fold(f64::NEG_INFINITY, f64::max)
+        };
+        passes(t, &told.bounds, largest)
+    });
+    sets.or_else(|| {
+        claim.facets.iter().find_map(|FacetClaim { facet, bounds }| {
+            let Some(set) = set_named(model, &facet.mode) else { return Some("no such mode".into()) };
+            let n = Wrench::from(facet.normal);
+            let spans = facet.rotors.iter().all(|&k| {
+                let g = set.zonotope.generators.get(k.wrapping_sub(1));
+                g.is_some_and(|g| g.norm() > 0.0 && n.dot(g).abs() <= 1e-6 * g.norm())
+            });
+            let [a, b, c] = facet.rotors;
+            let off = (set.zonotope.support(&n) - facet.offset).abs() > 1e-6 || (n.norm() - 1.0).abs() > 1e-6;
+            if !spans || off || a == b || b == c || a == c || bounds.is_empty() {
+                return Some(format!("not a facet: {facet:?}"));
+            }
+            passes(t, bounds, |s| shrunk(&map.at(s), &n, facet.offset))
+        })
+    })
+}
+
+/// 10^-8 to 1, either sign.
+fn small(numbers: &mut Numbers) -> f64 {
+    10f64.powf(-4.0 + 4.0 * numbers.unit()) * numbers.unit().signum()
+}
+
+fn pick<'v>(list: &'v mut Value, numbers: &mut Numbers) -> Option<&'v mut Value> {
+    let items = list.as_array_mut()?;
+    let at = numbers.below(items.len());
+    items.get_mut(at)
+}
+
+fn nudge(number: &mut Value, numbers: &mut Numbers) {
+    if let Some(x) = number.as_f64() {
+        *number = json!(x + small(numbers));
+    }
+}
+
+fn drop_one(list: &mut Value, numbers: &mut Numbers) {
+    if let Some(items) = list.as_array_mut().filter(|items| !items.is_empty()) {
+        items.remove(numbers.below(items.len()));
+    }
+}
+
+/// The bounds of some claim.
+fn some_bound<'v>(plan: &'v mut Value, numbers: &mut Numbers) -> Option<&'v mut Value> {
+    let kind = ["limits", "sets", "facets"][numbers.below(3)];
+    let claim = pick(&mut plan[kind], numbers)?;
+    pick(&mut claim["bounds"], numbers)
+}
+
+/// One change to a certificate.
+fn tamper(certificate: &mut Value, numbers: &mut Numbers) -> Option<()> {
+    let way = numbers.below(16);
+    if way == 0 {
+        certificate["model"] = json!("exact");
+        return Some(());
+    }
+    let plan = &mut certificate["claim"]["plan"];
+    match way {
+        1..=3 => {
+            let axis = ["x", "y", "z", "yaw"][numbers.below(4)];
+            let node = pick(&mut plan["motion"][axis], numbers)?;
+            nudge(pick(node, numbers)?, numbers);
+        }
+        4 => nudge(pick(&mut plan["motion"]["times_s"], numbers)?, numbers),
+        5 => {
+            let node = pick(&mut plan["motion"]["waypoint_nodes"], numbers)?;
+            *node = json!(node.as_u64()?.saturating_add(numbers.below(3) as u64).saturating_sub(1));
+        }
+        6 | 7 => {
+            let bound = some_bound(plan, numbers)?;
+            bound["excess"] = json!(bound["excess"].as_f64()? - small(numbers).abs());
+        }
+        8 => some_bound(plan, numbers)?["scope"] = json!("every_instant"),
+        9 => {
+            let facet = &mut pick(&mut plan["facets"], numbers)?["facet"];
+            match numbers.below(4) {
+                0 => *pick(&mut facet["rotors"], numbers)? = json!(numbers.below(10)),
+                1 => nudge(pick(&mut facet["normal"], numbers)?, numbers),
+                2 => nudge(&mut facet["offset"], numbers),
+                _ => facet["normal"].as_array_mut()?.iter_mut().for_each(|n| *n = json!(-n.as_f64().unwrap_or(0.0))),
+            }
+        }
+        10 => drop_one(&mut plan[["limits", "sets", "facets"][numbers.below(3)]], numbers),
+        11 => {
+            let mode = json!(format!("M{}", numbers.below(10)));
+            if numbers.below(2) == 0 {
+                pick(&mut plan["sets"], numbers)?["mode"] = mode;
+            } else {
+                pick(&mut plan["facets"], numbers)?["facet"]["mode"] = mode;
+            }
+        }
+        12 => {
+            let side = ["lower", "upper"][numbers.below(2)];
+            nudge(&mut pick(&mut plan["limits"], numbers)?[side], numbers);
+        }
+        13 => {
+            let name = ["joins_within", "position_excess_m", "yaw_excess_rad"][numbers.below(3)];
+            plan[name] = json!(plan[name].as_f64()? - small(numbers).abs());
+        }
+        14 => {
+            let axis = ["x", "y", "z", "yaw", "times_s"][numbers.below(5)];
+            let items = plan["motion"][axis].as_array_mut()?;
+            let (a, b) = (numbers.below(items.len()), numbers.below(items.len()));
+            items.swap(a, b);
+        }
+        _ => {
+            let claim = pick(&mut plan[["limits", "sets", "facets"][numbers.below(3)]], numbers)?;
+            drop_one(&mut claim["bounds"], numbers);
+        }
+    }
+    Some(())
+}
+
+#[test]
+fn no_false_claim_passes() {
+    let mut numbers = Numbers(9);
+    let (mut false_claims, mut accepted) = (0, 0);
+    for (planner, time) in
+        [(PlannerKind::Rip, 7.2), (PlannerKind::Rcp, 7.6), (PlannerKind::Rsp, 8.0), (PlannerKind::Rcp, 12.0)]
+    {
+        let model = hop(planner, time);
+        let certificate = certified(&model).expect("a plan");
+        assert_eq!(falsehood(&certificate, &model), None);
+        let original = serde_json::to_value(&certificate).unwrap();
+        let told = |value: &Value| verify(value.to_string().as_bytes(), &model, SHA);
+        told(&original).unwrap();
+        for count in 0..250 {
+            let mut tampered = original.clone();
+            // Sometimes several at once: one false claim is enough.
+            for _ in 0..=numbers.below(2) {
+                let _ = tamper(&mut tampered, &mut numbers);
+            }
+            let why = match serde_json::from_value::<Certificate>(tampered.clone()) {
+                Ok(read) => falsehood(&read, &model),
+                Err(unreadable) => Some(unreadable.to_string()),
+            };
+            let verdict = told(&tampered);
+            if let Some(why) = why {
+                false_claims += 1;
+                assert!(verdict.is_err(), "{planner:?} {count}: accepted, though {why}");
+            } else {
+                accepted += usize::from(verdict.is_ok());
+            }
+        }
+    }
+    assert!(false_claims > 600, "only {false_claims} of 1000 changes made a claim false");
+    assert!(accepted > 20, "only {accepted} harmless changes pass: the checker may reject everything");
+}
