@@ -55,9 +55,8 @@ impl AdmissibleSet {
 
     /// The set of the healthy vehicle.
     pub fn healthy(model: &Model) -> Self {
-        let actuation = Actuation::of(&model.vehicle);
-        let generators = (0..actuation.rotors()).map(|k| actuation.full(k)).collect();
-        Self::new(0, HEALTHY, Wrench::zeros(), generators, hover(model))
+        let (idle, generators) = Actuation::of(&model.vehicle).healthy();
+        Self::new(0, HEALTHY, idle, generators, hover(model))
     }
 
     /// The set of `model.modes[index]`.
@@ -85,6 +84,12 @@ impl AdmissibleSet {
 /// The hover wrench [m g, 0, 0, 0].
 pub fn hover(model: &Model) -> Wrench {
     Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0)
+}
+
+/// Whether every fault set lies inside the healthy one, whatever the mode: losing thrust then only takes wrenches
+/// away. It does not hold for rotors that may not stop: lost ones give less than the healthy vehicle can.
+pub fn faults_only_take(model: &Model) -> bool {
+    model.vehicle.rotors.iter().all(|r| r.min_speed == 0.0)
 }
 
 /// The rows a planner imposes: equalities, then facets with all the facets each stands for.

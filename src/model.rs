@@ -96,6 +96,8 @@ pub struct Rotor {
     pub thrust_coefficient: f64,
     /// d, N m s^2 (drag torque = d w^2).
     pub drag_coefficient: f64,
+    /// w_min, rad/s: 0 for a rotor that may stop, otherwise below `max_speed`.
+    pub min_speed: f64,
     /// w_max, rad/s.
     pub max_speed: f64,
     /// First-order motor time constant, s; simulation only.
@@ -106,6 +108,11 @@ impl Rotor {
     /// b w_max^2, N.
     pub fn max_thrust(&self) -> f64 {
         self.thrust_coefficient * self.max_speed * self.max_speed
+    }
+
+    /// b w_min^2, N.
+    pub fn idle_thrust(&self) -> f64 {
+        self.thrust_coefficient * self.min_speed * self.min_speed
     }
 }
 

@@ -117,21 +117,33 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
         ),
         (verdict, _) => {
-            let mass = match mode.critical_mass_kg {
+            let light = mode.least_mass_kg.filter(|least| *least > model.vehicle.mass);
+            let mass = match mode.critical_mass_kg.filter(|_| light.is_none()) {
                 Some(m) if m > 0.0 => format!(
                     "it could at {} kg or less; the spec says {} kg",
                     significant(m, 4),
                     number(model.vehicle.mass)
                 ),
-                _ => "no mass makes it possible".to_string(),
+                _ => match light {
+                    Some(least) => {
+                        format!(
+                            "it could from {} kg on; the spec says {} kg",
+                            significant(least, 4),
+                            number(model.vehicle.mass)
+                        )
+                    }
+                    None => "no mass makes it possible".to_string(),
+                },
             };
             let what = match verdict {
                 Verdict::Stabilizable => "the vehicle cannot hold its yaw",
                 _ => "the vehicle cannot hover",
             };
-            let help = match is_healthy {
-                true => "make the vehicle lighter or change its layout",
-                false => "leave the mode out of `against`, make the vehicle lighter or change its layout",
+            let help = match (is_healthy, light) {
+                (true, None) => "make the vehicle lighter or change its layout",
+                (true, Some(_)) => "lower `min_speed` or change the layout",
+                (false, None) => "leave the mode out of `against`, make the vehicle lighter or change its layout",
+                (false, Some(_)) => "leave the mode out of `against`, or lower `min_speed`",
             };
             answer(Severity::Error, CANNOT_HOVER, what, mass, help)
         }

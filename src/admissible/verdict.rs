@@ -68,6 +68,8 @@ pub struct ModeAnalysis {
     /// Heaviest mass that hovers, kg; `None` where no mass does.
     pub critical_mass_kg: Option<f64>,
     pub critical_mass_yaw_free_kg: Option<f64>,
+    /// Lightest mass that hovers, kg: above 0 where rotors may not stop or are stuck.
+    pub least_mass_kg: Option<f64>,
     /// e_p = A Omega_s - u_ref of (31), [N, N m, N m, N m].
     pub residual4: [f64; 4],
     /// The same without tau_z.
@@ -123,6 +125,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         acai_yaw_free,
         critical_mass_kg: heaviest(&set.polytope, size).map(|t| t / model.gravity),
         critical_mass_yaw_free_kg: heaviest(&yaw_free, size).map(|t| t / model.gravity),
+        least_mass_kg: lift(&set.polytope, size).map(|(low, _)| low / model.gravity),
         residual4: residual4.into(),
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
@@ -149,12 +152,18 @@ fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVect
     Some(if margin.abs() <= ON_BOUNDARY * size { 0.0 } else { margin })
 }
 
-/// Largest T with [T, 0, ...] in the set, N.
-fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<f64> {
+/// Least and largest T >= 0 with [T, 0, ...] in the set, N.
+fn lift<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<(f64, f64)> {
     let mut thrust = SVector::<f64, D>::zeros();
     thrust[0] = 1.0;
-    let (_, high) = polytope.chord(&SVector::zeros(), &thrust, ON_BOUNDARY * size)?;
-    (high >= -ON_BOUNDARY * size).then(|| if high.abs() <= ON_BOUNDARY * size { 0.0 } else { high })
+    let (low, high) = polytope.chord(&SVector::zeros(), &thrust, ON_BOUNDARY * size)?;
+    let dust = |t: f64| if t <= ON_BOUNDARY * size { 0.0 } else { t };
+    (high >= -ON_BOUNDARY * size).then(|| (dust(low), dust(high)))
+}
+
+/// Largest T with [T, 0, ...] in the set, N.
+fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<f64> {
+    lift(polytope, size).map(|(_, high)| high)
 }
 
 fn headroom(set: &AdmissibleSet, at: &Wrench, size: f64) -> Headroom {

@@ -2,7 +2,7 @@
 //! controller believes in.
 
 use crate::actuation::{Actuation, Wrench};
-use crate::admissible::allocation::{MOST_ROTORS, bounded};
+use crate::admissible::allocation::{Bounds, MOST_ROTORS, bounded};
 use crate::model::{Allocation, Model};
 use nalgebra::Matrix4;
 
@@ -45,6 +45,8 @@ pub struct Allocator {
     shift: Wrench,
     /// Sum of the rotors' absolute wrenches: N, N m, N m, N m.
     extent: Wrench,
+    /// Share of full thrust at the lowest speed, rotor by rotor.
+    least: Vec<f64>,
     max_speed: Vec<f64>,
     /// Pseudo-inverse of `columns`, n x 4 as its rows.
     inverse: Vec<Wrench>,
@@ -67,6 +69,7 @@ impl Allocator {
             stuck: vec![None; n],
             shift: Wrench::zeros(),
             extent,
+            least: model.vehicle.rotors.iter().map(|r| (r.min_speed / r.max_speed).powi(2)).collect(),
             max_speed: model.vehicle.rotors.iter().map(|r| r.max_speed).collect(),
             inverse: vec![Wrench::zeros(); n],
             lambda: Wrench::zeros(),
@@ -106,20 +109,21 @@ impl Allocator {
         self.lambda = Wrench::zeros();
     }
 
-    /// Speeds (rad/s) into `speeds` for a wrench. A rotor believed lost gets none, a stuck one what it has.
+    /// Speeds (rad/s) into `speeds` for a wrench. A rotor believed lost gets its lowest, a stuck one what it has.
     pub fn speeds(&mut self, wrench: &Wrench, speeds: &mut [f64]) {
         let mut wanted = wrench.component_div(&self.extent) - self.shift;
+        let bounds = Bounds { least: &self.least, most: &WHOLE };
         // No vehicle gives more yaw than this, and what is missing of it draws on thrust by its weight.
         if self.method == Allocation::Bounded {
             wanted[3] = wanted[3].clamp(-1.0, 1.0);
-            self.lambda = bounded(&self.columns, &WHOLE, &wanted, &WEIGHTS.into(), self.lambda);
+            self.lambda = bounded(&self.columns, bounds, &wanted, &WEIGHTS.into(), self.lambda);
         }
         let (rows, by) = match self.method {
             Allocation::Bounded => (&self.columns, &self.lambda),
             Allocation::PseudoInverse => (&self.inverse, &wanted),
         };
         for (k, speed) in speeds.iter_mut().enumerate() {
-            let share = self.stuck[k].unwrap_or_else(|| rows[k].dot(by).clamp(0.0, 1.0));
+            let share = self.stuck[k].unwrap_or_else(|| bounds.clip(k, rows[k].dot(by)));
             *speed = self.max_speed[k] * share.sqrt();
         }
     }
@@ -137,8 +141,9 @@ impl Allocator {
         }
         let columns = &columns[..self.full.len()];
         let weights = Wrench::new(1e6, 1e6, 1e6, 1e-3);
-        let lambda = bounded(columns, &WHOLE, &wanted, &weights, Wrench::zeros());
-        let given = columns.iter().fold(Wrench::zeros(), |sum, b| sum + b * b.dot(&lambda).clamp(0.0, 1.0));
+        let bounds = Bounds { least: &self.least, most: &WHOLE };
+        let lambda = bounded(columns, bounds, &wanted, &weights, Wrench::zeros());
+        let given = columns.iter().enumerate().map(|(k, b)| b * bounds.clip(k, b.dot(&lambda))).sum::<Wrench>();
         (wanted - given).fixed_rows::<3>(0).norm()
     }
 }

@@ -76,6 +76,9 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
             number(r.max_speed),
             number(r.max_thrust())
         )?;
+        if r.min_speed > 0.0 {
+            write!(f, ", from {} rad/s", number(r.min_speed))?;
+        }
         match r.time_constant {
             Some(time) => writeln!(f, ", time constant {} s", number(time))?,
             None => writeln!(f)?,

@@ -21,6 +21,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("arm", "is a field of `vehicle`"),
     ("layout", "is a field of `vehicle`"),
     ("max_speed", "is a field of `rotor` in a `vehicle`"),
+    ("min_speed", "is a field of `rotor` in a `vehicle`"),
     ("thrust_coefficient", "is a field of `rotor` in a `vehicle`"),
     ("drag_coefficient", "is a field of `rotor` in a `vehicle`"),
     ("time_constant", "is a field of `rotor` in a `vehicle`"),

@@ -18,15 +18,23 @@ pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
 const VEHICLE_FIELDS: [&str; 5] = ["layout", "first", "arm", "mass", "inertia"];
-const ROTOR_FIELDS: [&str; 6] =
-    ["thrust_coefficient", "max_thrust", "drag_coefficient", "torque_per_thrust", "max_speed", "time_constant"];
-const PLACED_FIELDS: [&str; 8] = [
+const ROTOR_FIELDS: [&str; 7] = [
+    "thrust_coefficient",
+    "max_thrust",
+    "drag_coefficient",
+    "torque_per_thrust",
+    "min_speed",
+    "max_speed",
+    "time_constant",
+];
+const PLACED_FIELDS: [&str; 9] = [
     "at",
     "spin",
     "thrust_coefficient",
     "max_thrust",
     "drag_coefficient",
     "torque_per_thrust",
+    "min_speed",
     "max_speed",
     "time_constant",
 ];
@@ -294,6 +302,21 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
                 .here("too heavy for these rotors")
                 .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
                 .help(format!("at full thrust it could carry {} kg", number(thrust / cx.gravity))),
+        );
+    }
+    let idle: f64 = vehicle.rotors.iter().map(Rotor::idle_thrust).sum();
+    if idle >= weight {
+        let message = format!(
+            "vehicle `{}` cannot hover: it weighs {} N and its rotors lift {} N at their lowest speeds",
+            vehicle.name,
+            number(weight),
+            number(idle)
+        );
+        cx.report(
+            Diagnostic::error("mavc::vehicle::too_light", vehicle.mass_span, message)
+                .here("too light for rotors that may not stop")
+                .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
+                .help("write a lower `min_speed`, or take it out for rotors that may stop"),
         );
     }
     let same = vehicle.rotors.iter().all(|r| r.spin == vehicle.rotors[0].spin);

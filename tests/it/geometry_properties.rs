@@ -21,6 +21,7 @@ fn rotor(x: f64, y: f64, p: bool, thrust: f64) -> Rotor {
         spin: if p { Spin::P } else { Spin::N },
         thrust_coefficient: thrust * 1e-6,
         drag_coefficient: 0.016 * thrust * 1e-6,
+        min_speed: 0.0,
         max_speed: 1000.0,
         time_constant: None,
     }

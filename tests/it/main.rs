@@ -8,6 +8,7 @@ mod errors;
 mod flights;
 mod geometry_properties;
 mod hostile;
+mod idle_rotors;
 mod model;
 mod planning;
 mod programs;

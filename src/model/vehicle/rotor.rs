@@ -6,6 +6,10 @@ use crate::model::Rotor;
 use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::fields::Fields;
+use crate::report::number::number;
+use crate::source::Span;
+
+const MIN_SPEED: &str = "mavc::vehicle::min_speed";
 
 /// Thrust, torque and speed of every rotor: its own clauses first, then what the `rotor` block says.
 pub(super) fn give_all<'a>(
@@ -43,6 +47,7 @@ pub(super) struct Traits {
     max_thrust: Option<Option<f64>>,
     drag_coefficient: Option<Option<f64>>,
     torque_per_thrust: Option<Option<f64>>,
+    min_speed: Option<Option<(f64, Span)>>,
     max_speed: Option<Option<f64>>,
     time_constant: Option<Option<f64>>,
 }
@@ -63,6 +68,12 @@ impl Traits {
             torque_per_thrust: take("torque_per_thrust", "m", false),
             max_speed: take("max_speed", "rad/s", false),
             time_constant: take("time_constant", "s", false),
+            min_speed: match fields.get("min_speed") {
+                Some(expr) => {
+                    Some(cx.not_negative(Due::new("min_speed", "rad/s"), expr, MIN_SPEED).map(|w| (w, expr.span)))
+                }
+                None => fields.may_have("min_speed").then_some(None),
+            },
         };
         for (a, b) in [("thrust_coefficient", "max_thrust"), ("drag_coefficient", "torque_per_thrust")] {
             if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
@@ -87,6 +98,7 @@ impl Traits {
             max_thrust: if thrust { self.max_thrust } else { base.max_thrust },
             drag_coefficient: if torque { self.drag_coefficient } else { base.drag_coefficient },
             torque_per_thrust: if torque { self.torque_per_thrust } else { base.torque_per_thrust },
+            min_speed: self.min_speed.or(base.min_speed),
             max_speed: self.max_speed.or(base.max_speed),
             time_constant: self.time_constant.or(base.time_constant),
         }
@@ -125,6 +137,20 @@ impl Traits {
             Some(d) => d?,
             None => self.torque_per_thrust?? * thrust_coefficient,
         };
+        let min_speed = match self.min_speed {
+            Some(given) => {
+                let (speed, span) = given?;
+                if speed >= max_speed {
+                    if !*told {
+                        *told = true;
+                        cx.report(not_below(speed, max_speed, span));
+                    }
+                    return None;
+                }
+                speed
+            }
+            None => 0.0,
+        };
         let time_constant = match self.time_constant {
             Some(given) => Some(given?),
             None => None,
@@ -134,8 +160,17 @@ impl Traits {
             spin: place.spin,
             thrust_coefficient,
             drag_coefficient,
+            min_speed,
             max_speed,
             time_constant,
         })
     }
+}
+
+/// A rotor whose lowest speed leaves it no range.
+fn not_below(min_speed: f64, max_speed: f64, at: Span) -> Diagnostic {
+    let message = "`min_speed` has to be below `max_speed`";
+    Diagnostic::error(MIN_SPEED, at, message)
+        .here(format!("{} rad/s against {} rad/s", number(min_speed), number(max_speed)))
+        .help("write the speed below which the rotor may not turn, or take it out for a rotor that may stop")
 }
