@@ -76,6 +76,8 @@ pub struct Vehicle {
     pub inertia: [f64; 3],
     /// In the spec's order; rotor k of the language is `rotors[k - 1]`.
     pub rotors: Vec<Rotor>,
+    /// How a wanted wrench becomes rotor speeds, in flight and so in the sets that plans keep to.
+    pub allocation: Allocation,
     pub span: Span,
     pub mass_span: Span,
 }

@@ -4,7 +4,7 @@ use super::{AdmissibleSet, hover};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
 use crate::geometry::zonotope::Zonotope;
-use crate::model::Model;
+use crate::model::{Allocation, Model};
 use nalgebra::{SVector, Vector3};
 use serde::Serialize;
 
@@ -76,6 +76,9 @@ pub struct ModeAnalysis {
     pub residual3: [f64; 3],
     /// `None` where hover is outside the set.
     pub headroom: Option<Headroom>,
+    /// Share of the zonotope's volume that the pseudo-inverse does not reach without clipping; `None` with the bounded
+    /// allocation, which reaches all, and where the set is flat.
+    pub given_away: Option<f64>,
 }
 
 /// Analyses every set in `sets` (healthy first, as [`AdmissibleSet::all`] gives them).
@@ -91,12 +94,10 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         None => (Vec::new(), vec![1.0; rotors], vec![None; rotors]),
     };
     let u_ref = hover(model);
-    let shadow = without_yaw(&set.zonotope);
-    let yaw_free = shadow.facets();
     let u_ref3 = u_ref.fixed_rows::<3>(0).into_owned();
-
-    let residual4 = clean(set.zonotope.nearest(&u_ref) - u_ref);
-    let residual3 = clean(shadow.nearest(&u_ref3) - u_ref3);
+    let Reach { nearest, nearest3, yaw_free } = Reach::of(set, &u_ref, &u_ref3);
+    let residual4 = clean(nearest - u_ref);
+    let residual3 = clean(nearest3 - u_ref3);
     let verdict = if residual4.norm() < ZERO_RESIDUAL {
         Verdict::Controllable
     } else if residual3.norm() < ZERO_RESIDUAL {
@@ -129,6 +130,39 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         residual4: residual4.into(),
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
+        given_away: given_away(set),
+    }
+}
+
+/// What the verdict is made of: the points nearest to hover, and the rows of the shadow.
+struct Reach {
+    nearest: Wrench,
+    nearest3: Vector3<f64>,
+    yaw_free: Polytope<3, ()>,
+}
+
+impl Reach {
+    fn of(set: &AdmissibleSet, hover: &Wrench, hover3: &Vector3<f64>) -> Self {
+        let shadow = without_yaw(&set.zonotope);
+        let by_zonotope = || Reach {
+            nearest: set.zonotope.nearest(hover),
+            nearest3: shadow.nearest(hover3),
+            yaw_free: shadow.facets().without_origins(),
+        };
+        let by_rows = || {
+            let inside = set.polytope.nearest(hover);
+            let yaw_free = set.polytope.shadow(inside.as_ref(), &set.zonotope.scale());
+            // Where idling rotors stand in its way the pseudo-inverse gives nothing unclipped; all idling is what is left.
+            Reach {
+                nearest: inside.unwrap_or(set.zonotope.center),
+                nearest3: yaw_free.nearest(hover3).unwrap_or(shadow.center),
+                yaw_free,
+            }
+        };
+        match set.allocation {
+            Allocation::Bounded => by_zonotope(),
+            Allocation::PseudoInverse => by_rows(),
+        }
     }
 }
 
@@ -164,6 +198,19 @@ fn lift<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Optio
 /// Largest T with [T, 0, ...] in the set, N.
 fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<f64> {
     lift(polytope, size).map(|(_, high)| high)
+}
+
+/// See [`ModeAnalysis::given_away`].
+fn given_away(set: &AdmissibleSet) -> Option<f64> {
+    if set.allocation == Allocation::Bounded || !set.polytope.equalities.is_empty() {
+        return None;
+    }
+    let middle = set.zonotope.center + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();
+    let kept = match set.polytope.nearest(&middle) {
+        Some(inside) => set.polytope.volume(&inside, &set.zonotope.scale()),
+        None => 0.0,
+    };
+    Some((1.0 - kept / set.zonotope.volume()).clamp(0.0, 1.0))
 }
 
 fn headroom(set: &AdmissibleSet, at: &Wrench, size: f64) -> Headroom {

@@ -64,6 +64,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
     }
     writeln!(f, "  mass {} kg", number(v.mass))?;
     writeln!(f, "  inertia {} kg*m^2", list(&v.inertia))?;
+    writeln!(f, "  allocation {}", v.allocation.name())?;
     for (k, r) in v.rotors.iter().enumerate() {
         let spin = if r.spin == Spin::P { "P" } else { "N" };
         write!(
@@ -201,7 +202,7 @@ fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -
     }
     let [rate, control, estimator] = [s.rate, s.control_rate, s.estimator_rate].map(number);
     writeln!(f, "  rate {rate} Hz, control_rate {control} Hz, estimator_rate {estimator} Hz")?;
-    writeln!(f, "  controller {}, allocation {}", s.controller.name(), s.allocation.name())?;
+    writeln!(f, "  controller {}", s.controller.name())?;
     match s.detection {
         Detection::Never => write!(f, "  detection never")?,
         Detection::Estimator => write!(f, "  detection estimator")?,

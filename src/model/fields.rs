@@ -20,6 +20,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("inertia", "is a field of `vehicle`"),
     ("arm", "is a field of `vehicle`"),
     ("layout", "is a field of `vehicle`"),
+    ("allocation", "is a field of `vehicle`"),
     ("max_speed", "is a field of `rotor` in a `vehicle`"),
     ("min_speed", "is a field of `rotor` in a `vehicle`"),
     ("thrust_coefficient", "is a field of `rotor` in a `vehicle`"),

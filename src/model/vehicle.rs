@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use super::context::{Context, listed};
 use super::due::Due;
 use super::fields::Fields;
-use super::{Rotor, Spin, Vehicle};
+use super::{Allocation, DefaultUsed, Rotor, Spin, Vehicle};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
@@ -17,7 +17,7 @@ use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
-const VEHICLE_FIELDS: [&str; 5] = ["layout", "first", "arm", "mass", "inertia"];
+const VEHICLE_FIELDS: [&str; 6] = ["layout", "first", "arm", "mass", "inertia", "allocation"];
 const ROTOR_FIELDS: [&str; 7] = [
     "thrust_coefficient",
     "max_thrust",
@@ -39,6 +39,8 @@ const PLACED_FIELDS: [&str; 9] = [
     "time_constant",
 ];
 
+const ALLOCATIONS: [Allocation; 2] = [Allocation::Bounded, Allocation::PseudoInverse];
+
 /// What can be said of a vehicle even where it has errors.
 pub(super) struct Outline {
     pub name: String,
@@ -47,6 +49,8 @@ pub(super) struct Outline {
     pub rotors: Option<usize>,
     /// The vehicle, where it has no errors.
     pub vehicle: Option<Vehicle>,
+    /// What filled in for fields that are not written.
+    pub defaults: Vec<DefaultUsed>,
 }
 
 pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
@@ -90,15 +94,29 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
     };
+    let words: Vec<&str> = ALLOCATIONS.iter().map(|a| a.name()).collect();
+    let allocation = match fields.word(cx, "mavc::vehicle::allocation", "allocation", &words) {
+        Some(word) => ALLOCATIONS.into_iter().find(|a| Some(a.name()) == word),
+        None => Some(Allocation::Bounded),
+    };
+    let defaults = match fields.may_have("allocation") {
+        true => Vec::new(),
+        false => vec![DefaultUsed {
+            field: "vehicle.allocation".into(),
+            value: Allocation::Bounded.name().into(),
+            reason: "reaches all that the rotors can give".into(),
+        }],
+    };
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let vehicle = match (mass, inertia, rotors, mass_expr) {
-        (Some(mass), Some(inertia), Some(rotors), Some(mass_expr)) if !broken => Some(Vehicle {
+    let vehicle = match (mass.zip(allocation), inertia, rotors, mass_expr) {
+        (Some((mass, allocation)), Some(inertia), Some(rotors), Some(mass_expr)) if !broken => Some(Vehicle {
             name: name.clone(),
             doc: block.doc.clone(),
             layout,
             mass,
             inertia,
             rotors,
+            allocation,
             span,
             mass_span: mass_expr.span,
         }),
@@ -107,7 +125,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     if let Some(vehicle) = &vehicle {
         check_whole(cx, vehicle);
     }
-    Outline { name, span, rotors: count, vehicle }
+    Outline { name, span, rotors: count, vehicle, defaults }
 }
 
 /// The `rotor` and `rotors` blocks, and whether one of them stands twice, which is an error.

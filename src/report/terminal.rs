@@ -5,7 +5,7 @@ use super::number::{fixed, number, percent, significant};
 use super::record::errors;
 use super::table::Table;
 use crate::admissible::verdict::ModeAnalysis;
-use crate::model::{Mission, Model, PlannerKind};
+use crate::model::{Allocation, Mission, Model, PlannerKind};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 
 /// Columns of running text.
@@ -232,13 +232,18 @@ fn outside_table(comparison: &Comparison, which: Run) -> Table {
 /// The table of `mavc analyze`.
 pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     let mut out = format!("{}\n\n", vehicle_line(model));
-    let mut table = Table::new(&[
+    let mut headings = vec![
         "mode", "verdict", "hover", "margin", "yaw-free", "heaviest", "yaw-free", "facets", "rank", "|e_p|", "yaw-free",
-    ]);
+    ];
+    let gives_away = model.vehicle.allocation == Allocation::PseudoInverse;
+    if gives_away {
+        headings.push("given away");
+    }
+    let mut table = Table::new(&headings);
     let optional = |x: Option<f64>, digits: usize| x.map_or("flat".into(), |v| significant(v, digits));
     let norm = |e: &[f64]| significant(e.iter().map(|v| v * v).sum::<f64>().sqrt(), 3);
     for m in modes {
-        table.row(vec![
+        let mut cells = vec![
             m.name.clone(),
             m.verdict.name().into(),
             match (m.interior, m.residual4.iter().all(|v| *v == 0.0), m.residual3.iter().all(|v| *v == 0.0)) {
@@ -254,9 +259,21 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             m.rank.to_string(),
             norm(&m.residual4),
             norm(&m.residual3),
-        ]);
+        ];
+        if gives_away {
+            cells.push(
+                optional(m.given_away.map(|share| 100.0 * share), 3) + if m.given_away.is_some() { " %" } else { "" },
+            );
+        }
+        table.row(cells);
     }
     out.push_str(&table.render(0));
+    if gives_away {
+        out.push_str(
+            "\nOf each set only what the pseudo-inverse gives without clipping counts here and in plans; the last column is\n\
+             the share of the set's volume that it gives away.\n",
+        );
+    }
     out.push_str("\nHeadroom from hover to the edge of what each mode can do, down/up\n");
     let mut table = Table::new(&["mode", "thrust [N]", "tau_x [N m]", "tau_y [N m]", "tau_z [N m]"]);
     for m in modes {

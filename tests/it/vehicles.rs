@@ -32,6 +32,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             mass,
             inertia,
             rotors,
+            allocation: Allocation::Bounded,
             span,
             mass_span: span,
         },
