@@ -2,6 +2,7 @@
 
 pub mod allocation;
 pub mod diagnose;
+pub mod interval;
 pub mod pseudo_inverse;
 pub mod verdict;
 

@@ -12,6 +12,7 @@ mod fault;
 mod fields;
 mod flight;
 mod function;
+mod interval;
 mod legs;
 mod limits;
 mod load;
@@ -26,6 +27,7 @@ pub use elaborate::elaborate;
 pub use flight::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
+pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
 pub use mission::MAX_WAYPOINTS;
 pub use overrides::{OVERRIDE, Override, parse_override};
@@ -70,8 +72,9 @@ pub struct Vehicle {
     pub doc: Option<String>,
     /// The layout string of a ring, `None` where rotors are placed one by one.
     pub layout: Option<String>,
-    /// m, kg.
+    /// m, kg; where the spec gives an interval, its middle, as with all numbers here.
     pub mass: f64,
+    pub mass_spread: Spread,
     /// Diagonal of J: Ixx, Iyy, Izz, kg m^2.
     pub inertia: [f64; 3],
     /// In the spec's order; rotor k of the language is `rotors[k - 1]`.
@@ -104,6 +107,8 @@ pub struct Rotor {
     pub max_speed: f64,
     /// First-order motor time constant, s; simulation only.
     pub time_constant: Option<f64>,
+    /// How well these numbers are known.
+    pub spread: RotorSpread,
 }
 
 impl Rotor {

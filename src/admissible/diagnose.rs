@@ -1,5 +1,6 @@
 //! What the sets say about the spec: modes that the plan must stand but cannot.
 
+use super::interval::{Certainty, Robust};
 use super::verdict::{ModeAnalysis, Verdict, analyze};
 use super::{AdmissibleSet, HEALTHY};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -11,6 +12,9 @@ use crate::source::Span;
 pub const CANNOT_HOVER: &str = "mavc::analysis::cannot_hover";
 /// Hover lies on the edge of a set.
 pub const HOVER_ON_EDGE: &str = "mavc::analysis::hover_on_edge";
+
+/// A mode that the plan must stand hovers only for some values of the spec's intervals.
+pub const NOT_ROBUST: &str = "mavc::analysis::not_robust";
 
 /// Modes named one by one in a message; of more, the first ones and the number.
 const NAMED: usize = 8;
@@ -94,7 +98,24 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
         Some(Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new() })
     };
     match (mode.verdict, mode.interior) {
-        (Verdict::Controllable, true) => None,
+        (Verdict::Controllable, true) => {
+            let sure = |r: &Robust| {
+                r.hover == Certainty::Yes
+                    && (model.plan.reserve == 0.0 || r.acai_worst.is_some_and(|worst| worst > 0.0))
+            };
+            let robust = mode.robust.filter(|r| !sure(r))?;
+            let label = match (robust.acai_worst, robust.acai_best) {
+                (Some(worst), Some(best)) => {
+                    format!("its margin lies between {} and {}", significant(worst, 3), significant(best, 3))
+                }
+                _ => "no wrench is sure to be given".to_string(),
+            };
+            let help = match is_healthy {
+                true => "narrow the intervals, make the vehicle lighter or change its layout",
+                false => "leave the mode out of `against`, narrow the intervals or make the vehicle lighter",
+            };
+            answer(Severity::Error, NOT_ROBUST, "hover is not sure over the spec's intervals", label, help)
+        }
         (Verdict::Controllable, false) if model.plan.reserve > 0.0 => {
             let share = number(100.0 * model.plan.reserve);
             let error = answer(

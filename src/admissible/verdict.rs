@@ -1,5 +1,6 @@
 //! Verdicts of section 3.2 with margins: what a mode can still do about hover.
 
+use super::interval::{Robust, robust};
 use super::{AdmissibleSet, hover};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
@@ -79,6 +80,8 @@ pub struct ModeAnalysis {
     /// Share of the zonotope's volume that the pseudo-inverse does not reach without clipping; `None` with the bounded
     /// allocation, which reaches all, and where the set is flat.
     pub given_away: Option<f64>,
+    /// What the spec's intervals make of it; `None` where it has none.
+    pub robust: Option<Robust>,
 }
 
 /// Analyses every set in `sets` (healthy first, as [`AdmissibleSet::all`] gives them).
@@ -131,6 +134,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
         given_away: given_away(set),
+        robust: robust(model, set),
     }
 }
 
@@ -144,10 +148,16 @@ struct Reach {
 impl Reach {
     fn of(set: &AdmissibleSet, hover: &Wrench, hover3: &Vector3<f64>) -> Self {
         let shadow = without_yaw(&set.zonotope);
-        let by_zonotope = || Reach {
-            nearest: set.zonotope.nearest(hover),
-            nearest3: shadow.nearest(hover3),
-            yaw_free: shadow.facets().without_origins(),
+        // The rows tell at once whether hover is inside; the search for the nearest point can end early there.
+        let by_zonotope = || {
+            let yaw_free = shadow.facets().without_origins();
+            let inside = set.polytope.equalities.is_empty() && set.polytope.margin(hover) > 0.0;
+            let inside3 = yaw_free.equalities.is_empty() && yaw_free.margin(hover3) > 0.0;
+            Reach {
+                nearest: if inside { *hover } else { set.zonotope.nearest(hover) },
+                nearest3: if inside3 { *hover3 } else { shadow.nearest(hover3) },
+                yaw_free,
+            }
         };
         let by_rows = || {
             let inside = set.polytope.nearest(hover);

@@ -61,7 +61,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let (shared, placed, twice) = blocks(cx, block);
 
     let mass_expr = fields.demand(cx, "mass", "mass = 1.8 kg");
-    let mass = mass_expr.and_then(|e| cx.positive(Due::new("mass", "kg"), e, POSITIVE));
+    let mass = mass_expr.and_then(|e| cx.interval(Due::new("mass", "kg"), e, POSITIVE));
     let inertia = fields.demand(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2").and_then(|e| inertia(cx, e));
     let rotor_fields =
         shared.map(|b| Fields::of_block(cx, format!("`rotor` of {owner}"), b.keyword.span, &b.body, &ROTOR_FIELDS));
@@ -109,20 +109,32 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     };
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
     let vehicle = match (mass.zip(allocation), inertia, rotors, mass_expr) {
-        (Some((mass, allocation)), Some(inertia), Some(rotors), Some(mass_expr)) if !broken => Some(Vehicle {
-            name: name.clone(),
-            doc: block.doc.clone(),
-            layout,
-            mass,
-            inertia,
-            rotors,
-            allocation,
-            span,
-            mass_span: mass_expr.span,
-        }),
+        (Some(((mass, mass_spread), allocation)), Some(inertia), Some(rotors), Some(mass_expr)) if !broken => {
+            Some(Vehicle {
+                name: name.clone(),
+                doc: block.doc.clone(),
+                layout,
+                mass,
+                mass_spread,
+                inertia,
+                rotors,
+                allocation,
+                span,
+                mass_span: mass_expr.span,
+            })
+        }
         _ => None,
     };
     if let Some(vehicle) = &vehicle {
+        if vehicle.allocation == Allocation::PseudoInverse && vehicle.has_uncertain_rotors() {
+            let message = "the pseudo-inverse goes by coefficients and speeds that are known, not by intervals";
+            let at = fields.span_of("allocation").unwrap_or(span);
+            cx.report(
+                Diagnostic::error("mavc::vehicle::conflict", at, message)
+                    .here("does not go with intervals on rotors")
+                    .help("write `allocation = bounded`, or take the intervals out of the rotors; `mass` may have one"),
+            );
+        }
         check_whole(cx, vehicle);
     }
     Outline { name, span, rotors: count, vehicle, defaults }

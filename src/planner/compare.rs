@@ -130,9 +130,13 @@ impl<'a> Setting<'a> {
     fn new(model: &'a Model, mission: &'a Mission, progress: Progress<'a>) -> Self {
         let healthy = AdmissibleSet::healthy(model);
         let reserve = model.plan.reserve;
-        let sets: Vec<AdmissibleSet> =
-            model.plan.against.iter().map(|&i| AdmissibleSet::of_mode(model, i).with_reserve(reserve)).collect();
-        let shrunk = healthy.with_reserve(reserve);
+        let sets: Vec<AdmissibleSet> = model
+            .plan
+            .against
+            .iter()
+            .map(|&i| AdmissibleSet::of_mode(model, i).guaranteed(model).with_reserve(reserve))
+            .collect();
+        let shrunk = healthy.guaranteed(model).with_reserve(reserve);
         let imposed = |modes: &[AdmissibleSet]| {
             let before = (modes.is_empty() || !faults_only_take(model)).then_some(&shrunk);
             PlanningSet::of(&before.into_iter().chain(modes).collect::<Vec<_>>(), &healthy)

@@ -30,6 +30,9 @@ fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
         percent(model.plan.reserve),
         model.plan.samples
     );
+    if model.vehicle.is_uncertain() {
+        out.push_str("The sets hold for every value of the spec's intervals\n");
+    }
     if !mission.has_one_yaw() {
         out.push_str("Yaw changes: it was planned first, alone; what is infeasible is so for that yaw motion\n");
     }
@@ -273,6 +276,15 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             "\nOf each set only what the pseudo-inverse gives without clipping counts here and in plans; the last column is\n\
              the share of the set's volume that it gives away.\n",
         );
+    }
+    if modes.iter().any(|m| m.robust.is_some()) {
+        out.push_str("\nOver the spec's intervals: does it hover with all axes held, and the bounds on its margin\n");
+        let mut table = Table::new(&["mode", "hovers", "worst", "best"]);
+        for (m, r) in modes.iter().filter_map(|m| Some((m, m.robust?))) {
+            let cells = [r.hover.name().into(), optional(r.acai_worst, 4), optional(r.acai_best, 4)];
+            table.row(std::iter::once(m.name.clone()).chain(cells).collect());
+        }
+        out.push_str(&table.render(0));
     }
     out.push_str("\nHeadroom from hover to the edge of what each mode can do, down/up\n");
     let mut table = Table::new(&["mode", "thrust [N]", "tau_x [N m]", "tau_y [N m]", "tau_z [N m]"]);

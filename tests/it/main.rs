@@ -9,6 +9,7 @@ mod flights;
 mod geometry_properties;
 mod hostile;
 mod idle_rotors;
+mod intervals;
 mod model;
 mod planning;
 mod programs;

@@ -19,6 +19,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
                 min_speed: 0.0,
                 max_speed,
                 time_constant: None,
+                spread: RotorSpread::default(),
             }
         })
         .collect();
@@ -30,6 +31,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             doc: None,
             layout: Some(layout.into()),
             mass,
+            mass_spread: Spread::NONE,
             inertia,
             rotors,
             allocation: Allocation::Bounded,
