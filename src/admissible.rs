@@ -3,6 +3,7 @@
 pub mod allocation;
 pub mod diagnose;
 pub mod interval;
+pub mod parallel;
 pub mod pseudo_inverse;
 pub mod verdict;
 

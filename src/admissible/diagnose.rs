@@ -1,6 +1,7 @@
 //! What the sets say about the spec: modes that the plan must stand but cannot.
 
 use super::interval::{Certainty, Robust};
+use super::parallel::{Parallel, least_angle};
 use super::verdict::{ModeAnalysis, Verdict, analyze};
 use super::{AdmissibleSet, HEALTHY};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -16,6 +17,9 @@ pub const HOVER_ON_EDGE: &str = "mavc::analysis::hover_on_edge";
 /// A mode that the plan must stand hovers only for some values of the spec's intervals.
 pub const NOT_ROBUST: &str = "mavc::analysis::not_robust";
 
+/// Two rows of the actuation matrix are nearly parallel once a mode strikes.
+pub const PARALLEL_ROWS: &str = "mavc::analysis::parallel_rows";
+
 /// Modes named one by one in a message; of more, the first ones and the number.
 const NAMED: usize = 8;
 
@@ -25,17 +29,21 @@ const NAMED: usize = 8;
 /// A mode without full control, or with hover on its edge where a reserve is asked for, is an error; it is an
 /// answer about the spec rather than a mistake in it, and has an exit code of its own.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
-    let healthy = judge(model, &analyze(model, &AdmissibleSet::healthy(model)), model.vehicle.mass_span);
+    let healthy = analyze(model, &AdmissibleSet::healthy(model));
+    let before = |row: &Parallel| healthy.nearest_rows.is_some_and(|r| r.axes == row.axes && r.angle < least_angle());
     let mut found: Vec<Answer> = Vec::new();
     let against = if model.mission.is_some() { model.plan.against.as_slice() } else { &[] };
     for &index in against {
         let mode = analyze(model, &AdmissibleSet::of_mode(model, index));
-        let Some(answer) = judge(model, &mode, model.modes[index].span) else { continue };
+        let span = model.modes[index].span;
+        let faint = || mode.nearest_rows.filter(|row| !before(row)).and_then(|row| nearly_parallel(&row, span));
+        let Some(answer) = judge(model, &mode, span).or_else(faint) else { continue };
         match found.iter_mut().find(|earlier| earlier.is_same(&answer)) {
             Some(earlier) => earlier.modes.push(mode.name),
             None => found.push(Answer { modes: vec![mode.name], ..answer }),
         }
     }
+    let healthy = judge(model, &healthy, model.vehicle.mass_span);
     healthy.into_iter().chain(found).map(|answer| answer.diagnostic(model)).collect()
 }
 
@@ -85,6 +93,24 @@ impl Answer {
             diagnostic
         }
     }
+}
+
+/// A warning where two rows can coincide by a tenth of their length.
+fn nearly_parallel(row: &Parallel, span: Span) -> Option<Answer> {
+    let [a, b] = row.axes;
+    (row.angle < least_angle()).then(|| Answer {
+        severity: Severity::Warning,
+        code: PARALLEL_ROWS,
+        span,
+        what: format!(
+            "the rotors hardly tell {a} from {b}: their rows are {} degrees apart",
+            significant(row.angle.to_degrees(), 3)
+        ),
+        label: format!("rows less than {} degrees apart can coincide", significant(least_angle().to_degrees(), 3)),
+        help: "leave the mode out of `against`, or place the rotors so that what is left of them tells the two apart",
+        reserve: false,
+        modes: Vec::new(),
+    })
 }
 
 /// Whether the spec says a field rather than leaving it to its default.

@@ -1,6 +1,7 @@
 //! Verdicts of section 3.2 with margins: what a mode can still do about hover.
 
 use super::interval::{Robust, robust};
+use super::parallel::{Parallel, nearest_rows};
 use super::{AdmissibleSet, hover};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
@@ -80,6 +81,8 @@ pub struct ModeAnalysis {
     /// Share of the zonotope's volume that the pseudo-inverse does not reach without clipping; `None` with the bounded
     /// allocation, which reaches all, and where the set is flat.
     pub given_away: Option<f64>,
+    /// The two rows of the actuation matrix at the smallest angle.
+    pub nearest_rows: Option<Parallel>,
     /// What the spec's intervals make of it; `None` where it has none.
     pub robust: Option<Robust>,
 }
@@ -134,6 +137,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
         given_away: given_away(set),
+        nearest_rows: nearest_rows(set),
         robust: robust(model, set),
     }
 }

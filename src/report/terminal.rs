@@ -4,6 +4,7 @@ use super::caveats::caveats;
 use super::number::{fixed, number, percent, significant};
 use super::record::errors;
 use super::table::Table;
+use crate::admissible::parallel::{Parallel, least_angle};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::model::{Allocation, Mission, Model, PlannerKind};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
@@ -284,6 +285,17 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             let cells = [r.hover.name().into(), optional(r.acai_worst, 4), optional(r.acai_best, 4)];
             table.row(std::iter::once(m.name.clone()).chain(cells).collect());
         }
+        out.push_str(&table.render(0));
+    }
+    let faint: Vec<(&ModeAnalysis, Parallel)> =
+        modes.iter().filter_map(|m| Some((m, m.nearest_rows.filter(|r| r.angle < least_angle())?))).collect();
+    if !faint.is_empty() {
+        let mut table = Table::new(&["mode", "rows", "angle"]);
+        for (m, rows) in faint {
+            let angle = format!("{} degrees", significant(rows.angle.to_degrees(), 3));
+            table.row(vec![m.name.clone(), rows.axes.join(", "), angle]);
+        }
+        out.push_str("\nWarning: rows of the actuation matrix that are nearly parallel, so that the rotors hardly tell them apart\n");
         out.push_str(&table.render(0));
     }
     out.push_str("\nHeadroom from hover to the edge of what each mode can do, down/up\n");

@@ -11,6 +11,7 @@ mod hostile;
 mod idle_rotors;
 mod intervals;
 mod model;
+mod parallel_rows;
 mod planning;
 mod programs;
 mod pseudo_inverse;
