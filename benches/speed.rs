@@ -151,7 +151,7 @@ fn by_flight() {
     row("without estimator", |m| m.simulation.detection = Detection::Never);
     row("PD, pseudo-inverse", |m| {
         m.simulation.controller = Controller::Pd;
-        m.simulation.allocation = Allocation::PseudoInverse;
+        m.vehicle.allocation = Allocation::PseudoInverse;
     });
     row("gusts", |m| {
         m.simulation.gusts = 1.0;

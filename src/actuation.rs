@@ -7,11 +7,13 @@ use std::fmt;
 /// A wrench [T, tau_x, tau_y, tau_z]: N, N m, N m, N m, body frame.
 pub type Wrench = Vector4<f64>;
 
-/// The matrix A (4 x n, per squared rotor speed) and the bounds `0 <= w_k^2 <= max_square[k]`.
+/// The matrix A (4 x n, per squared rotor speed) and the bounds `min_square[k] <= w_k^2 <= max_square[k]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Actuation {
     /// Rows T (N s^2), tau_x, tau_y, tau_z (N m s^2); one column per rotor.
     pub effectiveness: Matrix4xX<f64>,
+    /// w_min^2, rad^2/s^2; 0 for rotors that may stop.
+    pub min_square: Vec<f64>,
     /// w_max^2, rad^2/s^2.
     pub max_square: Vec<f64>,
 }
@@ -35,6 +37,7 @@ impl Actuation {
             .collect();
         Actuation {
             effectiveness: Matrix4xX::from_columns(&columns),
+            min_square: vehicle.rotors.iter().map(|r| r.min_speed * r.min_speed).collect(),
             max_square: vehicle.rotors.iter().map(|r| r.max_speed * r.max_speed).collect(),
         }
     }
@@ -48,8 +51,20 @@ impl Actuation {
         self.effectiveness.column(k) * self.max_square[k]
     }
 
-    /// What a mode leaves: full-thrust wrenches scaled by theta of (32), and the wrench of the stuck rotors.
-    /// A stuck rotor's generator is zero.
+    /// The wrench of rotor k (from 0) at its lowest speed; zero where it may stop.
+    pub fn idle(&self, k: usize) -> Wrench {
+        self.effectiveness.column(k) * self.min_square[k]
+    }
+
+    /// The healthy vehicle: the wrench with every rotor at its lowest speed, and what each adds up to full thrust.
+    pub fn healthy(&self) -> (Wrench, Vec<Wrench>) {
+        let rotors = 0..self.rotors();
+        (rotors.clone().map(|k| self.idle(k)).sum(), rotors.map(|k| self.full(k) - self.idle(k)).collect())
+    }
+
+    /// What a mode leaves: the wrench at the lowest speeds, and what each rotor adds up to full thrust, both scaled by
+    /// theta of (32): a lost rotor gives nothing even where it may not stop. A stuck rotor's generator is zero, and
+    /// its wrench is part of the first.
     pub fn under(&self, mode: &FaultMode) -> (Wrench, Vec<Wrench>) {
         let mut shift = Wrench::zeros();
         let generators = (0..self.rotors())
@@ -58,7 +73,10 @@ impl Actuation {
                     shift += self.full(k) * share;
                     Wrench::zeros()
                 }
-                None => self.full(k) * mode.capacity[k],
+                None => {
+                    shift += self.idle(k) * mode.capacity[k];
+                    (self.full(k) - self.idle(k)) * mode.capacity[k]
+                }
             })
             .collect();
         (shift, generators)
@@ -78,10 +96,17 @@ impl fmt::Display for Actuation {
             }
             writeln!(f)?;
         }
-        write!(f, "w_max ")?;
-        for s in &self.max_square {
-            write!(f, " {:>13.6}", s.sqrt())?;
+        let mut speeds = vec![("w_max ", &self.max_square)];
+        if self.min_square.iter().any(|s| *s > 0.0) {
+            speeds.insert(0, ("w_min ", &self.min_square));
         }
-        writeln!(f)
+        for (name, squares) in speeds {
+            write!(f, "{name}")?;
+            for s in squares {
+                write!(f, " {:>13.6}", s.sqrt())?;
+            }
+            writeln!(f)?;
+        }
+        Ok(())
     }
 }

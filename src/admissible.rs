@@ -2,12 +2,15 @@
 
 pub mod allocation;
 pub mod diagnose;
+pub mod interval;
+pub mod parallel;
+pub mod pseudo_inverse;
 pub mod verdict;
 
 use crate::actuation::{Actuation, Wrench};
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};
 use crate::geometry::zonotope::{Spanning, Zonotope};
-use crate::model::{FaultMode, Model};
+use crate::model::{Allocation, Model};
 use std::fmt;
 
 /// The mode of the vehicle without faults.
@@ -30,17 +33,30 @@ pub struct AdmissibleSet {
     pub name: String,
     pub zonotope: Zonotope<4>,
     pub polytope: Polytope<4, FacetOf>,
-    /// Dimension of the set.
+    /// How wrenches are allocated: with [`Allocation::Bounded`] every wrench of the zonotope is given, and `polytope`
+    /// describes it; with [`Allocation::PseudoInverse`] `polytope` holds only those that nothing is clipped for.
+    pub allocation: Allocation,
+    /// Dimension of the zonotope.
     pub rank: usize,
     /// [m g, 0, 0, 0].
     pub hover: Wrench,
 }
 
 impl AdmissibleSet {
-    fn new(mode: usize, name: &str, center: Wrench, generators: Vec<Wrench>, hover: Wrench) -> Self {
+    /// The set of a mode, or of the healthy vehicle; `index` counts modes from 0.
+    fn new(model: &Model, index: Option<usize>) -> Self {
+        let actuation = Actuation::of(&model.vehicle);
+        let fault = index.map(|i| &model.modes[i]);
+        let (center, generators) = fault.map_or_else(|| actuation.healthy(), |f| actuation.under(f));
+        let (mode, name) = (index.map_or(0, |i| i + 1), fault.map_or(HEALTHY, |f| &f.name));
         let zonotope = Zonotope { center, generators };
-        let Polytope { equalities, facets } = zonotope.facets();
-        let rank = 4 - equalities.len();
+        let mut description = zonotope.facets();
+        let rank = 4 - description.equalities.len();
+        let allocation = model.vehicle.allocation;
+        if allocation == Allocation::PseudoInverse {
+            description.facets = pseudo_inverse::facets(&actuation, fault, &zonotope, &description.equalities);
+        }
+        let Polytope { equalities, facets } = description;
         let facets = facets
             .into_iter()
             .enumerate()
@@ -50,21 +66,25 @@ impl AdmissibleSet {
                 origin: FacetOf { mode, facet, spanning: f.origin },
             })
             .collect();
-        AdmissibleSet { mode, name: name.into(), zonotope, polytope: Polytope { equalities, facets }, rank, hover }
+        AdmissibleSet {
+            mode,
+            name: name.into(),
+            zonotope,
+            polytope: Polytope { equalities, facets },
+            allocation,
+            rank,
+            hover: hover(model),
+        }
     }
 
     /// The set of the healthy vehicle.
     pub fn healthy(model: &Model) -> Self {
-        let actuation = Actuation::of(&model.vehicle);
-        let generators = (0..actuation.rotors()).map(|k| actuation.full(k)).collect();
-        Self::new(0, HEALTHY, Wrench::zeros(), generators, hover(model))
+        Self::new(model, None)
     }
 
     /// The set of `model.modes[index]`.
     pub fn of_mode(model: &Model, index: usize) -> Self {
-        let mode: &FaultMode = &model.modes[index];
-        let (shift, generators) = Actuation::of(&model.vehicle).under(mode);
-        Self::new(index + 1, &mode.name, shift, generators, hover(model))
+        Self::new(model, Some(index))
     }
 
     /// Healthy first, then every declared mode.
@@ -85,6 +105,13 @@ impl AdmissibleSet {
 /// The hover wrench [m g, 0, 0, 0].
 pub fn hover(model: &Model) -> Wrench {
     Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0)
+}
+
+/// Whether every fault set lies inside the healthy one, whatever the mode: losing thrust then only takes wrenches
+/// away. It does not hold for rotors that may not stop, for lost ones give less than the healthy vehicle can, nor for
+/// the pseudo-inverse, which shares a wrench out otherwise once it knows of a fault.
+pub fn faults_only_take(model: &Model) -> bool {
+    model.vehicle.allocation == Allocation::Bounded && model.vehicle.rotors.iter().all(|r| r.min_speed == 0.0)
 }
 
 /// The rows a planner imposes: equalities, then facets with all the facets each stands for.

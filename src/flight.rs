@@ -173,7 +173,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut sensors = Sensors::new(simulation, period);
     let mut rotors = Rotors::new(model, h);
     let mut knowledge = Knowledge::new(model, simulation, strikes, period, estimator_ticks);
-    let mut allocator = Allocator::new(model, simulation.allocation);
+    let mut allocator = Allocator::new(model, model.vehicle.allocation);
     let mut course = sortie.course.clone();
     let mut watch = Watch::new(simulation, period);
     // As many as looks, but for landings that take longer.

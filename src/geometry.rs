@@ -5,4 +5,5 @@ mod cone;
 pub mod nearest;
 pub mod polytope;
 pub mod symmetric;
+pub mod volume;
 pub mod zonotope;

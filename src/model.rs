@@ -12,6 +12,7 @@ mod fault;
 mod fields;
 mod flight;
 mod function;
+mod interval;
 mod legs;
 mod limits;
 mod load;
@@ -26,6 +27,7 @@ pub use elaborate::elaborate;
 pub use flight::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
+pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
 pub use mission::MAX_WAYPOINTS;
 pub use overrides::{OVERRIDE, Override, parse_override};
@@ -70,12 +72,15 @@ pub struct Vehicle {
     pub doc: Option<String>,
     /// The layout string of a ring, `None` where rotors are placed one by one.
     pub layout: Option<String>,
-    /// m, kg.
+    /// m, kg; where the spec gives an interval, its middle, as with all numbers here.
     pub mass: f64,
+    pub mass_spread: Spread,
     /// Diagonal of J: Ixx, Iyy, Izz, kg m^2.
     pub inertia: [f64; 3],
     /// In the spec's order; rotor k of the language is `rotors[k - 1]`.
     pub rotors: Vec<Rotor>,
+    /// How a wanted wrench becomes rotor speeds, in flight and so in the sets that plans keep to.
+    pub allocation: Allocation,
     pub span: Span,
     pub mass_span: Span,
 }
@@ -96,16 +101,25 @@ pub struct Rotor {
     pub thrust_coefficient: f64,
     /// d, N m s^2 (drag torque = d w^2).
     pub drag_coefficient: f64,
+    /// w_min, rad/s: 0 for a rotor that may stop, otherwise below `max_speed`.
+    pub min_speed: f64,
     /// w_max, rad/s.
     pub max_speed: f64,
     /// First-order motor time constant, s; simulation only.
     pub time_constant: Option<f64>,
+    /// How well these numbers are known.
+    pub spread: RotorSpread,
 }
 
 impl Rotor {
     /// b w_max^2, N.
     pub fn max_thrust(&self) -> f64 {
         self.thrust_coefficient * self.max_speed * self.max_speed
+    }
+
+    /// b w_min^2, N.
+    pub fn idle_thrust(&self) -> f64 {
+        self.thrust_coefficient * self.min_speed * self.min_speed
     }
 }
 

@@ -37,7 +37,7 @@ fn a_longer_flight_allocates_no_more() {
         let mut model = vehicles::octocopter("PPNNPPNN");
         model.modes = vec![vehicles::lost(&model, &[3])];
         model.simulation.controller = controller;
-        model.simulation.allocation = allocation;
+        model.vehicle.allocation = allocation;
         model.simulation.gusts = 0.5;
         model.simulation.drag = 0.2;
         let strikes = [Strike { mode: 0, at: 0.5, until: None, span: Default::default(), at_span: Default::default() }];

@@ -19,7 +19,8 @@ pub struct Allocator {
     /// Wrench of each rotor at the thrust of the strongest, rows scaled by `scale`.
     columns: Vec<Wrench>,
     scale: Wrench,
-    /// Full thrust of each in shares of the strongest's, and that in N.
+    /// Lowest and full thrust of each in shares of the strongest's, and that in N.
+    least: Vec<f64>,
     most: Vec<f64>,
     strongest: f64,
     coefficient: Vec<f64>,
@@ -33,18 +34,19 @@ impl Allocator {
         let scale = extent.map(|e| if e > 1e-12 * extent.max() { 1.0 / e } else { 0.0 });
         let strongest = vehicle.rotors.iter().map(|r| r.max_thrust()).fold(0.0, f64::max);
         let most: Vec<f64> = vehicle.rotors.iter().map(|r| r.max_thrust() / strongest).collect();
+        let least = vehicle.rotors.iter().map(|r| r.idle_thrust() / strongest).collect();
         let columns = full.iter().zip(&most).map(|(g, most)| g.component_mul(&scale) / *most).collect();
         let coefficient = vehicle.rotors.iter().map(|r| r.thrust_coefficient).collect();
-        Allocator { columns, scale, most, strongest, coefficient }
+        Allocator { columns, scale, least, most, strongest, coefficient }
     }
 
-    /// Thrusts F (N) that minimise sum F_k^2 subject to B F = w, 0 <= F_k <= F_max: `bounded` with a weight that
+    /// Thrusts F (N) that minimise sum F_k^2 subject to B F = w, F_min <= F_k <= F_max: `bounded` with a weight that
     /// leaves nothing of w missing. For a wrench that no rotor speeds give, the thrusts come nearest.
     pub fn thrusts(&self, wrench: &Wrench) -> Vec<f64> {
         let w = wrench.component_mul(&self.scale);
-        let lambda = bounded(&self.columns, &self.most, &w, &Wrench::repeat(EXACT), Wrench::zeros());
-        let shares = self.columns.iter().zip(&self.most).map(|(b, &most)| b.dot(&lambda).clamp(0.0, most));
-        shares.map(|x| x * self.strongest).collect()
+        let bounds = Bounds { least: &self.least, most: &self.most };
+        let lambda = bounded(&self.columns, bounds, &w, &Wrench::repeat(EXACT), Wrench::zeros());
+        self.columns.iter().enumerate().map(|(k, b)| bounds.clip(k, b.dot(&lambda)) * self.strongest).collect()
     }
 
     /// Rotor speeds, rad/s: w_k = sqrt(F_k / b_k).
@@ -53,24 +55,38 @@ impl Allocator {
     }
 }
 
-/// Multipliers lambda of the shares x_k = clip(b_k . lambda, 0, most_k) that minimise
+/// The shares least_k <= x_k <= most_k that rotor k can give.
+#[derive(Debug, Clone, Copy)]
+pub struct Bounds<'a> {
+    pub least: &'a [f64],
+    pub most: &'a [f64],
+}
+
+impl Bounds<'_> {
+    /// The share of rotor k nearest to `x`.
+    pub fn clip(&self, k: usize, x: f64) -> f64 {
+        x.clamp(self.least[k], self.most[k])
+    }
+}
+
+/// Multipliers lambda of the shares x_k = clip(b_k . lambda, least_k, most_k) that minimise
 ///
-/// (1/2) sum x_k^2 + (1/2) sum_i weight_i (w - B x)_i^2 over 0 <= x_k <= most_k.
+/// (1/2) sum x_k^2 + (1/2) sum_i weight_i (w - B x)_i^2 over least_k <= x_k <= most_k.
 ///
 /// With the residual r = w - B x the optimum has lambda = weight r, so lambda solves
 /// lambda/weight + B clip(B^T lambda) = w: piecewise linear, monotone, the gradient of a strictly convex function of
 /// four variables. Newton's method with the exact minimum along each step ends after a step or two from a lambda
 /// nearby.
-pub fn bounded(columns: &[Wrench], most: &[f64], w: &Wrench, weights: &Wrench, start: Wrench) -> Wrench {
+pub fn bounded(columns: &[Wrench], bounds: Bounds, w: &Wrench, weights: &Wrench, start: Wrench) -> Wrench {
     let softness = weights.map(|q| 1.0 / q);
     let mut lambda = start;
     for _ in 0..MOST_STEPS {
         let mut gradient = lambda.component_mul(&softness) - w;
         let mut hessian = Matrix4::from_diagonal(&softness);
-        for (b, &most) in columns.iter().zip(most) {
+        for (k, b) in columns.iter().enumerate() {
             let share = b.dot(&lambda);
-            gradient += b * share.clamp(0.0, most);
-            if (0.0..=most).contains(&share) {
+            gradient += b * bounds.clip(k, share);
+            if (bounds.least[k]..=bounds.most[k]).contains(&share) {
                 hessian += b * b.transpose();
             }
         }
@@ -79,7 +95,7 @@ pub fn bounded(columns: &[Wrench], most: &[f64], w: &Wrench, weights: &Wrench, s
             break;
         }
         let Some(step) = hessian.cholesky().map(|c| -c.solve(&gradient)) else { break };
-        let next = lambda + step * lowest(columns, most, w, &softness, &lambda, &step);
+        let next = lambda + step * lowest(columns, bounds, w, &softness, &lambda, &step);
         if next == lambda || !next.iter().all(|l| l.is_finite()) {
             break;
         }
@@ -90,14 +106,14 @@ pub fn bounded(columns: &[Wrench], most: &[f64], w: &Wrench, weights: &Wrench, s
 
 /// Where along a step from lambda the function that `bounded` minimises is lowest, in lengths of the step. Its slope
 /// is piecewise linear and grows; it bends where a share comes to a bound.
-fn lowest(columns: &[Wrench], most: &[f64], w: &Wrench, softness: &Wrench, lambda: &Wrench, step: &Wrench) -> f64 {
+fn lowest(columns: &[Wrench], bounds: Bounds, w: &Wrench, softness: &Wrench, lambda: &Wrench, step: &Wrench) -> f64 {
     let n = columns.len();
     let (mut shares, mut changes) = ([0.0; MOST_ROTORS], [0.0; MOST_ROTORS]);
     let mut bends = [0.0; 2 * MOST_ROTORS];
     let mut count = 0;
     for (k, b) in columns.iter().enumerate() {
         (shares[k], changes[k]) = (b.dot(lambda), b.dot(step));
-        for bound in [0.0, most[k]] {
+        for bound in [bounds.least[k], bounds.most[k]] {
             let t = (bound - shares[k]) / changes[k];
             if t > 0.0 && t.is_finite() {
                 bends[count] = t;
@@ -112,8 +128,8 @@ fn lowest(columns: &[Wrench], most: &[f64], w: &Wrench, softness: &Wrench, lambd
     let linear = (lambda.component_mul(softness) - w).dot(step);
     let square = step.component_mul(softness).dot(step);
     let slope = |t: f64| {
-        let rotors = shares[..n].iter().zip(&changes[..n]).zip(most);
-        linear + square * t + rotors.map(|((s, c), &most)| c * (s + c * t).clamp(0.0, most)).sum::<f64>()
+        let rotors = shares[..n].iter().zip(&changes[..n]).enumerate();
+        linear + square * t + rotors.map(|(k, (s, c))| c * bounds.clip(k, s + c * t)).sum::<f64>()
     };
     let bends = &mut bends[..count];
     bends.sort_unstable_by(f64::total_cmp);

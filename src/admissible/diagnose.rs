@@ -1,5 +1,7 @@
 //! What the sets say about the spec: modes that the plan must stand but cannot.
 
+use super::interval::{Certainty, Robust};
+use super::parallel::{Parallel, least_angle};
 use super::verdict::{ModeAnalysis, Verdict, analyze};
 use super::{AdmissibleSet, HEALTHY};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -12,6 +14,12 @@ pub const CANNOT_HOVER: &str = "mavc::analysis::cannot_hover";
 /// Hover lies on the edge of a set.
 pub const HOVER_ON_EDGE: &str = "mavc::analysis::hover_on_edge";
 
+/// A mode that the plan must stand hovers only for some values of the spec's intervals.
+pub const NOT_ROBUST: &str = "mavc::analysis::not_robust";
+
+/// Two rows of the actuation matrix are nearly parallel once a mode strikes.
+pub const PARALLEL_ROWS: &str = "mavc::analysis::parallel_rows";
+
 /// Modes named one by one in a message; of more, the first ones and the number.
 const NAMED: usize = 8;
 
@@ -21,17 +29,21 @@ const NAMED: usize = 8;
 /// A mode without full control, or with hover on its edge where a reserve is asked for, is an error; it is an
 /// answer about the spec rather than a mistake in it, and has an exit code of its own.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
-    let healthy = judge(model, &analyze(model, &AdmissibleSet::healthy(model)), model.vehicle.mass_span);
+    let healthy = analyze(model, &AdmissibleSet::healthy(model));
+    let before = |row: &Parallel| healthy.nearest_rows.is_some_and(|r| r.axes == row.axes && r.angle < least_angle());
     let mut found: Vec<Answer> = Vec::new();
     let against = if model.mission.is_some() { model.plan.against.as_slice() } else { &[] };
     for &index in against {
         let mode = analyze(model, &AdmissibleSet::of_mode(model, index));
-        let Some(answer) = judge(model, &mode, model.modes[index].span) else { continue };
+        let span = model.modes[index].span;
+        let faint = || mode.nearest_rows.filter(|row| !before(row)).and_then(|row| nearly_parallel(&row, span));
+        let Some(answer) = judge(model, &mode, span).or_else(faint) else { continue };
         match found.iter_mut().find(|earlier| earlier.is_same(&answer)) {
             Some(earlier) => earlier.modes.push(mode.name),
             None => found.push(Answer { modes: vec![mode.name], ..answer }),
         }
     }
+    let healthy = judge(model, &healthy, model.vehicle.mass_span);
     healthy.into_iter().chain(found).map(|answer| answer.diagnostic(model)).collect()
 }
 
@@ -83,6 +95,24 @@ impl Answer {
     }
 }
 
+/// A warning where two rows can coincide by a tenth of their length.
+fn nearly_parallel(row: &Parallel, span: Span) -> Option<Answer> {
+    let [a, b] = row.axes;
+    (row.angle < least_angle()).then(|| Answer {
+        severity: Severity::Warning,
+        code: PARALLEL_ROWS,
+        span,
+        what: format!(
+            "the rotors hardly tell {a} from {b}: their rows are {} degrees apart",
+            significant(row.angle.to_degrees(), 3)
+        ),
+        label: format!("rows less than {} degrees apart can coincide", significant(least_angle().to_degrees(), 3)),
+        help: "leave the mode out of `against`, or place the rotors so that what is left of them tells the two apart",
+        reserve: false,
+        modes: Vec::new(),
+    })
+}
+
 /// Whether the spec says a field rather than leaving it to its default.
 fn is_written(model: &Model, field: &str) -> bool {
     model.defaults.iter().all(|default| default.field != field)
@@ -94,7 +124,24 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
         Some(Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new() })
     };
     match (mode.verdict, mode.interior) {
-        (Verdict::Controllable, true) => None,
+        (Verdict::Controllable, true) => {
+            let sure = |r: &Robust| {
+                r.hover == Certainty::Yes
+                    && (model.plan.reserve == 0.0 || r.acai_worst.is_some_and(|worst| worst > 0.0))
+            };
+            let robust = mode.robust.filter(|r| !sure(r))?;
+            let label = match (robust.acai_worst, robust.acai_best) {
+                (Some(worst), Some(best)) => {
+                    format!("its margin lies between {} and {}", significant(worst, 3), significant(best, 3))
+                }
+                _ => "no wrench is sure to be given".to_string(),
+            };
+            let help = match is_healthy {
+                true => "narrow the intervals, make the vehicle lighter or change its layout",
+                false => "leave the mode out of `against`, narrow the intervals or make the vehicle lighter",
+            };
+            answer(Severity::Error, NOT_ROBUST, "hover is not sure over the spec's intervals", label, help)
+        }
         (Verdict::Controllable, false) if model.plan.reserve > 0.0 => {
             let share = number(100.0 * model.plan.reserve);
             let error = answer(
@@ -117,21 +164,33 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
         ),
         (verdict, _) => {
-            let mass = match mode.critical_mass_kg {
+            let light = mode.least_mass_kg.filter(|least| *least > model.vehicle.mass);
+            let mass = match mode.critical_mass_kg.filter(|_| light.is_none()) {
                 Some(m) if m > 0.0 => format!(
                     "it could at {} kg or less; the spec says {} kg",
                     significant(m, 4),
                     number(model.vehicle.mass)
                 ),
-                _ => "no mass makes it possible".to_string(),
+                _ => match light {
+                    Some(least) => {
+                        format!(
+                            "it could from {} kg on; the spec says {} kg",
+                            significant(least, 4),
+                            number(model.vehicle.mass)
+                        )
+                    }
+                    None => "no mass makes it possible".to_string(),
+                },
             };
             let what = match verdict {
                 Verdict::Stabilizable => "the vehicle cannot hold its yaw",
                 _ => "the vehicle cannot hover",
             };
-            let help = match is_healthy {
-                true => "make the vehicle lighter or change its layout",
-                false => "leave the mode out of `against`, make the vehicle lighter or change its layout",
+            let help = match (is_healthy, light) {
+                (true, None) => "make the vehicle lighter or change its layout",
+                (true, Some(_)) => "lower `min_speed` or change the layout",
+                (false, None) => "leave the mode out of `against`, make the vehicle lighter or change its layout",
+                (false, Some(_)) => "leave the mode out of `against`, or lower `min_speed`",
             };
             answer(Severity::Error, CANNOT_HOVER, what, mass, help)
         }

@@ -1,10 +1,12 @@
 //! Verdicts of section 3.2 with margins: what a mode can still do about hover.
 
+use super::interval::{Robust, robust};
+use super::parallel::{Parallel, nearest_rows};
 use super::{AdmissibleSet, hover};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Polytope;
 use crate::geometry::zonotope::Zonotope;
-use crate::model::Model;
+use crate::model::{Allocation, Model};
 use nalgebra::{SVector, Vector3};
 use serde::Serialize;
 
@@ -68,12 +70,21 @@ pub struct ModeAnalysis {
     /// Heaviest mass that hovers, kg; `None` where no mass does.
     pub critical_mass_kg: Option<f64>,
     pub critical_mass_yaw_free_kg: Option<f64>,
+    /// Lightest mass that hovers, kg: above 0 where rotors may not stop or are stuck.
+    pub least_mass_kg: Option<f64>,
     /// e_p = A Omega_s - u_ref of (31), [N, N m, N m, N m].
     pub residual4: [f64; 4],
     /// The same without tau_z.
     pub residual3: [f64; 3],
     /// `None` where hover is outside the set.
     pub headroom: Option<Headroom>,
+    /// Share of the zonotope's volume that the pseudo-inverse does not reach without clipping; `None` with the bounded
+    /// allocation, which reaches all, and where the set is flat.
+    pub given_away: Option<f64>,
+    /// The two rows of the actuation matrix at the smallest angle.
+    pub nearest_rows: Option<Parallel>,
+    /// What the spec's intervals make of it; `None` where it has none.
+    pub robust: Option<Robust>,
 }
 
 /// Analyses every set in `sets` (healthy first, as [`AdmissibleSet::all`] gives them).
@@ -89,12 +100,10 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         None => (Vec::new(), vec![1.0; rotors], vec![None; rotors]),
     };
     let u_ref = hover(model);
-    let shadow = without_yaw(&set.zonotope);
-    let yaw_free = shadow.facets();
     let u_ref3 = u_ref.fixed_rows::<3>(0).into_owned();
-
-    let residual4 = clean(set.zonotope.nearest(&u_ref) - u_ref);
-    let residual3 = clean(shadow.nearest(&u_ref3) - u_ref3);
+    let Reach { nearest, nearest3, yaw_free } = Reach::of(set, &u_ref, &u_ref3);
+    let residual4 = clean(nearest - u_ref);
+    let residual3 = clean(nearest3 - u_ref3);
     let verdict = if residual4.norm() < ZERO_RESIDUAL {
         Verdict::Controllable
     } else if residual3.norm() < ZERO_RESIDUAL {
@@ -123,9 +132,51 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         acai_yaw_free,
         critical_mass_kg: heaviest(&set.polytope, size).map(|t| t / model.gravity),
         critical_mass_yaw_free_kg: heaviest(&yaw_free, size).map(|t| t / model.gravity),
+        least_mass_kg: lift(&set.polytope, size).map(|(low, _)| low / model.gravity),
         residual4: residual4.into(),
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
+        given_away: given_away(set),
+        nearest_rows: nearest_rows(set),
+        robust: robust(model, set),
+    }
+}
+
+/// What the verdict is made of: the points nearest to hover, and the rows of the shadow.
+struct Reach {
+    nearest: Wrench,
+    nearest3: Vector3<f64>,
+    yaw_free: Polytope<3, ()>,
+}
+
+impl Reach {
+    fn of(set: &AdmissibleSet, hover: &Wrench, hover3: &Vector3<f64>) -> Self {
+        let shadow = without_yaw(&set.zonotope);
+        // The rows tell at once whether hover is inside; the search for the nearest point can end early there.
+        let by_zonotope = || {
+            let yaw_free = shadow.facets().without_origins();
+            let inside = set.polytope.equalities.is_empty() && set.polytope.margin(hover) > 0.0;
+            let inside3 = yaw_free.equalities.is_empty() && yaw_free.margin(hover3) > 0.0;
+            Reach {
+                nearest: if inside { *hover } else { set.zonotope.nearest(hover) },
+                nearest3: if inside3 { *hover3 } else { shadow.nearest(hover3) },
+                yaw_free,
+            }
+        };
+        let by_rows = || {
+            let inside = set.polytope.nearest(hover);
+            let yaw_free = set.polytope.shadow(inside.as_ref(), &set.zonotope.scale());
+            // Where idling rotors stand in its way the pseudo-inverse gives nothing unclipped; all idling is what is left.
+            Reach {
+                nearest: inside.unwrap_or(set.zonotope.center),
+                nearest3: yaw_free.nearest(hover3).unwrap_or(shadow.center),
+                yaw_free,
+            }
+        };
+        match set.allocation {
+            Allocation::Bounded => by_zonotope(),
+            Allocation::PseudoInverse => by_rows(),
+        }
     }
 }
 
@@ -149,12 +200,31 @@ fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVect
     Some(if margin.abs() <= ON_BOUNDARY * size { 0.0 } else { margin })
 }
 
-/// Largest T with [T, 0, ...] in the set, N.
-fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<f64> {
+/// Least and largest T >= 0 with [T, 0, ...] in the set, N.
+fn lift<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<(f64, f64)> {
     let mut thrust = SVector::<f64, D>::zeros();
     thrust[0] = 1.0;
-    let (_, high) = polytope.chord(&SVector::zeros(), &thrust, ON_BOUNDARY * size)?;
-    (high >= -ON_BOUNDARY * size).then(|| if high.abs() <= ON_BOUNDARY * size { 0.0 } else { high })
+    let (low, high) = polytope.chord(&SVector::zeros(), &thrust, ON_BOUNDARY * size)?;
+    let dust = |t: f64| if t <= ON_BOUNDARY * size { 0.0 } else { t };
+    (high >= -ON_BOUNDARY * size).then(|| (dust(low), dust(high)))
+}
+
+/// Largest T with [T, 0, ...] in the set, N.
+fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<f64> {
+    lift(polytope, size).map(|(_, high)| high)
+}
+
+/// See [`ModeAnalysis::given_away`].
+fn given_away(set: &AdmissibleSet) -> Option<f64> {
+    if set.allocation == Allocation::Bounded || !set.polytope.equalities.is_empty() {
+        return None;
+    }
+    let middle = set.zonotope.center + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();
+    let kept = match set.polytope.nearest(&middle) {
+        Some(inside) => set.polytope.volume(&inside, &set.zonotope.scale()),
+        None => 0.0,
+    };
+    Some((1.0 - kept / set.zonotope.volume()).clamp(0.0, 1.0))
 }
 
 fn headroom(set: &AdmissibleSet, at: &Wrench, size: f64) -> Headroom {

@@ -34,7 +34,7 @@ pub struct Sweep {
 }
 
 /// What verdicts depend on: fields of the vehicle as written after `vehicle.`, and gravity.
-const FIELDS: [&str; 8] = [
+const FIELDS: [&str; 9] = [
     "mass",
     "arm",
     "first",
@@ -42,6 +42,7 @@ const FIELDS: [&str; 8] = [
     "rotor.thrust_coefficient",
     "rotor.torque_per_thrust",
     "rotor.drag_coefficient",
+    "rotor.min_speed",
     "rotor.max_speed",
 ];
 const GRAVITY: &str = "gravity";

@@ -2,9 +2,9 @@
 //! controller believes in.
 
 use crate::actuation::{Actuation, Wrench};
-use crate::admissible::allocation::{MOST_ROTORS, bounded};
+use crate::admissible::allocation::{Bounds, MOST_ROTORS, bounded};
+use crate::admissible::pseudo_inverse;
 use crate::model::{Allocation, Model};
-use nalgebra::Matrix4;
 
 /// Weights on the missing part of the wrench beside one on the rotors' shares of full thrust, for T, tau_x, tau_y,
 /// tau_z in shares of the largest each can be. Yaw is given up first, thrust next, roll and pitch last.
@@ -12,9 +12,6 @@ const WEIGHTS: [f64; 4] = [1e8, 1e10, 1e10, 1e4];
 
 /// The largest share of full thrust, rotor by rotor.
 const WHOLE: [f64; MOST_ROTORS] = [1.0; MOST_ROTORS];
-
-/// Directions of the wrench that the rotors give more weakly than this, against the strongest, are given up by (42).
-const WEAK: f64 = 1e-5;
 
 /// What the controller believes of each rotor.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,7 +42,11 @@ pub struct Allocator {
     shift: Wrench,
     /// Sum of the rotors' absolute wrenches: N, N m, N m, N m.
     extent: Wrench,
+    /// Share of full thrust at the lowest speed, rotor by rotor.
+    least: Vec<f64>,
     max_speed: Vec<f64>,
+    /// Largest squared speed over the largest of all rotors'.
+    fullest: Vec<f64>,
     /// Pseudo-inverse of `columns`, n x 4 as its rows.
     inverse: Vec<Wrench>,
     /// Multipliers of the last wrench: near those of the next.
@@ -67,6 +68,8 @@ impl Allocator {
             stuck: vec![None; n],
             shift: Wrench::zeros(),
             extent,
+            least: model.vehicle.rotors.iter().map(|r| (r.min_speed / r.max_speed).powi(2)).collect(),
+            fullest: pseudo_inverse::fullest(&actuation),
             max_speed: model.vehicle.rotors.iter().map(|r| r.max_speed).collect(),
             inverse: vec![Wrench::zeros(); n],
             lambda: Wrench::zeros(),
@@ -89,37 +92,26 @@ impl Allocator {
             };
         }
         if self.method == Allocation::PseudoInverse {
-            // B^+ = B^T (B B^T)^-1 of (42); where rotors are gone that gave a direction alone, without that direction.
-            // Columns are for shares of each rotor's full speed squared; (42) minimises the squared speeds themselves.
-            let fastest = self.max_speed.iter().copied().fold(0.0, f64::max);
-            let unit = |k: usize| (fastest / self.max_speed[k]).powi(2);
-            let square: Matrix4<f64> =
-                self.columns.iter().enumerate().map(|(k, b)| b * b.transpose() * unit(k).powi(2)).sum();
-            let eigen = square.symmetric_eigen();
-            let least = WEAK * WEAK * eigen.eigenvalues.max();
-            let inverse = eigen.eigenvalues.map(|e| if e > least { 1.0 / e } else { 0.0 });
-            let inverse = eigen.eigenvectors * Matrix4::from_diagonal(&inverse) * eigen.eigenvectors.transpose();
-            for k in 0..self.columns.len() {
-                self.inverse[k] = inverse * self.columns[k] * unit(k).powi(2);
-            }
+            pseudo_inverse::inverse(&self.columns, &self.fullest, &mut self.inverse);
         }
         self.lambda = Wrench::zeros();
     }
 
-    /// Speeds (rad/s) into `speeds` for a wrench. A rotor believed lost gets none, a stuck one what it has.
+    /// Speeds (rad/s) into `speeds` for a wrench. A rotor believed lost gets its lowest, a stuck one what it has.
     pub fn speeds(&mut self, wrench: &Wrench, speeds: &mut [f64]) {
         let mut wanted = wrench.component_div(&self.extent) - self.shift;
+        let bounds = Bounds { least: &self.least, most: &WHOLE };
         // No vehicle gives more yaw than this, and what is missing of it draws on thrust by its weight.
         if self.method == Allocation::Bounded {
             wanted[3] = wanted[3].clamp(-1.0, 1.0);
-            self.lambda = bounded(&self.columns, &WHOLE, &wanted, &WEIGHTS.into(), self.lambda);
+            self.lambda = bounded(&self.columns, bounds, &wanted, &WEIGHTS.into(), self.lambda);
         }
         let (rows, by) = match self.method {
             Allocation::Bounded => (&self.columns, &self.lambda),
             Allocation::PseudoInverse => (&self.inverse, &wanted),
         };
         for (k, speed) in speeds.iter_mut().enumerate() {
-            let share = self.stuck[k].unwrap_or_else(|| rows[k].dot(by).clamp(0.0, 1.0));
+            let share = self.stuck[k].unwrap_or_else(|| bounds.clip(k, rows[k].dot(by)));
             *speed = self.max_speed[k] * share.sqrt();
         }
     }
@@ -137,8 +129,9 @@ impl Allocator {
         }
         let columns = &columns[..self.full.len()];
         let weights = Wrench::new(1e6, 1e6, 1e6, 1e-3);
-        let lambda = bounded(columns, &WHOLE, &wanted, &weights, Wrench::zeros());
-        let given = columns.iter().fold(Wrench::zeros(), |sum, b| sum + b * b.dot(&lambda).clamp(0.0, 1.0));
+        let bounds = Bounds { least: &self.least, most: &WHOLE };
+        let lambda = bounded(columns, bounds, &wanted, &weights, Wrench::zeros());
+        let given = columns.iter().enumerate().map(|(k, b)| b * bounds.clip(k, b.dot(&lambda))).sum::<Wrench>();
         (wanted - given).fixed_rows::<3>(0).norm()
     }
 }

@@ -98,7 +98,7 @@ impl<'a> Knowledge<'a> {
             command: vec![0.0; n],
             remaining: rotors.iter().map(|r| (-period / r.lag()).exp()).collect(),
             thrust_coefficient: rotors.iter().map(|r| r.thrust_coefficient).collect(),
-            hover_speed: rotors.iter().map(|r| r.max_speed * share.sqrt()).collect(),
+            hover_speed: rotors.iter().map(|r| (r.max_speed * share.sqrt()).max(r.min_speed)).collect(),
             proposal: Belief::healthy(n),
             hover: hover(model),
             found: Vec::with_capacity(strikes.len()),

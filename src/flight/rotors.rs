@@ -14,7 +14,7 @@ pub struct Rotors {
     remaining: Vec<f64>,
     /// rad/s
     pub speed: Vec<f64>,
-    /// Commanded speeds, rad/s, within 0 and `max_speed`.
+    /// Commanded speeds, rad/s, within what the rotors can turn.
     pub command: Vec<f64>,
     /// theta of (32).
     pub capacity: Vec<f64>,

@@ -3,11 +3,11 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
-/// A unit vector of R^(D+1), the last coordinate apart.
+/// A vector of R^(D+1), a unit vector where it is a direction, the last coordinate apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ray<const D: usize> {
-    head: SVector<f64, D>,
-    last: f64,
+    pub head: SVector<f64, D>,
+    pub last: f64,
 }
 
 impl<const D: usize> Ray<D> {
@@ -40,6 +40,11 @@ const MOST_ROUNDS: usize = 1_000;
 /// The distance of `target` from the cone of `rays`, or a larger one should the search not end; it ends early
 /// once at most `enough`.
 pub fn distance_to_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64) -> f64 {
+    beyond_cone(target, rays, enough).norm()
+}
+
+/// `target` less the point of the cone of `rays` nearest to it; the search ends as for [`distance_to_cone`].
+pub fn beyond_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64) -> Ray<D> {
     let mut basis: Vec<usize> = Vec::new();
     let mut weights: Vec<f64> = Vec::new();
     // Rays that brought the basis no nearer, for rounding: not tried again from the same place.
@@ -66,7 +71,7 @@ pub fn distance_to_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough
             useless.push(next);
         }
     }
-    distance
+    rest
 }
 
 /// The basis and its weights after `next` has come in: towards the least squares weights, with the ray whose

@@ -1,5 +1,8 @@
 //! Half-space descriptions `{ w : C w = d, N w <= e }`, equalities first, and minimal intersections.
 
+mod nearest;
+mod shadow;
+
 use super::cone::{Ray, distance_to_cone};
 use nalgebra::SVector;
 use std::cmp::Ordering;
@@ -75,6 +78,12 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
         // Planes of a flat set meet in one parameter up to rounding.
         let slip = tolerance / direction.norm();
         (low <= high + slip).then(|| if low <= high { (low, high) } else { ((low + high) / 2.0, (low + high) / 2.0) })
+    }
+
+    /// The same rows, whatever they come from.
+    pub fn without_origins(&self) -> Polytope<D, ()> {
+        let facets = self.facets.iter().map(|f| Facet { normal: f.normal, offset: f.offset, origin: () });
+        Polytope { equalities: self.equalities.clone(), facets: facets.collect() }
     }
 
     /// The set seen from `point` and made smaller about it: `{ w : point + (w - point) / (1 - share) in self }`.

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use super::{
-    Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Simulation, Spin, Vehicle,
+    Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Simulation, Spin, Spread,
+    Vehicle,
 };
 use crate::report::number::number;
 
@@ -62,8 +63,9 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
     if let Some(layout) = &v.layout {
         writeln!(f, "  layout {layout}")?;
     }
-    writeln!(f, "  mass {} kg", number(v.mass))?;
+    writeln!(f, "  mass {} kg{}", number(v.mass), between(v.mass_spread))?;
     writeln!(f, "  inertia {} kg*m^2", list(&v.inertia))?;
+    writeln!(f, "  allocation {}", v.allocation.name())?;
     for (k, r) in v.rotors.iter().enumerate() {
         let spin = if r.spin == Spin::P { "P" } else { "N" };
         write!(
@@ -76,12 +78,29 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
             number(r.max_speed),
             number(r.max_thrust())
         )?;
+        if r.min_speed > 0.0 {
+            write!(f, ", from {} rad/s", number(r.min_speed))?;
+        }
+        let s = &r.spread;
+        for (what, spread) in [("N", s.full_thrust), ("idle N", s.idle_thrust), ("d/b", s.torque_per_thrust)] {
+            if !spread.is_none() && (what != "idle N" || r.min_speed > 0.0) {
+                write!(f, ", {what}{}", between(spread))?;
+            }
+        }
         match r.time_constant {
             Some(time) => writeln!(f, ", time constant {} s", number(time))?,
             None => writeln!(f)?,
         }
     }
     Ok(())
+}
+
+/// ` times 0.97 to 1.03`, or nothing for a number known exactly.
+fn between(spread: Spread) -> String {
+    match spread.is_none() {
+        true => String::new(),
+        false => format!(" times {} to {}", number(spread.low), number(spread.high)),
+    }
 }
 
 fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
@@ -209,7 +228,7 @@ fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -
     }
     let [rate, control, estimator] = [s.rate, s.control_rate, s.estimator_rate].map(number);
     writeln!(f, "  rate {rate} Hz, control_rate {control} Hz, estimator_rate {estimator} Hz")?;
-    writeln!(f, "  controller {}, allocation {}", s.controller.name(), s.allocation.name())?;
+    writeln!(f, "  controller {}", s.controller.name())?;
     match s.detection {
         Detection::Never => write!(f, "  detection never")?,
         Detection::Estimator => write!(f, "  detection estimator")?,

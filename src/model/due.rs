@@ -371,7 +371,9 @@ fn collect_units<'e>(expr: &'e Expr, into: &mut Vec<&'e str>) {
         }
         ExprKind::Call { arguments, .. } => arguments.iter().for_each(|e| collect_units(e, into)),
         ExprKind::Negate(inner) => collect_units(inner, into),
-        ExprKind::Binary { left, right, .. } | ExprKind::Range { low: left, high: right } => {
+        ExprKind::Binary { left, right, .. }
+        | ExprKind::Range { low: left, high: right }
+        | ExprKind::Interval { value: left, by: right } => {
             collect_units(left, into);
             collect_units(right, into);
         }

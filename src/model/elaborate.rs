@@ -131,6 +131,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     let mut draft = Draft::read(cx, blocks.plans.first().copied());
     let named: Vec<(&str, Span)> = vehicles.iter().map(|v| (v.name.as_str(), v.span)).collect();
     let vehicle = choose(cx, &draft, "vehicle", &named).map(|index| &vehicles[index]);
+    defaults.extend(vehicle.iter().flat_map(|v| v.defaults.iter().cloned()));
     let readable = items().all(|item| !matches!(item, Item::Broken(_)));
     if vehicles.is_empty() && readable && !cx.may_exist("vehicle") {
         let span = items().next().map_or(Span::default(), start_of);

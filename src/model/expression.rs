@@ -78,6 +78,7 @@ impl<'a> Context<'a> {
                 }
             }
             ExprKind::List { elements, unit } => self.list(elements, unit.as_ref()),
+            ExprKind::Interval { value, by } => self.no_interval(value, by, expr.span),
             ExprKind::Range { low, high } => self.range(low, high),
         }
     }

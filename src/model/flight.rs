@@ -131,7 +131,6 @@ pub struct Simulation {
     /// Hz; divides `control_rate`.
     pub estimator_rate: f64,
     pub controller: Controller,
-    pub allocation: Allocation,
     pub detection: Detection,
     pub after_fault: AfterFault,
     pub gains: Gains,
@@ -186,14 +185,13 @@ pub(super) type Written<T> = (T, &'static str, &'static str);
 
 /// Defaults: value in SI, as written, why.
 pub(super) mod default {
-    use super::{AfterFault, Allocation, Controller, Detection, PlannerKind, Written};
+    use super::{AfterFault, Controller, Detection, PlannerKind, Written};
 
     pub const DURATION: Written<Option<f64>> = (None, "that of the plan", "how long the flight is simulated");
     pub const RATE: Written<f64> = (1000.0, "1 kHz", "steps of the integration");
     pub const CONTROL_RATE: Written<f64> = (500.0, "500 Hz", "how often the controller acts");
     pub const ESTIMATOR_RATE: Written<f64> = (100.0, "100 Hz", "how often capacities are estimated");
     pub const CONTROLLER: Written<Controller> = (Controller::Geometric, "geometric", "tracks far from hover too");
-    pub const ALLOCATION: Written<Allocation> = (Allocation::Bounded, "bounded", "asks no rotor for more than it has");
     pub const DETECTION: Written<Detection> =
         (Detection::Estimator, "estimator", "how the controller learns of a fault");
     pub const AFTER_FAULT: Written<AfterFault> = (AfterFault::Continue, "continue", "flies on as planned");
@@ -252,7 +250,6 @@ impl Default for Simulation {
             control_rate: CONTROL_RATE.0,
             estimator_rate: ESTIMATOR_RATE.0,
             controller: CONTROLLER.0,
-            allocation: ALLOCATION.0,
             detection: DETECTION.0,
             after_fault: AFTER_FAULT.0,
             gains: Gains::default(),

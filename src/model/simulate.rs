@@ -10,21 +10,18 @@ use super::due::Due;
 use super::fields::Fields;
 use super::flight::{MOTOR_TIME_CONSTANT, Written, default};
 use super::mission::{MAX_DURATION, too_long};
-use super::{
-    AfterFault, Allocation, Controller, DefaultUsed, Detection, FaultMode, Gains, Mission, Simulation, Vehicle,
-};
+use super::{AfterFault, Controller, DefaultUsed, Detection, FaultMode, Gains, Mission, Simulation, Vehicle};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
 
-pub(super) const FIELDS: [&str; 27] = [
+pub(super) const FIELDS: [&str; 26] = [
     "duration",
     "rate",
     "control_rate",
     "estimator_rate",
     "controller",
-    "allocation",
     "detection",
     "after_fault",
     "position_gain",
@@ -134,8 +131,6 @@ impl<'a> Reader<'a> {
         let estimator_rate = self.positive(cx, "estimator_rate", "Hz", ESTIMATOR_RATE);
         let choice =
             self.choice(cx, "controller", &[("geometric", Controller::Geometric), ("pd", Controller::Pd)], CONTROLLER);
-        let allocations = [("bounded", Allocation::Bounded), ("pseudo_inverse", Allocation::PseudoInverse)];
-        let allocation = self.choice(cx, "allocation", &allocations, ALLOCATION);
         let detection = self.detection(cx);
         let reactions = [("continue", AfterFault::Continue), ("hold", AfterFault::Hold), ("land", AfterFault::Land)];
         let after_fault = self.choice(cx, "after_fault", &reactions, AFTER_FAULT);
@@ -183,7 +178,6 @@ impl<'a> Reader<'a> {
             control_rate: control_rate?,
             estimator_rate: estimator_rate?,
             controller: choice?,
-            allocation: allocation?,
             detection: detection?,
             after_fault: after_fault?,
             gains: gains?,

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use super::context::{Context, listed};
 use super::due::Due;
 use super::fields::Fields;
-use super::{Rotor, Spin, Vehicle};
+use super::{Allocation, DefaultUsed, Rotor, Spin, Vehicle};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
@@ -17,19 +17,29 @@ use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
-const VEHICLE_FIELDS: [&str; 5] = ["layout", "first", "arm", "mass", "inertia"];
-const ROTOR_FIELDS: [&str; 6] =
-    ["thrust_coefficient", "max_thrust", "drag_coefficient", "torque_per_thrust", "max_speed", "time_constant"];
-const PLACED_FIELDS: [&str; 8] = [
+const VEHICLE_FIELDS: [&str; 6] = ["layout", "first", "arm", "mass", "inertia", "allocation"];
+const ROTOR_FIELDS: [&str; 7] = [
+    "thrust_coefficient",
+    "max_thrust",
+    "drag_coefficient",
+    "torque_per_thrust",
+    "min_speed",
+    "max_speed",
+    "time_constant",
+];
+const PLACED_FIELDS: [&str; 9] = [
     "at",
     "spin",
     "thrust_coefficient",
     "max_thrust",
     "drag_coefficient",
     "torque_per_thrust",
+    "min_speed",
     "max_speed",
     "time_constant",
 ];
+
+const ALLOCATIONS: [Allocation; 2] = [Allocation::Bounded, Allocation::PseudoInverse];
 
 /// What can be said of a vehicle even where it has errors.
 pub(super) struct Outline {
@@ -39,6 +49,8 @@ pub(super) struct Outline {
     pub rotors: Option<usize>,
     /// The vehicle, where it has no errors.
     pub vehicle: Option<Vehicle>,
+    /// What filled in for fields that are not written.
+    pub defaults: Vec<DefaultUsed>,
 }
 
 pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
@@ -49,7 +61,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let (shared, placed, twice) = blocks(cx, block);
 
     let mass_expr = fields.demand(cx, "mass", "mass = 1.8 kg");
-    let mass = mass_expr.and_then(|e| cx.positive(Due::new("mass", "kg"), e, POSITIVE));
+    let mass = mass_expr.and_then(|e| cx.interval(Due::new("mass", "kg"), e, POSITIVE));
     let inertia = fields.demand(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2").and_then(|e| inertia(cx, e));
     let rotor_fields =
         shared.map(|b| Fields::of_block(cx, format!("`rotor` of {owner}"), b.keyword.span, &b.body, &ROTOR_FIELDS));
@@ -82,24 +94,50 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
     };
+    let words: Vec<&str> = ALLOCATIONS.iter().map(|a| a.name()).collect();
+    let allocation = match fields.word(cx, "mavc::vehicle::allocation", "allocation", &words) {
+        Some(word) => ALLOCATIONS.into_iter().find(|a| Some(a.name()) == word),
+        None => Some(Allocation::Bounded),
+    };
+    let defaults = match fields.may_have("allocation") {
+        true => Vec::new(),
+        false => vec![DefaultUsed {
+            field: "vehicle.allocation".into(),
+            value: Allocation::Bounded.name().into(),
+            reason: "reaches all that the rotors can give".into(),
+        }],
+    };
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-    let vehicle = match (mass, inertia, rotors, mass_expr) {
-        (Some(mass), Some(inertia), Some(rotors), Some(mass_expr)) if !broken => Some(Vehicle {
-            name: name.clone(),
-            doc: block.doc.clone(),
-            layout,
-            mass,
-            inertia,
-            rotors,
-            span,
-            mass_span: mass_expr.span,
-        }),
+    let vehicle = match (mass.zip(allocation), inertia, rotors, mass_expr) {
+        (Some(((mass, mass_spread), allocation)), Some(inertia), Some(rotors), Some(mass_expr)) if !broken => {
+            Some(Vehicle {
+                name: name.clone(),
+                doc: block.doc.clone(),
+                layout,
+                mass,
+                mass_spread,
+                inertia,
+                rotors,
+                allocation,
+                span,
+                mass_span: mass_expr.span,
+            })
+        }
         _ => None,
     };
     if let Some(vehicle) = &vehicle {
+        if vehicle.allocation == Allocation::PseudoInverse && vehicle.has_uncertain_rotors() {
+            let message = "the pseudo-inverse goes by coefficients and speeds that are known, not by intervals";
+            let at = fields.span_of("allocation").unwrap_or(span);
+            cx.report(
+                Diagnostic::error("mavc::vehicle::conflict", at, message)
+                    .here("does not go with intervals on rotors")
+                    .help("write `allocation = bounded`, or take the intervals out of the rotors; `mass` may have one"),
+            );
+        }
         check_whole(cx, vehicle);
     }
-    Outline { name, span, rotors: count, vehicle }
+    Outline { name, span, rotors: count, vehicle, defaults }
 }
 
 /// The `rotor` and `rotors` blocks, and whether one of them stands twice, which is an error.
@@ -294,6 +332,21 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
                 .here("too heavy for these rotors")
                 .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
                 .help(format!("at full thrust it could carry {} kg", number(thrust / cx.gravity))),
+        );
+    }
+    let idle: f64 = vehicle.rotors.iter().map(Rotor::idle_thrust).sum();
+    if idle >= weight {
+        let message = format!(
+            "vehicle `{}` cannot hover: it weighs {} N and its rotors lift {} N at their lowest speeds",
+            vehicle.name,
+            number(weight),
+            number(idle)
+        );
+        cx.report(
+            Diagnostic::error("mavc::vehicle::too_light", vehicle.mass_span, message)
+                .here("too light for rotors that may not stop")
+                .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
+                .help("write a lower `min_speed`, or take it out for rotors that may stop"),
         );
     }
     let same = vehicle.rotors.iter().all(|r| r.spin == vehicle.rotors[0].spin);

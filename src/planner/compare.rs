@@ -7,9 +7,9 @@ use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
 use super::search::{Hint, NoTime, Shortest};
 use super::select::{PlanningSet, SetRow};
-use crate::admissible::AdmissibleSet;
 use super::successive::Successive;
 use super::wrench_model::WrenchModel;
+use crate::admissible::{AdmissibleSet, faults_only_take};
 use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
@@ -98,10 +98,13 @@ struct Setting<'a> {
     /// Shrunk by the reserve, in the order of `against`.
     sets: Vec<AdmissibleSet>,
     healthy: AdmissibleSet,
-    /// The healthy set as planned against, and each mode's.
+    /// The healthy set as planned against, and what RCP imposes for each mode and for all: their sets, and the healthy
+    /// one too where they need not lie inside it, for until a fault strikes the vehicle is healthy.
     rip: PlanningSet,
     singles: Vec<PlanningSet>,
     joint: PlanningSet,
+    /// Each mode's set alone, which plans are measured against.
+    modes: Vec<PlanningSet>,
     names: Vec<String>,
     progress: Progress<'a>,
 }
@@ -129,18 +132,24 @@ impl<'a> Setting<'a> {
     fn new(model: &'a Model, mission: &'a Mission, progress: Progress<'a>) -> Self {
         let healthy = AdmissibleSet::healthy(model);
         let reserve = model.plan.reserve;
-        let sets: Vec<AdmissibleSet> =
-            model.plan.against.iter().map(|&i| AdmissibleSet::of_mode(model, i).with_reserve(reserve)).collect();
-        let shrunk = healthy.with_reserve(reserve);
+        let sets: Vec<AdmissibleSet> = model
+            .plan
+            .against
+            .iter()
+            .map(|&i| AdmissibleSet::of_mode(model, i).guaranteed(model).with_reserve(reserve))
+            .collect();
+        let shrunk = healthy.guaranteed(model).with_reserve(reserve);
+        let imposed = |modes: &[AdmissibleSet]| {
+            let before = (modes.is_empty() || !faults_only_take(model)).then_some(&shrunk);
+            PlanningSet::of(&before.into_iter().chain(modes).collect::<Vec<_>>(), &healthy)
+        };
         Setting {
             model,
             mission,
             rip: PlanningSet::of(&[&shrunk], &healthy),
-            singles: sets.iter().map(|s| PlanningSet::of(&[s], &healthy)).collect(),
-            joint: match sets.is_empty() {
-                true => PlanningSet::of(&[&shrunk], &healthy),
-                false => PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy),
-            },
+            singles: sets.iter().map(|s| imposed(std::slice::from_ref(s))).collect(),
+            joint: imposed(&sets),
+            modes: sets.iter().map(|s| PlanningSet::of(&[s], &healthy)).collect(),
             names: sets.iter().map(|s| s.name.clone()).collect(),
             sets,
             healthy,
@@ -200,11 +209,8 @@ impl<'a> Setting<'a> {
 
     fn solved(&self, time: f64, planned: &Planned) -> Solved {
         let trajectory = Trajectory::of(planned);
-        let outside = self
-            .singles
-            .iter()
-            .map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows))
-            .collect();
+        let outside =
+            self.modes.iter().map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows)).collect();
         Solved {
             time,
             trajectory,
@@ -245,7 +251,7 @@ impl<'a> Setting<'a> {
         let solved = self.solved(planned.profile.total, planned);
         self.sets
             .iter()
-            .zip(&self.singles)
+            .zip(&self.modes)
             .zip(&solved.outside)
             .flat_map(|((_, set), out)| out.facets.iter().map(|&i| set.rows[i].clone()))
             .collect()
@@ -350,8 +356,8 @@ impl<'a> Setting<'a> {
 
     /// Each mode's own shortest time, in parallel; results in the order of the modes.
     ///
-    /// No set here is larger than the healthy one, so no time is shorter than RIP's; and where RIP's plan stays
-    /// inside a mode's set, it is that mode's plan.
+    /// Nothing imposed here is wider than the healthy set, so no time is shorter than RIP's; and where RIP's plan stays
+    /// inside that, it is the mode's plan.
     fn singles_own(&self, rip: &Found, hint: Hint) -> Vec<Found> {
         let work = |(name, set): (&String, &PlanningSet)| {
             if let Ok(s) = &rip.result {

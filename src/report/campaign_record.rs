@@ -161,7 +161,7 @@ impl CampaignRecord {
             cases: 0,
             flights: 0,
             controller: simulation.controller.name(),
-            allocation: simulation.allocation.name(),
+            allocation: model.vehicle.allocation.name(),
             detection,
             detection_delay_s,
             after_fault: simulation.after_fault.name(),

@@ -66,7 +66,7 @@ fn flown_how(model: &Model) -> String {
         "controller {}, allocation {}; {detection}; after_fault = {}\n\
          lost: {} m from its place, tilted past 90 degrees for {} s, or struck the ground; {}\n",
         s.controller.name(),
-        s.allocation.name(),
+        model.vehicle.allocation.name(),
         s.after_fault.name(),
         number(s.lost_beyond),
         number(s.upside_down),

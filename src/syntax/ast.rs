@@ -202,6 +202,11 @@ pub enum ExprKind {
         elements: Vec<Expr>,
         unit: Option<UnitText>,
     },
+    /// `1.8 kg +- 3 %`, `1.8 kg +- 50 g`
+    Interval {
+        value: Box<Expr>,
+        by: Box<Expr>,
+    },
     /// `a .. b`
     Range {
         low: Box<Expr>,

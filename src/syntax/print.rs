@@ -193,6 +193,7 @@ impl Display for Expr {
                 f.write_str("]")?;
                 print_unit(f, unit)
             }
+            ExprKind::Interval { value, by } => write!(f, "{value} +- {by}"),
             ExprKind::Range { low, high } => write!(f, "{low} .. {high}"),
         }
     }

@@ -6,7 +6,7 @@ use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::geometry::polytope::{Polytope, intersect};
 use mavc::geometry::zonotope::Zonotope;
-use mavc::model::{Model, Rotor, Spin};
+use mavc::model::{Model, Rotor, RotorSpread, Spin};
 use mavc::qp::RowOrigin;
 use mavc::qp::build::{Affine, Builder};
 use mavc::solve::{Outcome, solve};
@@ -21,8 +21,10 @@ fn rotor(x: f64, y: f64, p: bool, thrust: f64) -> Rotor {
         spin: if p { Spin::P } else { Spin::N },
         thrust_coefficient: thrust * 1e-6,
         drag_coefficient: 0.016 * thrust * 1e-6,
+        min_speed: 0.0,
         max_speed: 1000.0,
         time_constant: None,
+        spread: RotorSpread::default(),
     }
 }
 

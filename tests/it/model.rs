@@ -2,6 +2,7 @@
 
 mod algebra;
 mod flights;
+mod intervals;
 mod numbers;
 mod overriding;
 mod pages;

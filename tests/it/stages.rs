@@ -20,12 +20,13 @@ const MISSIONS: [&str; 9] = [
     "paper/tracking",
 ];
 
-const VEHICLES: [&str; 8] = [
+const VEHICLES: [&str; 9] = [
     "vehicles/coaxial_x8",
     "vehicles/hexa_pnpnpn",
     "vehicles/hexa_ppnnpn",
     "vehicles/octo_pnpnpnpn",
     "vehicles/octo_ppnnppnn",
+    "vehicles/octo_ppnnppnn_pseudo_inverse",
     "vehicles/quad_pnpn",
     "vehicles/quad_x",
     "vehicles/ring12",

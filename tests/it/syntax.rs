@@ -49,6 +49,7 @@ fn shape_of(expr: &Expr) -> String {
         }
         ExprKind::Paren { inner, unit: u } => format!("p{}{}", shape_of(inner), unit(u)),
         ExprKind::List { elements, unit: u } => format!("[{}]{}", all(elements), unit(u)),
+        ExprKind::Interval { value, by } => format!("({} +- {})", shape_of(value), shape_of(by)),
         ExprKind::Range { low, high } => format!("({} .. {})", shape_of(low), shape_of(high)),
     }
 }
@@ -69,6 +70,9 @@ fn operators_bind_as_in_mathematics() {
     assert_eq!(shape("a - -b"), "(a - (-b))");
     assert_eq!(shape("0 .. 4*pi"), "(0 .. (4 * pi))");
     assert_eq!(shape("0..1+2"), "(0 .. (1 + 2))");
+    assert_eq!(shape("1 + 2 kg +- 3 %"), "((1 + 2<kg>) +- 3<%>)");
+    assert_eq!(shape("1+-2"), "(1 +- 2)");
+    assert_eq!(shape("1 + -2"), "(1 + (-2))");
     assert_eq!(shape("2*a*sin(s/2)"), "((2 * a) * sin((s / 2)))");
 }
 
@@ -272,7 +276,7 @@ fn expression() -> impl Strategy<Value = String> {
         .prop_map(|(number, unit)| format!("{number}{unit}"));
     let name = prop::sample::select(vec!["a", "pi", "M1_6", "start", "min", "\"text\""]).prop_map(str::to_string);
     prop_oneof![number, name].prop_recursive(4, 40, 4, move |inner| {
-        let operator = prop::sample::select(vec![" + ", " - ", "*", "/", " * ", "^", " ^ ", " .. "]);
+        let operator = prop::sample::select(vec![" + ", " - ", "*", "/", " * ", "^", " ^ ", " +- ", "+-", " .. "]);
         let unit = unit.clone().prop_map(|u| if u == "m" { " m" } else { u });
         prop_oneof![
             (inner.clone(), operator, inner.clone()).prop_map(|(a, o, b)| format!("{a}{o}{b}")),

@@ -207,8 +207,9 @@ proptest! {
     fn allocation_is_the_smallest_that_gives_the_wrench(
         which in 0usize..4,
         share in prop::collection::vec(prop_oneof![1 => Just(0.0), 1 => Just(1.0), 3 => 0.0..1.0f64], 12),
+        idle in prop_oneof![1 => Just(vec![0.0; 12]), 1 => prop::collection::vec(0.0..0.5f64, 12)],
     ) {
-        let model = [
+        let mut model = [
             quadcopter(),
             hexacopter("PPNNPN"),
             octocopter("PPNNPPNN"),
@@ -218,7 +219,9 @@ proptest! {
         let actuation = Actuation::of(&model.vehicle);
         let most: Vec<f64> = model.vehicle.rotors.iter().map(|r| r.max_thrust()).collect();
         let n = most.len();
-        let given: Vec<f64> = (0..n).map(|k| share[k] * most[k]).collect();
+        model.vehicle.rotors.iter_mut().zip(&idle).for_each(|(r, share)| r.min_speed = share.sqrt() * r.max_speed);
+        let least: Vec<f64> = (0..n).map(|k| idle[k] * most[k]).collect();
+        let given: Vec<f64> = (0..n).map(|k| least[k] + share[k] * (most[k] - least[k])).collect();
         let produced = |f: &[f64]| {
             (0..n).fold(Wrench::zeros(), |w, k| w + actuation.full(k) * (f[k] / most[k]))
         };
@@ -228,7 +231,7 @@ proptest! {
         let scale = Wrench::new(10.0, 1.0, 1.0, 0.1);
         let miss = (produced(&best) - w).component_div(&scale).amax();
         prop_assert!(miss < 1e-8, "asked {w} given {}", produced(&best));
-        prop_assert!(best.iter().zip(&most).all(|(f, m)| *f >= 0.0 && f <= m));
+        prop_assert!(best.iter().zip(&most).zip(&least).all(|((f, m), l)| *f >= l * (1.0 - 1e-12) && *f <= m * (1.0 + 1e-12)));
         let ascent: f64 = best.iter().zip(&given).map(|(b, g)| b * (g - b)).sum();
         prop_assert!(ascent > -1e-6, "{ascent}");
         for (speed, (f, r)) in allocator.speeds(&w).iter().zip(best.iter().zip(&model.vehicle.rotors)) {
@@ -238,7 +241,7 @@ proptest! {
         let mut builder = Builder::new(n);
         for (k, limit) in most.iter().enumerate() {
             builder.product(k, k, 1.0);
-            builder.nonnegative(Affine::term(k, 1.0), RowOrigin::Overshoot);
+            builder.nonnegative(Affine::term(k, 1.0).plus_constant(-least[k]), RowOrigin::Overshoot);
             builder.nonnegative(Affine::term(k, -1.0).plus_constant(*limit), RowOrigin::Overshoot);
         }
         for i in 0..4 {

@@ -16,8 +16,10 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
                 spin: if c == 'P' { Spin::P } else { Spin::N },
                 thrust_coefficient: b,
                 drag_coefficient: d,
+                min_speed: 0.0,
                 max_speed,
                 time_constant: None,
+                spread: RotorSpread::default(),
             }
         })
         .collect();
@@ -29,8 +31,10 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             doc: None,
             layout: Some(layout.into()),
             mass,
+            mass_spread: Spread::NONE,
             inertia,
             rotors,
+            allocation: Allocation::Bounded,
             span,
             mass_span: span,
         },

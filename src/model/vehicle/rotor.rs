@@ -2,10 +2,14 @@
 
 use super::{POSITIVE, Place};
 use crate::diagnostic::Diagnostic;
-use crate::model::Rotor;
 use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::fields::Fields;
+use crate::model::{Rotor, RotorSpread, Spread};
+use crate::report::number::number;
+use crate::source::Span;
+
+const MIN_SPEED: &str = "mavc::vehicle::min_speed";
 
 /// Thrust, torque and speed of every rotor: its own clauses first, then what the `rotor` block says.
 pub(super) fn give_all<'a>(
@@ -36,14 +40,18 @@ pub(super) fn give_all<'a>(
     rotors
 }
 
+/// A number and how well it is known.
+type Known = (f64, Spread);
+
 /// What is written of a rotor's performance. `Some(None)` stands for something with an error in it.
 #[derive(Clone, Default)]
 pub(super) struct Traits {
-    thrust_coefficient: Option<Option<f64>>,
-    max_thrust: Option<Option<f64>>,
-    drag_coefficient: Option<Option<f64>>,
-    torque_per_thrust: Option<Option<f64>>,
-    max_speed: Option<Option<f64>>,
+    thrust_coefficient: Option<Option<Known>>,
+    max_thrust: Option<Option<Known>>,
+    drag_coefficient: Option<Option<Known>>,
+    torque_per_thrust: Option<Option<Known>>,
+    min_speed: Option<Option<(f64, Span)>>,
+    max_speed: Option<Option<Known>>,
     time_constant: Option<Option<f64>>,
 }
 
@@ -52,7 +60,7 @@ impl Traits {
         let mut take = |what: &'static str, unit: &'static str, coefficient: bool| {
             let due = Due { what, unit, coefficient };
             match fields.get(what) {
-                Some(expr) => Some(cx.positive(due, expr, POSITIVE)),
+                Some(expr) => Some(cx.interval(due, expr, POSITIVE)),
                 None => fields.may_have(what).then_some(None),
             }
         };
@@ -62,7 +70,16 @@ impl Traits {
             drag_coefficient: take("drag_coefficient", "N*m*s^2/rad^2", true),
             torque_per_thrust: take("torque_per_thrust", "m", false),
             max_speed: take("max_speed", "rad/s", false),
-            time_constant: take("time_constant", "s", false),
+            time_constant: match fields.get("time_constant") {
+                Some(expr) => Some(cx.positive(Due::new("time_constant", "s"), expr, POSITIVE)),
+                None => fields.may_have("time_constant").then_some(None),
+            },
+            min_speed: match fields.get("min_speed") {
+                Some(expr) => {
+                    Some(cx.not_negative(Due::new("min_speed", "rad/s"), expr, MIN_SPEED).map(|w| (w, expr.span)))
+                }
+                None => fields.may_have("min_speed").then_some(None),
+            },
         };
         for (a, b) in [("thrust_coefficient", "max_thrust"), ("drag_coefficient", "torque_per_thrust")] {
             if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
@@ -87,6 +104,7 @@ impl Traits {
             max_thrust: if thrust { self.max_thrust } else { base.max_thrust },
             drag_coefficient: if torque { self.drag_coefficient } else { base.drag_coefficient },
             torque_per_thrust: if torque { self.torque_per_thrust } else { base.torque_per_thrust },
+            min_speed: self.min_speed.or(base.min_speed),
             max_speed: self.max_speed.or(base.max_speed),
             time_constant: self.time_constant.or(base.time_constant),
         }
@@ -116,14 +134,43 @@ impl Traits {
             }
             return None;
         }
-        let max_speed = self.max_speed??;
-        let thrust_coefficient = match self.thrust_coefficient {
-            Some(b) => b?,
-            None => self.max_thrust?? / (max_speed * max_speed),
+        let (max_speed, of_speed) = self.max_speed??;
+        let (square, slowest) = (of_speed.times(of_speed), of_speed.low);
+        // The full thrust is b w_max^2; where it is what is measured, b follows from it.
+        let (thrust_coefficient, full_thrust, of_coefficient) = match self.thrust_coefficient {
+            Some(given) => {
+                let (b, spread) = given?;
+                (b, spread.times(square), spread)
+            }
+            None => {
+                let (thrust, spread) = self.max_thrust??;
+                (thrust / (max_speed * max_speed), spread, spread.over(square))
+            }
         };
-        let drag_coefficient = match self.drag_coefficient {
-            Some(d) => d?,
-            None => self.torque_per_thrust?? * thrust_coefficient,
+        let (drag_coefficient, torque_per_thrust) = match self.drag_coefficient {
+            Some(given) => {
+                let (d, spread) = given?;
+                (d, spread.over(of_coefficient))
+            }
+            None => {
+                let (ratio, spread) = self.torque_per_thrust??;
+                (ratio * thrust_coefficient, spread)
+            }
+        };
+        let spread = RotorSpread { full_thrust, idle_thrust: of_coefficient, torque_per_thrust };
+        let min_speed = match self.min_speed {
+            Some(given) => {
+                let (speed, span) = given?;
+                if speed >= max_speed * slowest {
+                    if !*told {
+                        *told = true;
+                        cx.report(not_below(speed, max_speed * slowest, span));
+                    }
+                    return None;
+                }
+                speed
+            }
+            None => 0.0,
         };
         let time_constant = match self.time_constant {
             Some(given) => Some(given?),
@@ -134,8 +181,18 @@ impl Traits {
             spin: place.spin,
             thrust_coefficient,
             drag_coefficient,
+            min_speed,
             max_speed,
             time_constant,
+            spread,
         })
     }
+}
+
+/// A rotor whose lowest speed leaves it no range.
+fn not_below(min_speed: f64, max_speed: f64, at: Span) -> Diagnostic {
+    let message = "`min_speed` has to be below `max_speed`";
+    Diagnostic::error(MIN_SPEED, at, message)
+        .here(format!("{} rad/s against {} rad/s", number(min_speed), number(max_speed)))
+        .help("write the speed below which the rotor may not turn, or take it out for a rotor that may stop")
 }

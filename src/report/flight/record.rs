@@ -90,7 +90,7 @@ impl FlightRecord {
             planner: model.plan.planner.name(),
             plan_time_s: solved.time,
             controller: s.controller.name(),
-            allocation: s.allocation.name(),
+            allocation: model.vehicle.allocation.name(),
             detection,
             detection_delay_s: delay,
             after_fault: s.after_fault.name(),

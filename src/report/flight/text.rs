@@ -84,7 +84,7 @@ fn manner(model: &Model) -> String {
         Controller::Pd => "PD controller",
         Controller::Geometric => "geometric controller",
     };
-    let allocation = match s.allocation {
+    let allocation = match model.vehicle.allocation {
         Allocation::PseudoInverse => "clipped pseudo-inverse",
         Allocation::Bounded => "bounded allocation",
     };

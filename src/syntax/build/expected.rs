@@ -74,7 +74,9 @@ fn meaning(rule: Rule) -> Option<Expected> {
         | Rule::expr
         | Rule::filter
         | Rule::kw_where => Expected::Value,
-        Rule::plus | Rule::dash | Rule::times | Rule::over | Rule::power | Rule::dots => Expected::Operator,
+        Rule::plus | Rule::spread | Rule::dash | Rule::times | Rule::over | Rule::power | Rule::dots => {
+            Expected::Operator
+        }
         Rule::unit => Expected::Unit,
         Rule::equals => Expected::Equals,
         Rule::name => Expected::Name,

@@ -12,6 +12,7 @@ use std::sync::LazyLock;
 static PRECEDENCE: LazyLock<PrattParser<Rule>> = LazyLock::new(|| {
     PrattParser::new()
         .op(Op::infix(Rule::dots, Assoc::Left))
+        .op(Op::infix(Rule::spread, Assoc::Left))
         .op(Op::infix(Rule::plus, Assoc::Left) | Op::infix(Rule::dash, Assoc::Left))
         .op(Op::infix(Rule::times, Assoc::Left) | Op::infix(Rule::over, Assoc::Left))
         .op(Op::prefix(Rule::minus))
@@ -56,6 +57,10 @@ fn binary(left: Tree, place: Span, rule: Rule, right: Tree) -> Built<Tree> {
         Rule::times => Operator::Multiply,
         Rule::over => Operator::Divide,
         Rule::power => Operator::Power,
+        Rule::spread => {
+            let kind = ExprKind::Interval { value: Box::new(left.expr), by: Box::new(right.expr) };
+            return grow(kind, span, place, height);
+        }
         _ => {
             if matches!(left.expr.kind, ExprKind::Range { .. }) {
                 return Err(Box::new(

@@ -25,7 +25,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-pub(super) const CLAUSES: [&str; 14] = [
+pub(super) const CLAUSES: [&str; 15] = [
     "at",
     "yaw",
     "yaw_within",
@@ -33,6 +33,7 @@ pub(super) const CLAUSES: [&str; 14] = [
     "weight",
     "time",
     "spin",
+    "min_speed",
     "max_speed",
     "max_thrust",
     "time_constant",

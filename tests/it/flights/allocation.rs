@@ -3,7 +3,7 @@
 use super::{between, normal};
 use crate::vehicles::{hexacopter, octocopter};
 use mavc::actuation::{Actuation, Wrench};
-use mavc::admissible::allocation::{MOST_ROTORS, bounded};
+use mavc::admissible::allocation::{Bounds, MOST_ROTORS, bounded};
 use mavc::admissible::hover;
 use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::{Allocation, Model};
@@ -11,9 +11,9 @@ use nalgebra::{DMatrix, DVector, Matrix4};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 
-/// The minimiser of (1/2)|x|^2 + (1/2) sum_i weight_i (w - B x)_i^2 over the unit box: every rotor at 0, at 1 or free,
+/// The minimiser of (1/2)|x|^2 + (1/2) sum_i weight_i (w - B x)_i^2 with x from `least` to 1: every rotor at one of them or free,
 /// the free ones by least squares, and the active set whose multipliers have the right signs.
-fn by_active_sets(columns: &[Wrench], w: &Wrench, weights: &Wrench) -> DVector<f64> {
+fn by_active_sets(columns: &[Wrench], least: &[f64], w: &Wrench, weights: &Wrench) -> DVector<f64> {
     let n = columns.len();
     let b = DMatrix::from_fn(4, n, |i, k| columns[k][i]);
     let q = DMatrix::from_diagonal(&DVector::from_column_slice(weights.as_slice()));
@@ -24,7 +24,7 @@ fn by_active_sets(columns: &[Wrench], w: &Wrench, weights: &Wrench) -> DVector<f
     for code in 0..3usize.pow(n as u32) {
         let state: Vec<usize> = (0..n).map(|k| code / 3usize.pow(k as u32) % 3).collect();
         let free: Vec<usize> = (0..n).filter(|&k| state[k] == 2).collect();
-        let mut x = DVector::from_fn(n, |k, _| if state[k] == 1 { 1.0 } else { 0.0 });
+        let mut x = DVector::from_fn(n, |k, _| [least[k], 1.0, 0.0][state[k]]);
         if !free.is_empty() {
             let right = &linear - &hessian * &x;
             let m = DMatrix::from_fn(free.len(), free.len(), |i, j| hessian[(free[i], free[j])]);
@@ -36,7 +36,7 @@ fn by_active_sets(columns: &[Wrench], w: &Wrench, weights: &Wrench) -> DVector<f
         let holds = (0..n).all(|k| match state[k] {
             0 => slope[k] >= -slack,
             1 => slope[k] <= slack,
-            _ => (-1e-12..=1.0 + 1e-12).contains(&x[k]),
+            _ => (least[k] - 1e-12..=1.0 + 1e-12).contains(&x[k]),
         });
         if holds && best.as_ref().is_none_or(|b| value(&x) < value(b)) {
             best = Some(x);
@@ -58,13 +58,16 @@ fn bounded_finds_the_minimiser_among_all_active_sets() {
         let weights = Wrench::from_fn(|_, _| 10f64.powf(between(&mut random, 0.0, 5.0)));
         // From nothing and from another wrench's multipliers, as in flight.
         let start = if case % 2 == 0 { Wrench::zeros() } else { last };
-        let lambda = bounded(&columns, &[1.0; MOST_ROTORS], &w, &weights, start);
-        let wanted = by_active_sets(&columns, &w, &weights);
+        // Rotors that may stop, and rotors that may not.
+        let least: Vec<f64> = (0..n).map(|_| if case % 5 < 3 { 0.0 } else { between(&mut random, 0.0, 0.4) }).collect();
+        let bounds = Bounds { least: &least, most: &[1.0; MOST_ROTORS] };
+        let lambda = bounded(&columns, bounds, &w, &weights, start);
+        let wanted = by_active_sets(&columns, &least, &w, &weights);
         for (k, b) in columns.iter().enumerate() {
-            let share = b.dot(&lambda).clamp(0.0, 1.0);
+            let share = bounds.clip(k, b.dot(&lambda));
             assert!((share - wanted[k]).abs() < 1e-6, "case {case}, rotor {k}: {share} instead of {}", wanted[k]);
         }
-        clipped += usize::from(wanted.iter().any(|x| *x == 0.0 || *x == 1.0));
+        clipped += usize::from(wanted.iter().zip(&least).any(|(x, least)| x == least || *x == 1.0));
         last = lambda;
     }
     assert!((100..300).contains(&clipped), "{clipped} of the cases meet a bound");
@@ -230,9 +233,12 @@ fn bounded_ends_at_the_minimiser_from_anywhere() {
         let w = columns.iter().fold(Wrench::zeros(), |sum, b| sum + b * between(&mut random, -size, 1.0 + size));
         let weights = Wrench::from_fn(|_, _| 10f64.powf(between(&mut random, 0.0, 8.0)));
         let start = Wrench::from_fn(|_, _| normal(&mut random) * 10f64.powf(between(&mut random, -2.0, 4.0)));
-        let lambda = bounded(&columns, &[1.0; MOST_ROTORS], &w, &weights, start);
+        let least: Vec<f64> = (0..n).map(|_| if case % 4 < 3 { 0.0 } else { between(&mut random, 0.0, 0.9) }).collect();
+        let bounds = Bounds { least: &least, most: &[1.0; MOST_ROTORS] };
+        let lambda = bounded(&columns, bounds, &w, &weights, start);
         let residual = lambda.component_div(&weights) - w;
-        let gradient = columns.iter().fold(residual, |sum, b| sum + b * b.dot(&lambda).clamp(0.0, 1.0));
+        let gradient =
+            columns.iter().enumerate().fold(residual, |sum, (k, b)| sum + b * bounds.clip(k, b.dot(&lambda)));
         assert!(gradient.amax() < 1e-9 + 1e-14 * lambda.amax(), "case {case}: {gradient} at {lambda}");
     }
 }

@@ -17,7 +17,7 @@ fn hover_stays_where_it_is() {
         for layout in ["PPNNPPNN", "PNPNPNPN"] {
             let mut model = quiet(octocopter(layout));
             model.simulation.controller = controller;
-            model.simulation.allocation = Allocation::PseudoInverse;
+            model.vehicle.allocation = Allocation::PseudoInverse;
             let plan = staying(PLACE, 0.7, 10.0);
             let flight = fly(&sortie(&model, &plan, &[]), None);
             assert_eq!(flight.outcome, Outcome::Flown);
@@ -48,7 +48,7 @@ fn bounded_hover_sinks_by_what_its_price_explains() {
 #[test]
 fn flights_begin_with_the_thrust_they_need() {
     let mut model = quiet(octocopter("PPNNPPNN"));
-    model.simulation.allocation = Allocation::PseudoInverse;
+    model.vehicle.allocation = Allocation::PseudoInverse;
     let mut plan = staying(PLACE, 0.0, 0.5);
     plan.nodes[0][X] = [0.0, 3.0, 2.0, 1.5, 0.0];
     plan.nodes[0][Y] = [0.0, -1.0, 1.0, -2.0, 0.0];
@@ -180,7 +180,7 @@ fn numbers_that_are_none_end_as_lost() {
     for controller in [Controller::Pd, Controller::Geometric] {
         for allocation in [Allocation::PseudoInverse, Allocation::Bounded] {
             let mut model = quiet(octocopter("PPNNPPNN"));
-            (model.simulation.controller, model.simulation.allocation) = (controller, allocation);
+            (model.simulation.controller, model.vehicle.allocation) = (controller, allocation);
             // A reference that is no number from 2 s on.
             let mut plan = staying(PLACE, 0.0, 2.0);
             plan.times.push(5.0);

@@ -2,8 +2,7 @@
 
 use super::{QUAD, check, codes, model};
 use mavc::model::{
-    AfterFault, Allocation, Controller, Detection, Model, PlannerKind, Simulation, coarse_step, past_the_end,
-    too_many_steps,
+    AfterFault, Controller, Detection, Model, PlannerKind, Simulation, coarse_step, past_the_end, too_many_steps,
 };
 
 const REST: &str =
@@ -19,7 +18,6 @@ const WHOLE: &str = "simulate {
     control_rate = 400 Hz
     estimator_rate = 80 Hz
     controller = pd
-    allocation = pseudo_inverse
     detection = 50 ms
     after_fault = land
     position_gain = 5 1/s^2
@@ -58,7 +56,7 @@ fn every_field_is_read() {
     let model = flown(WHOLE);
     let s = &model.simulation;
     assert_eq!((s.duration, s.rate, s.control_rate, s.estimator_rate), (Some(25.0), 2000.0, 400.0, 80.0));
-    assert_eq!((s.controller, s.allocation), (Controller::Pd, Allocation::PseudoInverse));
+    assert_eq!(s.controller, Controller::Pd);
     assert_eq!((s.detection, s.after_fault), (Detection::After(0.05), AfterFault::Land));
     let g = s.gains;
     assert_eq!([g.position, g.velocity, g.altitude, g.climb], [5.0, 6.0, 7.0, 8.0]);

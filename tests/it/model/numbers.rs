@@ -153,6 +153,7 @@ fn defaults_are_listed() {
         fields,
         [
             "gravity",
+            "vehicle.allocation",
             "mission.m.yaw",
             "plan.within",
             "plan.yaw_within",

@@ -1,0 +1,124 @@
+//! Numbers known to within bounds: `1.8 kg +- 3 %`, `1.8 kg +- 50 g`.
+
+use super::Vehicle;
+use super::context::Context;
+use super::due::Due;
+use super::expression::{Value, is_bare, trailing_unit};
+use crate::diagnostic::Diagnostic;
+use crate::report::number::number;
+use crate::source::Span;
+use crate::syntax::ast::{Expr, ExprKind};
+use crate::unit::Quantity;
+
+const INTERVAL: &str = "mavc::unit::interval";
+
+/// The least and the largest that a number may be, in shares of its middle: 0 < low <= 1 <= high.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    pub low: f64,
+    pub high: f64,
+}
+
+impl Spread {
+    /// The number is known exactly.
+    pub const NONE: Spread = Spread { low: 1.0, high: 1.0 };
+
+    pub fn is_none(self) -> bool {
+        self == Spread::NONE
+    }
+
+    /// Of a product.
+    pub fn times(self, other: Spread) -> Spread {
+        Spread { low: self.low * other.low, high: self.high * other.high }
+    }
+
+    /// Of a quotient of two numbers that do not depend on each other.
+    pub fn over(self, other: Spread) -> Spread {
+        Spread { low: self.low / other.high, high: self.high / other.low }
+    }
+}
+
+impl Default for Spread {
+    fn default() -> Self {
+        Spread::NONE
+    }
+}
+
+/// What the intervals on a rotor's coefficients and speed come to.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RotorSpread {
+    /// Of b w_max^2.
+    pub full_thrust: Spread,
+    /// Of b w_min^2.
+    pub idle_thrust: Spread,
+    /// Of d/b.
+    pub torque_per_thrust: Spread,
+}
+
+impl Vehicle {
+    /// Whether any number of it is known only to within bounds.
+    pub fn is_uncertain(&self) -> bool {
+        !self.mass_spread.is_none() || self.has_uncertain_rotors()
+    }
+
+    /// The same of its rotors alone.
+    pub fn has_uncertain_rotors(&self) -> bool {
+        self.rotors.iter().any(|r| r.spread != RotorSpread::default())
+    }
+}
+
+impl<'a> Context<'a> {
+    /// As [`Context::positive`], with the interval about it if one is written; all of it above zero.
+    pub(super) fn interval(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<(f64, Spread)> {
+        let ExprKind::Interval { value, by } = &expr.kind else {
+            return self.positive(due, expr, code).map(|value| (value, Spread::NONE));
+        };
+        let (middle, width) = (self.evaluate_quantity(value), self.evaluate_quantity(by));
+        let (mut middle, width) = (middle?, width?);
+        // A unit at the end applies to a bare middle: `1.8 +- 0.05 kg`.
+        if is_bare(middle, value)
+            && let Some(text) = trailing_unit(by)
+        {
+            let unit = self.unit(text)?;
+            if unit.dimension == width.dimension && !width.dimension.is_plain() {
+                middle = Quantity::with_unit(middle.value, unit);
+            }
+        }
+        let middle = self.lower(due, middle, value)?;
+        let share = match width.dimension.is_plain() {
+            true => width.value,
+            false => self.lower(due, width, by)? / middle,
+        };
+        if middle > 0.0 && (0.0..1.0).contains(&share) {
+            return Some((middle, Spread { low: 1.0 - share, high: 1.0 + share }));
+        }
+        let (message, at, help) = match () {
+            _ if middle <= 0.0 => {
+                (format!("`{}` has to be greater than zero", due.what), value.span, "write a value above zero")
+            }
+            _ if share < 0.0 => ("what follows `+-` cannot be negative".into(), by.span, "take the sign out"),
+            _ => (
+                format!("`{}` could be zero or less", due.what),
+                by.span,
+                "write a smaller interval: the value less what follows `+-` has to be above zero",
+            ),
+        };
+        let here = match middle <= 0.0 {
+            true => "not above zero".to_string(),
+            false => format!("this is {} % of it", number(100.0 * share)),
+        };
+        self.report(Diagnostic::error(INTERVAL, at, message).here(here).help(help));
+        None
+    }
+
+    /// An interval where one number is due.
+    pub(super) fn no_interval(&mut self, value: &'a Expr, by: &'a Expr, span: Span) -> Option<Value> {
+        let [value, by] = [value, by].map(|e| self.sources.snippet(e.span).to_string());
+        let error = Diagnostic::error(INTERVAL, span, "an interval cannot stand here").here("one number is due");
+        self.report(error.help(format!(
+            "intervals stand in `mass` and in a rotor's coefficients, `max_thrust`, `torque_per_thrust` and `max_speed`; \
+             for a difference, write `{value} - {by}`"
+        )));
+        None
+    }
+}

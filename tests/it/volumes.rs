@@ -1,0 +1,89 @@
+//! Volumes, nearest points and shadows of half-space descriptions, against those of zonotopes and closed forms.
+
+use mavc::actuation::Wrench;
+use mavc::admissible::verdict::without_yaw;
+use mavc::geometry::polytope::{Equality, Facet, Polytope};
+use mavc::geometry::zonotope::Zonotope;
+use nalgebra::{SVector, Vector4};
+use proptest::prelude::*;
+
+/// On a raster, full of coincidences, or anywhere.
+fn zonotope() -> impl Strategy<Value = Zonotope<4>> {
+    let raster = prop::array::uniform4(-2..3i32).prop_map(|v| Wrench::from(v.map(f64::from)));
+    let anywhere = prop::array::uniform4(-2.0..2.0f64).prop_map(Wrench::from);
+    let generators = prop_oneof![prop::collection::vec(raster, 4..8), prop::collection::vec(anywhere, 4..8)];
+    (prop::array::uniform4(-2.0..2.0f64), generators)
+        .prop_map(|(center, generators)| Zonotope { center: Wrench::from(center), generators })
+}
+
+/// `n.x <= offset` with a normal of any length.
+fn row<const D: usize>(n: SVector<f64, D>, offset: f64) -> Facet<D, ()> {
+    Facet { normal: n.normalize(), offset: offset / n.norm(), origin: () }
+}
+
+#[test]
+fn volumes_in_closed_form() {
+    let ones = Vector4::repeat(1.0);
+    let unit = |i: usize| Vector4::from_fn(|k, _| if k == i { 1.0 } else { 0.0 });
+    let below = (0..4).map(|i| row(-unit(i), 0.0));
+    // The simplex 0 <= x, sum x <= 2, with a row too many: 2^4/4!.
+    let mut simplex: Vec<Facet<4, ()>> = below.clone().chain([row(ones, 2.0), row(ones, 2.5)]).collect();
+    let inside = Vector4::repeat(0.3);
+    let volume = |facets: &[Facet<4, ()>]| {
+        Polytope { equalities: Vec::new(), facets: facets.to_vec() }.volume(&inside, &Vector4::new(1.0, 2.0, 0.5, 3.0))
+    };
+    assert!((volume(&simplex) - 16.0 / 24.0).abs() < 1e-12);
+    // Its corner at x_1 >= 1 cut off: a simplex half as large.
+    simplex.push(row(unit(0), 1.0));
+    assert!((volume(&simplex) - 15.0 / 24.0).abs() < 1e-12);
+    // A box of 1 x 2 x 3 x 4, and the same as a flat set.
+    let sides = (0..4).map(|i| row(unit(i), i as f64 + 1.0));
+    let mut cuboid: Vec<Facet<4, ()>> = below.chain(sides).collect();
+    assert!((volume(&cuboid) - 24.0).abs() < 1e-12);
+    let flat = Polytope { equalities: vec![Equality { normal: unit(0), offset: 0.3 }], facets: cuboid.clone() };
+    assert_eq!(flat.volume(&inside, &ones), 0.0);
+    // Empty.
+    cuboid.push(row(unit(2), -1.0));
+    assert!(volume(&cuboid).abs() < 1e-12);
+    assert!(Polytope { equalities: Vec::new(), facets: cuboid }.nearest(&inside).is_none());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn zonotopes_and_their_facets_have_one_volume(set in zonotope()) {
+        let middle = set.center + 0.5 * set.generators.iter().sum::<Wrench>();
+        let tiled = set.volume();
+        let by_rows = set.facets().volume(&middle, &set.scale());
+        let size: f64 = set.generators.iter().map(|g| g.norm()).sum();
+        prop_assert!((tiled - by_rows).abs() < 1e-9 * size.powi(4), "{tiled} {by_rows}");
+    }
+
+    #[test]
+    fn nearest_points_by_rows_are_those_by_vertices(set in zonotope(), at in prop::array::uniform4(-9.0..9.0f64)) {
+        let (w, polytope) = (Wrench::from(at), set.facets());
+        let by_rows = polytope.nearest(&w).unwrap();
+        let apart = (by_rows - set.nearest(&w)).norm();
+        prop_assert!(apart < 1e-7, "{apart:e}");
+        prop_assert!(polytope.contains(&by_rows, 1e-8));
+    }
+
+    #[test]
+    fn shadows_by_rows_are_those_by_generators(set in zonotope()) {
+        let middle = set.center + 0.5 * set.generators.iter().sum::<Wrench>();
+        let by_rows = set.facets().shadow(Some(&middle), &set.scale());
+        let by_generators = without_yaw(&set).facets();
+        let size: f64 = set.generators.iter().map(|g| g.norm()).sum();
+        prop_assert_eq!(by_rows.equalities.len(), by_generators.equalities.len());
+        if by_rows.equalities.is_empty() {
+            prop_assert_eq!(by_rows.facets.len(), by_generators.facets.len());
+            for f in &by_generators.facets {
+                let twin = by_rows.facets.iter().any(|g| {
+                    (g.normal - f.normal).amax() < 1e-7 && (g.offset - f.offset).abs() < 1e-7 * size
+                });
+                prop_assert!(twin, "{f:?}");
+            }
+        }
+    }
+}
