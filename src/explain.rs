@@ -6,7 +6,7 @@
 pub mod diagnose;
 mod filter;
 mod grid;
-pub mod hover;
+pub mod planners;
 pub mod oracle;
 mod question;
 pub mod remedy;

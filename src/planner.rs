@@ -8,6 +8,7 @@ pub mod profile;
 pub mod rows;
 pub mod search;
 pub mod select;
+pub mod sets;
 pub mod spline;
 pub mod successive;
 pub mod transcribe;

@@ -3,7 +3,7 @@
 use super::progress::Progress;
 use super::spec::timing;
 use super::{Options, files};
-use crate::explain::hover::HoverPlanner;
+use crate::explain::planners::Planners;
 use crate::explain::{Explanation, explain};
 use crate::model::{Mission, Model};
 use std::time::Instant;
@@ -13,7 +13,7 @@ pub fn why(model: &Model, mission: &Mission, options: &Options) -> Option<Explan
     let begin = Instant::now();
     let progress = Progress::new(options);
     let tell = |time: f64| progress.tell("why is there no plan", time);
-    let mut planner = HoverPlanner::new(Some(&tell));
+    let mut planner = Planners::new(Some(&tell));
     let explanation = explain(model, mission, &mut planner);
     let effort = planner.effort;
     progress.done();

@@ -7,9 +7,9 @@ use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
 use super::search::{Hint, NoTime, Shortest};
 use super::select::{PlanningSet, SetRow};
+use super::sets::PlanningSets;
 use super::successive::Successive;
 use super::wrench_model::WrenchModel;
-use crate::admissible::{AdmissibleSet, faults_only_take};
 use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
@@ -95,17 +95,7 @@ pub type Progress<'a> = Option<&'a (dyn Fn(&str, f64) + Sync)>;
 struct Setting<'a> {
     model: &'a Model,
     mission: &'a Mission,
-    /// Shrunk by the reserve, in the order of `against`.
-    sets: Vec<AdmissibleSet>,
-    healthy: AdmissibleSet,
-    /// The healthy set as planned against, and what RCP imposes for each mode and for all: their sets, and the healthy
-    /// one too where they need not lie inside it, for until a fault strikes the vehicle is healthy.
-    rip: PlanningSet,
-    singles: Vec<PlanningSet>,
-    joint: PlanningSet,
-    /// Each mode's set alone, which plans are measured against.
-    modes: Vec<PlanningSet>,
-    names: Vec<String>,
+    sets: PlanningSets,
     progress: Progress<'a>,
 }
 
@@ -130,31 +120,7 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
 
 impl<'a> Setting<'a> {
     fn new(model: &'a Model, mission: &'a Mission, progress: Progress<'a>) -> Self {
-        let healthy = AdmissibleSet::healthy(model);
-        let reserve = model.plan.reserve;
-        let sets: Vec<AdmissibleSet> = model
-            .plan
-            .against
-            .iter()
-            .map(|&i| AdmissibleSet::of_mode(model, i).guaranteed(model).with_reserve(reserve))
-            .collect();
-        let shrunk = healthy.guaranteed(model).with_reserve(reserve);
-        let imposed = |modes: &[AdmissibleSet]| {
-            let before = (modes.is_empty() || !faults_only_take(model)).then_some(&shrunk);
-            PlanningSet::of(&before.into_iter().chain(modes).collect::<Vec<_>>(), &healthy)
-        };
-        Setting {
-            model,
-            mission,
-            rip: PlanningSet::of(&[&shrunk], &healthy),
-            singles: sets.iter().map(|s| imposed(std::slice::from_ref(s))).collect(),
-            joint: imposed(&sets),
-            modes: sets.iter().map(|s| PlanningSet::of(&[s], &healthy)).collect(),
-            names: sets.iter().map(|s| s.name.clone()).collect(),
-            sets,
-            healthy,
-            progress,
-        }
+        Setting { model, mission, sets: PlanningSets::of(model), progress }
     }
 
     /// The time that the spec asks for or determines.
@@ -171,7 +137,7 @@ impl<'a> Setting<'a> {
                 progress(what, t);
             }
         };
-        let mut engine = Engine::new(self.model, self.mission, &self.healthy);
+        let mut engine = Engine::new(self.model, self.mission, &self.sets.healthy);
         engine.on_progress = Some(&tell);
         let value = work(&mut engine);
         let effort = engine.effort;
@@ -210,7 +176,7 @@ impl<'a> Setting<'a> {
     fn solved(&self, time: f64, planned: &Planned) -> Solved {
         let trajectory = Trajectory::of(planned);
         let outside =
-            self.modes.iter().map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows)).collect();
+            self.sets.modes.iter().map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows)).collect();
         Solved {
             time,
             trajectory,
@@ -249,18 +215,16 @@ impl<'a> Setting<'a> {
     /// Step (e): the facets of the modes' sets that a plan violates at some node.
     fn violated(&self, planned: &Planned) -> Vec<SetRow> {
         let solved = self.solved(planned.profile.total, planned);
-        self.sets
-            .iter()
-            .zip(&self.modes)
-            .zip(&solved.outside)
-            .flat_map(|((_, set), out)| out.facets.iter().map(|&i| set.rows[i].clone()))
-            .collect()
+        let of = |(set, out): (&PlanningSet, &Outside)| -> Vec<SetRow> {
+            out.facets.iter().map(|&i| set.rows[i].clone()).collect()
+        };
+        self.sets.modes.iter().zip(&solved.outside).flat_map(of).collect()
     }
 
     /// A comparison without runs, at the spec's time where it has one.
     fn begun(&self) -> Comparison {
         Comparison {
-            modes: self.names.clone(),
+            modes: self.sets.names.clone(),
             runs: Vec::new(),
             common_time: self.fixed_time(),
             selected: Vec::new(),
@@ -273,18 +237,18 @@ impl<'a> Setting<'a> {
         let mut out = self.begun();
         let kind = self.model.plan.planner;
         let (set, name, begin) = match kind {
-            PlannerKind::Rip => (self.rip.clone(), "RIP", None),
-            PlannerKind::Rcp => (self.joint.clone(), "RCP", None),
+            PlannerKind::Rip => (self.sets.rip.clone(), "RIP", None),
+            PlannerKind::Rcp => (self.sets.joint.clone(), "RCP", None),
             PlannerKind::Rsp => match self.rsp_set(&mut out) {
                 Ok((set, begin)) => (set, "RSP", Some(begin)),
                 Err(ending) => {
                     let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
-                    out.runs.push(self.run(kind, &self.names, which, ending, &self.rip));
+                    out.runs.push(self.run(kind, &self.sets.names, which, ending, &self.sets.rip));
                     return out;
                 }
             },
         };
-        let against: &[String] = if kind == PlannerKind::Rip { &[] } else { &self.names };
+        let against: &[String] = if kind == PlannerKind::Rip { &[] } else { &self.sets.names };
         let (run, ending, effort) = match self.fixed_time() {
             Some(time) => {
                 let (decision, effort) = self.at(name, &set, time, Pool::default(), begin.as_deref());
@@ -315,12 +279,12 @@ impl<'a> Setting<'a> {
         if out.common_time.is_some() {
             return None;
         }
-        let joint = self.search("RCP", &self.joint, Hint::default(), Pool::default());
+        let joint = self.search("RCP", &self.sets.joint, Hint::default(), Pool::default());
         out.effort += joint.effort;
         out.common_time = match &joint.result {
             Ok(s) => Some(s.time),
             Err(_) => {
-                let rip = self.search("RIP", &self.rip, Hint::default(), Pool::default());
+                let rip = self.search("RIP", &self.sets.rip, Hint::default(), Pool::default());
                 out.effort += rip.effort;
                 let hint = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
                 let singles: Vec<Found> = self.singles_own(&rip, hint);
@@ -335,7 +299,7 @@ impl<'a> Setting<'a> {
     fn rsp_set(&self, out: &mut Comparison) -> Result<(PlanningSet, Box<Planned>), Ending> {
         self.seek_common_time(out);
         let Some(time) = out.common_time else {
-            let found = self.search("RIP", &self.rip, Hint::default(), Pool::default());
+            let found = self.search("RIP", &self.sets.rip, Hint::default(), Pool::default());
             out.effort += found.effort;
             return Err(match self.own(&found) {
                 // RIP has a plan, but no mode does at any time: RSP has nothing to select at.
@@ -343,12 +307,12 @@ impl<'a> Setting<'a> {
                 ending => ending,
             });
         };
-        let (decision, effort) = self.at("RIP", &self.rip, time, Pool::default(), None);
+        let (decision, effort) = self.at("RIP", &self.sets.rip, time, Pool::default(), None);
         out.effort += effort;
         match decision {
             Decision::Feasible(planned) => {
                 out.selected = self.violated(&planned);
-                Ok((self.rip.with(out.selected.clone()), planned))
+                Ok((self.sets.rip.with(out.selected.clone()), planned))
             }
             _ => Err(self.common(time, &decision)),
         }
@@ -367,12 +331,12 @@ impl<'a> Setting<'a> {
                     return Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
                 }
             }
-            let pool = rip.pool.translated(&self.rip, set);
+            let pool = rip.pool.translated(&self.sets.rip, set);
             let begin = hint.begin.clone().or_else(|| plan_found(rip).map(|p| Box::new(p.clone())));
             let hint = Hint { begin, ..hint.clone() };
             self.search(&format!("RCP {name}"), set, hint, pool)
         };
-        self.names.par_iter().zip(self.singles.par_iter()).map(work).collect()
+        self.sets.names.par_iter().zip(self.sets.singles.par_iter()).map(work).collect()
     }
 
     /// The plan at a time, taken from the own search where that ended at the same time.

@@ -5,7 +5,7 @@ mod filter;
 
 use mavc::diagnostic::render_human;
 use mavc::explain::diagnose::diagnose;
-use mavc::explain::hover::HoverPlanner;
+use mavc::explain::planners::Planners;
 use mavc::explain::statement::statements;
 use mavc::explain::{Change, Explanation, Statement, explain};
 use mavc::model::{FileSet, Mission, MissionTime, Model, elaborate, load, parse_override};
@@ -202,7 +202,7 @@ fn named(explanation: &Explanation, files: &FileSet, model: &Model, mission: &Mi
 fn explained(text: &Text) -> (FileSet, Model, Explanation) {
     let (files, model) = text.model();
     let mission = model.mission.clone().unwrap();
-    let explanation = explain(&model, &mission, &mut HoverPlanner::default()).expect("a conflict");
+    let explanation = explain(&model, &mission, &mut Planners::default()).expect("a conflict");
     (files, model, explanation)
 }
 

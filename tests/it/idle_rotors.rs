@@ -154,8 +154,8 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     let Decision::Feasible(planned) = engine.decide(below, 40, &alone, &mut Pool::default()) else {
         panic!("fewer rows")
     };
-    let maps = planned.layout.yaw.maps(&model, planned.layout.profile.nodes());
-    let least = planned.states.iter().zip(&maps).map(|(s, map)| map.at(s)[0]).fold(f64::INFINITY, f64::min);
+    let thrust = |s| planned.model.wrench(&model.vehicle, model.gravity, s)[0];
+    let least = planned.states.iter().map(thrust).fold(f64::INFINITY, f64::min);
     assert!(least < idle - 0.5, "{least} {idle}");
 
     // Every planner at its own time: none takes less than RIP, for the healthy set bounds them all.

@@ -42,6 +42,8 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
         mission: None,
         plan: Plan {
             planner: PlannerKind::Rsp,
+            model: PlanModel::Hover,
+            chooses_times: false,
             against: Vec::new(),
             time: MissionTime::Minimum,
             samples: 200,

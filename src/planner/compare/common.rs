@@ -11,11 +11,11 @@ impl Setting<'_> {
         let joint = self.seek_common_time(&mut out);
         let Some(time) = out.common_time else { return out };
         let (rip, rcp) = rayon::join(
-            || self.at("RIP", &self.rip, time, Pool::default(), None),
+            || self.at("RIP", &self.sets.rip, time, Pool::default(), None),
             || {
-                (!self.names.is_empty()).then(|| match &joint {
-                    Some(found) => self.at_or_own("RCP", &self.joint, time, found),
-                    None => self.at("RCP", &self.joint, time, Pool::default(), None),
+                (!self.sets.names.is_empty()).then(|| match &joint {
+                    Some(found) => self.at_or_own("RCP", &self.sets.joint, time, found),
+                    None => self.at("RCP", &self.sets.joint, time, Pool::default(), None),
                 })
             },
         );
@@ -25,9 +25,9 @@ impl Setting<'_> {
         let rsp_set = match &rip_decision {
             Decision::Feasible(planned) => {
                 out.selected = self.violated(planned);
-                self.rip.with(out.selected.clone())
+                self.sets.rip.with(out.selected.clone())
             }
-            _ => self.rip.clone(),
+            _ => self.sets.rip.clone(),
         };
         // Where nothing is selected RSP's plan is RIP's, and where RIP has none RSP has nothing to select by.
         let rsp = match out.selected.is_empty() {
@@ -38,13 +38,13 @@ impl Setting<'_> {
                 self.common(time, &decision)
             }
         };
-        out.runs.push(self.run(PlannerKind::Rip, &[], Run::Common, ending, &self.rip));
+        out.runs.push(self.run(PlannerKind::Rip, &[], Run::Common, ending, &self.sets.rip));
         if let Some((decision, effort)) = rcp {
             out.effort += effort;
             let ending = self.common(time, &decision);
-            out.runs.push(self.run(PlannerKind::Rcp, &self.names, Run::Common, ending, &self.joint));
+            out.runs.push(self.run(PlannerKind::Rcp, &self.sets.names, Run::Common, ending, &self.sets.joint));
         }
-        out.runs.push(self.run(PlannerKind::Rsp, &self.names, Run::Common, rsp, &rsp_set));
+        out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp, &rsp_set));
         out
     }
 }

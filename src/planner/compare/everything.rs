@@ -13,10 +13,10 @@ impl Setting<'_> {
     /// RIP, RCP per mode, RCP jointly and RSP, at their own shortest times and at T_d.
     pub(super) fn everything(&self) -> Comparison {
         // RIP and the tightest RCP first, side by side: they bound all others.
-        let several = self.names.len() > 1;
+        let several = self.sets.names.len() > 1;
         let (rip, tightest) = rayon::join(
-            || self.search("RIP", &self.rip, Hint::default(), Pool::default()),
-            || (!self.names.is_empty()).then(|| self.search("RCP", &self.joint, Hint::default(), Pool::default())),
+            || self.search("RIP", &self.sets.rip, Hint::default(), Pool::default()),
+            || (!self.sets.names.is_empty()).then(|| self.search("RCP", &self.sets.joint, Hint::default(), Pool::default())),
         );
         let mut effort = rip.effort;
         effort += tightest.as_ref().map_or(Effort::default(), |f| f.effort);
@@ -35,30 +35,30 @@ impl Setting<'_> {
         let common_time = self.fixed_time().or(joint.and_then(time)).or(longest_single);
 
         let none: &[String] = &[];
-        let mut runs = vec![self.run(PlannerKind::Rip, none, Run::Own, self.own(&rip), &self.rip)];
+        let mut runs = vec![self.run(PlannerKind::Rip, none, Run::Own, self.own(&rip), &self.sets.rip)];
         // Modes, set, and what its own search found.
         let mut conservative: Vec<(&[String], &PlanningSet, &Found)> = Vec::new();
-        for ((&found, set), name) in singles.iter().zip(&self.singles).zip(&self.names) {
+        for ((&found, set), name) in singles.iter().zip(&self.sets.singles).zip(&self.sets.names) {
             conservative.push((std::slice::from_ref(name), set, found));
         }
-        conservative.extend(joint.map(|j| (self.names.as_slice(), &self.joint, j)));
+        conservative.extend(joint.map(|j| (self.sets.names.as_slice(), &self.sets.joint, j)));
         for (against, set, found) in &conservative {
             runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
         }
         let mut selected = Vec::new();
         if let Some(at) = common_time {
-            let (decision, spent) = self.at_or_own("RIP", &self.rip, at, &rip);
+            let (decision, spent) = self.at_or_own("RIP", &self.sets.rip, at, &rip);
             effort += spent;
             if let Decision::Feasible(planned) = &decision {
                 selected = self.violated(planned);
             }
-            let rsp_set = self.rip.with(selected.clone());
-            let mut common = vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.rip)];
+            let rsp_set = self.sets.rip.with(selected.clone());
+            let mut common = vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.sets.rip)];
             let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
                 || {
                     let binding = tightest.as_ref().unwrap_or(&rip);
                     let pool =
-                        binding.pool.translated(if tightest.is_some() { &self.joint } else { &self.rip }, &rsp_set);
+                        binding.pool.translated(if tightest.is_some() { &self.sets.joint } else { &self.sets.rip }, &rsp_set);
                     self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), planned_of(&decision), selected.is_empty(), pool)
                 },
                 || {
@@ -76,11 +76,11 @@ impl Setting<'_> {
                 common.push(run);
                 effort += spent;
             }
-            runs.push(self.run(PlannerKind::Rsp, &self.names, Run::Own, self.own(&rsp), &rsp_set));
-            common.push(self.run(PlannerKind::Rsp, &self.names, Run::Common, rsp_common, &rsp_set));
+            runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, self.own(&rsp), &rsp_set));
+            common.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp_common, &rsp_set));
             runs.extend(common);
         }
-        Comparison { modes: self.names.clone(), runs, common_time, selected, effort }
+        Comparison { modes: self.sets.names.clone(), runs, common_time, selected, effort }
     }
 
     /// RIP's search, or a further one where another set's plan is shorter: no set is larger than the healthy one, so
@@ -91,7 +91,7 @@ impl Setting<'_> {
             return rip;
         };
         let begin = plan_found(better).map(|p| Box::new(p.clone()));
-        let again = self.search("RIP", &self.rip, Hint { begin, ..Hint::default() }, Pool::default());
+        let again = self.search("RIP", &self.sets.rip, Hint { begin, ..Hint::default() }, Pool::default());
         *effort += again.effort;
         if again.result.is_ok() { again } else { rip }
     }

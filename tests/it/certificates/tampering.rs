@@ -2,6 +2,7 @@
 //! planner's sets and wrench maps, none of which the checker uses; every certificate found false has to be rejected.
 
 use super::{Numbers, SHA, certified, hop};
+use mavc::planner::wrench_model::WrenchModel;
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
 use mavc::certificate::{Bound, Certificate, Claim, DynamicModel, FacetClaim, PlanClaim, Scope};
@@ -39,7 +40,7 @@ fn falsehood(certificate: &Certificate, model: &Model) -> Option<String> {
         times: record.times_s.clone(),
         nodes,
         waypoint_nodes: record.waypoint_nodes.clone(),
-        linearised_at: Some(mission.waypoints[0].yaw),
+        model: WrenchModel::HoverAt(mission.waypoints[0].yaw),
     };
     scheduled(&trajectory, mission, model)
         .or_else(|| flown(&trajectory, mission, claim))
@@ -161,7 +162,8 @@ fn set_named(model: &Model, name: &str) -> Option<AdmissibleSet> {
 
 fn inside(t: &Trajectory, claim: &PlanClaim, model: &Model) -> Option<String> {
     let healthy = AdmissibleSet::healthy(model);
-    let map = WrenchMap::with_free_yaw(&model.vehicle, model.gravity, t.linearised_at.unwrap());
+    let WrenchModel::HoverAt(psi) = t.model else { panic!("one yaw") };
+    let map = WrenchMap::with_free_yaw(&model.vehicle, model.gravity, psi);
     let needed: Vec<&str> = match model.plan.planner {
         PlannerKind::Rcp => model.plan.against.iter().map(|&i| model.modes[i].name.as_str()).collect(),
         _ => vec!["healthy"],

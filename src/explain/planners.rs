@@ -1,11 +1,13 @@
-//! The planners of the linear model about hover as an oracle.
+//! The planners, in either model, as an oracle.
 
 use super::oracle::{Answer, Oracle, Part};
-use crate::admissible::AdmissibleSet;
-use crate::model::{LimitKind, Mission, Model, PlannerKind, Vehicle};
+use crate::model::{LimitKind, Mission, Model, PlanModel, PlannerKind, Vehicle};
 use crate::planner::profile::profile;
 use crate::planner::rows::{Decision, Engine, Planned, Pool};
 use crate::planner::select::{PlanningSet, SetRow};
+use crate::planner::sets::PlanningSets;
+use crate::planner::successive::Successive;
+use crate::planner::wrench_model::WrenchModel;
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
@@ -15,7 +17,7 @@ use crate::trajectory::outside::outside;
 /// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that passes a limit by far between its
 /// nodes counts as none.
 #[derive(Default)]
-pub struct HoverPlanner<'p> {
+pub struct Planners<'p> {
     /// Those of the last question: most questions differ in the mission alone.
     sets: Option<Sets>,
     pub effort: Effort,
@@ -23,9 +25,9 @@ pub struct HoverPlanner<'p> {
     on_progress: Option<&'p dyn Fn(f64)>,
 }
 
-impl<'p> HoverPlanner<'p> {
+impl<'p> Planners<'p> {
     pub fn new(on_progress: Option<&'p dyn Fn(f64)>) -> Self {
-        HoverPlanner { on_progress, ..HoverPlanner::default() }
+        Planners { on_progress, ..Planners::default() }
     }
 }
 
@@ -35,35 +37,19 @@ struct Sets {
     gravity: f64,
     against: Vec<usize>,
     reserve: f64,
-    healthy: AdmissibleSet,
-    rip: PlanningSet,
-    /// Each mode's own, shrunk by the reserve.
-    singles: Vec<PlanningSet>,
-    joint: PlanningSet,
-    /// Rows that bound in earlier plans, of `rip` and `joint`.
+    imposed: PlanningSets,
+    /// Rows that bound in earlier plans, of RIP's and RCP's set.
     pools: [Pool; 2],
 }
 
 impl Sets {
     fn new(model: &Model) -> Self {
-        let plan = &model.plan;
-        let healthy = AdmissibleSet::healthy(model);
-        let shrunk = healthy.with_reserve(plan.reserve);
-        let modes: Vec<AdmissibleSet> =
-            plan.against.iter().map(|&i| AdmissibleSet::of_mode(model, i).with_reserve(plan.reserve)).collect();
-        let rip = PlanningSet::of(&[&shrunk], &healthy);
         Sets {
             vehicle: model.vehicle.clone(),
             gravity: model.gravity,
-            against: plan.against.clone(),
-            reserve: plan.reserve,
-            singles: modes.iter().map(|set| PlanningSet::of(&[set], &healthy)).collect(),
-            joint: match modes.is_empty() {
-                true => rip.clone(),
-                false => PlanningSet::of(&modes.iter().collect::<Vec<_>>(), &healthy),
-            },
-            rip,
-            healthy,
+            against: model.plan.against.clone(),
+            reserve: model.plan.reserve,
+            imposed: PlanningSets::of(model),
             pools: Default::default(),
         }
     }
@@ -81,11 +67,11 @@ impl Sets {
             let found = outside(&trajectory, &self.vehicle, self.gravity, &set.rows);
             found.facets.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
         };
-        self.singles.iter().flat_map(of).collect()
+        self.imposed.modes.iter().flat_map(of).collect()
     }
 }
 
-impl Oracle for HoverPlanner<'_> {
+impl Oracle for Planners<'_> {
     fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
         if let Some(tell) = &self.on_progress {
             tell(time);
@@ -93,19 +79,22 @@ impl Oracle for HoverPlanner<'_> {
         let known = self.sets.take().filter(|sets| sets.are_of(model));
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
         let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.pools);
-        let mut engine = Engine::new(model, mission, &sets.healthy);
+        let mut engine = Engine::new(model, mission, &sets.imposed.healthy);
         let mut decide = |set: &PlanningSet, pool: &mut Pool| {
-            let decision = engine.decide(time, model.plan.samples, set, pool);
+            let decision = match model.plan.model {
+                PlanModel::Hover => engine.decide(time, model.plan.samples, set, pool),
+                PlanModel::Exact => Successive::new(&mut engine, WrenchModel::Exact, set).decide(time, None),
+            };
             let weights = std::mem::take(&mut engine.weights);
             (decision, weighed(set, weights, mission, time, model.plan.samples))
         };
         let (decision, parts) = match model.plan.planner {
-            PlannerKind::Rip => decide(&sets.rip, &mut of_rip),
-            PlannerKind::Rcp => decide(&sets.joint, &mut of_joint),
-            PlannerKind::Rsp => match decide(&sets.rip, &mut of_rip) {
+            PlannerKind::Rip => decide(&sets.imposed.rip, &mut of_rip),
+            PlannerKind::Rcp => decide(&sets.imposed.joint, &mut of_joint),
+            PlannerKind::Rsp => match decide(&sets.imposed.rip, &mut of_rip) {
                 (Decision::Feasible(planned), parts) => match sets.violated(&planned) {
                     none if none.is_empty() => (Decision::Feasible(planned), parts),
-                    facets => decide(&sets.rip.with(facets), &mut of_rip.clone()),
+                    facets => decide(&sets.imposed.rip.with(facets), &mut of_rip.clone()),
                 },
                 other => other,
             },
