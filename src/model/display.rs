@@ -208,7 +208,10 @@ impl fmt::Display for Limit {
 
 fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Result {
     writeln!(f, "plan")?;
-    writeln!(f, "  planner {}", p.planner.name())?;
+    writeln!(f, "  planner {}, model {}", p.planner.name(), p.model.name())?;
+    if p.chooses_times {
+        writeln!(f, "  timing optimal")?;
+    }
     let names: Vec<&str> = p.against.iter().map(|&k| modes[k].name.as_str()).collect();
     writeln!(f, "  against [{}]", names.join(", "))?;
     match p.time {

@@ -37,7 +37,7 @@ const MOST_STIFFNESS: f64 = 1e9;
 const MOST_ROUNDS: usize = 30;
 
 /// Bounds on inputs are widened by this factor where they prove something: rows hold to tolerances.
-const LEEWAY: f64 = 1.001;
+pub(super) const LEEWAY: f64 = 1.001;
 
 /// The share of [`Purpose::Overshoot`]'s objective that the inputs' cost may take at most, m.
 const COST_SHARE: f64 = 1e-3;

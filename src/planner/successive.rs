@@ -199,7 +199,8 @@ impl<'e, 'a> Successive<'e, 'a> {
         found
     }
 
-    /// Between nodes each row that is passed, where it is passed most in an interval.
+    /// Between nodes each row that is passed, where it is passed most in an interval. (With only the worst facet of each
+    /// interval programs are smaller, but fewer motions are restored: shortest times came out up to a fifth longer.)
     fn rows_between(&self, motion: &Motion) -> BTreeSet<RowAt> {
         let form = self.transcription(&motion.profile, &[]);
         let mut found = BTreeSet::new();

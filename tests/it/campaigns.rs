@@ -26,7 +26,7 @@ mission hop {
     start at [0, 0, 2] m
     waypoint at [3, 1, 4] m
 }
-plan { planner = rsp; against = [weak]; time = 4 s; samples = 40 }
+plan { model = hover; planner = rsp; against = [weak]; time = 4 s; samples = 40 }
 "#;
 
 /// A folder with the spec.

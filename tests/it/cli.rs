@@ -66,7 +66,7 @@ mission hop {
     start at [0, 0, 2] m
     waypoint at [3, 1, 4] m
 }
-plan { planner = rsp; against = [weak]; time = 6 s; samples = 40 }
+plan { model = hover; planner = rsp; against = [weak]; time = 6 s; samples = 40 }
 "#;
 
 #[test]
@@ -466,7 +466,7 @@ fn the_readme_tells_the_truth() {
 fn yaw_planned_first_is_said() {
     let dir = folder();
     let plan = |spec: &str| {
-        let output = mavc(&["plan", spec, "-o", text(&dir.path().join("t.csv")), "--quiet"]);
+        let output = mavc(&["plan", spec, "-o", text(&dir.path().join("t.csv")), "--quiet", "--set", "plan.model=hover"]);
         assert_eq!(code(&output), 0);
         out(&output).contains("Yaw changes: it was planned first")
     };

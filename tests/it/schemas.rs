@@ -99,7 +99,7 @@ mission hop {{
     waypoint at [1, 0, 1.5] m
 }}
 plan {{
-    planner = rsp
+    model = hover; planner = rsp
     against = [{against}]
     time    = 4 s
     samples = 20

@@ -31,7 +31,7 @@ mission hop {{
     start at [0, 0, 2] m
     waypoint at [4, 1, 4] m
 }}
-plan {{ planner = rip; against = all; time = 6 s; samples = 40 }}
+plan {{ model = hover; planner = rip; against = all; time = 6 s; samples = 40 }}
 {more}
 ",
         vehicle.display()

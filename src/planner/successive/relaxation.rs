@@ -3,7 +3,7 @@
 //! The motion keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within the
 //! largest thrust of the set. Torques are left free.
 
-use super::super::rows::FEASIBLE;
+use super::super::rows::{FEASIBLE, LEEWAY};
 use super::super::transcribe::Purpose;
 use super::*;
 use crate::qp::RowOrigin;
@@ -13,6 +13,9 @@ impl Successive<'_, '_> {
     /// Whether the relaxation has no motion over a profile (without holds): multipliers checked in plain arithmetic say so.
     pub(super) fn shown_infeasible(&mut self, profile: &Profile) -> bool {
         let Some(thrust) = self.most_thrust() else { return false };
+        if self.out_of_reach(profile, thrust) {
+            return true;
+        }
         let form = self.transcription(profile, &[]);
         let limits = 0..self.engine.mission.limits.len();
         let nodes = 0..profile.nodes();
@@ -22,6 +25,20 @@ impl Successive<'_, '_> {
         let (outcome, effort) = solve(&form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust));
         self.engine.effort += effort;
         matches!(outcome, Outcome::Infeasible { .. })
+    }
+
+    /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the vehicle
+    /// from rest in time. Such short times are beyond the solver, whose numbers then span too many decades.
+    fn out_of_reach(&self, profile: &Profile, thrust: f64) -> bool {
+        let (model, mission) = (self.engine.model, self.engine.mission);
+        let most = LEEWAY * (thrust / model.vehicle.mass + model.gravity);
+        let start = &mission.waypoints[0];
+        mission.start_at_rest
+            && mission.waypoints.iter().zip(&profile.waypoint_nodes).any(|(w, &node)| {
+                let apart = (0..3).map(|i| (w.position[i] - start.position[i]).powi(2)).sum::<f64>().sqrt();
+                let allowed = LEEWAY * (start.within + w.within + 2.0 * FEASIBLE);
+                apart - allowed > 0.5 * most * profile.node_times[node].powi(2)
+            })
     }
 
     /// The largest thrust that the set allows with any torques, N.

@@ -170,17 +170,17 @@ impl Successive<'_, '_> {
         let flown = full.total - self.held();
         let fixed = !fixed_windows(self.engine.mission).is_empty();
         let mut pool = BTreeSet::new();
-        if let Some(planned) = begin.filter(|_| !fixed) {
-            let other = self.motion_of(planned);
-            let scaled = other.slower(flown / other.profile.total);
-            if let Some(inside) = self.restore(scaled, &mut pool) {
-                return Some(self.kept(inside, full.total, &mut pool));
-            }
-        }
         if fixed || !self.chooses_times() {
             let smooth = self.smooth(&full.flown())?;
             pool.clear();
             if let Some(inside) = self.restore(smooth, &mut pool) {
+                return Some(self.kept(inside, full.total, &mut pool));
+            }
+        }
+        if let Some(planned) = begin.filter(|_| !fixed) {
+            let other = self.motion_of(planned);
+            let scaled = other.slower(flown / other.profile.total);
+            if let Some(inside) = self.restore(scaled, &mut pool) {
                 return Some(self.kept(inside, full.total, &mut pool));
             }
         }

@@ -9,7 +9,7 @@ use mavc::admissible::AdmissibleSet;
 use mavc::certificate::{
     Bound, Certificate, Claim, DynamicModel, LimitClaim, MotionRecord, PlanClaim, SCHEMA, Scope, SetClaim,
 };
-use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::verify::decide;
 use nalgebra::{DMatrix, DVector};
 
@@ -55,6 +55,7 @@ fn model() -> Model {
     flight.limits = vec![limit(LimitKind::Tilt, 0.7), limit(LimitKind::Jerk, 40.0), limit(LimitKind::YawRate, 2.0)];
     model.mission = Some(flight);
     model.plan.planner = PlannerKind::Rip;
+    model.plan.model = PlanModel::Exact;
     model.plan.time = MissionTime::Fixed(STEP * PIECES as f64);
     model.plan.reserve = 0.05;
     model

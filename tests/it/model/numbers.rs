@@ -160,6 +160,7 @@ fn defaults_are_listed() {
             "plan.weight",
             "plan.timing",
             "plan.planner",
+            "plan.model",
             "plan.against",
             "plan.time",
             "plan.samples",
