@@ -13,8 +13,8 @@ mod simulate;
 mod spec;
 mod sweep;
 mod target;
-mod why;
 mod verify;
+mod why;
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -28,7 +28,7 @@ pub const SPEC_ERRORS: u8 = 1;
 pub const USAGE: u8 = 2;
 /// No plan exists, or a mode that the plan must stand cannot hover.
 pub const NO_PLAN: u8 = 3;
-/// The solver gave no verdict.
+/// No plan was found and none shown impossible, or the solver gave no verdict.
 pub const INCONCLUSIVE: u8 = 4;
 /// A certificate does not show what it claims.
 pub const REJECTED: u8 = 5;

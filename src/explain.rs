@@ -6,8 +6,8 @@
 pub mod diagnose;
 mod filter;
 mod grid;
-pub mod planners;
 pub mod oracle;
+pub mod planners;
 mod question;
 pub mod remedy;
 pub mod statement;
@@ -16,7 +16,7 @@ pub use oracle::{Answer, Oracle, Part};
 pub use remedy::{Change, Fix};
 pub use statement::Statement;
 
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Model, PlanModel};
 use question::Questions;
 
 /// Questions that the search for a conflict may ask.
@@ -24,6 +24,9 @@ pub const MOST_QUESTIONS: usize = 150;
 
 /// Questions that the search for changes may ask, beside those.
 pub const MOST_TRIES: usize = 150;
+
+/// The same two in the exact model, where each question is a sequence of programs.
+pub const MOST_ATTEMPTS: [usize; 2] = [60, 30];
 
 /// Statements that are not met together, with what was shown of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,9 +58,13 @@ pub struct Explanation {
 /// The deletion filter of J. W. Chinneck, *Feasibility and Infeasibility in Optimization* (2008), over the statements of
 /// a spec: those without rows first, the others by rising weight in the multipliers that show what is left infeasible.
 pub fn explain(model: &Model, mission: &Mission, oracle: &mut dyn Oracle) -> Option<Explanation> {
-    let mut questions = Questions::new(model, mission, oracle, MOST_QUESTIONS);
+    let [most_questions, most_tries] = match model.plan.model {
+        PlanModel::Hover => [MOST_QUESTIONS, MOST_TRIES],
+        PlanModel::Exact => MOST_ATTEMPTS,
+    };
+    let mut questions = Questions::new(model, mission, oracle, most_questions);
     let conflict = filter::filter(&mut questions, &statement::statements(model, mission))?;
-    questions.allow(MOST_TRIES);
+    questions.allow(most_tries);
     let fixes = remedy::fixes(&mut questions, &conflict);
     Some(Explanation { conflict, fixes, questions: questions.asked() })
 }

@@ -50,7 +50,11 @@ struct Angles<D> {
     acceleration: D,
 }
 
-fn of<D: DualNum<Primitive = f64> + Copy>(vehicle: &Vehicle, gravity: f64, state: &SVector<D, INPUTS>) -> SVector<D, 4> {
+fn of<D: DualNum<Primitive = f64> + Copy>(
+    vehicle: &Vehicle,
+    gravity: f64,
+    state: &SVector<D, INPUTS>,
+) -> SVector<D, 4> {
     let [x2, y2, z2, x3, y3, z3, x4, y4, z4, psi, psi1, psi2]: [D; INPUTS] = (*state).into();
     let (s, c) = psi.sin_cos();
     let two = D::from(2.0);

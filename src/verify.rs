@@ -15,9 +15,9 @@ pub mod series;
 pub mod sets;
 pub mod wrench;
 
-use crate::certificate::{DynamicModel, Bound, Certificate, Claim, MAX_BYTES, SCHEMA, Scope};
+use crate::certificate::{Bound, Certificate, Claim, DynamicModel, MAX_BYTES, SCHEMA, Scope};
 use crate::diagnostic::Diagnostic;
-use crate::model::{FaultMode, Model, PlanModel, PlannerKind};
+use crate::model::{Allocation, FaultMode, Model, PlanModel, PlannerKind};
 use crate::report::number::number;
 use crate::source::Span;
 use plan::Checker;
@@ -140,11 +140,28 @@ pub fn verify(bytes: &[u8], model: &Model, spec_sha256: &str) -> Result<Verdict,
     decide(&certificate, model).map_err(|r| r.diagnostic(model).into())
 }
 
+/// What of a vehicle the checker's own sets do not know, if anything.
+pub fn not_covered(model: &Model) -> Option<&'static str> {
+    let vehicle = &model.vehicle;
+    if vehicle.rotors.iter().any(|r| r.min_speed > 0.0) {
+        Some("rotors that may not stop (`min_speed`) are not covered by certificates yet")
+    } else if vehicle.allocation == Allocation::PseudoInverse {
+        Some("the sets of `allocation = pseudo_inverse` are not covered by certificates yet")
+    } else if vehicle.is_uncertain() {
+        Some("intervals (`+-`) are not covered by certificates yet")
+    } else {
+        None
+    }
+}
+
 /// Decides a certificate that is known to be about this model.
 pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejection> {
     let Some(mission) = &model.mission else {
         return Err(Rejection::new("the mission", "the spec has none"));
     };
+    if let Some(why) = not_covered(model) {
+        return Err(Rejection::new("the vehicle", why));
+    }
     let asked = match model.plan.model {
         PlanModel::Hover => DynamicModel::Hover,
         PlanModel::Exact => DynamicModel::Exact,

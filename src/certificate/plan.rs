@@ -8,11 +8,11 @@ use super::{
 use crate::actuation::Wrench;
 use crate::admissible::{AdmissibleSet, FacetOf};
 use crate::model::{Limit, LimitKind, Mission, Model, PlannerKind};
-use crate::planner::wrench_model::WrenchModel;
 use crate::planner::compare::{PlannerRun, Solved};
 use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::planner::transcribe::{NodeState, UNBOUNDED};
+use crate::planner::wrench_model::WrenchModel;
 use crate::report::caveats::limit_words;
 use crate::trajectory::Trajectory;
 use crate::trajectory::checks::past;

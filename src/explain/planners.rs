@@ -83,7 +83,7 @@ impl Oracle for Planners<'_> {
         let mut decide = |set: &PlanningSet, pool: &mut Pool| {
             let decision = match model.plan.model {
                 PlanModel::Hover => engine.decide(time, model.plan.samples, set, pool),
-                PlanModel::Exact => Successive::new(&mut engine, WrenchModel::Exact, set).decide(time, None),
+                PlanModel::Exact => Successive::new(&mut engine, WrenchModel::Exact, set).attempt(time),
             };
             let weights = std::mem::take(&mut engine.weights);
             (decision, weighed(set, weights, mission, time, model.plan.samples))

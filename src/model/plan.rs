@@ -182,7 +182,9 @@ impl<'a> Draft<'a> {
         };
         let wrench = match self.word(cx, "model", &["hover", "exact"]) {
             Some(word) => word.map(|w| if w == "hover" { PlanModel::Hover } else { PlanModel::Exact }),
-            None => Some(self.default("model", (PlanModel::Exact, "exact", "what thrust and torques a motion asks for"))),
+            None => {
+                Some(self.default("model", (PlanModel::Exact, "exact", "what thrust and torques a motion asks for")))
+            }
         };
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),

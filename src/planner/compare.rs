@@ -175,8 +175,12 @@ impl<'a> Setting<'a> {
 
     fn solved(&self, time: f64, planned: &Planned) -> Solved {
         let trajectory = Trajectory::of(planned);
-        let outside =
-            self.sets.modes.iter().map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows)).collect();
+        let outside = self
+            .sets
+            .modes
+            .iter()
+            .map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows))
+            .collect();
         Solved {
             time,
             trajectory,

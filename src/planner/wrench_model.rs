@@ -18,20 +18,8 @@ pub enum WrenchModel {
 }
 
 /// Axis and derivative of each entry of a flat state.
-const FLAT: [(usize, usize); INPUTS] = [
-    (X, 2),
-    (Y, 2),
-    (Z, 2),
-    (X, 3),
-    (Y, 3),
-    (Z, 3),
-    (X, 4),
-    (Y, 4),
-    (Z, 4),
-    (YAW, 0),
-    (YAW, 1),
-    (YAW, 2),
-];
+const FLAT: [(usize, usize); INPUTS] =
+    [(X, 2), (Y, 2), (Z, 2), (X, 3), (Y, 3), (Z, 3), (X, 4), (Y, 4), (Z, 4), (YAW, 0), (YAW, 1), (YAW, 2)];
 
 /// Axis and derivative of each direction in which the wrench may curve.
 pub(super) const DIRECTIONS: [(usize, usize); INPUTS] = FLAT;
@@ -78,7 +66,8 @@ impl WrenchModel {
             WrenchModel::Exact => {
                 let at = flat(state);
                 let (wrench, slope) = flatness::wrench_and_jacobian(vehicle, gravity, &at);
-                let terms = FLAT.iter().zip(slope.column_iter()).map(|(&(axis, order), c)| (axis, order, c.into_owned()));
+                let terms =
+                    FLAT.iter().zip(slope.column_iter()).map(|(&(axis, order), c)| (axis, order, c.into_owned()));
                 WrenchMap { constant: wrench - slope * at, terms: terms.collect() }
             }
         }
@@ -86,7 +75,14 @@ impl WrenchModel {
 
     /// The part of n.w that curves upwards about a state, as squares: sum of |factor . (s' - s)|^2 / 2 over the factors, each
     /// over [`DIRECTIONS`]. Eigenvectors are taken with accelerations in units of g and time in units of `tau`, s.
-    pub(super) fn curvature(self, vehicle: &Vehicle, gravity: f64, state: &NodeState, n: &Wrench, tau: f64) -> Vec<FlatState> {
+    pub(super) fn curvature(
+        self,
+        vehicle: &Vehicle,
+        gravity: f64,
+        state: &NodeState,
+        n: &Wrench,
+        tau: f64,
+    ) -> Vec<FlatState> {
         if self != WrenchModel::Exact {
             return Vec::new();
         }

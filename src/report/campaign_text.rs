@@ -12,6 +12,7 @@ use crate::campaign::statistics::{Contingency, Share, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
 use crate::model::{Detection, Model};
 use crate::planner::compare::Ending;
+use crate::planner::successive::NOT_FOUND;
 use std::cmp::Reverse;
 
 /// Columns of running text and of maps.
@@ -208,9 +209,10 @@ pub fn left_out(missing: &[Missing]) -> String {
     for Missing { planner, ending } in missing {
         let why = match ending {
             Some(Ending::Infeasible { at }) => format!("it has no plan in {} s (proved)", number(*at)),
-            Some(Ending::Inconclusive { at, status }) => {
-                format!("the solver gave no verdict at {} s ({status})", number(*at))
-            }
+            Some(Ending::Inconclusive { at, status }) => match status.as_str() {
+                NOT_FOUND => format!("no plan was found at {} s", number(*at)),
+                _ => format!("the solver gave no verdict at {} s ({status})", number(*at)),
+            },
             _ => "there is no mode to plan against, or no common time".into(),
         };
         out.push_str(&format!("\n{} is left out: {why}\n", planner.name().to_uppercase()));

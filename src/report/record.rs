@@ -79,7 +79,14 @@ pub fn errors(mission: &Mission, solved: &Solved) -> Errors {
 impl Record {
     pub fn new(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Self {
         let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
-        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners, conflict: None }
+        Record {
+            schema: 1,
+            spec_sha256,
+            model: model.plan.model.name(),
+            reserve: model.plan.reserve,
+            planners,
+            conflict: None,
+        }
     }
 }
 
@@ -101,7 +108,14 @@ impl Record {
             modes: Vec::new(),
             warnings: Vec::new(),
         };
-        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners: vec![planner], conflict: None }
+        Record {
+            schema: 1,
+            spec_sha256,
+            model: model.plan.model.name(),
+            reserve: model.plan.reserve,
+            planners: vec![planner],
+            conflict: None,
+        }
     }
 }
 

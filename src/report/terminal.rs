@@ -80,10 +80,9 @@ pub fn no_plan(model: &Model, run: &PlannerRun, ending: &Ending) -> String {
         (Ending::Infeasible { at }, Run::Own) => {
             format!("no plan with {samples} samples at any time tried, up to {} s (each proved)", number(*at))
         }
-        (Ending::Inconclusive { at, status }, _) if status == NOT_FOUND => format!(
-            "no plan found with {samples} samples at {} s; that there is none is not shown",
-            number(*at)
-        ),
+        (Ending::Inconclusive { at, status }, _) if status == NOT_FOUND => {
+            format!("no plan found with {samples} samples at {} s; that there is none is not shown", number(*at))
+        }
         (Ending::Inconclusive { at, status }, _) => {
             format!("the solver gave no verdict at {} s ({status})", number(*at))
         }

@@ -466,7 +466,8 @@ fn the_readme_tells_the_truth() {
 fn yaw_planned_first_is_said() {
     let dir = folder();
     let plan = |spec: &str| {
-        let output = mavc(&["plan", spec, "-o", text(&dir.path().join("t.csv")), "--quiet", "--set", "plan.model=hover"]);
+        let output =
+            mavc(&["plan", spec, "-o", text(&dir.path().join("t.csv")), "--quiet", "--set", "plan.model=hover"]);
         assert_eq!(code(&output), 0);
         out(&output).contains("Yaw changes: it was planned first")
     };

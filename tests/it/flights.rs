@@ -30,7 +30,12 @@ fn staying(place: [f64; 3], yaw: f64, duration: f64) -> Trajectory {
     for (axis, value) in [(X, place[0]), (Y, place[1]), (Z, place[2]), (YAW, yaw)] {
         node[axis][0] = value;
     }
-    Trajectory { times: vec![0.0, duration], nodes: vec![node, node], waypoint_nodes: vec![0, 1], model: WrenchModel::HoverFollowing }
+    Trajectory {
+        times: vec![0.0, duration],
+        nodes: vec![node, node],
+        waypoint_nodes: vec![0, 1],
+        model: WrenchModel::HoverFollowing,
+    }
 }
 
 /// Without noise, and with a controller that is told nothing.

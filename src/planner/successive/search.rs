@@ -4,7 +4,7 @@ use super::super::profile::{determined, earliest, profile};
 use super::super::rows::{Decision, Planned};
 use super::super::search::{GRID, NoTime, Shortest};
 use super::super::transcribe::Purpose;
-use super::sequence::{CLOSELY, ROUGHLY};
+use super::sequence::{CLOSELY, Care, ROUGHLY};
 use super::*;
 use crate::model::{Leg, Mission};
 
@@ -166,6 +166,24 @@ impl Successive<'_, '_> {
         }
     }
 
+    /// One short try at a mission time: what the relaxation proves, else the smooth motion made to fit. For questions that
+    /// are asked by the dozen.
+    pub fn attempt(&mut self, total: f64) -> Decision {
+        let samples = self.engine.model.plan.samples;
+        let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
+        self.engine.progress(total);
+        let flown = full.flown();
+        if self.shown_infeasible(&flown) {
+            return Decision::Infeasible;
+        }
+        let mut pool = BTreeSet::new();
+        let restored = self.smooth(&flown).and_then(|smooth| self.restore(smooth, &mut pool));
+        match restored {
+            Some(inside) => Decision::Feasible(Box::new(self.kept(inside, total, ROUGHLY, &mut pool))),
+            None => Decision::Inconclusive(NOT_FOUND.into()),
+        }
+    }
+
     fn at(&mut self, full: &Profile, begin: Option<&Planned>) -> Option<Planned> {
         let flown = full.total - self.held();
         let fixed = !fixed_windows(self.engine.mission).is_empty();
@@ -174,14 +192,14 @@ impl Successive<'_, '_> {
             let smooth = self.smooth(&full.flown())?;
             pool.clear();
             if let Some(inside) = self.restore(smooth, &mut pool) {
-                return Some(self.kept(inside, full.total, &mut pool));
+                return Some(self.kept(inside, full.total, CLOSELY, &mut pool));
             }
         }
         if let Some(planned) = begin.filter(|_| !fixed) {
             let other = self.motion_of(planned);
             let scaled = other.slower(flown / other.profile.total);
             if let Some(inside) = self.restore(scaled, &mut pool) {
-                return Some(self.kept(inside, full.total, &mut pool));
+                return Some(self.kept(inside, full.total, CLOSELY, &mut pool));
             }
         }
         if fixed {
@@ -199,12 +217,12 @@ impl Successive<'_, '_> {
             false => self.descend(first, (FINE_STEP, LEAST_FINE), flown, &mut pool),
         };
         let there = (motion.profile.total - flown).abs() <= 1e-9 * flown;
-        there.then(|| self.kept(motion, full.total, &mut pool))
+        there.then(|| self.kept(motion, full.total, CLOSELY, &mut pool))
     }
 
     /// The plan of least cost about a motion inside the set, with holds.
-    fn kept(&mut self, motion: Motion, total: f64, pool: &mut BTreeSet<RowAt>) -> Planned {
-        let settled = self.settle(motion, CLOSELY, pool);
+    fn kept(&mut self, motion: Motion, total: f64, care: Care, pool: &mut BTreeSet<RowAt>) -> Planned {
+        let settled = self.settle(motion, care, pool);
         let intervals = settled.profile.segments.iter().map(|s| (s.duration, s.intervals)).collect::<Vec<_>>();
         let profile = Profile::with_legs(self.engine.mission, &intervals, total);
         Planned {
@@ -252,7 +270,7 @@ impl Successive<'_, '_> {
             let time = (ticks + late) / (1.0 / GRID).round();
             let slower = motion.slower((time - self.held()) / motion.profile.total);
             if let Some(inside) = self.restore(slower, &mut pool) {
-                let planned = self.kept(inside, time, &mut pool);
+                let planned = self.kept(inside, time, CLOSELY, &mut pool);
                 return Ok(shortest(time, planned));
             }
         }

@@ -8,11 +8,11 @@
 use super::super::hover_model::{X, Y, YAW, Z};
 use super::super::limits::Widening;
 use super::super::select::SetRow;
-use super::super::wrench_model::DIRECTIONS;
 use super::super::transcribe::{NodeState, Row, RowAt, Transcription};
+use super::super::wrench_model::DIRECTIONS;
 use crate::actuation::Wrench;
-use crate::qp::build::{Affine, Builder};
 use crate::flatness::FlatState;
+use crate::qp::build::{Affine, Builder};
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 
 /// What a step seeks; all objectives are relative and of order one.
@@ -112,9 +112,7 @@ impl Transcription<'_> {
                 }
             }
         }
-        let widening = |instant: usize| {
-            Widening::by(&excess).with_stretch(&self.stretch(step, self.leg_of(instant)))
-        };
+        let widening = |instant: usize| Widening::by(&excess).with_stretch(&self.stretch(step, self.leg_of(instant)));
         let mut places = Vec::with_capacity(chosen.len());
         for &RowAt { row, instant } in chosen {
             places.push(matches!(row, Row::Facet(_)).then(|| builder.inequalities()));

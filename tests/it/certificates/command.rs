@@ -96,7 +96,20 @@ fn a_mission_without_a_plan_is_certified() {
     let spec = SPEC.replace("yaw 40 deg", "").replace("yaw 90 deg", "").replace("time = 9 s", "time = 4 s");
     let folder = Folder::new(&spec);
     let (spec, proof) = (folder.spec(), folder.at("cert.json"));
-    assert_eq!(code(&mavc(&["plan", &spec, "--quiet", "--set", "plan.planner=rip", "--set", "plan.model=hover", "--certificate", &proof])), 3);
+    assert_eq!(
+        code(&mavc(&[
+            "plan",
+            &spec,
+            "--quiet",
+            "--set",
+            "plan.planner=rip",
+            "--set",
+            "plan.model=hover",
+            "--certificate",
+            &proof
+        ])),
+        3
+    );
     let ran = mavc(&["verify", &proof, &spec, "--set", "plan.planner=rip", "--set", "plan.model=hover"]);
     assert_eq!(code(&ran), 0, "{}", said(&ran));
     assert!(String::from_utf8(ran.stdout).unwrap().contains("no plan of 4 s"));

@@ -156,7 +156,10 @@ fn models_are_told_apart() {
     let mut model = model();
     let exact = certificate(&model);
     let hover = Certificate { model: DynamicModel::Hover, ..exact.clone() };
+    assert_eq!(decide(&hover, &model).unwrap_err().claim, "the model");
+    model.plan.model = PlanModel::Hover;
     assert_eq!(decide(&hover, &model).unwrap_err().claim, "the motion");
+    model.plan.model = PlanModel::Exact;
     // Of a lighter and a heavier vehicle one at least comes closer to its set's edge on the same motion.
     let mass = model.vehicle.mass;
     let mut accepts = |factor: f64| {

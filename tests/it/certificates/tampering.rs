@@ -2,13 +2,13 @@
 //! planner's sets and wrench maps, none of which the checker uses; every certificate found false has to be rejected.
 
 use super::{Numbers, SHA, certified, hop};
-use mavc::planner::wrench_model::WrenchModel;
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
 use mavc::certificate::{Bound, Certificate, Claim, DynamicModel, FacetClaim, PlanClaim, Scope};
 use mavc::model::{LimitKind, Mission, Model, PlannerKind};
 use mavc::planner::hover_model::{WrenchMap, X, Y, YAW, Z};
 use mavc::planner::transcribe::NodeState;
+use mavc::planner::wrench_model::WrenchModel;
 use mavc::trajectory::Trajectory;
 use mavc::trajectory::checks::past;
 use mavc::verify::verify;
