@@ -75,3 +75,19 @@ fn fixed_times_and_holds_stand() {
     // With its first leg fixed the mission has only one left, and nothing to choose.
     assert_eq!(chosen, given);
 }
+
+/// Who chooses times can choose these, so what is proved of all times is proved of these.
+#[test]
+#[ignore = "the relaxation is laid out with even legs, and what it shows is said of all times"]
+fn a_proof_covers_every_division_of_time() {
+    let at = |mission: Mission, chooses_times: bool| {
+        let mut model = quick(mission, chooses_times);
+        model.plan.time = MissionTime::Fixed(2.3);
+        last(&super::compared(&model)).ending.clone()
+    };
+    let legs = vec![Leg { share: 0.27 }, Leg { share: 0.73 }];
+    let given = at(Mission { legs, ..uneven() }, false);
+    let chosen = at(uneven(), true);
+    assert!(!matches!(given, Ending::Infeasible { .. }), "{given:?}");
+    assert!(!matches!(chosen, Ending::Infeasible { .. }), "{chosen:?}, but {given:?} with legs of 27 % and 73 %");
+}
