@@ -108,10 +108,10 @@ fn meets(model: &Model, plan: &Trajectory) {
         let h = plan.times[k + 1] - plan.times[k];
         let end = plan.within(k, h);
         for (axis, r) in WrenchModel::Exact.orders().into_iter().enumerate() {
-            for order in 0..=r {
-                let unit = h.powi(-(order as i32));
-                let gap = (end[axis][order] - plan.nodes[k + 1][axis][order]).abs();
-                assert!(gap <= MISSED * unit, "axis {axis}, derivative {order} jumps by {gap:e} after interval {k}");
+            let (found, wanted) = (&end[axis][..=r], &plan.nodes[k + 1][axis][..=r]);
+            for (order, (a, b)) in found.iter().zip(wanted).enumerate() {
+                let allowed = MISSED * h.powi(-(order as i32));
+                assert!((a - b).abs() <= allowed, "axis {axis}, derivative {order} jumps by {:e} after {k}", a - b);
             }
         }
     }
@@ -335,7 +335,7 @@ fn the_cost_of_a_plan_is_its_programs_objective() {
 
 /// A set with fewer rows has every plan of one with more, so its plan need not cost more.
 #[test]
-#[ignore = "steps settle on a plan that is a quarter dearer"]
+#[ignore = "settling drops motions on an active limit, which the solver's dust passes: RIP ends a quarter dearer"]
 fn fewer_rows_do_not_make_a_plan_dearer() {
     let of = |planner| {
         let model = planning(turning(), planner, &[0], QUICK);
@@ -351,7 +351,7 @@ fn fewer_rows_do_not_make_a_plan_dearer() {
 
 /// Where steps begin should matter little for the cost at which they end.
 #[test]
-#[ignore = "begun from the plan of the shortest time the plan of 6 s costs twelve times as much"]
+#[ignore = "settling drops motions on an active limit, which the solver's dust passes: 13.4 and 1.1 where 0.347 was met"]
 fn plans_cost_the_same_wherever_steps_begin() {
     let model = planning(turning(), PlannerKind::Rip, &[], MissionTime::Fixed(6.0));
     let healthy = AdmissibleSet::healthy(&model);

@@ -74,6 +74,11 @@ fn fixed_times_and_holds_stand() {
     let [given, chosen] = [false, true].map(|chooses| shortest(&quick(held.clone(), chooses)));
     // With its first leg fixed the mission has only one left, and nothing to choose.
     assert_eq!(chosen, given);
+    let mut met = turning();
+    met.waypoints[2].time = Some(4.0);
+    let mut model = quick(met, true);
+    model.plan.time = MissionTime::Fixed(7.0);
+    planned(&model);
 }
 
 /// Who chooses times can choose these, so what is proved of all times is proved of these.
