@@ -7,6 +7,7 @@ mod codes;
 mod conflicts;
 mod controllability;
 mod errors;
+mod exact;
 mod flights;
 mod geometry_properties;
 mod hostile;

@@ -1,0 +1,105 @@
+//! What is said where there is no plan: proved on the relaxation, or only not found.
+
+use super::{compared, last, planning};
+use crate::vehicles::{limit, mission, waypoint};
+use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
+use mavc::planner::compare::Ending;
+use mavc::planner::successive::NOT_FOUND;
+use mavc::report::terminal;
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model {
+    let points = vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint(to, turn)];
+    let limits = limits.iter().map(|&(kind, upper)| limit(kind, upper)).collect();
+    let mut model = planning(Mission { limits, ..mission(points) }, PlannerKind::Rip, &[], MissionTime::Fixed(time));
+    model.plan.samples = 20;
+    model
+}
+
+fn told(model: &Model) -> (Ending, String) {
+    let comparison = compared(model);
+    let text = terminal::plan(model, model.mission.as_ref().unwrap(), &comparison);
+    (last(&comparison).ending.clone(), text)
+}
+
+/// Speed, jerk, tilt and full thrust bound what any attitude and any torque can do: closed forms say that the way is too far.
+#[test]
+fn what_no_attitude_could_do_is_proved() {
+    let far = |d: f64| [d, 0.0, 2.0];
+    let thrust = 8.0 * 8.5485e-6 * 874.0 * 874.0 / 1.8;
+    let (up, down) = (thrust - 9.81, thrust + 9.81);
+    for (model, why) in [
+        // 2 s at 1 m/s are 2 m.
+        (hop(far(2.2), 0.0, &[(LimitKind::Speed, 1.0)], 2.0), "speed"),
+        // From rest to rest d takes at least 2 sqrt(d / a), a = g tan(10 degrees) in level flight.
+        (hop(far(3.0), 0.0, &[(LimitKind::Tilt, 10f64.to_radians()), (LimitKind::Z, 2.06)], 1.5), "tilt"),
+        // From rest to rest d takes t^2 = 2 d (1/up + 1/down), with full thrust upwards and then downwards.
+        (hop([0.0, 0.0, 2.2 + 0.81 / (2.0 * (1.0 / up + 1.0 / down))], 0.0, &[], 0.9), "thrust"),
+        (hop([0.0, 0.0, 2.0], 1.0, &[(LimitKind::YawRate, 0.4)], 2.0), "yaw rate"),
+    ] {
+        let (ending, text) = told(&model);
+        assert!(matches!(ending, Ending::Infeasible { .. }), "{why}: {text}");
+        assert!(text.contains("no plan with 20 samples meets every waypoint") && text.contains("(proved)"), "{text}");
+    }
+}
+
+/// Torques are not in the relaxation: a turn that takes more than the largest tau_z is not found, and no proof is claimed.
+#[test]
+fn what_only_torques_forbid_is_not_found() {
+    let model = hop([0.0, 0.0, 2.2], 2.6, &[], 1.0);
+    // From rest to rest a turn takes tau = 4 Izz psi / t^2 at the least; four rotors of full thrust give less.
+    let [psi, t] = [2.6 - 2.0 * 0.05, 1.0];
+    let largest = 4.0 * 1.3678e-7 * 874.0 * 874.0;
+    assert!(4.0 * model.vehicle.inertia[2] * psi / (t * t) > largest, "the turn is possible");
+    let (ending, text) = told(&model);
+    assert!(matches!(&ending, Ending::Inconclusive { status, .. } if status == NOT_FOUND), "{ending:?}");
+    assert!(text.contains("no plan found with 20 samples at 1 s; that there is none is not shown"), "{text}");
+    assert!(!text.contains("proved"), "{text}");
+}
+
+/// `mavc plan` of a spec on its standard input: exit code and both streams.
+fn plan(mission: &str, plan: &str) -> (i32, String) {
+    let spec = format!(
+        r#"
+vehicle octo {{
+    layout  = "PPNNPPNN"
+    arm     = 0.211 m
+    mass    = 1.8 kg
+    inertia = [0.0429, 0.0512, 0.0748] kg*m^2
+    rotor {{ thrust_coefficient = 8.5485e-6 N*s^2/rad^2; drag_coefficient = 1.3678e-7 N*m*s^2/rad^2; max_speed = 874 rad/s }}
+}}
+mission hop {{ {mission} }}
+plan {{ planner = rip; samples = 10; reserve = 0 %; {plan} }}
+"#
+    );
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mavc"))
+        .args(["plan", "-"])
+        .env("NO_COLOR", "1")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(spec.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout) + &text(output.stderr))
+}
+
+#[test]
+fn exit_codes_tell_proved_from_not_found() {
+    let up = "start at [0, 0, 2] m\n waypoint at [0, 0, 2.2] m";
+    let (code, text) = plan(up, "time = 4 s");
+    assert_eq!(code, 0, "{text}");
+    assert!(text.contains("exact model"), "exact is the default: {text}");
+
+    let (code, text) =
+        plan("start at [0, 0, 2] m\n waypoint at [2.2, 0, 2] m\n limits { speed <= 1 m/s }", "time = 2 s");
+    assert_eq!(code, 3, "{text}");
+    assert!(text.contains("(proved)") && text.contains("cannot hold together"), "{text}");
+
+    let (code, text) = plan(&format!("{up} yaw 150 deg"), "time = 1 s");
+    assert_eq!(code, 4, "{text}");
+    assert!(text.contains("that there is none is not shown") && !text.contains("cannot hold together"), "{text}");
+}
