@@ -18,7 +18,7 @@ pub use search::NOT_FOUND;
 use super::hover_model::{WrenchMap, X, Y, YAW, Z};
 use super::limits::place;
 use super::profile::{Profile, fixed_windows};
-use super::rows::Engine;
+use super::rows::{ACCEPTED, Engine};
 use super::select::PlanningSet;
 use super::transcribe::{NodeState, Row, RowAt, Transcription};
 use super::wrench_model::WrenchModel;
@@ -152,7 +152,10 @@ impl<'e, 'a> Successive<'e, 'a> {
     fn excesses<'s>(&'s self, form: &'s Transcription<'s>, state: &'s NodeState) -> impl Iterator<Item = f64> + 's {
         let wrench = self.wrench_at(state);
         let facets = (0..self.set.rows.len()).map(move |facet| self.excess_of_row(facet, &wrench));
-        let limits = self.engine.mission.limits.iter().map(move |l| form.excess_of(l, state, 0.0));
+        // Places have no width to keep a share of free.
+        let limits = self.engine.mission.limits.iter().map(move |l| {
+            form.excess_of(l, state, 0.0) - if place(l.kind) { ACCEPTED } else { 0.0 }
+        });
         let exact = self.wrench == WrenchModel::Exact;
         facets.chain(limits).chain(exact.then(|| form.excess_upright(state)))
     }

@@ -29,6 +29,10 @@ const SLOWER: [f64; 10] = [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5
 /// What is said where no plan is found and none is shown impossible.
 pub const NOT_FOUND: &str = "no plan found";
 
+fn not_found(at: f64) -> NoTime {
+    NoTime::Inconclusive { at, status: NOT_FOUND.into() }
+}
+
 impl Successive<'_, '_> {
     /// The mission's profile with legs that take `shares` of the time, or their own.
     fn lay_out(&self, shares: Option<&[f64]>, total: f64, samples: usize) -> Option<Profile> {
@@ -161,7 +165,8 @@ impl Successive<'_, '_> {
         self.engine.progress(total);
         match self.at(&full, begin) {
             Some(planned) => Decision::Feasible(Box::new(planned)),
-            None if self.shown_infeasible(&full.flown()) => Decision::Infeasible,
+            // What is shown of one division of the time is not shown of all.
+            None if !self.chooses_times() && self.shown_infeasible(&full.flown()) => Decision::Infeasible,
             None => Decision::Inconclusive(NOT_FOUND.into()),
         }
     }
@@ -173,7 +178,7 @@ impl Successive<'_, '_> {
         let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
         self.engine.progress(total);
         let flown = full.flown();
-        if self.shown_infeasible(&flown) {
+        if !self.chooses_times() && self.shown_infeasible(&flown) {
             return Decision::Infeasible;
         }
         let mut pool = BTreeSet::new();
@@ -259,7 +264,7 @@ impl Successive<'_, '_> {
             None => self.first(0.0),
         };
         let guess = self.engine.guess();
-        let Some(mut motion) = first else { return Err(self.none(guess)) };
+        let Some(mut motion) = first else { return Err(not_found(guess)) };
         if self.chooses_times() {
             motion = self.better_times(motion, &mut pool);
         }
@@ -274,7 +279,7 @@ impl Successive<'_, '_> {
                 return Ok(shortest(time, planned));
             }
         }
-        Err(self.none(motion.profile.total))
+        Err(not_found(motion.profile.total))
     }
 
     /// Where only the legs after the last fixed time are free: the first of ever longer times with a plan, then bisection.
@@ -293,21 +298,10 @@ impl Successive<'_, '_> {
             }
             stride *= 1.5;
             if low > 20.0 * self.engine.guess() {
-                return Err(self.none(low));
+                return Err(not_found(low));
             }
         }
-        let (time, planned) = best.ok_or_else(|| NoTime::Inconclusive { at: low, status: NOT_FOUND.into() })?;
+        let (time, planned) = best.ok_or_else(|| not_found(low))?;
         Ok(Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() })
-    }
-
-    /// No plan was found at any time: proved where even a very long flight is shown infeasible.
-    fn none(&mut self, guess: f64) -> NoTime {
-        let samples = self.engine.coarse_samples();
-        let long = 10.0 * guess;
-        let shown = self.lay_out(None, long, samples).is_some_and(|full| self.shown_infeasible(&full.flown()));
-        match shown {
-            true => NoTime::Infeasible { up_to: long },
-            false => NoTime::Inconclusive { at: guess, status: NOT_FOUND.into() },
-        }
     }
 }

@@ -111,6 +111,9 @@ impl Successive<'_, '_> {
                 (s.cost(&reached), s.excess_by(&reached, pool), reached)
             };
             let expected = was - merit(self.cost(&at.with_states(stepped.states.clone())), stepped.sigma);
+            if expected <= 0.0 {
+                break; // the lines themselves promise nothing
+            }
             let mut share = 1.0;
             let (mut cost, mut now, mut reached) = towards(self, pool, share);
             while was - merit(cost, now) < 0.3 * share * expected && share > LEAST_SHARE {
