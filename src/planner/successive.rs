@@ -153,9 +153,12 @@ impl<'e, 'a> Successive<'e, 'a> {
         let wrench = self.wrench_at(state);
         let facets = (0..self.set.rows.len()).map(move |facet| self.excess_of_row(facet, &wrench));
         // Places have no width to keep a share of free.
-        let limits = self.engine.mission.limits.iter().map(move |l| {
-            form.excess_of(l, state, 0.0) - if place(l.kind) { ACCEPTED } else { 0.0 }
-        });
+        let limits = self
+            .engine
+            .mission
+            .limits
+            .iter()
+            .map(move |l| form.excess_of(l, state, 0.0) - if place(l.kind) { ACCEPTED } else { 0.0 });
         let exact = self.wrench == WrenchModel::Exact;
         facets.chain(limits).chain(exact.then(|| form.excess_upright(state)))
     }

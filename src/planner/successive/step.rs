@@ -7,10 +7,10 @@
 
 use super::super::hover_model::{X, Y, YAW, Z};
 use super::super::limits::Widening;
-use super::BACK_OFF;
 use super::super::select::SetRow;
 use super::super::transcribe::{NodeState, Row, RowAt, Transcription};
 use super::super::wrench_model::DIRECTIONS;
+use super::BACK_OFF;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
 use crate::qp::build::{Affine, Builder};
@@ -113,7 +113,10 @@ impl Transcription<'_> {
                 }
             }
         }
-        let widening = |instant: usize| Widening::by(&excess.clone().plus_constant(-BACK_OFF)).with_stretch(&self.stretch(step, self.leg_of(instant)));
+        let widening = |instant: usize| {
+            Widening::by(&excess.clone().plus_constant(-BACK_OFF))
+                .with_stretch(&self.stretch(step, self.leg_of(instant)))
+        };
         let mut places = Vec::with_capacity(chosen.len());
         for &RowAt { row, instant } in chosen {
             places.push(matches!(row, Row::Facet(_)).then(|| builder.inequalities()));
