@@ -13,13 +13,17 @@ use crate::report::number::number;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 
+/// Most rounds of selection.
+pub const MAX_ROUNDS: usize = 100;
+
 /// Most intervals of one plan.
 pub const MAX_SAMPLES: usize = 100_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-const FIELDS: [&str; 14] = [
+const FIELDS: [&str; 15] = [
     "model",
     "planner",
+    "rounds",
     "against",
     "time",
     "within",
@@ -39,6 +43,7 @@ const RESERVE: (f64, &str, &str) = (0.1, "10 %", "a share of each set stays free
 const WITHIN: (f64, &str, &str) = (0.05, "5 cm", "how closely each waypoint is met");
 const YAW_WITHIN: (f64, &str, &str) = (std::f64::consts::PI / 90.0, "2 deg", "how closely each yaw is met");
 const SAMPLES: (usize, &str, &str) = (200, "200", "intervals of the whole mission");
+const ROUNDS: (usize, &str, &str) = (1, "1", "how often rsp selects facets");
 const WEIGHT: (f64, &str, &str) = (1.0, "1", "weight of the squared distance to each waypoint");
 const SNAP: (f64, &str, &str) = (1e-4, "1e-4", "weight of horizontal snap");
 const ACCELERATION: (f64, &str, &str) = (1e-4, "1e-4", "weight of vertical and yaw acceleration");
@@ -196,6 +201,10 @@ impl<'a> Draft<'a> {
             Some(e) => cx.whole("`samples`", e, 1..=MAX_SAMPLES, "mavc::plan::samples"),
             None => Some(self.default("samples", SAMPLES)),
         };
+        let rounds = match self.get("rounds") {
+            Some(e) => cx.whole("`rounds`", e, 0..=MAX_ROUNDS, "mavc::plan::rounds"),
+            None => Some(self.default("rounds", ROUNDS)),
+        };
         let reserve = match self.get("reserve") {
             Some(e) => self.reserve(cx, e),
             None => Some(self.default("reserve", RESERVE)),
@@ -216,13 +225,14 @@ impl<'a> Draft<'a> {
                 check_time(cx, time, time_span, mission);
             }
         }
-        let plan = match (planner, wrench, against, time, samples, reserve, snap, acceleration) {
+        let plan = match (planner, wrench, against, time, samples, rounds, reserve, snap, acceleration) {
             (
                 Some(planner),
                 Some(model),
                 Some(against),
                 Some(time),
                 Some(samples),
+                Some(rounds),
                 Some(reserve),
                 Some(snap_weight),
                 Some(acceleration_weight),
@@ -233,6 +243,7 @@ impl<'a> Draft<'a> {
                 against,
                 time,
                 samples,
+                rounds,
                 reserve,
                 snap_weight,
                 acceleration_weight,

@@ -55,6 +55,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             time_span: span,
             samples_span: span,
             reserve_span: span,
+            rounds: 1,
         },
         simulation: Default::default(),
         campaign: Default::default(),
