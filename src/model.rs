@@ -320,4 +320,8 @@ pub struct Plan {
     pub reserve_span: Span,
     /// How often RSP selects facets, at one mission time (step (e)): 0 is RIP, 1 the paper's RSP.
     pub rounds: usize,
+    /// The largest risk that the plan may have: the planner then chooses what to protect.
+    pub require_risk: Option<f64>,
+    /// The `require` statement, or the plan's place where there is none.
+    pub require_span: Span,
 }

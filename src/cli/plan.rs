@@ -9,8 +9,8 @@ use crate::admissible::diagnose::diagnose;
 use crate::certificate;
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
-use crate::model::{Mission, Model};
 use crate::model::MAX_ROUNDS;
+use crate::model::{Mission, Model};
 use crate::planner::compare::rounds;
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
@@ -34,7 +34,8 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         return refused(&loaded, &model, report.as_ref());
     };
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
-    let explanation = if solved { None } else { why(&model, &mission, options) };
+    // Where only the required risk is not met there is a plan for every statement that could be blamed.
+    let explanation = if solved || !comparison.trade_off.is_empty() { None } else { why(&model, &mission, options) };
     let certified = proof.as_ref().map(|target| {
         let begin = Instant::now();
         let certificate = certificate::of(&model, &mission, &comparison, loaded.sha256());

@@ -1,6 +1,7 @@
 //! The `plan` block and its defaults.
 
 mod against;
+mod require;
 
 use super::context::Context;
 use super::due::Due;
@@ -53,6 +54,8 @@ pub(super) struct Draft<'a> {
     fields: Option<Fields<'a>>,
     /// `against`, which may be a filter, is read by itself.
     against: Option<&'a Field>,
+    /// `require risk`, and whether it could be read.
+    require: Option<(Option<f64>, Span)>,
     /// Whether some statement of the block could not be read.
     broken: bool,
     /// Whether the planner chooses waypoint times.
@@ -66,6 +69,7 @@ impl<'a> Draft<'a> {
         let mut draft = Draft {
             fields: None,
             against: None,
+            require: None,
             broken: false,
             chooses_times: false,
             span: None,
@@ -75,6 +79,7 @@ impl<'a> Draft<'a> {
         draft.span = Some(block.keyword.span);
         draft.broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
         let mut fields = Fields::of_block(cx, "`plan`".into(), block.keyword.span, &[], &FIELDS);
+        draft.require = require::read(cx, &block.body);
         for statement in &block.body {
             let Statement::Field(field) = statement else {
                 continue;
@@ -187,7 +192,9 @@ impl<'a> Draft<'a> {
         };
         let wrench = match self.word(cx, "model", &["hover", "exact"]) {
             Some(word) => word.map(|w| if w == "hover" { PlanModel::Hover } else { PlanModel::Exact }),
-            None => Some(self.default("model", (PlanModel::Exact, "exact", "what thrust and torques a motion asks for"))),
+            None => {
+                Some(self.default("model", (PlanModel::Exact, "exact", "what thrust and torques a motion asks for")))
+            }
         };
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
@@ -195,6 +202,10 @@ impl<'a> Draft<'a> {
                 let all = (0..modes.len()).collect();
                 Some(self.default("against", (all, "all", "every declared fault mode")))
             }
+        };
+        let require = match self.require {
+            Some((bound, place)) => require::check(cx, bound, place, planner, against.as_deref(), modes).map(Some),
+            None => Some(None),
         };
         let time = self.time(cx);
         let samples = match self.get("samples") {
@@ -225,7 +236,7 @@ impl<'a> Draft<'a> {
                 check_time(cx, time, time_span, mission);
             }
         }
-        let plan = match (planner, wrench, against, time, samples, rounds, reserve, snap, acceleration) {
+        let plan = match (planner, wrench, against, time, samples, rounds, require, reserve, snap, acceleration) {
             (
                 Some(planner),
                 Some(model),
@@ -233,6 +244,7 @@ impl<'a> Draft<'a> {
                 Some(time),
                 Some(samples),
                 Some(rounds),
+                Some(require_risk),
                 Some(reserve),
                 Some(snap_weight),
                 Some(acceleration_weight),
@@ -244,6 +256,8 @@ impl<'a> Draft<'a> {
                 time,
                 samples,
                 rounds,
+                require_risk,
+                require_span: self.require.map_or(span, |r| r.1),
                 reserve,
                 snap_weight,
                 acceleration_weight,

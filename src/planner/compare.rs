@@ -2,8 +2,10 @@
 
 mod common;
 mod everything;
+pub mod protect;
 pub mod rounds;
 
+use self::protect::Addition;
 use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
 use super::search::{Hint, NoTime, Shortest};
@@ -86,6 +88,8 @@ pub struct Comparison {
     /// Facets (of `against` modes) that RSP selects at T_d, as rows: those the RIP plan violates, and with more rounds those
     /// that the plans of the rounds before violate.
     pub selected: Vec<SetRow>,
+    /// Where the spec requires a risk: the plan without protection, then what each addition gives.
+    pub trade_off: Vec<Addition>,
     pub effort: Effort,
 }
 
@@ -123,7 +127,10 @@ struct Found {
 pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
     let setting = Setting::new(model, mission, progress);
     match scope {
-        Scope::Plan => setting.plan(),
+        Scope::Plan => match model.plan.require_risk {
+            Some(bound) => setting.protect(bound),
+            None => setting.plan(),
+        },
         Scope::Common => setting.at_common_time(),
         Scope::Everything => setting.everything(),
     }
@@ -186,8 +193,12 @@ impl<'a> Setting<'a> {
 
     fn solved(&self, time: f64, planned: &Planned) -> Solved {
         let trajectory = Trajectory::of(planned);
-        let outside =
-            self.sets.modes.iter().map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows)).collect();
+        let outside = self
+            .sets
+            .modes
+            .iter()
+            .map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows))
+            .collect();
         Solved {
             time,
             trajectory,
@@ -240,6 +251,7 @@ impl<'a> Setting<'a> {
             runs: Vec::new(),
             common_time: self.fixed_time(),
             selected: Vec::new(),
+            trade_off: Vec::new(),
             effort: Effort::default(),
         }
     }

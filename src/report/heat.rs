@@ -33,7 +33,8 @@ fn painted(character: char, background: u8) -> String {
 /// One line a mode, those that come nearest to their edges where there are many, in the order of the comparison; then
 /// the time axis and the legend. Empty without modes.
 pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, color: bool) -> String {
-    let margins = comparison.sets.iter().map(|set| nearness(trajectory, &model.vehicle, model.gravity, &set.rows, COLUMNS));
+    let margins =
+        comparison.sets.iter().map(|set| nearness(trajectory, &model.vehicle, model.gravity, &set.rows, COLUMNS));
     let lines: Vec<(&String, Vec<f64>)> = comparison.modes.iter().zip(margins).collect();
     if lines.is_empty() {
         return String::new();

@@ -3,6 +3,7 @@
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use crate::model::{Mission, Model};
+use crate::planner::compare::protect::{Addition, Protection};
 use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
 use crate::planner::hover_model::YAW;
@@ -22,6 +23,33 @@ pub struct Record {
     pub conflict: Option<ConflictRecord>,
     /// Numbers of rounds side by side, where `mavc compare --rounds` asked for them.
     pub rounds: Option<Vec<RoundRecord>>,
+    /// Under `require risk`: the plan without protection, then after each addition of the greedy choice.
+    pub trade_off: Option<Vec<AdditionRecord>>,
+}
+
+/// One step of the greedy choice.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AdditionRecord {
+    /// `nothing`, `facets`, `mode` or `all`.
+    pub added: &'static str,
+    /// Whose facets or set; `None` for nothing and for all.
+    pub mode: Option<String>,
+    /// How many facets, where facets were added.
+    pub facets: Option<usize>,
+    pub time_s: f64,
+    pub risk: f64,
+}
+
+impl AdditionRecord {
+    fn new(step: &Addition) -> Self {
+        let (added, mode, facets) = match &step.added {
+            Protection::Nothing => ("nothing", None, None),
+            Protection::Facets { mode, facets } => ("facets", Some(mode.clone()), Some(*facets)),
+            Protection::Mode { mode } => ("mode", Some(mode.clone()), None),
+            Protection::All => ("all", None, None),
+        };
+        AdditionRecord { added, mode, facets, time_s: step.time, risk: step.risk }
+    }
 }
 
 /// What one number of rounds of selection gives.
@@ -141,7 +169,17 @@ pub fn errors(mission: &Mission, solved: &Solved) -> Errors {
 impl Record {
     pub fn new(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Self {
         let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
-        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners, conflict: None, rounds: None }
+        let steps = || comparison.trade_off.iter().map(AdditionRecord::new).collect();
+        Record {
+            schema: 1,
+            spec_sha256,
+            model: model.plan.model.name(),
+            reserve: model.plan.reserve,
+            planners,
+            conflict: None,
+            rounds: None,
+            trade_off: (!comparison.trade_off.is_empty()).then(steps),
+        }
     }
 }
 
@@ -164,7 +202,16 @@ impl Record {
             risk: None,
             warnings: Vec::new(),
         };
-        Record { schema: 1, spec_sha256, model: model.plan.model.name(), reserve: model.plan.reserve, planners: vec![planner], conflict: None, rounds: None }
+        Record {
+            schema: 1,
+            spec_sha256,
+            model: model.plan.model.name(),
+            reserve: model.plan.reserve,
+            planners: vec![planner],
+            conflict: None,
+            rounds: None,
+            trade_off: None,
+        }
     }
 }
 
@@ -188,7 +235,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         max_waypoint_error_m: None,
         rows: run.set.rows.len() * nodes,
         modes: Vec::new(),
-            risk: None,
+        risk: None,
         warnings: Vec::new(),
     };
     match &run.ending {

@@ -8,6 +8,7 @@ use super::table::Table;
 use crate::admissible::parallel::{Parallel, least_angle};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::model::{Allocation, Mission, Model, PlanModel, PlannerKind};
+use crate::planner::compare::protect::{Protection, UNMET};
 use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::planner::profile::determined;
@@ -50,7 +51,10 @@ fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
-    if let Some(time) = comparison.common_time.filter(|_| solved && model.plan.planner == PlannerKind::Rsp) {
+    if let Some(time) = comparison
+        .common_time
+        .filter(|_| solved && model.plan.planner == PlannerKind::Rsp && model.plan.require_risk.is_none())
+    {
         out.push_str(&match comparison.selected.len() {
             0 => format!(
                 "RSP guards nothing more than RIP: the RIP plan at {} s stays inside every fault set\n",
@@ -59,6 +63,9 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
             1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s passes\n", number(time)),
             n => format!("RSP guards {n} facets of the fault sets: those the RIP plan at {} s passes\n", number(time)),
         });
+    }
+    if let Some(bound) = model.plan.require_risk {
+        out.push_str(&trade_off(comparison, bound));
     }
     for run in &comparison.runs {
         out.push('\n');
@@ -72,6 +79,26 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
     out
 }
 
+/// What each addition of the greedy choice costs and brings.
+fn trade_off(comparison: &Comparison, bound: f64) -> String {
+    let mut table = Table::new(&["protected", "T [s]", "risk"]);
+    for step in &comparison.trade_off {
+        let added = match &step.added {
+            Protection::Nothing => "nothing".to_string(),
+            Protection::Facets { mode, facets: 1 } => format!("and 1 facet of {mode}"),
+            Protection::Facets { mode, facets } => format!("and {facets} facets of {mode}"),
+            Protection::Mode { mode } => format!("and {mode}"),
+            Protection::All => "all modes".to_string(),
+        };
+        table.row(vec![added, number(step.time), significant(step.risk, 3)]);
+    }
+    format!(
+        "\nWhat to protect for a risk of at most {}, chosen greedily, modes taken as independent\n{}",
+        number(bound),
+        table.render(2)
+    )
+}
+
 /// Why a run ended without a plan. What is proved is proved of motions with the spec's samples.
 pub fn no_plan(model: &Model, run: &PlannerRun, ending: &Ending) -> String {
     let samples = model.plan.samples;
@@ -83,10 +110,13 @@ pub fn no_plan(model: &Model, run: &PlannerRun, ending: &Ending) -> String {
         (Ending::Infeasible { at }, Run::Own) => {
             format!("no plan with {samples} samples at any time tried, up to {} s (each proved)", number(*at))
         }
-        (Ending::Inconclusive { at, status }, _) if status == NOT_FOUND => format!(
-            "no plan found with {samples} samples at {} s; that there is none is not shown",
+        (Ending::Inconclusive { at, status }, _) if status == UNMET => format!(
+            "no plan found that keeps the required risk, up to {} s; that there is none is not shown",
             number(*at)
         ),
+        (Ending::Inconclusive { at, status }, _) if status == NOT_FOUND => {
+            format!("no plan found with {samples} samples at {} s; that there is none is not shown", number(*at))
+        }
         (Ending::Inconclusive { at, status }, _) => {
             format!("the solver gave no verdict at {} s ({status})", number(*at))
         }
@@ -252,7 +282,9 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
                  taken as independent.\n",
             );
         }
-        out.push_str("\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n");
+        out.push_str(
+            "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
+        );
         for run in comparison.runs.iter().filter(|r| r.run == Run::Common) {
             if let Ending::Solved(solved) = &run.ending {
                 out.push_str(&format!("  {}\n", name_of(run)));

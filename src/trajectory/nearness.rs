@@ -7,13 +7,7 @@ use crate::planner::select::SetRow;
 
 /// The smallest margin, in widths of the healthy set (negative outside), in each of `columns` equal parts of the
 /// flight: at the nodes, at [`PARTS`] points an interval, and at the parts' ends.
-pub fn nearness(
-    trajectory: &Trajectory,
-    vehicle: &Vehicle,
-    gravity: f64,
-    rows: &[SetRow],
-    columns: usize,
-) -> Vec<f64> {
+pub fn nearness(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], columns: usize) -> Vec<f64> {
     let step = trajectory.duration() / columns as f64;
     let mut smallest = vec![f64::INFINITY; columns];
     let margin = |k: usize, t: f64| {

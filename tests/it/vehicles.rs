@@ -56,6 +56,8 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             samples_span: span,
             reserve_span: span,
             rounds: 1,
+            require_risk: None,
+            require_span: span,
         },
         simulation: Default::default(),
         campaign: Default::default(),

@@ -16,7 +16,10 @@ impl Setting<'_> {
         let several = self.sets.names.len() > 1;
         let (rip, tightest) = rayon::join(
             || self.search("RIP", &self.sets.rip, Hint::default(), Pool::default()),
-            || (!self.sets.names.is_empty()).then(|| self.search("RCP", &self.sets.joint, Hint::default(), Pool::default())),
+            || {
+                (!self.sets.names.is_empty())
+                    .then(|| self.search("RCP", &self.sets.joint, Hint::default(), Pool::default()))
+            },
         );
         let mut effort = rip.effort;
         effort += tightest.as_ref().map_or(Effort::default(), |f| f.effort);
@@ -54,13 +57,23 @@ impl Setting<'_> {
                 _ => self.sets.rip.clone(),
             };
             let selected = &out.selected;
-            let mut common = vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.sets.rip)];
+            let mut common =
+                vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.sets.rip)];
             let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
                 || {
                     let binding = tightest.as_ref().unwrap_or(&rip);
-                    let pool =
-                        binding.pool.translated(if tightest.is_some() { &self.sets.joint } else { &self.sets.rip }, &rsp_set);
-                    self.rsp_own_and_common(&rsp_set, at, &rip, above_rip.clone(), planned_of(&decision), selected.is_empty(), pool)
+                    let pool = binding
+                        .pool
+                        .translated(if tightest.is_some() { &self.sets.joint } else { &self.sets.rip }, &rsp_set);
+                    self.rsp_own_and_common(
+                        &rsp_set,
+                        at,
+                        &rip,
+                        above_rip.clone(),
+                        planned_of(&decision),
+                        selected.is_empty(),
+                        pool,
+                    )
                 },
                 || {
                     let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
@@ -87,7 +100,8 @@ impl Setting<'_> {
     /// RIP's search, or a further one where another set's plan is shorter: no set is larger than the healthy one, so
     /// that plan is RIP's too. Only steps that find and do not prove can leave RIP longer.
     fn at_most<'f>(&self, rip: Found, others: impl Iterator<Item = &'f Found>, effort: &mut Effort) -> Found {
-        let shortest = others.filter(|f| f.result.is_ok()).min_by(|a, b| time(a).partial_cmp(&time(b)).unwrap_or(Equal));
+        let shortest =
+            others.filter(|f| f.result.is_ok()).min_by(|a, b| time(a).partial_cmp(&time(b)).unwrap_or(Equal));
         let Some(better) = shortest.filter(|f| time(&rip).is_none_or(|t| time(f).is_some_and(|o| o < t))) else {
             return rip;
         };
@@ -117,7 +131,10 @@ impl Setting<'_> {
         let below = at - RESOLUTION;
         let ((decision, mut effort), shorter) = rayon::join(
             || self.at("RSP", set, at, pool.clone(), begin),
-            || (self.fixed_time().is_none() && self.model.plan.model == PlanModel::Hover).then(|| self.at("RSP", set, below, pool.clone(), begin)),
+            || {
+                (self.fixed_time().is_none() && self.model.plan.model == PlanModel::Hover)
+                    .then(|| self.at("RSP", set, below, pool.clone(), begin))
+            },
         );
         let ending = self.common(at, &decision);
         let mut hint = hint_from(at, decision);
