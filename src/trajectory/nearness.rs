@@ -23,7 +23,8 @@ pub fn nearness(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: 
         let (begin, end) = (trajectory.times[k], trajectory.times[k + 1]);
         for p in 0..=PARTS {
             let t = (end - begin) * p as f64 / PARTS as f64;
-            note(((begin + t) / step) as usize, margin(k, t));
+            // The last instant belongs to the last part.
+            note((((begin + t) / step) as usize).min(columns - 1), margin(k, t));
         }
     }
     for edge in 1..columns {

@@ -160,9 +160,11 @@ fn defaults_are_listed() {
             "plan.weight",
             "plan.timing",
             "plan.planner",
+            "plan.model",
             "plan.against",
             "plan.time",
             "plan.samples",
+            "plan.rounds",
             "plan.snap",
             "plan.acceleration"
         ]
