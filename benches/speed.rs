@@ -1,11 +1,12 @@
 //! How long the stages take, and how that grows. `cargo bench` prints criterion's figures, then tables: sets by
-//! number of rotors, RIP plans by number of samples, flights.
+//! number of rotors, RIP plans by number of samples, RCP against many modes, flights.
 
 #[path = "../tests/it/vehicles.rs"]
 #[allow(dead_code)]
 mod vehicles;
 
 use criterion::Criterion;
+use mavc::actuation::Wrench;
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::flight::{Sortie, fly};
 use mavc::model::{Allocation, Controller, Detection, Model, PlannerKind, Strike};
@@ -14,7 +15,7 @@ use mavc::planner::select::PlanningSet;
 use mavc::trajectory::Trajectory;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use vehicles::{lost, octocopter, paper_case, ring_model};
+use vehicles::{lost, mission, octocopter, paper_case, ring_model, waypoint};
 
 /// Every single and double loss.
 fn faults(model: &mut Model) {
@@ -119,6 +120,38 @@ fn by_samples() {
     }
 }
 
+/// RCP against every double loss of a sixteen-rotor vehicle that leaves hover, around a climbing square at 200 samples.
+fn by_modes() {
+    println!(
+        "\nRCP around a square in 14 s, 16 rotors, 200 samples\n  modes  rows at a node  sets s  plan s  solves  rows used"
+    );
+    let mut model = ring_model(&"PN".repeat(8), 4.5, [0.2, 0.2, 0.35], 8.5485e-6, 1.3678e-7, 874.0);
+    let pairs = (1..=16).flat_map(|i| (i + 1..=16).map(move |j| [i, j]));
+    model.modes = pairs.map(|pair| lost(&model, &pair)).collect();
+    let corners = [[0.0, 0.0, 2.0], [6.0, 0.0, 3.0], [6.0, 6.0, 4.0], [0.0, 6.0, 3.0], [0.0, 0.0, 2.0]];
+    let square = mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec());
+    let healthy = AdmissibleSet::healthy(&model);
+    let hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
+    let able: Vec<usize> =
+        (0..120).filter(|&m| AdmissibleSet::of_mode(&model, m).polytope.margin(&hover) > 1e-6).collect();
+    for share in [8, 4, 2, 1] {
+        let chosen: Vec<usize> = able.iter().copied().step_by(share).collect();
+        let begin = Instant::now();
+        let sets: Vec<AdmissibleSet> = chosen.iter().map(|&m| AdmissibleSet::of_mode(&model, m)).collect();
+        let set = PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy);
+        let sets_took = begin.elapsed().as_secs_f64();
+        let begin = Instant::now();
+        let mut engine = Engine::new(&model, &square, &healthy);
+        let rows = match engine.decide(14.0, 200, &set, &mut Pool::default()) {
+            Decision::Feasible(planned) => planned.rows.to_string(),
+            _ => "no plan".into(),
+        };
+        let plan_took = begin.elapsed().as_secs_f64();
+        let (modes, at_node, solves) = (chosen.len(), set.rows.len(), engine.effort.solves);
+        println!("  {modes:>5}  {at_node:>14}  {sets_took:>6.2}  {plan_took:>6.2}  {solves:>6}  {rows:>9}");
+    }
+}
+
 /// A flight of 20 s along case 1 with rotor 1 lost at 5 s, controller at 500 Hz, estimator at 100 Hz: by number of
 /// rotors, and by what is flown.
 fn by_flight() {
@@ -167,5 +200,6 @@ fn main() {
     criterion.final_summary();
     by_rotors();
     by_samples();
+    by_modes();
     by_flight();
 }

@@ -170,6 +170,9 @@ pub(crate) struct CompareArgs {
     /// Where the report goes (JSON); `-` for standard output, without the one for people
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
+    /// Also compare numbers of rounds of selection at T_d, such as 0..5
+    #[arg(long, value_name = "FIRST..LAST")]
+    rounds: Option<String>,
 }
 
 #[derive(Args)]

@@ -31,7 +31,7 @@ pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
 pub use mission::MAX_WAYPOINTS;
 pub use overrides::{OVERRIDE, Override, parse_override};
-pub use plan::MAX_SAMPLES;
+pub use plan::{MAX_ROUNDS, MAX_SAMPLES};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 
 use crate::source::Span;
@@ -318,4 +318,10 @@ pub struct Plan {
     pub time_span: Span,
     pub samples_span: Span,
     pub reserve_span: Span,
+    /// How often RSP selects facets, at one mission time (step (e)): 0 is RIP, 1 the paper's RSP.
+    pub rounds: usize,
+    /// The largest risk that the plan may have: the planner then chooses what to protect.
+    pub require_risk: Option<f64>,
+    /// The `require` statement, or the plan's place where there is none.
+    pub require_span: Span,
 }

@@ -5,6 +5,7 @@ pub mod campaign_text;
 pub mod caveats;
 pub mod conflict_record;
 pub mod flight;
+pub mod heat;
 pub mod number;
 pub mod record;
 pub mod table;

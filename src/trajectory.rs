@@ -1,7 +1,9 @@
 //! Trajectories: piecewise polynomials with exact evaluation, the planned wrench, and when it leaves a set.
 
 pub mod checks;
+pub mod nearness;
 pub mod outside;
+pub mod risk;
 
 use crate::actuation::Wrench;
 use crate::model::Vehicle;

@@ -9,10 +9,12 @@ use crate::admissible::diagnose::diagnose;
 use crate::certificate;
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
+use crate::model::MAX_ROUNDS;
 use crate::model::{Mission, Model};
+use crate::planner::compare::rounds;
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
-use crate::report::record::Record;
+use crate::report::record::{Record, RoundRecord};
 use crate::report::{terminal, trajectory_csv};
 use std::path::Path;
 use std::time::Instant;
@@ -32,7 +34,8 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         return refused(&loaded, &model, report.as_ref());
     };
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
-    let explanation = if solved { None } else { why(&model, &mission, options) };
+    // Where only the required risk is not met there is a plan for every statement that could be blamed.
+    let explanation = if solved || !comparison.trade_off.is_empty() { None } else { why(&model, &mission, options) };
     let certified = proof.as_ref().map(|target| {
         let begin = Instant::now();
         let certificate = certificate::of(&model, &mission, &comparison, loaded.sha256());
@@ -60,10 +63,11 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         let record = Record { conflict, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
         results.push((target, json(&record)?));
     }
-    // A result that goes to standard output has it to itself.
-    let text = terminal::plan(&model, &mission, &comparison);
-    let takes_stdout = |(target, _): &(&Target, String)| target.is_stdout();
-    let told = !results.iter().any(takes_stdout);
+    // A result that goes to standard output has it to itself, and the text goes to standard error.
+    let stdout = !results.iter().any(|(target, _)| target.is_stdout());
+    let color = if stdout { spec::colored(&std::io::stdout()) } else { spec::colored(&std::io::stderr()) };
+    let text = terminal::plan(&model, &mission, &comparison, color);
+    let told = stdout;
     if told {
         files::print(&text)?;
     }
@@ -85,18 +89,25 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
 }
 
 pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
+    let wanted = args.rounds.as_deref().map(parse_rounds).transpose()?;
     let (_, report) = targets(None, args.report.as_deref())?;
     let mut loaded = spec::read(&args.spec, options)?;
     spare(&loaded, &[&report])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
-    let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Everything, options) else {
+    let Some(mut comparison) = plan_for(&loaded, &model, &mission, Scope::Everything, options) else {
         return refused(&loaded, &model, report.as_ref());
     };
+    let rounds = wanted.map(|(first, last)| rounds::rounds(&model, &mission, &mut comparison, first, last));
     if !report.as_ref().is_some_and(Target::is_stdout) {
-        files::print(&terminal::compare(&model, &mission, &comparison))?;
+        files::print(&terminal::compare(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
+        if let Some(rounds) = &rounds {
+            files::print(&terminal::rounds(&mission, &comparison, rounds))?;
+        }
     }
     if let Some(target) = &report {
-        write(&[(target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?)])?;
+        let rounds = rounds.map(|all| all.iter().map(|r| RoundRecord::new(&mission, r)).collect());
+        let record = Record { rounds, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
+        write(&[(target, json(&record)?)])?;
     }
     let any = |wanted: fn(&Ending) -> bool| comparison.runs.iter().any(|r| wanted(&r.ending));
     Ok(if any(|e| matches!(e, Ending::Inconclusive { .. })) {
@@ -208,6 +219,17 @@ pub(super) fn refused(loaded: &Loaded, model: &Model, report: Option<&Target>) -
 pub(super) fn json(record: &impl serde::Serialize) -> Result<String, Problem> {
     let text = serde_json::to_string_pretty(record).map_err(|e| format!("cannot write the report: {e}"))?;
     Ok(text + "\n")
+}
+
+/// `0..5` or `3`, both ends included.
+fn parse_rounds(text: &str) -> Result<(usize, usize), Problem> {
+    let (first, last) = text.split_once("..").unwrap_or((text, text));
+    let whole = |t: &str| t.trim().parse::<usize>().ok().filter(|n| *n <= MAX_ROUNDS);
+    match (whole(first), whole(last)) {
+        (Some(a), Some(b)) if a <= b => Ok((a, b)),
+        (Some(_), Some(_)) => Err(format!("--rounds {text}: the first number is the smaller one, as in 0..5")),
+        _ => Err(format!("--rounds {text}: write whole numbers up to {MAX_ROUNDS}, such as 0..5")),
+    }
 }
 
 /// `100Hz`, `100 Hz` or `0.5kHz`, as Hz.

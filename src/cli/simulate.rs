@@ -29,7 +29,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let Some(Ending::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
         // Where nothing is flown the report is that of the plan.
         if !report.as_ref().is_some_and(Target::is_stdout) {
-            files::print(&terminal::plan(&model, &mission, &comparison))?;
+            files::print(&terminal::plan(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
         }
         if let Some(target) = &report {
             write(&[(target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?)])?;

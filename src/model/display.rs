@@ -219,6 +219,12 @@ fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Resul
         MissionTime::Fixed(time) => writeln!(f, "  time {} s", number(time))?,
     }
     writeln!(f, "  samples {}", p.samples)?;
+    if p.rounds != 1 {
+        writeln!(f, "  rounds {}", p.rounds)?;
+    }
+    if let Some(bound) = p.require_risk {
+        writeln!(f, "  risk at most {}", number(bound))?;
+    }
     writeln!(f, "  reserve {} %", number(p.reserve * 100.0))?;
     writeln!(f, "  snap {}, acceleration {}", number(p.snap_weight), number(p.acceleration_weight))
 }

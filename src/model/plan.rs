@@ -1,6 +1,7 @@
 //! The `plan` block and its defaults.
 
 mod against;
+mod require;
 
 use super::context::Context;
 use super::due::Due;
@@ -13,13 +14,17 @@ use crate::report::number::number;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 
+/// Most rounds of selection.
+pub const MAX_ROUNDS: usize = 100;
+
 /// Most intervals of one plan.
 pub const MAX_SAMPLES: usize = 100_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-const FIELDS: [&str; 14] = [
+const FIELDS: [&str; 15] = [
     "model",
     "planner",
+    "rounds",
     "against",
     "time",
     "within",
@@ -39,6 +44,7 @@ const RESERVE: (f64, &str, &str) = (0.1, "10 %", "a share of each set stays free
 const WITHIN: (f64, &str, &str) = (0.05, "5 cm", "how closely each waypoint is met");
 const YAW_WITHIN: (f64, &str, &str) = (std::f64::consts::PI / 90.0, "2 deg", "how closely each yaw is met");
 const SAMPLES: (usize, &str, &str) = (200, "200", "intervals of the whole mission");
+const ROUNDS: (usize, &str, &str) = (1, "1", "how often rsp selects facets");
 const WEIGHT: (f64, &str, &str) = (1.0, "1", "weight of the squared distance to each waypoint");
 const SNAP: (f64, &str, &str) = (1e-4, "1e-4", "weight of horizontal snap");
 const ACCELERATION: (f64, &str, &str) = (1e-4, "1e-4", "weight of vertical and yaw acceleration");
@@ -48,6 +54,8 @@ pub(super) struct Draft<'a> {
     fields: Option<Fields<'a>>,
     /// `against`, which may be a filter, is read by itself.
     against: Option<&'a Field>,
+    /// `require risk`, and whether it could be read.
+    require: Option<(Option<f64>, Span)>,
     /// Whether some statement of the block could not be read.
     broken: bool,
     /// Whether the planner chooses waypoint times.
@@ -61,6 +69,7 @@ impl<'a> Draft<'a> {
         let mut draft = Draft {
             fields: None,
             against: None,
+            require: None,
             broken: false,
             chooses_times: false,
             span: None,
@@ -70,6 +79,7 @@ impl<'a> Draft<'a> {
         draft.span = Some(block.keyword.span);
         draft.broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
         let mut fields = Fields::of_block(cx, "`plan`".into(), block.keyword.span, &[], &FIELDS);
+        draft.require = require::read(cx, &block.body);
         for statement in &block.body {
             let Statement::Field(field) = statement else {
                 continue;
@@ -193,10 +203,18 @@ impl<'a> Draft<'a> {
                 Some(self.default("against", (all, "all", "every declared fault mode")))
             }
         };
+        let require = match self.require {
+            Some((bound, place)) => require::check(cx, bound, place, planner, against.as_deref(), modes).map(Some),
+            None => Some(None),
+        };
         let time = self.time(cx);
         let samples = match self.get("samples") {
             Some(e) => cx.whole("`samples`", e, 1..=MAX_SAMPLES, "mavc::plan::samples"),
             None => Some(self.default("samples", SAMPLES)),
+        };
+        let rounds = match self.get("rounds") {
+            Some(e) => cx.whole("`rounds`", e, 0..=MAX_ROUNDS, "mavc::plan::rounds"),
+            None => Some(self.default("rounds", ROUNDS)),
         };
         let reserve = match self.get("reserve") {
             Some(e) => self.reserve(cx, e),
@@ -218,13 +236,15 @@ impl<'a> Draft<'a> {
                 check_time(cx, time, time_span, mission);
             }
         }
-        let plan = match (planner, wrench, against, time, samples, reserve, snap, acceleration) {
+        let plan = match (planner, wrench, against, time, samples, rounds, require, reserve, snap, acceleration) {
             (
                 Some(planner),
                 Some(model),
                 Some(against),
                 Some(time),
                 Some(samples),
+                Some(rounds),
+                Some(require_risk),
                 Some(reserve),
                 Some(snap_weight),
                 Some(acceleration_weight),
@@ -235,6 +255,9 @@ impl<'a> Draft<'a> {
                 against,
                 time,
                 samples,
+                rounds,
+                require_risk,
+                require_span: self.require.map_or(span, |r| r.1),
                 reserve,
                 snap_weight,
                 acceleration_weight,

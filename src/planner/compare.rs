@@ -2,7 +2,10 @@
 
 mod common;
 mod everything;
+pub mod protect;
+pub mod rounds;
 
+use self::protect::Addition;
 use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
 use super::search::{Hint, NoTime, Shortest};
@@ -54,6 +57,13 @@ pub struct Solved {
     pub infeasible_above: Vec<f64>,
 }
 
+impl Solved {
+    /// The smallest margin to any mode's set, in widths of the healthy set; `None` without modes.
+    pub fn smallest_margin(&self) -> Option<f64> {
+        self.outside.iter().map(|o| -o.max_violation).min_by(f64::total_cmp)
+    }
+}
+
 #[derive(Debug, Clone)]
 pub struct PlannerRun {
     pub planner: PlannerKind,
@@ -73,8 +83,13 @@ pub struct Comparison {
     pub runs: Vec<PlannerRun>,
     /// T_d, s: the spec's time, else the joint RCP's shortest, else the largest single-mode one.
     pub common_time: Option<f64>,
-    /// Facets (of `against` modes) that the RIP plan violates at T_d, as rows.
+    /// Each mode's set alone, in the order of `modes`.
+    pub sets: Vec<PlanningSet>,
+    /// Facets (of `against` modes) that RSP selects at T_d, as rows: those the RIP plan violates, and with more rounds those
+    /// that the plans of the rounds before violate.
     pub selected: Vec<SetRow>,
+    /// Where the spec requires a risk: the plan without protection, then what each addition gives.
+    pub trade_off: Vec<Addition>,
     pub effort: Effort,
 }
 
@@ -116,7 +131,10 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
     let mission = timed.as_ref().unwrap_or(mission);
     let setting = Setting::new(model, mission, progress);
     match scope {
-        Scope::Plan => setting.plan(),
+        Scope::Plan => match model.plan.require_risk {
+            Some(bound) => setting.protect(bound),
+            None => setting.plan(),
+        },
         Scope::Common => setting.at_common_time(),
         Scope::Everything => setting.everything(),
     }
@@ -254,9 +272,11 @@ impl<'a> Setting<'a> {
     fn begun(&self) -> Comparison {
         Comparison {
             modes: self.sets.names.clone(),
+            sets: self.sets.modes.clone(),
             runs: Vec::new(),
             common_time: self.fixed_time(),
             selected: Vec::new(),
+            trade_off: Vec::new(),
             effort: Effort::default(),
         }
     }
@@ -340,8 +360,8 @@ impl<'a> Setting<'a> {
         out.effort += effort;
         match decision {
             Decision::Feasible(planned) => {
-                out.selected = self.violated(&planned);
-                Ok((self.sets.rip.with(out.selected.clone()), planned))
+                let set = self.select(time, &planned, out);
+                Ok((set, planned))
             }
             _ => Err(self.common(time, &decision)),
         }

@@ -3,8 +3,11 @@
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use crate::model::{Mission, Model};
+use crate::planner::compare::protect::{Addition, Protection};
+use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
 use crate::planner::hover_model::YAW;
+use crate::trajectory::risk::rated_risk;
 use serde::Serialize;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -18,6 +21,89 @@ pub struct Record {
     pub planners: Vec<PlannerRecord>,
     /// Why `mavc plan` has no plan, where it could tell.
     pub conflict: Option<ConflictRecord>,
+    /// Numbers of rounds side by side, where `mavc compare --rounds` asked for them.
+    pub rounds: Option<Vec<RoundRecord>>,
+    /// Under `require risk`: the plan without protection, then after each addition of the greedy choice.
+    pub trade_off: Option<Vec<AdditionRecord>>,
+}
+
+/// One step of the greedy choice.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AdditionRecord {
+    /// `nothing`, `facets`, `mode` or `all`.
+    pub added: &'static str,
+    /// Whose facets or set; `None` for nothing and for all.
+    pub mode: Option<String>,
+    /// How many facets, where facets were added.
+    pub facets: Option<usize>,
+    pub time_s: f64,
+    pub risk: f64,
+}
+
+impl AdditionRecord {
+    fn new(step: &Addition) -> Self {
+        let (added, mode, facets) = match &step.added {
+            Protection::Nothing => ("nothing", None, None),
+            Protection::Facets { mode, facets } => ("facets", Some(mode.clone()), Some(*facets)),
+            Protection::Mode { mode } => ("mode", Some(mode.clone()), None),
+            Protection::All => ("all", None, None),
+        };
+        AdditionRecord { added, mode, facets, time_s: step.time, risk: step.risk }
+    }
+}
+
+/// What one number of rounds of selection gives.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RoundRecord {
+    pub rounds: usize,
+    /// Facets selected at T_d.
+    pub selected: usize,
+    /// Of the plan at T_d.
+    pub status: &'static str,
+    pub objective: Option<f64>,
+    pub position_error_m: Option<f64>,
+    pub yaw_error_rad: Option<f64>,
+    /// Over all modes, in widths of the healthy set.
+    pub smallest_margin: Option<f64>,
+    /// Of each mode, in the order of `against`.
+    pub outside_s: Vec<f64>,
+    /// The shortest time found, with the selection redone there.
+    pub own_time_s: Option<f64>,
+}
+
+impl RoundRecord {
+    pub fn new(mission: &Mission, round: &Round) -> Self {
+        let solved = |ending: &Ending| match ending {
+            Ending::Solved(s) => Some(s.as_ref().clone()),
+            _ => None,
+        };
+        let common = solved(&round.common);
+        let e = common.as_ref().map(|s| errors(mission, s));
+        RoundRecord {
+            rounds: round.rounds,
+            selected: round.selected,
+            status: status(&round.common),
+            objective: common.as_ref().map(|s| s.objective),
+            position_error_m: e.map(|e| e.position),
+            yaw_error_rad: e.map(|e| e.yaw),
+            smallest_margin: common.as_ref().and_then(Solved::smallest_margin),
+            outside_s: common.iter().flat_map(|s| s.outside.iter().map(|o| o.seconds)).collect(),
+            own_time_s: solved(&round.own).map(|s| s.time),
+        }
+    }
+}
+
+fn status(ending: &Ending) -> &'static str {
+    match ending {
+        Ending::Solved(_) => "solved",
+        Ending::Infeasible { .. } => "infeasible",
+        Ending::Inconclusive { .. } => "inconclusive",
+    }
+}
+
+/// The failure rates of the modes that the plan must stand, 1/s, in the order of `against`.
+pub fn rates(model: &Model) -> Vec<Option<f64>> {
+    model.plan.against.iter().map(|&mode| model.modes[mode].rate).collect()
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -38,6 +124,8 @@ pub struct PlannerRecord {
     /// Facet rows imposed: those of the planning set at every node.
     pub rows: usize,
     pub modes: Vec<ModeRecord>,
+    /// Over the modes that have a rate, taken as independent; `None` where none has.
+    pub risk: Option<f64>,
     /// Where the plan is not what it seems.
     pub warnings: Vec<Caveat>,
 }
@@ -51,6 +139,8 @@ pub struct ModeRecord {
     pub max_violation: f64,
     pub outside_s: f64,
     pub last_outside_s: Option<f64>,
+    /// Until the last instant outside, s; 0 where there is none.
+    pub committed_s: f64,
 }
 
 /// Waypoint errors of a plan.
@@ -79,6 +169,7 @@ pub fn errors(mission: &Mission, solved: &Solved) -> Errors {
 impl Record {
     pub fn new(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Self {
         let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
+        let steps = || comparison.trade_off.iter().map(AdditionRecord::new).collect();
         Record {
             schema: 1,
             spec_sha256,
@@ -86,6 +177,8 @@ impl Record {
             reserve: model.plan.reserve,
             planners,
             conflict: None,
+            rounds: None,
+            trade_off: (!comparison.trade_off.is_empty()).then(steps),
         }
     }
 }
@@ -106,6 +199,7 @@ impl Record {
             max_waypoint_error_m: None,
             rows: 0,
             modes: Vec::new(),
+            risk: None,
             warnings: Vec::new(),
         };
         Record {
@@ -115,6 +209,8 @@ impl Record {
             reserve: model.plan.reserve,
             planners: vec![planner],
             conflict: None,
+            rounds: None,
+            trade_off: None,
         }
     }
 }
@@ -132,18 +228,18 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             Run::Common => "common",
         },
         time_s: None,
-        status: "solved",
+        status: status(&run.ending),
         objective: None,
         position_error_m: None,
         yaw_error_rad: None,
         max_waypoint_error_m: None,
         rows: run.set.rows.len() * nodes,
         modes: Vec::new(),
+        risk: None,
         warnings: Vec::new(),
     };
     match &run.ending {
-        Ending::Infeasible { .. } => record.status = "infeasible",
-        Ending::Inconclusive { .. } => record.status = "inconclusive",
+        Ending::Infeasible { .. } | Ending::Inconclusive { .. } => {}
         Ending::Solved(solved) => {
             let e = errors(mission, solved);
             record.time_s = Some(solved.time);
@@ -151,6 +247,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             record.position_error_m = Some(e.position);
             record.yaw_error_rad = Some(e.yaw);
             record.max_waypoint_error_m = Some(e.largest);
+            record.risk = rated_risk(&rates(model), &solved.outside);
             record.warnings = caveats(model, solved);
             record.modes = comparison
                 .modes
@@ -164,6 +261,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
                     max_violation: out.max_violation,
                     outside_s: out.seconds,
                     last_outside_s: out.last,
+                    committed_s: out.committed(),
                 })
                 .collect();
         }

@@ -1,15 +1,19 @@
 //! Reports for people.
 
 use super::caveats::caveats;
+use super::heat;
 use super::number::{fixed, number, percent, significant};
-use super::record::errors;
+use super::record::{errors, rates};
 use super::table::Table;
 use crate::admissible::parallel::{Parallel, least_angle};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::model::{Allocation, Mission, Model, PlanModel, PlannerKind};
+use crate::planner::compare::protect::{Protection, UNMET};
+use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
+use crate::trajectory::risk::rated_risk;
 
 /// Columns of running text.
 pub const WIDTH: usize = 110;
@@ -43,11 +47,14 @@ fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     out
 }
 
-/// The report of `mavc plan`: the last run is the one written out.
-pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+/// The report of `mavc plan`: the last run is the one written out. `color`: whether strips are coloured.
+pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
-    if let Some(time) = comparison.common_time.filter(|_| solved && model.plan.planner == PlannerKind::Rsp) {
+    if let Some(time) = comparison
+        .common_time
+        .filter(|_| solved && model.plan.planner == PlannerKind::Rsp && model.plan.require_risk.is_none())
+    {
         out.push_str(&match comparison.selected.len() {
             0 => format!(
                 "RSP guards nothing more than RIP: the RIP plan at {} s stays inside every fault set\n",
@@ -57,16 +64,39 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison) -> String
             n => format!("RSP guards {n} facets of the fault sets: those the RIP plan at {} s passes\n", number(time)),
         });
     }
+    if let Some(bound) = model.plan.require_risk {
+        out.push_str(&trade_off(comparison, bound));
+    }
     for run in &comparison.runs {
         out.push('\n');
         match &run.ending {
-            Ending::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved)),
+            Ending::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved, color)),
             ending => {
                 out.push_str(&format!("{}: {}\n", label(run.planner, &run.against), no_plan(model, run, ending)));
             }
         }
     }
     out
+}
+
+/// What each addition of the greedy choice costs and brings.
+fn trade_off(comparison: &Comparison, bound: f64) -> String {
+    let mut table = Table::new(&["protected", "T [s]", "risk"]);
+    for step in &comparison.trade_off {
+        let added = match &step.added {
+            Protection::Nothing => "nothing".to_string(),
+            Protection::Facets { mode, facets: 1 } => format!("and 1 facet of {mode}"),
+            Protection::Facets { mode, facets } => format!("and {facets} facets of {mode}"),
+            Protection::Mode { mode } => format!("and {mode}"),
+            Protection::All => "all modes".to_string(),
+        };
+        table.row(vec![added, number(step.time), significant(step.risk, 3)]);
+    }
+    format!(
+        "\nWhat to protect for a risk of at most {}, chosen greedily, modes taken as independent\n{}",
+        number(bound),
+        table.render(2)
+    )
 }
 
 /// Why a run ended without a plan. What is proved is proved of motions with the spec's samples.
@@ -80,6 +110,10 @@ pub fn no_plan(model: &Model, run: &PlannerRun, ending: &Ending) -> String {
         (Ending::Infeasible { at }, Run::Own) => {
             format!("no plan with {samples} samples at any time tried, up to {} s (each proved)", number(*at))
         }
+        (Ending::Inconclusive { at, status }, _) if status == UNMET => format!(
+            "no plan found that keeps the required risk, up to {} s; that there is none is not shown",
+            number(*at)
+        ),
         (Ending::Inconclusive { at, status }, _) if status == NOT_FOUND => {
             format!("no plan found with {samples} samples at {} s; that there is none is not shown", number(*at))
         }
@@ -90,7 +124,14 @@ pub fn no_plan(model: &Model, run: &PlannerRun, ending: &Ending) -> String {
     }
 }
 
-fn solved_run(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun, solved: &Solved) -> String {
+fn solved_run(
+    model: &Model,
+    mission: &Mission,
+    comparison: &Comparison,
+    run: &PlannerRun,
+    solved: &Solved,
+    color: bool,
+) -> String {
     let e = errors(mission, solved);
     let mut out = format!("{}: {} s", label(run.planner, &run.against), number(solved.time));
     match (run.run, solved.infeasible_at) {
@@ -116,6 +157,9 @@ fn solved_run(model: &Model, mission: &Mission, comparison: &Comparison, run: &P
     if !comparison.modes.is_empty() {
         out.push_str("\n  If a fault strikes, when is the plan outside what is left?\n");
         out.push_str(&mode_table(comparison, solved).render(2));
+        out.push_str(&risk_lines(model, solved));
+        out.push_str("\n  How near the plan comes to the edge of what is left, in shares of the healthy set's width\n");
+        out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
     }
     if !solved.infeasible_above.is_empty() {
         let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();
@@ -128,6 +172,70 @@ fn solved_run(model: &Model, mission: &Mission, comparison: &Comparison, run: &P
         let text = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
         out.push_str(&format!("\n{}\n", textwrap::fill(&caveat.message, text)));
     }
+    out
+}
+
+/// What the modes' rates make of the last instants outside; nothing where no mode has a rate.
+fn risk_lines(model: &Model, solved: &Solved) -> String {
+    let rates = rates(model);
+    let Some(risk) = rated_risk(&rates, &solved.outside) else { return String::new() };
+    let without = rates.iter().filter(|r| r.is_none()).count();
+    let unrated = match without {
+        0 => String::new(),
+        1 => " 1 mode has no rate and does not count.".to_string(),
+        n => format!(" {n} modes have no rate and do not count."),
+    };
+    let text = format!(
+        "Risk {}: that some mode strikes before its last instant outside, and so meets that excursion if the mission goes \
+         on. Modes are taken as independent.{unrated}",
+        significant(risk, 3)
+    );
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    format!("\n{}\n", textwrap::fill(&text, options))
+}
+
+/// What `mavc compare --rounds` adds: each number of rounds at T_d, and its own shortest time.
+pub fn rounds(mission: &Mission, comparison: &Comparison, rounds: &[Round]) -> String {
+    let Some(common) = comparison.common_time else {
+        return "\nNo mode has a plan at any time, so there is no time to select facets at.\n".into();
+    };
+    let mut out = format!("\nRounds of selection, at T_d = {} s; 0 is RIP, 1 the paper's RSP\n", number(common));
+    let mut table = Table::new(&[
+        "rounds",
+        "facets",
+        "e_R [m]",
+        "e_psi [rad]",
+        "largest [cm]",
+        "objective",
+        "margin",
+        "outside [s]",
+        "own T [s]",
+    ]);
+    for round in rounds {
+        let mut cells = vec![round.rounds.to_string(), round.selected.to_string()];
+        match &round.common {
+            Ending::Solved(s) => {
+                let e = errors(mission, s);
+                cells.extend([significant(e.position, 4), significant(e.yaw, 3), significant(100.0 * e.largest, 3)]);
+                cells.push(number(s.objective));
+                cells.push(s.smallest_margin().map_or("-".into(), percent));
+                cells.push(fixed(s.outside.iter().map(|o| o.seconds).fold(0.0, f64::max), 2));
+            }
+            Ending::Infeasible { .. } => cells.extend(["infeasible", "", "", "", "", ""].map(String::from)),
+            Ending::Inconclusive { .. } => cells.extend(["no verdict", "", "", "", "", ""].map(String::from)),
+        }
+        cells.push(match &round.own {
+            Ending::Solved(s) => number(s.time),
+            Ending::Infeasible { .. } => "infeasible".into(),
+            Ending::Inconclusive { .. } => "none found".into(),
+        });
+        table.row(cells);
+    }
+    out.push_str(&table.render(2));
+    out.push_str(
+        "  margin: the smallest over all modes, in shares of the healthy set's width; outside: the longest over the modes.\n  \
+         Each own time was found with the selection redone there; 0.05 s below it no such plan was found.\n",
+    );
     out
 }
 
@@ -152,7 +260,9 @@ fn mode_table(comparison: &Comparison, solved: &Solved) -> Table {
 }
 
 /// The tables of section 5.4 for any spec.
-pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+///
+/// `color`: whether strips are coloured.
+pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
     out.push_str("\nEach planner at its own shortest time (as Tables 8, 10, 12)\n");
     out.push_str(&run_table(mission, comparison, Run::Own).render(2));
@@ -164,7 +274,22 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison) -> Str
     if !comparison.modes.is_empty() {
         for (run, title) in [(Run::Own, "at its own shortest time"), (Run::Common, "at T_d")] {
             out.push_str(&format!("\nSeconds outside each mode's set, and the last instant outside, {title}\n"));
-            out.push_str(&outside_table(comparison, run).render(2));
+            out.push_str(&outside_table(model, comparison, run).render(2));
+        }
+        if rates(model).iter().any(Option::is_some) {
+            out.push_str(
+                "  risk: that some mode with a rate strikes before its last instant outside, if the mission goes on; modes are\n  \
+                 taken as independent.\n",
+            );
+        }
+        out.push_str(
+            "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
+        );
+        for run in comparison.runs.iter().filter(|r| r.run == Run::Common) {
+            if let Ending::Solved(solved) = &run.ending {
+                out.push_str(&format!("  {}\n", name_of(run)));
+                out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
+            }
         }
     }
     if !comparison.modes.is_empty() {
@@ -183,6 +308,14 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison) -> Str
     out
 }
 
+/// `RIP`, `RCP M1`, `RCP jointly`, `RSP`.
+fn name_of(run: &PlannerRun) -> String {
+    match (run.planner, run.against.len()) {
+        (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
+        _ => label(run.planner, &run.against),
+    }
+}
+
 fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
     let mut table = Table::new(&[
         "planner",
@@ -196,10 +329,7 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
     ]);
     let n = mission.waypoints.len() as f64;
     for run in comparison.runs.iter().filter(|r| r.run == which) {
-        let name = match (run.planner, run.against.len()) {
-            (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
-            _ => label(run.planner, &run.against),
-        };
+        let name = name_of(run);
         let rows = run.set.rows.len().to_string();
         match &run.ending {
             Ending::Solved(s) => {
@@ -222,21 +352,23 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
     table
 }
 
-fn outside_table(comparison: &Comparison, which: Run) -> Table {
+fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
     let mut headings = vec!["planner"];
     headings.extend(comparison.modes.iter().map(String::as_str));
+    let rates = rates(model);
+    if rates.iter().any(Option::is_some) {
+        headings.push("risk");
+    }
     let mut table = Table::new(&headings);
     for run in comparison.runs.iter().filter(|r| r.run == which) {
         let Ending::Solved(s) = &run.ending else { continue };
-        let name = match (run.planner, run.against.len()) {
-            (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
-            _ => label(run.planner, &run.against),
-        };
+        let name = name_of(run);
         let mut cells = vec![name];
         cells.extend(s.outside.iter().map(|o| match o.last {
             None => "0".to_string(),
             Some(last) => format!("{} ({})", fixed(o.seconds, 2), fixed(last, 2)),
         }));
+        cells.extend(rated_risk(&rates, &s.outside).map(|r| significant(r, 3)));
         table.row(cells);
     }
     table

@@ -120,6 +120,12 @@ pub enum Statement {
     },
     /// In `simulate`: `fault M1_6 at 5 s until 9 s`. The name is always there.
     Strike(Clauses),
+    /// In `plan`: `require risk <= 1e-6`
+    Require {
+        name: Name,
+        at_most: Expr,
+        span: Span,
+    },
     /// In `limits`: `speed <= 8 m/s`, `altitude in 1 m .. 30 m`.
     Limit {
         name: Name,

@@ -170,6 +170,7 @@ impl Builder<'_> {
             }
             Rule::field => (Statement::Field(parts.field(span, doc)?), Kind::Field),
             Rule::limit => (parts.limit(span)?, Kind::Limit),
+            Rule::requirement => (parts.requirement(span)?, Kind::Require),
             Rule::fault => (parts.fault(span)?, Kind::Fault),
             Rule::every_head => (parts.every(span, doc)?, Kind::Every),
             Rule::rotor => (Statement::Rotor(parts.clauses(span, doc)?), Kind::RotorAt),

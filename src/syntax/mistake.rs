@@ -181,6 +181,7 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
         "waypoint" => "waypoint tower at [12, 3, 18] m  within 10 cm",
         "waypoints" => "waypoints from \"survey.csv\"",
         "hold" => "hold 4 s",
+        "require" => "require risk <= 1e-6",
         "rotor" if matches!(place, Place::Rotors | Place::Vehicle) => "rotor at [0.2, 0.15, 0] m  spin P",
         "rotor" | "rotors" => FAULT,
         _ if place == Place::Limits => "speed <= 8 m/s",

@@ -42,6 +42,8 @@ pub(super) enum Kind {
     /// `start`, `end`, `waypoint`, `waypoints`, `hold`
     Flight,
     Limit,
+    /// `require` in `plan`.
+    Require,
 }
 
 /// The braced blocks: keyword, whether it has a name, the block around it.
@@ -66,6 +68,7 @@ const OPENERS: &[(Place, &[&str])] = &[
     (Place::Faults, &["every", "mode"]),
     (Place::Mode, &["rotor", "rotors"]),
     (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits"]),
+    (Place::Plan, &["require"]),
     (Place::Simulate, &["fault"]),
 ];
 
@@ -192,6 +195,7 @@ impl Kind {
             Kind::Fault => Some(Place::Mode),
             Kind::RotorAt => Some(Place::Rotors),
             Kind::Strike => Some(Place::Simulate),
+            Kind::Require => Some(Place::Plan),
             Kind::Curve | Kind::Flight => Some(Place::Mission),
             Kind::Limit => Some(Place::Limits),
         }

@@ -109,6 +109,7 @@ fn print_statement(f: &mut Formatter<'_>, depth: usize, statement: &Statement) -
         }
         Statement::Hold { duration, .. } => writeln!(f, "hold {duration}"),
         Statement::WaypointsFrom { path, .. } => writeln!(f, "waypoints from \"{}\"", path.value),
+        Statement::Require { name, at_most, .. } => writeln!(f, "require {} <= {at_most}", name.value),
         Statement::Limit { name, relation, .. } => writeln!(f, "{} {relation}", name.value),
         Statement::Broken(_) => writeln!(f, "{UNREADABLE}"),
     }

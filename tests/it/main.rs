@@ -20,6 +20,8 @@ mod programs;
 mod pseudo_inverse;
 mod render;
 mod reproduction;
+mod risk;
+mod rounds;
 mod schemas;
 mod simulate;
 mod stages;

@@ -23,10 +23,7 @@ impl Setting<'_> {
         out.effort += effort;
         let ending = self.common(time, &rip_decision);
         let rsp_set = match &rip_decision {
-            Decision::Feasible(planned) => {
-                out.selected = self.violated(planned);
-                self.sets.rip.with(out.selected.clone())
-            }
+            Decision::Feasible(planned) => self.select(time, planned, &mut out),
             _ => self.sets.rip.clone(),
         };
         // Where nothing is selected RSP's plan is RIP's, and where RIP has none RSP has nothing to select by.

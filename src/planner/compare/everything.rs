@@ -48,14 +48,15 @@ impl Setting<'_> {
         for (against, set, found) in &conservative {
             runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
         }
-        let mut selected = Vec::new();
+        let mut out = Comparison { runs, common_time, effort, ..self.begun() };
         if let Some(at) = common_time {
             let (decision, spent) = self.at_or_own("RIP", &self.sets.rip, at, &rip);
-            effort += spent;
-            if let Decision::Feasible(planned) = &decision {
-                selected = self.violated(planned);
-            }
-            let rsp_set = self.sets.rip.with(selected.clone());
+            out.effort += spent;
+            let rsp_set = match &decision {
+                Decision::Feasible(planned) => self.select(at, planned, &mut out),
+                _ => self.sets.rip.clone(),
+            };
+            let selected = &out.selected;
             let mut common =
                 vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.sets.rip)];
             let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
@@ -84,16 +85,16 @@ impl Setting<'_> {
                     conservative.par_iter().map(work).collect::<Vec<_>>()
                 },
             );
-            effort += rsp_effort;
+            out.effort += rsp_effort;
             for (run, spent) in others {
                 common.push(run);
-                effort += spent;
+                out.effort += spent;
             }
-            runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, self.own(&rsp), &rsp_set));
+            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, self.own(&rsp), &rsp_set));
             common.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp_common, &rsp_set));
-            runs.extend(common);
+            out.runs.extend(common);
         }
-        Comparison { modes: self.sets.names.clone(), runs, common_time, selected, effort }
+        out
     }
 
     /// RIP's search, or a further one where another set's plan is shorter: no set is larger than the healthy one, so

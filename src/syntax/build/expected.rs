@@ -46,6 +46,7 @@ fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
         _ if has_body => Rule::strict_block,
         _ if place == Place::Limits => Rule::strict_limit,
         _ if is_field => Rule::strict_field,
+        "require" if place == Place::Plan => Rule::strict_require,
         "use" => Rule::strict_import,
         "let" => Rule::strict_binding,
         "hold" => Rule::strict_hold,

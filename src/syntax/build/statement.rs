@@ -74,6 +74,13 @@ impl<'i> Parts<'i> {
         Ok(Statement::Limit { name, relation, span })
     }
 
+    pub fn requirement(&mut self, span: Span) -> Built<Statement> {
+        self.skip(Rule::kw_require);
+        let name = self.name();
+        self.skip(Rule::at_most);
+        Ok(Statement::Require { name, at_most: self.expr()?, span })
+    }
+
     pub fn fault(&mut self, span: Span) -> Built<Statement> {
         self.next();
         Ok(Statement::Fault { rotors: self.expr()?, effect: self.effect()?, span })

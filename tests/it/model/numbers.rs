@@ -164,6 +164,7 @@ fn defaults_are_listed() {
             "plan.against",
             "plan.time",
             "plan.samples",
+            "plan.rounds",
             "plan.snap",
             "plan.acceleration"
         ]

@@ -1,0 +1,82 @@
+//! `require risk <= 1e-6`: what a plan must hold to, whatever it takes.
+
+use crate::diagnostic::Diagnostic;
+use crate::model::context::Context;
+use crate::model::due::Due;
+use crate::model::{FaultMode, PlannerKind};
+use crate::report::number::number;
+use crate::source::Span;
+use crate::syntax::ast::Statement;
+
+const CODE: &str = "mavc::plan::require";
+
+/// The statement's bound, `None` where it has an error, and its place.
+pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(Option<f64>, Span)> {
+    let mut found: Option<(Option<f64>, Span)> = None;
+    for statement in body {
+        let Statement::Require { name, at_most, span } = statement else { continue };
+        if let Some((_, first)) = found {
+            let error = Diagnostic::error("mavc::name::duplicate", *span, "`require` is given twice in `plan`");
+            cx.report(error.here("given again").also(first, "first given here").help("keep the smaller bound"));
+            continue;
+        }
+        let bound = match name.value.as_str() {
+            "risk" => cx.number(Due::new("risk", "1"), at_most).and_then(|value| {
+                if (0.0..1.0).contains(&value) {
+                    return Some(value);
+                }
+                let error = Diagnostic::error(CODE, at_most.span, "a risk to be kept lies from 0 to below 1");
+                let error = error.here(format!("this is {}", number(value)));
+                cx.report(error.help("write a probability for the whole mission, such as `1e-6`"));
+                None
+            }),
+            other => {
+                let error = Diagnostic::error(CODE, name.span, format!("`{other}` cannot be required"));
+                let error = error.here("only `risk` can");
+                cx.report(error.help("write `require risk <= 1e-6`; limits stand in the mission's `limits`"));
+                None
+            }
+        };
+        found = Some((bound, *span));
+    }
+    found
+}
+
+/// Whether the bound can be asked for: the planner is free to choose, and every mode has a rate.
+pub(super) fn check(
+    cx: &mut Context,
+    bound: Option<f64>,
+    place: Span,
+    planner: Option<PlannerKind>,
+    against: Option<&[usize]>,
+    modes: &[FaultMode],
+) -> Option<f64> {
+    let mut fine = true;
+    if let Some(kind) = planner.filter(|kind| *kind != PlannerKind::Rsp) {
+        let message = format!("planner {} leaves nothing to choose for `require risk`", kind.name());
+        let error = Diagnostic::error(CODE, place, message).here("chooses what to protect");
+        cx.report(error.help("take `planner` out or write `planner = rsp`"));
+        fine = false;
+    }
+    let unrated: Vec<&FaultMode> =
+        against.unwrap_or_default().iter().filter_map(|&i| modes.get(i)).filter(|m| m.rate.is_none()).collect();
+    if let Some(first) = unrated.first() {
+        let message = match unrated.as_slice() {
+            [one] => format!("mode `{}` has no rate, so its risk is unknown", one.name),
+            all => format!("{} modes have no rate, `{}` among them, so their risk is unknown", all.len(), first.name),
+        };
+        let mut error = Diagnostic::error("mavc::plan::without_rate", place, message).here("asks for a risk");
+        let mut told: Vec<Span> = Vec::new();
+        for mode in &unrated {
+            if !told.contains(&mode.span) && told.len() < 3 {
+                told.push(mode.span);
+                error = error.also(mode.span, "without a rate");
+            }
+        }
+        cx.report(
+            error.help("give each mode its failure rate, such as `rate = 1e-5 1/h`, or leave it out of `against`"),
+        );
+        fine = false;
+    }
+    bound.filter(|_| fine)
+}

@@ -1,0 +1,189 @@
+//! `require risk <= bound`: what to protect, chosen greedily.
+//!
+//! Beginning with the healthy set alone, each step tries, for the modes that weigh most, the facets that the plan passes and
+//! the mode's whole set, and adds what takes away most risk per second of mission time. Greedy: a cleverer order or choice
+//! may need less time, and none is claimed to be the shortest.
+
+use super::{Comparison, Ending, Run, Setting, Solved, planned_of};
+use crate::model::PlannerKind;
+use crate::planner::rows::{Decision, Planned, Pool};
+use crate::planner::search::Hint;
+use crate::planner::select::{PlanningSet, SetRow};
+use crate::solve::Effort;
+use crate::trajectory::risk::risk;
+use rayon::prelude::*;
+
+/// Modes tried in a step: those that weigh most.
+const MOST_MODES: usize = 4;
+
+/// What is said where the required risk is not met.
+pub const UNMET: &str = "the required risk is not met";
+
+/// What a step protects.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Protection {
+    /// The healthy set alone.
+    Nothing,
+    /// The facets of a mode's set that the plan before passes at nodes.
+    Facets { mode: String, facets: usize },
+    /// A mode's whole set.
+    Mode { mode: String },
+    /// Every mode's, where no single addition takes any risk away.
+    All,
+}
+
+/// One step of the trade-off.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Addition {
+    pub added: Protection,
+    /// Of the mission with all that is protected so far, s.
+    pub time: f64,
+    pub risk: f64,
+}
+
+/// A plan with all that is protected so far.
+struct Step {
+    added: Protection,
+    set: PlanningSet,
+    /// The modes whose whole sets are protected.
+    whole: Vec<usize>,
+    solved: Solved,
+    planned: Planned,
+    risk: f64,
+}
+
+impl Setting<'_> {
+    fn risk_of(&self, solved: &Solved) -> f64 {
+        risk(self.weights(solved))
+    }
+
+    /// Rate (1/s) and committed time (s) of each mode; one without a rate, which the spec refuses, counts for nothing.
+    fn weights(&self, solved: &Solved) -> Vec<(f64, f64)> {
+        let rates = self.model.plan.against.iter().map(|&mode| self.model.modes[mode].rate.unwrap_or(0.0));
+        rates.zip(solved.outside.iter().map(|o| o.committed())).collect()
+    }
+
+    /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before.
+    fn plan_of(&self, set: &PlanningSet, before: Option<&Step>) -> (Result<(Solved, Planned), Ending>, Effort) {
+        let begin = before.map(|step| &step.planned);
+        let time = self.fixed_time().or(before.map(|step| step.solved.time));
+        let mut effort = Effort::default();
+        let mut hint = Hint::default();
+        if let Some(time) = time {
+            let (decision, spent) = self.at("RSP", set, time, Pool::default(), begin);
+            effort += spent;
+            if let Some(planned) = planned_of(&decision) {
+                // What was shown infeasible for the larger set is so for this one.
+                let infeasible_at = before.and_then(|step| step.solved.infeasible_at);
+                return (Ok((Solved { infeasible_at, ..self.solved(time, planned) }, planned.clone())), effort);
+            }
+            if self.fixed_time().is_some() {
+                return (Err(self.common(time, &decision)), effort);
+            }
+            let infeasible = matches!(decision, Decision::Infeasible).then_some(time);
+            hint = Hint { near: Some(time), infeasible, begin: begin.map(|p| Box::new(p.clone())), ..hint };
+        }
+        let found = self.search("RSP", set, hint, Pool::default());
+        effort += found.effort;
+        let ending = self.own(&found);
+        match (ending, found.result) {
+            (Ending::Solved(solved), Ok(shortest)) => (Ok((*solved, shortest.planned)), effort),
+            (ending, _) => (Err(ending), effort),
+        }
+    }
+
+    /// What a step may add.
+    fn candidates(&self, step: &Step) -> Vec<(Protection, Vec<SetRow>, Vec<usize>)> {
+        let weights = self.weights(&step.solved);
+        let mut modes: Vec<(usize, f64)> =
+            weights.iter().enumerate().map(|(m, w)| (m, w.0 * w.1)).filter(|m| m.1 > 0.0).collect();
+        modes.retain(|m| !step.whole.contains(&m.0));
+        modes.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let mut all = Vec::new();
+        for &(m, _) in modes.iter().take(MOST_MODES) {
+            let mode = self.sets.names[m].clone();
+            let passed: Vec<SetRow> =
+                step.solved.outside[m].facets.iter().map(|&f| self.sets.modes[m].rows[f].clone()).collect();
+            if !passed.is_empty() {
+                all.push((Protection::Facets { mode: mode.clone(), facets: passed.len() }, passed, Vec::new()));
+            }
+            all.push((Protection::Mode { mode }, self.sets.modes[m].rows.clone(), vec![m]));
+        }
+        all
+    }
+
+    fn tried(
+        &self,
+        before: &Step,
+        (added, rows, modes): (Protection, Vec<SetRow>, Vec<usize>),
+    ) -> (Result<Step, Ending>, Effort) {
+        let set = before.set.with(rows);
+        let (result, effort) = self.plan_of(&set, Some(before));
+        let whole = before.whole.iter().copied().chain(modes).collect();
+        let step = result.map(|(solved, planned)| {
+            let risk = self.risk_of(&solved);
+            Step { added, set, whole, solved, planned, risk }
+        });
+        (step, effort)
+    }
+
+    /// Protects until the risk is at most `bound`.
+    pub(super) fn protect(&self, bound: f64) -> Comparison {
+        let mut out = self.begun();
+        let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
+        let finish = |mut out: Comparison, ending: Ending, set: &PlanningSet| {
+            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, which, ending, set));
+            out
+        };
+        let (first, effort) = self.plan_of(&self.sets.rip, None);
+        out.effort += effort;
+        let mut step = match first {
+            Ok((solved, planned)) => {
+                let risk = self.risk_of(&solved);
+                let set = self.sets.rip.clone();
+                Step { added: Protection::Nothing, set, whole: Vec::new(), solved, planned, risk }
+            }
+            Err(ending) => return finish(out, ending, &self.sets.rip),
+        };
+        loop {
+            out.trade_off.push(Addition { added: step.added.clone(), time: step.solved.time, risk: step.risk });
+            if step.risk <= bound {
+                out.selected = step.set.rows[self.sets.rip.rows.len().min(step.set.rows.len())..].to_vec();
+                return finish(out, Ending::Solved(Box::new(step.solved)), &step.set);
+            }
+            let tried: Vec<(Result<Step, Ending>, Effort)> =
+                self.candidates(&step).into_par_iter().map(|candidate| self.tried(&step, candidate)).collect();
+            tried.iter().for_each(|t| out.effort += t.1);
+            let gains = |next: &Step| (next.risk < step.risk).then(|| price(&step, next));
+            let best = tried
+                .into_iter()
+                .filter_map(|t| t.0.ok())
+                .filter_map(|next| Some((gains(&next)?, next)))
+                .max_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(std::cmp::Ordering::Equal));
+            let all: Vec<usize> = (0..self.sets.names.len()).collect();
+            step = match best {
+                Some((_, next)) => next,
+                None if step.whole != all => {
+                    let (joint, effort) =
+                        self.tried(&step, (Protection::All, self.sets.joint.rows.clone(), Vec::new()));
+                    out.effort += effort;
+                    match joint {
+                        Ok(next) if next.risk < step.risk => Step { whole: all, ..next },
+                        _ => return finish(out, unmet(&step), &step.set),
+                    }
+                }
+                None => return finish(out, unmet(&step), &step.set),
+            };
+        }
+    }
+}
+
+fn unmet(step: &Step) -> Ending {
+    Ending::Inconclusive { at: step.solved.time, status: UNMET.into() }
+}
+
+/// Risk taken away per second of mission time, then at all: what costs no time comes first.
+fn price(before: &Step, after: &Step) -> (f64, f64) {
+    let (gain, seconds) = (before.risk - after.risk, after.solved.time - before.solved.time);
+    (if seconds > 0.0 { gain / seconds } else { f64::INFINITY }, gain)
+}

@@ -1,0 +1,153 @@
+//! Rounds of selection, the paper's dial: step (e) of section 5.3 done again and again at one mission time.
+//!
+//! RIP is no round, RSP one. Facets are selected at all nodes. In the hover model, at a time at which RCP has a plan,
+//! rounds end at RCP's plan: each program is a relaxation of RCP's, and a plan that passes no facet solves it.
+
+use super::{Comparison, Ending, Setting};
+use crate::model::{Mission, Model};
+use crate::planner::rows::{Decision, Planned, Pool};
+use crate::planner::search::RESOLUTION;
+use crate::planner::select::{PlanningSet, SetRow};
+use crate::solve::Effort;
+use std::collections::BTreeMap;
+
+/// Steps in which a time with a plan is looked for beyond T_d, each 5 % longer.
+const MOST_STEPS: usize = 20;
+
+/// What one number of rounds gives.
+#[derive(Debug, Clone)]
+pub struct Round {
+    pub rounds: usize,
+    /// Facets of the modes' sets that are selected at T_d.
+    pub selected: usize,
+    /// At T_d.
+    pub common: Ending,
+    /// At the shortest time found at which the plan of this many rounds, selected there, exists.
+    pub own: Ending,
+}
+
+/// The plans of rounds 0, 1, ... at one time, each with the facets selected for it. Where nothing new is passed the last
+/// stands for all further rounds; where there is no plan, no further round has one.
+type Chain = Vec<(Vec<SetRow>, Decision)>;
+
+/// Rounds `first..=last` at T_d, and each at its own shortest time with the selection redone there. `common_time` is
+/// T_d; none where no mode has a plan at any time.
+pub fn rounds(model: &Model, mission: &Mission, comparison: &mut Comparison, first: usize, last: usize) -> Vec<Round> {
+    let setting = Setting::new(model, mission, None);
+    let Some(common) = comparison.common_time else { return Vec::new() };
+    let mut search = Search { setting: &setting, last, chains: BTreeMap::new(), effort: Effort::default() };
+    let at_common = setting.chain(common, last, &mut search.effort);
+    let mut found = Vec::new();
+    for k in first..=last {
+        let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
+        let own = match setting.fixed_time() {
+            Some(_) => setting.common(common, decision),
+            None => search.shortest(k, common),
+        };
+        found.push(Round { rounds: k, selected: selected.len(), common: setting.common(common, decision), own });
+    }
+    comparison.effort += search.effort;
+    found
+}
+
+struct Search<'s, 'a> {
+    setting: &'s Setting<'a>,
+    last: usize,
+    /// By mission time in multiples of [`RESOLUTION`].
+    chains: BTreeMap<i64, Chain>,
+    effort: Effort,
+}
+
+impl Search<'_, '_> {
+    fn at(&mut self, ticks: i64, rounds: usize) -> Option<&Planned> {
+        let (setting, last, effort) = (self.setting, self.last, &mut self.effort);
+        let chain = self.chains.entry(ticks).or_insert_with(|| setting.chain(seconds(ticks), last, effort));
+        super::planned_of(&chain[rounds.min(chain.len() - 1)].1)
+    }
+
+    /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, for the
+    /// selection is another at each: the time found is one below which, by [`RESOLUTION`], there is no plan.
+    fn shortest(&mut self, rounds: usize, common: f64) -> Ending {
+        let mut high = (common / RESOLUTION - 1e-6).ceil() as i64;
+        let mut tried = 0;
+        let mut low = 0;
+        while self.at(high, rounds).is_none() {
+            low = high;
+            high = (high as f64 * 1.05).ceil() as i64;
+            tried += 1;
+            if tried > MOST_STEPS {
+                return Ending::Inconclusive { at: seconds(low), status: crate::planner::successive::NOT_FOUND.into() };
+            }
+        }
+        let mut stride = 2;
+        while low == 0 {
+            let down = (high - stride).max(1);
+            match self.at(down, rounds) {
+                Some(_) if down > 1 => high = down,
+                _ => low = down,
+            }
+            stride *= 2;
+        }
+        while high - low > 1 {
+            let middle = (low + high) / 2;
+            match self.at(middle, rounds) {
+                Some(_) => high = middle,
+                None => low = middle,
+            }
+        }
+        let setting = self.setting;
+        match self.at(high, rounds) {
+            Some(planned) => Ending::Solved(Box::new(setting.solved(seconds(high), planned))),
+            None => Ending::Infeasible { at: seconds(high) },
+        }
+    }
+}
+
+fn seconds(ticks: i64) -> f64 {
+    ticks as f64 / (1.0 / RESOLUTION).round()
+}
+
+impl Setting<'_> {
+    /// Step (e) as often as the spec says, from the RIP plan at T_d: RSP's set. What is selected goes to `out`.
+    pub(super) fn select(&self, time: f64, rip: &Planned, out: &mut Comparison) -> PlanningSet {
+        let mut planned = rip.clone();
+        for round in 1..=self.model.plan.rounds {
+            if round > 1 {
+                let set = self.sets.rip.with(out.selected.clone());
+                let (decision, effort) = self.at("RSP", &set, time, Pool::default(), Some(&planned));
+                out.effort += effort;
+                match decision {
+                    Decision::Feasible(next) => planned = *next,
+                    _ => break,
+                }
+            }
+            let new = self.violated(&planned);
+            if new.is_empty() {
+                break;
+            }
+            out.selected.extend(new);
+        }
+        self.sets.rip.with(out.selected.clone())
+    }
+
+    /// Rounds 0 to `last` at one time.
+    fn chain(&self, time: f64, last: usize, effort: &mut Effort) -> Chain {
+        let mut selected: Vec<SetRow> = Vec::new();
+        let mut chain: Chain = Vec::new();
+        let mut before: Option<Planned> = None;
+        for _ in 0..=last {
+            let set = self.sets.rip.with(selected.clone());
+            let name = if chain.is_empty() { "RIP" } else { "RSP" };
+            let (decision, spent) = self.at(name, &set, time, Pool::default(), before.as_ref());
+            *effort += spent;
+            before = super::planned_of(&decision).cloned();
+            chain.push((selected.clone(), decision));
+            let new = before.as_ref().map_or(Vec::new(), |planned| self.violated(planned));
+            if new.is_empty() {
+                break;
+            }
+            selected.extend(new);
+        }
+        chain
+    }
+}

@@ -1,0 +1,38 @@
+//! How near the planned wrench comes to the edge of a set, over the flight.
+
+use super::Trajectory;
+use super::outside::PARTS;
+use crate::model::Vehicle;
+use crate::planner::select::SetRow;
+
+/// The smallest margin, in widths of the healthy set (negative outside), in each of `columns` equal parts of the
+/// flight: at the nodes, at [`PARTS`] points an interval, and at the parts' ends.
+pub fn nearness(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], columns: usize) -> Vec<f64> {
+    let step = trajectory.duration() / columns as f64;
+    let mut smallest = vec![f64::INFINITY; columns];
+    let margin = |k: usize, t: f64| {
+        let w = trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
+        rows.iter().map(|r| -r.excess(&w)).fold(f64::INFINITY, f64::min)
+    };
+    let mut note = |column: usize, m: f64| {
+        if let Some(s) = smallest.get_mut(column) {
+            *s = s.min(m);
+        }
+    };
+    for k in 0..trajectory.intervals() {
+        let (begin, end) = (trajectory.times[k], trajectory.times[k + 1]);
+        for p in 0..=PARTS {
+            let t = (end - begin) * p as f64 / PARTS as f64;
+            // The last instant belongs to the last part.
+            note((((begin + t) / step) as usize).min(columns - 1), margin(k, t));
+        }
+    }
+    for edge in 1..columns {
+        let t = step * edge as f64;
+        let k = trajectory.interval_at(t);
+        let m = margin(k, t - trajectory.times[k]);
+        note(edge - 1, m);
+        note(edge, m);
+    }
+    smallest
+}

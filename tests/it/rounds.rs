@@ -1,0 +1,135 @@
+//! Rounds of selection, and the whole family of double faults of a large vehicle.
+
+use crate::vehicles::{lost, mission, octocopter, paper_case, ring_model, viviani, waypoint};
+use mavc::admissible::{AdmissibleSet, faults_only_take};
+use mavc::model::{MissionTime, Model, PlannerKind};
+use mavc::planner::compare::rounds::rounds;
+use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
+use mavc::planner::rows::{ACCEPTED, Decision, Engine, Pool};
+use mavc::planner::select::{PlanningSet, VIOLATED};
+use mavc::trajectory::Trajectory;
+
+fn run(model: &Model, scope: Scope) -> Comparison {
+    compare(model, model.mission.as_ref().unwrap(), scope, None)
+}
+
+fn only(comparison: &Comparison) -> &Solved {
+    match &comparison.runs.last().unwrap().ending {
+        Ending::Solved(s) => s,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn planned(mut model: Model, planner: PlannerKind, count: usize) -> Comparison {
+    model.plan.planner = planner;
+    model.plan.rounds = count;
+    run(&model, Scope::Plan)
+}
+
+/// The paper's first case not far above RCP's shortest time, where one round is not enough.
+fn tight() -> Model {
+    let mut model = paper_case(PlannerKind::Rsp, &[0]);
+    model.plan.samples = 100;
+    model.plan.time = MissionTime::Fixed(16.5);
+    model
+}
+
+#[test]
+fn no_round_is_rip_one_is_rsp_and_many_end_at_rcp() {
+    let [rip, rcp] = [PlannerKind::Rip, PlannerKind::Rcp].map(|kind| planned(tight(), kind, 1));
+    let [none, one, many] = [0, 1, 30].map(|count| planned(tight(), PlannerKind::Rsp, count));
+    assert_eq!(only(&none).trajectory, only(&rip).trajectory);
+    assert!(none.selected.is_empty() && one.selected.len() < many.selected.len(), "more than one round is needed");
+    // The fixed point leaves nothing by more than what counts as a violation.
+    let (fixed, conservative) = (only(&many), only(&rcp));
+    assert!(fixed.outside[0].max_violation <= VIOLATED);
+    let relative = fixed.objective / conservative.objective - 1.0;
+    assert!(relative.abs() < 1e-3 && relative < 1e-5, "{} {}", fixed.objective, conservative.objective);
+    let apart = |a: &Trajectory, b: &Trajectory| {
+        let nodes = a.nodes.iter().zip(&b.nodes);
+        nodes.flat_map(|(p, q)| (0..3).map(move |axis| (p[axis][0] - q[axis][0]).abs())).fold(0.0, f64::max)
+    };
+    let near = apart(&fixed.trajectory, &conservative.trajectory);
+    let far = apart(&only(&rip).trajectory, &conservative.trajectory);
+    assert!(near < 1e-3 && near < 0.05 * far, "{near} {far}");
+}
+
+#[test]
+fn rounds_side_by_side() {
+    let mut model = tight();
+    model.plan.samples = 60;
+    model.plan.time = MissionTime::Minimum;
+    let mut comparison = run(&model, Scope::Everything);
+    let at = comparison.common_time.unwrap();
+    let found = rounds(&model, &viviani(), &mut comparison, 0, 3);
+    let solved = |ending: &Ending| match ending {
+        Ending::Solved(s) => Some(s.clone()),
+        _ => None,
+    };
+    assert_eq!(found.iter().map(|r| r.rounds).collect::<Vec<_>>(), [0, 1, 2, 3]);
+    // Each round imposes more, so at one time it costs no less.
+    let costs: Vec<f64> = found.iter().filter_map(|r| Some(solved(&r.common)?.objective)).collect();
+    assert!(costs.len() >= 2 && costs.windows(2).all(|w| w[1] >= w[0] * (1.0 - 1e-6)), "{costs:?}");
+    assert!(found.windows(2).all(|w| w[0].selected <= w[1].selected));
+    assert_eq!((found[0].selected, found[1].selected), (0, comparison.selected.len()));
+    let rip = comparison.runs.iter().find(|r| r.planner == PlannerKind::Rip).unwrap();
+    let Ending::Solved(rip) = &rip.ending else { panic!("RIP has a plan") };
+    let own = solved(&found[0].own).unwrap();
+    assert!((own.time - rip.time).abs() < 0.05 + 1e-9, "{} {}", own.time, rip.time);
+    // Each own time is one at which so many rounds, begun there, have a plan; and is no shorter than RIP's.
+    for round in &found[1..] {
+        let own = solved(&round.own).expect("a time at which such a plan exists");
+        assert!(own.time >= rip.time - 0.05 && own.time <= 1.1 * at, "{}", own.time);
+        let mut there = model.clone();
+        there.plan.time = MissionTime::Fixed(own.time);
+        let again = planned(there, PlannerKind::Rsp, round.rounds);
+        let close = only(&again).objective / own.objective - 1.0;
+        assert!(close.abs() < 1e-6, "{close}");
+    }
+}
+
+#[test]
+fn all_double_losses_of_sixteen_rotors_at_once() {
+    let mut model = ring_model("PNPNPNPNPNPNPNPN", 4.5, [0.2, 0.2, 0.35], 8.5485e-6, 1.3678e-7, 874.0);
+    let pairs = (1..=16).flat_map(|i| (i + 1..=16).map(move |j| [i, j]));
+    model.modes = pairs.map(|pair| lost(&model, &pair)).collect();
+    assert_eq!(model.modes.len(), 120);
+    model.plan.samples = 200;
+    let corners = [[0.0, 0.0, 2.0], [6.0, 0.0, 3.0], [6.0, 6.0, 4.0], [0.0, 6.0, 3.0], [0.0, 0.0, 2.0]];
+    let square = mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec());
+    let healthy = AdmissibleSet::healthy(&model);
+    assert!(faults_only_take(&model));
+    let hover = healthy_hover(&model);
+    let sets: Vec<AdmissibleSet> = (0..120).map(|mode| AdmissibleSet::of_mode(&model, mode)).collect();
+    let hovering: Vec<&AdmissibleSet> = sets.iter().filter(|s| s.polytope.margin(&hover) > 1e-6).collect();
+    assert!(hovering.len() > 60, "{} of 120 can hover", hovering.len());
+    let set = PlanningSet::of(&hovering, &healthy);
+    let mut engine = Engine::new(&model, &square, &healthy);
+    let Decision::Feasible(plan) = engine.decide(14.0, 200, &set, &mut Pool::default()) else {
+        panic!("14 s are enough")
+    };
+    // Few of all rows were needed, and all hold: those of every single set, not of the intersection alone.
+    assert!(plan.rows < set.rows.len() * 201 / 10, "{} rows", plan.rows);
+    for w in Trajectory::of(&plan).node_wrenches(&model.vehicle, model.gravity) {
+        assert!(set.rows.iter().all(|r| r.excess(&w) <= ACCEPTED));
+        assert!(hovering.iter().all(|s| s.polytope.margin(&w) > -1e-4));
+    }
+}
+
+fn healthy_hover(model: &Model) -> mavc::actuation::Wrench {
+    mavc::actuation::Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0)
+}
+
+#[test]
+fn rounds_of_a_guarded_plan_change_nothing() {
+    // Slow enough, and the RIP plan is inside every set: nothing to select, however often.
+    let mut model = octocopter("PPNNPPNN");
+    model.modes = vec![lost(&model, &[1])];
+    model.mission = Some(viviani());
+    model.plan.samples = 60;
+    model.plan.against = vec![0];
+    model.plan.time = MissionTime::Fixed(40.0);
+    let [one, five] = [1, 5].map(|count| planned(model.clone(), PlannerKind::Rsp, count));
+    assert!(five.selected.is_empty());
+    assert_eq!(only(&one).trajectory, only(&five).trajectory);
+}
