@@ -94,6 +94,8 @@ pub struct Successive<'e, 'a> {
     pub set: &'e PlanningSet,
     /// What each row of the set keeps free, in widths of the healthy set.
     back_off: Vec<f64>,
+    /// What facets and then limits keep free beyond that, because the wrench bends between the instants.
+    bends: Vec<f64>,
     /// Of the last program: the sum of multiplier times normal of the facets at each instant.
     multipliers: BTreeMap<usize, Wrench>,
 }
@@ -124,7 +126,8 @@ impl<'e, 'a> Successive<'e, 'a> {
             true => -BACK_OFF,
             false => BACK_OFF.min(-0.5 * row.excess(&hover)).max(0.0),
         });
-        Successive { back_off: back_off.collect(), engine, wrench, set, multipliers: BTreeMap::new() }
+        let bends = vec![0.0; set.rows.len() + engine.mission.limits.len()];
+        Successive { back_off: back_off.collect(), bends, engine, wrench, set, multipliers: BTreeMap::new() }
     }
 
     fn transcription<'s>(&self, profile: &'s Profile, maps: &'s [WrenchMap]) -> Transcription<'s>
@@ -148,7 +151,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         if excess.is_nan() { f64::INFINITY } else { excess }
     }
 
-    /// The excess of every facet and then of every limit for one state.
+    /// The excess of every facet and then of every limit for one state, each with what it keeps free between instants.
     fn excesses<'s>(&'s self, form: &'s Transcription<'s>, state: &'s NodeState) -> impl Iterator<Item = f64> + 's {
         let wrench = self.wrench_at(state);
         let facets = (0..self.set.rows.len()).map(move |facet| self.excess_of_row(facet, &wrench));
@@ -160,7 +163,8 @@ impl<'e, 'a> Successive<'e, 'a> {
             .iter()
             .map(move |l| form.excess_of(l, state, 0.0) - if place(l.kind) { ACCEPTED } else { 0.0 });
         let exact = self.wrench == WrenchModel::Exact;
-        facets.chain(limits).chain(exact.then(|| form.excess_upright(state)))
+        let rows = facets.chain(limits).zip(&self.bends).map(|(excess, bend)| excess + bend);
+        rows.chain(exact.then(|| form.excess_upright(state)))
     }
 
     /// The largest excess of facets and limits at an instant.
@@ -302,6 +306,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             smoothing: weights.smoothing,
             reach: trust.reach,
             back_off: &self.back_off,
+            bends: &self.bends,
         };
         let chosen: Vec<RowAt> = pool.iter().copied().collect();
         let stages = self.transcription(&motion.profile, &lines.maps);

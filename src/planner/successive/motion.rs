@@ -41,6 +41,13 @@ impl Motion {
         between(&self.states[interval], &self.states[interval + 1], h, t, self.model)
     }
 
+    /// The derivatives a share of the way through an interval.
+    pub fn inside(&self, interval: usize, share: f64) -> NodeState {
+        let times = &self.profile.node_times;
+        let h = times[interval + 1] - times[interval];
+        between(&self.states[interval], &self.states[interval + 1], h, share * h, self.model)
+    }
+
     /// The same path in the same shares of time, `factor` times slower.
     pub fn slower(&self, factor: f64) -> Motion {
         Motion {

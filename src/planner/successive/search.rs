@@ -183,8 +183,8 @@ impl Successive<'_, '_> {
         }
         let mut pool = BTreeSet::new();
         let restored = self.smooth(&flown).and_then(|smooth| self.restore(smooth, &mut pool));
-        match restored {
-            Some(inside) => Decision::Feasible(Box::new(self.kept(inside, total, ROUGHLY, &mut pool))),
+        match restored.and_then(|inside| self.kept(inside, total, ROUGHLY, &mut pool)) {
+            Some(planned) => Decision::Feasible(Box::new(planned)),
             None => Decision::Inconclusive(NOT_FOUND.into()),
         }
     }
@@ -196,15 +196,19 @@ impl Successive<'_, '_> {
         if fixed || !self.chooses_times() {
             let smooth = self.smooth(&full.flown())?;
             pool.clear();
-            if let Some(inside) = self.restore(smooth, &mut pool) {
-                return Some(self.kept(inside, full.total, CLOSELY, &mut pool));
+            let restored = self.restore(smooth, &mut pool);
+            let kept = restored.and_then(|inside| self.kept(inside, full.total, CLOSELY, &mut pool));
+            if kept.is_some() {
+                return kept;
             }
         }
         if let Some(planned) = begin.filter(|_| !fixed) {
             let other = self.motion_of(planned);
             let scaled = other.slower(flown / other.profile.total);
-            if let Some(inside) = self.restore(scaled, &mut pool) {
-                return Some(self.kept(inside, full.total, CLOSELY, &mut pool));
+            let restored = self.restore(scaled, &mut pool);
+            let kept = restored.and_then(|inside| self.kept(inside, full.total, CLOSELY, &mut pool));
+            if kept.is_some() {
+                return kept;
             }
         }
         if fixed {
@@ -222,21 +226,21 @@ impl Successive<'_, '_> {
             false => self.descend(first, (FINE_STEP, LEAST_FINE), flown, &mut pool),
         };
         let there = (motion.profile.total - flown).abs() <= 1e-9 * flown;
-        there.then(|| self.kept(motion, full.total, CLOSELY, &mut pool))
+        there.then(|| self.kept(motion, full.total, CLOSELY, &mut pool)).flatten()
     }
 
     /// The plan of least cost about a motion inside the set, with holds.
-    fn kept(&mut self, motion: Motion, total: f64, care: Care, pool: &mut BTreeSet<RowAt>) -> Planned {
-        let settled = self.settle(motion, care, pool);
+    fn kept(&mut self, motion: Motion, total: f64, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Planned> {
+        let settled = self.settle_between(motion, care, pool)?;
         let intervals = settled.profile.segments.iter().map(|s| (s.duration, s.intervals)).collect::<Vec<_>>();
         let profile = Profile::with_legs(self.engine.mission, &intervals, total);
-        Planned {
+        Some(Planned {
             states: profile.with_holds(&settled.states),
             profile,
             model: self.wrench,
             objective: self.cost(&settled),
             rows: pool.len(),
-        }
+        })
     }
 
     /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from the plan
@@ -274,8 +278,8 @@ impl Successive<'_, '_> {
         for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
             let time = (ticks + late) / (1.0 / GRID).round();
             let slower = motion.slower((time - self.held()) / motion.profile.total);
-            if let Some(inside) = self.restore(slower, &mut pool) {
-                let planned = self.kept(inside, time, CLOSELY, &mut pool);
+            let restored = self.restore(slower, &mut pool);
+            if let Some(planned) = restored.and_then(|inside| self.kept(inside, time, CLOSELY, &mut pool)) {
                 return Ok(shortest(time, planned));
             }
         }

@@ -22,6 +22,13 @@ const PENALTY: f64 = 2.0;
 /// A step that keeps less than this share of itself is not worth a try.
 const LEAST_SHARE: f64 = 0.05;
 
+/// What may be passed between the instants, in widths of the healthy set or shares of a limit; on a grid so much finer; by
+/// what factor of it rows keep more free; and how often that is tried.
+const BETWEEN: f64 = 1e-4;
+const FINER: usize = 4;
+const BENT: f64 = 1.2;
+const MOST_BENDS: usize = 5;
+
 /// How closely the least cost is sought.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Care {
@@ -65,6 +72,7 @@ impl Successive<'_, '_> {
                 return None;
             }
             pool.extend(self.rows_between(&motion));
+            excess = self.excess_by(&motion, pool);
             let stepped = self.step(&motion, &legs, trust, weights, pool)?;
             if stepped.sigma > hopeless {
                 return None;
@@ -100,7 +108,9 @@ impl Successive<'_, '_> {
         for _ in 0..care.steps {
             let here = self.cost(&at);
             let Some(stepped) = self.step(&at, &legs, trust, weights, pool) else { break };
-            if stepped.sigma > NEGLIGIBLE {
+            // A sigma within the back-off is inside.
+            let sigma = stepped.sigma - BACK_OFF;
+            if sigma > 0.0 {
                 weights.penalty *= 4.0;
             }
             let penalty = weights.penalty;
@@ -110,8 +120,8 @@ impl Successive<'_, '_> {
                 let reached = at.with_states(at.towards(&stepped.states, share));
                 (s.cost(&reached), s.excess_by(&reached, pool), reached)
             };
-            let expected = was - merit(self.cost(&at.with_states(stepped.states.clone())), stepped.sigma);
-            if expected <= 0.0 {
+            let expected = was - merit(self.cost(&at.with_states(stepped.states.clone())), sigma);
+            if expected <= 0.0 && sigma <= 0.0 {
                 break; // the lines themselves promise nothing
             }
             let mut share = 1.0;
@@ -125,15 +135,58 @@ impl Successive<'_, '_> {
                 best = (cost, reached.clone());
             }
             pool.extend(self.rows_between(&reached));
-            trust = trust.after(gained, expected);
+            trust = if expected > 0.0 { trust.after(gained, expected) } else { trust.less() };
             if gained > 0.0 {
-                (at, excess) = (reached, now);
+                // Measured again, with the instants that the pool has now.
+                at = reached;
+                excess = self.excess_by(&at, pool);
             }
             if expected < care.small && excess <= 0.0 || trust.exhausted() {
                 break;
             }
         }
         best.1
+    }
+
+    /// Settles, and looks between the instants: rows that are passed there by more than [`BETWEEN`] keep that much more free
+    /// from then on, and the motion is restored and settled again. `None` where that does not end.
+    pub(super) fn settle_between(&mut self, motion: Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        let mut motion = self.settle(motion, care, pool);
+        for _ in 0..MOST_BENDS {
+            let over = self.between_instants(&motion);
+            if over.iter().all(|excess| *excess <= BETWEEN) {
+                return Some(motion);
+            }
+            for (bend, excess) in self.bends.iter_mut().zip(&over) {
+                *bend += BENT * excess.max(0.0);
+            }
+            let restored = self.restore(motion, pool)?;
+            motion = self.settle(restored, care, pool);
+        }
+        None
+    }
+
+    /// The largest excess of each facet and limit on a grid [`FINER`] times finer than the instants, as they stand.
+    fn between_instants(&self, motion: &Motion) -> Vec<f64> {
+        let form = self.transcription(&motion.profile, &[]);
+        let mut worst = vec![f64::NEG_INFINITY; self.bends.len()];
+        let parts = PARTS * FINER;
+        for interval in 0..motion.profile.intervals() {
+            for part in 0..parts {
+                let state = motion.inside(interval, part as f64 / parts as f64);
+                let bends = self.bends.iter();
+                for ((w, excess), bend) in worst.iter_mut().zip(self.excesses(&form, &state)).zip(bends) {
+                    *w = w.max(excess - bend);
+                }
+            }
+        }
+        // Places have no width to keep a share of free.
+        for (w, limit) in worst[self.set.rows.len()..].iter_mut().zip(&self.engine.mission.limits) {
+            if place(limit.kind) {
+                *w = f64::NEG_INFINITY;
+            }
+        }
+        worst
     }
 
     pub(super) fn cost(&self, motion: &Motion) -> f64 {

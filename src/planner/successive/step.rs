@@ -51,6 +51,8 @@ pub struct Step<'s> {
     pub reach: f64,
     /// What each row of the set keeps free, in widths of the healthy set.
     pub back_off: &'s [f64],
+    /// What facets and then limits keep free beyond that.
+    pub bends: &'s [f64],
 }
 
 /// The highest derivative that the wrench depends on.
@@ -113,21 +115,25 @@ impl Transcription<'_> {
                 }
             }
         }
-        let widening = |instant: usize| {
-            Widening::by(&excess.clone().plus_constant(-BACK_OFF))
-                .with_stretch(&self.stretch(step, self.leg_of(instant)))
+        let widening = |instant: usize, bend: f64| {
+            let free = excess.clone().plus_constant(-BACK_OFF - bend);
+            Widening::by(&free).with_stretch(&self.stretch(step, self.leg_of(instant)))
         };
         let mut places = Vec::with_capacity(chosen.len());
         for &RowAt { row, instant } in chosen {
             places.push(matches!(row, Row::Facet(_)).then(|| builder.inequalities()));
             match row {
                 Row::Facet(facet) => {
-                    let mut expression = excess.clone().plus_constant(-step.back_off[facet]);
+                    let free = step.back_off[facet] + step.bends[facet];
+                    let mut expression = excess.clone().plus_constant(-free);
                     expression.add(&slack(instant, &self.set.rows[facet]), 1.0);
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node: instant / self.parts });
                 }
-                Row::Limit(limit) => self.limit(&mut builder, limit, instant, &widening(instant)),
-                Row::Upright => self.upright(&mut builder, instant, &widening(instant)),
+                Row::Limit(limit) => {
+                    let bend = step.bends[self.set.rows.len() + limit];
+                    self.limit(&mut builder, limit, instant, &widening(instant, bend));
+                }
+                Row::Upright => self.upright(&mut builder, instant, &widening(instant, 0.0)),
             }
         }
         self.durations(&mut builder, step);

@@ -83,7 +83,6 @@ fn fixed_times_and_holds_stand() {
 
 /// Who chooses times can choose these, so what is proved of all times is proved of these.
 #[test]
-#[ignore = "the relaxation is laid out with even legs, and what it shows is said of all times"]
 fn a_proof_covers_every_division_of_time() {
     let at = |mission: Mission, chooses_times: bool| {
         let mut model = quick(mission, chooses_times);

@@ -19,7 +19,7 @@ fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model
 
 fn told(model: &Model) -> (Ending, String) {
     let comparison = compared(model);
-    let text = terminal::plan(model, model.mission.as_ref().unwrap(), &comparison);
+    let text = terminal::plan(model, model.mission.as_ref().unwrap(), &comparison, false);
     (last(&comparison).ending.clone(), text)
 }
 
