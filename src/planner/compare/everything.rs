@@ -2,7 +2,7 @@
 
 use super::{Comparison, Ending, Found, Run, Setting, hint_from, label, plan_found, planned_of, time, time_below};
 use crate::model::{PlanModel, PlannerKind};
-use crate::planner::rows::{Decision, Planned, Pool};
+use crate::planner::rows::{Decision, Pool};
 use crate::planner::search::{Hint, RESOLUTION};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
@@ -69,8 +69,7 @@ impl Setting<'_> {
                         &rsp_set,
                         at,
                         &rip,
-                        above_rip.clone(),
-                        planned_of(&decision),
+                        Hint { begin: planned_of(&decision).map(|p| Box::new(p.clone())), ..above_rip.clone() },
                         selected.is_empty(),
                         pool,
                     )
@@ -118,10 +117,10 @@ impl Setting<'_> {
         at: f64,
         rip: &Found,
         above_rip: Hint,
-        begin: Option<&Planned>,
         same_as_rip: bool,
         pool: Pool,
     ) -> (Found, Ending, Effort) {
+        let begin = above_rip.begin.as_deref();
         if same_as_rip {
             let (decision, effort) = self.at_or_own("RSP", set, at, rip);
             let own = Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };

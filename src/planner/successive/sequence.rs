@@ -26,7 +26,7 @@ const LEAST_SHARE: f64 = 0.05;
 /// what factor of it rows keep more free; and how often that is tried.
 const BETWEEN: f64 = 1e-4;
 const FINER: usize = 4;
-const BENT: f64 = 1.2;
+const BENT: f64 = 1.5;
 const MOST_BENDS: usize = 5;
 
 /// How closely the least cost is sought.
@@ -40,7 +40,7 @@ pub(super) struct Care {
 /// On the way to another time.
 pub(super) const ROUGHLY: Care = Care { steps: 2, small: 0.03 };
 /// For a plan that is kept.
-pub(super) const CLOSELY: Care = Care { steps: 25, small: 1e-3 };
+pub(super) const CLOSELY: Care = Care { steps: 12, small: 2e-3 };
 
 impl Successive<'_, '_> {
     fn durations_stand(&self) -> Vec<Option<usize>> {
