@@ -4,6 +4,7 @@ pub mod compare;
 mod cost;
 pub mod hover_model;
 mod limits;
+pub mod pool;
 pub mod profile;
 pub mod rows;
 pub mod search;

@@ -124,7 +124,7 @@ pub enum RowOrigin {
     Upright { node: usize },
     /// The thrust at a node is at most what any attitude gives.
     Thrust { node: usize },
-    /// The duration of leg `leg`: how much it may change, or that a fixed waypoint time stands.
+    /// How much the duration of leg `leg` may change.
     Duration { leg: usize },
     /// The overshoot may not exceed what makes tolerances meaningless.
     Overshoot,

@@ -1,5 +1,6 @@
 //! What was found, told: the record (`--report`), text for the terminal, and the trajectory table.
 
+pub mod analysis_text;
 pub mod campaign_record;
 pub mod campaign_text;
 pub mod caveats;

@@ -3,7 +3,7 @@ use super::sweep::{Flip, Subject, Sweep};
 use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files};
 use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::{ModeAnalysis, analyze_all};
-use crate::report::terminal;
+use crate::report::analysis_text;
 use serde::Serialize;
 use std::time::Instant;
 
@@ -48,7 +48,7 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
             files::print(&(text + "\n"))?;
         }
         Format::Human => match &flips {
-            None => files::print(&terminal::analysis(model, &modes))?,
+            None => files::print(&analysis_text::analysis(model, &modes))?,
             Some(f) => files::print(&f.to_text(model))?,
         },
     }

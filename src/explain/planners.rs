@@ -2,9 +2,10 @@
 
 use super::oracle::{Answer, Oracle, Part};
 use crate::model::{LimitKind, Mission, Model, PlanModel, PlannerKind, Vehicle};
+use crate::planner::pool::Pool;
 use crate::planner::profile::profile;
-use crate::planner::rows::{Decision, Engine, Planned, Pool};
-use crate::planner::select::{PlanningSet, SetRow};
+use crate::planner::rows::{Decision, Engine, Planned};
+use crate::planner::select::PlanningSet;
 use crate::planner::sets::PlanningSets;
 use crate::planner::successive::Successive;
 use crate::planner::wrench_model::WrenchModel;
@@ -12,7 +13,6 @@ use crate::qp::RowOrigin;
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
 use crate::trajectory::checks::{past, peak};
-use crate::trajectory::outside::outside;
 
 /// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that passes a limit by far between its
 /// nodes counts as none.
@@ -59,16 +59,6 @@ impl Sets {
         (&self.vehicle, self.gravity, &self.against, self.reserve)
             == (&model.vehicle, model.gravity, &plan.against, plan.reserve)
     }
-
-    /// Step (e) of section 5.3: the facets of the modes' sets that a plan violates.
-    fn violated(&self, planned: &Planned) -> Vec<SetRow> {
-        let trajectory = Trajectory::of(planned);
-        let of = |set: &PlanningSet| {
-            let found = outside(&trajectory, &self.vehicle, self.gravity, &set.rows);
-            found.facets.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
-        };
-        self.imposed.modes.iter().flat_map(of).collect()
-    }
 }
 
 impl Oracle for Planners<'_> {
@@ -92,7 +82,7 @@ impl Oracle for Planners<'_> {
             PlannerKind::Rip => decide(&sets.imposed.rip, &mut of_rip),
             PlannerKind::Rcp => decide(&sets.imposed.joint, &mut of_joint),
             PlannerKind::Rsp => match decide(&sets.imposed.rip, &mut of_rip) {
-                (Decision::Feasible(planned), parts) => match sets.violated(&planned) {
+                (Decision::Feasible(planned), parts) => match sets.imposed.violated(model, &planned) {
                     none if none.is_empty() => (Decision::Feasible(planned), parts),
                     facets => decide(&sets.imposed.rip.with(facets), &mut of_rip.clone()),
                 },

@@ -4,16 +4,18 @@ mod common;
 mod everything;
 pub mod protect;
 pub mod rounds;
+mod times;
 
 use self::protect::Addition;
+use super::pool::Pool;
 use super::profile::determined;
-use super::rows::{ACCEPTED, Decision, Engine, Planned, Pool};
+use super::rows::{ACCEPTED, Decision, Engine, Planned};
 use super::search::{Hint, NoTime, Shortest};
 use super::select::{PlanningSet, SetRow};
 use super::sets::PlanningSets;
 use super::successive::Successive;
 use super::wrench_model::WrenchModel;
-use crate::model::{Leg, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
 use crate::trajectory::outside::{Outside, outside};
@@ -126,7 +128,7 @@ struct Found {
 /// `progress` is told the planner's name and each mission time tried.
 pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
     let timed = (model.plan.model == PlanModel::Hover && model.plan.chooses_times)
-        .then(|| with_better_times(model, mission, progress))
+        .then(|| times::with_better_times(model, mission, progress))
         .flatten();
     let mission = timed.as_ref().unwrap_or(mission);
     let setting = Setting::new(model, mission, progress);
@@ -138,27 +140,6 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
         Scope::Common => setting.at_common_time(),
         Scope::Everything => setting.everything(),
     }
-}
-
-/// In the hover model waypoint times are chosen first, by steps, for the set that the planner is bounded by; the legs then
-/// keep these shares of any mission time. `None` where the steps find no plan.
-fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Option<Mission> {
-    let sets = PlanningSets::of(model);
-    let set = if model.plan.planner == PlannerKind::Rip { &sets.rip } else { &sets.joint };
-    let tell = |t: f64| {
-        if let Some(progress) = progress {
-            progress("waypoint times", t);
-        }
-    };
-    let mut engine = Engine::new(model, mission, &sets.healthy);
-    engine.on_progress = Some(&tell);
-    let wrench = match mission.has_one_yaw() {
-        true => WrenchModel::HoverAt(mission.waypoints[0].yaw),
-        false => WrenchModel::HoverFollowing,
-    };
-    let found = Successive::new(&mut engine, wrench, set).shortest(None).ok()?;
-    let legs = found.planned.profile.segments.iter().filter(|s| !s.hold);
-    Some(Mission { legs: legs.map(|s| Leg { share: s.duration }).collect(), ..mission.clone() })
 }
 
 impl<'a> Setting<'a> {
@@ -257,15 +238,6 @@ impl<'a> Setting<'a> {
 
     fn run(&self, planner: PlannerKind, against: &[String], run: Run, ending: Ending, set: &PlanningSet) -> PlannerRun {
         PlannerRun { planner, against: against.to_vec(), run, ending, set: set.clone() }
-    }
-
-    /// Step (e): the facets of the modes' sets that a plan violates at some node.
-    fn violated(&self, planned: &Planned) -> Vec<SetRow> {
-        let solved = self.solved(planned.profile.total, planned);
-        let of = |(set, out): (&PlanningSet, &Outside)| -> Vec<SetRow> {
-            out.facets.iter().map(|&i| set.rows[i].clone()).collect()
-        };
-        self.sets.modes.iter().zip(&solved.outside).flat_map(of).collect()
     }
 
     /// A comparison without runs, at the spec's time where it has one.

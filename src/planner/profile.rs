@@ -155,15 +155,9 @@ pub fn earliest(mission: &Mission) -> f64 {
     at
 }
 
-/// Stretches of legs (first, one past the last) that lie between fixed times, so that their durations have a given sum.
-pub fn fixed_windows(mission: &Mission) -> Vec<(usize, usize)> {
-    let mut windows = Vec::new();
-    let mut from = 0;
-    for (i, _) in mission.waypoints.iter().enumerate().skip(1).filter(|(_, w)| w.time.is_some()) {
-        windows.push((from, i));
-        from = i;
-    }
-    windows
+/// Whether the spec says when some waypoint after the first is reached.
+pub fn has_fixed_times(mission: &Mission) -> bool {
+    mission.waypoints.iter().skip(1).any(|w| w.time.is_some())
 }
 
 /// Lays out the mission over `total` seconds with `samples` intervals: one for each hold, at least one for each leg

@@ -3,8 +3,9 @@
 //! An excess on a coarse grid tells where to look, the full program decides. Times are tried on multiples of
 //! [`RESOLUTION`], and on the finer [`GRID`] only where the solver gives no verdict at one of those.
 
+use super::pool::Pool;
 use super::profile::{determined, earliest};
-use super::rows::{Decision, Engine, Planned, Pool};
+use super::rows::{Decision, Engine, Planned};
 use super::select::PlanningSet;
 
 /// Shortest times are multiples of this, s (unless the spec determines the time).

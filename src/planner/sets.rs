@@ -1,8 +1,11 @@
 //! What each planner imposes on the wrench of one spec.
 
-use super::select::PlanningSet;
+use super::rows::Planned;
+use super::select::{PlanningSet, SetRow};
 use crate::admissible::{AdmissibleSet, faults_only_take};
 use crate::model::Model;
+use crate::trajectory::Trajectory;
+use crate::trajectory::outside::outside;
 
 /// The sets of a spec as planned against: for every value of its intervals, and shrunk by the reserve.
 #[derive(Debug, Clone)]
@@ -39,5 +42,15 @@ impl PlanningSets {
             names: sets.iter().map(|s| s.name.clone()).collect(),
             healthy,
         }
+    }
+
+    /// Step (e) of section 5.3: the facets of the modes' sets that a plan violates at some node.
+    pub fn violated(&self, model: &Model, planned: &Planned) -> Vec<SetRow> {
+        let trajectory = Trajectory::of(planned);
+        let of = |set: &PlanningSet| {
+            let found = outside(&trajectory, &model.vehicle, model.gravity, &set.rows);
+            found.facets.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
+        };
+        self.modes.iter().flat_map(of).collect()
     }
 }

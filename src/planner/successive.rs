@@ -17,13 +17,14 @@ pub use search::NOT_FOUND;
 
 use super::hover_model::{WrenchMap, X, Y, YAW, Z};
 use super::limits::place;
-use super::profile::{Profile, fixed_windows};
+use super::profile::Profile;
 use super::rows::{ACCEPTED, Engine};
 use super::select::PlanningSet;
 use super::transcribe::{NodeState, Row, RowAt, Transcription};
 use super::wrench_model::WrenchModel;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
+use crate::model::Limit;
 use crate::solve::{Outcome, Solution, solve};
 use std::collections::{BTreeMap, BTreeSet};
 use step::{Objective, Step, change};
@@ -231,15 +232,18 @@ impl<'e, 'a> Successive<'e, 'a> {
         found
     }
 
+    /// The rows of some limits at every node.
+    fn limits_at_nodes(&self, profile: &Profile, wanted: impl Fn(&Limit) -> bool) -> impl Iterator<Item = RowAt> {
+        let nodes = 0..profile.nodes();
+        let limits = self.engine.mission.limits.iter().enumerate().filter(move |(_, limit)| wanted(limit));
+        limits.flat_map(move |(limit, _)| {
+            nodes.clone().map(move |node| RowAt { row: Row::Limit(limit), instant: node * PARTS })
+        })
+    }
+
     /// The rows of limits on places, at every node: they do not depend on time, and each program has them all.
     fn places(&self, profile: &Profile) -> BTreeSet<RowAt> {
-        let limits = self.engine.mission.limits.iter().enumerate().filter(|(_, l)| place(l.kind));
-        let nodes = 0..profile.nodes();
-        limits
-            .flat_map(|(limit, _)| {
-                nodes.clone().map(move |node| RowAt { row: Row::Limit(limit), instant: node * PARTS })
-            })
-            .collect()
+        self.limits_at_nodes(profile, |limit| place(limit.kind)).collect()
     }
 
     /// The wrench about a motion, at the instants of `pool` and, where the set is flat, at the nodes.
@@ -292,13 +296,11 @@ impl<'e, 'a> Successive<'e, 'a> {
         pool.extend(self.places(&motion.profile));
         let lines = self.lines(motion, pool);
         let curvature = self.curvature(motion);
-        let fixed = fixed_windows(self.engine.mission);
         let step = Step {
             from: &motion.states,
             wrenches: &lines.wrenches,
             stretches: &lines.stretches,
             legs,
-            fixed: &fixed,
             curvature: &curvature,
             proximity: trust.proximity,
             objective: weights.objective,

@@ -5,9 +5,7 @@ use super::heat;
 use super::number::{fixed, number, percent, significant};
 use super::record::{errors, rates};
 use super::table::Table;
-use crate::admissible::parallel::{Parallel, least_angle};
-use crate::admissible::verdict::ModeAnalysis;
-use crate::model::{Allocation, Mission, Model, PlanModel, PlannerKind};
+use crate::model::{Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::{Protection, UNMET};
 use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
@@ -372,82 +370,4 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
         table.row(cells);
     }
     table
-}
-
-/// The table of `mavc analyze`.
-pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
-    let mut out = format!("{}\n\n", vehicle_line(model));
-    let mut headings = vec![
-        "mode", "verdict", "hover", "margin", "yaw-free", "heaviest", "yaw-free", "facets", "rank", "|e_p|", "yaw-free",
-    ];
-    let gives_away = model.vehicle.allocation == Allocation::PseudoInverse;
-    if gives_away {
-        headings.push("given away");
-    }
-    let mut table = Table::new(&headings);
-    let optional = |x: Option<f64>, digits: usize| x.map_or("flat".into(), |v| significant(v, digits));
-    let norm = |e: &[f64]| significant(e.iter().map(|v| v * v).sum::<f64>().sqrt(), 3);
-    for m in modes {
-        let mut cells = vec![
-            m.name.clone(),
-            m.verdict.name().into(),
-            match (m.interior, m.residual4.iter().all(|v| *v == 0.0), m.residual3.iter().all(|v| *v == 0.0)) {
-                (true, ..) => "inside".into(),
-                (false, true, _) | (false, _, true) => "on the edge".into(),
-                _ => "outside".into(),
-            },
-            optional(m.acai, 4),
-            optional(m.acai_yaw_free, 4),
-            m.critical_mass_kg.map_or("none".into(), |v| format!("{} kg", significant(v, 4))),
-            m.critical_mass_yaw_free_kg.map_or("none".into(), |v| format!("{} kg", significant(v, 4))),
-            m.facets.map_or("flat".into(), |f| f.to_string()),
-            m.rank.to_string(),
-            norm(&m.residual4),
-            norm(&m.residual3),
-        ];
-        if gives_away {
-            cells.push(
-                optional(m.given_away.map(|share| 100.0 * share), 3) + if m.given_away.is_some() { " %" } else { "" },
-            );
-        }
-        table.row(cells);
-    }
-    out.push_str(&table.render(0));
-    if gives_away {
-        out.push_str(
-            "\nOf each set only what the pseudo-inverse gives without clipping counts here and in plans; the last column is\n\
-             the share of the set's volume that it gives away.\n",
-        );
-    }
-    if modes.iter().any(|m| m.robust.is_some()) {
-        out.push_str("\nOver the spec's intervals: does it hover with all axes held, and the bounds on its margin\n");
-        let mut table = Table::new(&["mode", "hovers", "worst", "best"]);
-        for (m, r) in modes.iter().filter_map(|m| Some((m, m.robust?))) {
-            let cells = [r.hover.name().into(), optional(r.acai_worst, 4), optional(r.acai_best, 4)];
-            table.row(std::iter::once(m.name.clone()).chain(cells).collect());
-        }
-        out.push_str(&table.render(0));
-    }
-    let faint: Vec<(&ModeAnalysis, Parallel)> =
-        modes.iter().filter_map(|m| Some((m, m.nearest_rows.filter(|r| r.angle < least_angle())?))).collect();
-    if !faint.is_empty() {
-        let mut table = Table::new(&["mode", "rows", "angle"]);
-        for (m, rows) in faint {
-            let angle = format!("{} degrees", significant(rows.angle.to_degrees(), 3));
-            table.row(vec![m.name.clone(), rows.axes.join(", "), angle]);
-        }
-        out.push_str("\nWarning: rows of the actuation matrix that are nearly parallel, so that the rotors hardly tell them apart\n");
-        out.push_str(&table.render(0));
-    }
-    out.push_str("\nHeadroom from hover to the edge of what each mode can do, down/up\n");
-    let mut table = Table::new(&["mode", "thrust [N]", "tau_x [N m]", "tau_y [N m]", "tau_z [N m]"]);
-    for m in modes {
-        let both = |b: [f64; 2]| format!("{}/{}", significant(b[0], 3), significant(b[1], 3));
-        match &m.headroom {
-            Some(h) => table.row(vec![m.name.clone(), both(h.thrust), both(h.tau_x), both(h.tau_y), both(h.tau_z)]),
-            None => table.row(vec![m.name.clone(), "hover is out of reach".into()]),
-        }
-    }
-    out.push_str(&table.render(0));
-    out
 }

@@ -7,7 +7,8 @@ use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind};
 use mavc::planner::compare::{Ending, Run, Scope, Solved, compare};
-use mavc::planner::rows::{Decision, Engine, Pool};
+use mavc::planner::pool::Pool;
+use mavc::planner::rows::{Decision, Engine};
 use mavc::planner::select::PlanningSet;
 use proptest::prelude::*;
 

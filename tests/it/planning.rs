@@ -5,7 +5,8 @@ use crate::vehicles::{hexacopter, inspection, limit, lost, mission, paper_case, 
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, Solved, compare};
-use mavc::planner::rows::{ACCEPTED, Decision, Engine, Pool};
+use mavc::planner::pool::Pool;
+use mavc::planner::rows::{ACCEPTED, Decision, Engine};
 use mavc::planner::search::RESOLUTION;
 use mavc::planner::select::{PlanningSet, VIOLATED};
 

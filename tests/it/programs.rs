@@ -4,8 +4,9 @@ use crate::vehicles::{inspection, mission, octocopter, paper_case, viviani, wayp
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{Leg, Mission, Model, PlannerKind};
 use mavc::planner::hover_model::{ORDER, WrenchMap, YawState};
+use mavc::planner::pool::Pool;
 use mavc::planner::profile::{determined, earliest, profile};
-use mavc::planner::rows::{ACCEPTED, Decision, Engine, FEASIBLE, Planned, Pool};
+use mavc::planner::rows::{ACCEPTED, Decision, Engine, FEASIBLE, Planned};
 use mavc::planner::select::PlanningSet;
 use mavc::planner::transcribe::{NodeState, Purpose, Transcription, UNBOUNDED};
 use mavc::planner::wrench_model::WrenchModel;

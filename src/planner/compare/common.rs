@@ -2,7 +2,8 @@
 
 use super::{Comparison, Run, Setting, planned_of};
 use crate::model::PlannerKind;
-use crate::planner::rows::{Decision, Pool};
+use crate::planner::pool::Pool;
+use crate::planner::rows::Decision;
 
 impl Setting<'_> {
     /// RIP, RCP jointly and RSP at T_d; no runs where there is no such time, and no RCP without modes.

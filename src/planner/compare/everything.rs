@@ -2,7 +2,8 @@
 
 use super::{Comparison, Ending, Found, Run, Setting, hint_from, label, plan_found, planned_of, time, time_below};
 use crate::model::{PlanModel, PlannerKind};
-use crate::planner::rows::{Decision, Pool};
+use crate::planner::pool::Pool;
+use crate::planner::rows::Decision;
 use crate::planner::search::{Hint, RESOLUTION};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;

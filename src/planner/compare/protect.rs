@@ -6,7 +6,8 @@
 
 use super::{Comparison, Ending, Run, Setting, Solved, planned_of};
 use crate::model::PlannerKind;
-use crate::planner::rows::{Decision, Planned, Pool};
+use crate::planner::pool::Pool;
+use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::Hint;
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::solve::Effort;

@@ -5,7 +5,8 @@
 
 use super::{Comparison, Ending, Setting};
 use crate::model::{Mission, Model};
-use crate::planner::rows::{Decision, Planned, Pool};
+use crate::planner::pool::Pool;
+use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::RESOLUTION;
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::solve::Effort;
@@ -121,7 +122,7 @@ impl Setting<'_> {
                     _ => break,
                 }
             }
-            let new = self.violated(&planned);
+            let new = self.sets.violated(self.model, &planned);
             if new.is_empty() {
                 break;
             }
@@ -142,7 +143,7 @@ impl Setting<'_> {
             *effort += spent;
             before = super::planned_of(&decision).cloned();
             chain.push((selected.clone(), decision));
-            let new = before.as_ref().map_or(Vec::new(), |planned| self.violated(planned));
+            let new = before.as_ref().map_or(Vec::new(), |planned| self.sets.violated(self.model, planned));
             if new.is_empty() {
                 break;
             }

@@ -17,11 +17,7 @@ impl Successive<'_, '_> {
             return true;
         }
         let form = self.transcription(profile, &[]);
-        let limits = 0..self.engine.mission.limits.len();
-        let nodes = 0..profile.nodes();
-        let rows: Vec<RowAt> = limits
-            .flat_map(|limit| nodes.clone().map(move |node| RowAt { row: Row::Limit(limit), instant: node * PARTS }))
-            .collect();
+        let rows: Vec<RowAt> = self.limits_at_nodes(profile, |_| true).collect();
         let (outcome, effort) = solve(&form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust));
         self.engine.effort += effort;
         matches!(outcome, Outcome::Infeasible { .. })

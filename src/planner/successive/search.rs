@@ -1,6 +1,6 @@
 //! Which mission time: shorter and shorter ones, each begun from the plan of least cost at the last, or one that is given.
 
-use super::super::profile::{determined, earliest, profile};
+use super::super::profile::{determined, earliest, has_fixed_times, profile};
 use super::super::rows::{Decision, Planned};
 use super::super::search::{GRID, NoTime, Shortest};
 use super::super::transcribe::Purpose;
@@ -63,16 +63,13 @@ impl Successive<'_, '_> {
     }
 
     /// The motion's path in its own shares of time, about as fast as stays inside at the nodes. `None` where no slowing
-    /// down helps, or where fixed times leave nothing to slow down.
+    /// down helps.
     fn timed(&self, motion: &Motion) -> Option<Motion> {
         let form = self.transcription(&motion.profile, &[]);
         let inside = |factor: f64| {
             let slow = motion.slower(factor);
             slow.states.iter().all(|s| self.excess_at(&form, s) <= 0.0)
         };
-        if !fixed_windows(self.engine.mission).is_empty() {
-            return inside(1.0).then(|| motion.clone());
-        }
         let (mut low, mut high) = (0.0, 1.0);
         while !inside(high) {
             (low, high) = (high, 1.5 * high);
@@ -182,8 +179,7 @@ impl Successive<'_, '_> {
             return Decision::Infeasible;
         }
         let mut pool = BTreeSet::new();
-        let restored = self.smooth(&flown).and_then(|smooth| self.restore(smooth, &mut pool));
-        match restored.and_then(|inside| self.kept(inside, total, ROUGHLY, &mut pool)) {
+        match self.smooth(&flown).and_then(|smooth| self.kept_near(smooth, total, ROUGHLY, &mut pool)) {
             Some(planned) => Decision::Feasible(Box::new(planned)),
             None => Decision::Inconclusive(NOT_FOUND.into()),
         }
@@ -191,13 +187,11 @@ impl Successive<'_, '_> {
 
     fn at(&mut self, full: &Profile, begin: Option<&Planned>) -> Option<Planned> {
         let flown = full.total - self.held();
-        let fixed = !fixed_windows(self.engine.mission).is_empty();
+        let fixed = has_fixed_times(self.engine.mission);
         let mut pool = BTreeSet::new();
         if fixed || !self.chooses_times() {
             let smooth = self.smooth(&full.flown())?;
-            pool.clear();
-            let restored = self.restore(smooth, &mut pool);
-            let kept = restored.and_then(|inside| self.kept(inside, full.total, CLOSELY, &mut pool));
+            let kept = self.kept_near(smooth, full.total, CLOSELY, &mut pool);
             if kept.is_some() {
                 return kept;
             }
@@ -205,8 +199,7 @@ impl Successive<'_, '_> {
         if let Some(planned) = begin.filter(|_| !fixed) {
             let other = self.motion_of(planned);
             let scaled = other.slower(flown / other.profile.total);
-            let restored = self.restore(scaled, &mut pool);
-            let kept = restored.and_then(|inside| self.kept(inside, full.total, CLOSELY, &mut pool));
+            let kept = self.kept_near(scaled, full.total, CLOSELY, &mut pool);
             if kept.is_some() {
                 return kept;
             }
@@ -229,6 +222,12 @@ impl Successive<'_, '_> {
         there.then(|| self.kept(motion, full.total, CLOSELY, &mut pool)).flatten()
     }
 
+    /// A motion made to fit, and the plan of least cost about it.
+    fn kept_near(&mut self, motion: Motion, total: f64, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Planned> {
+        let inside = self.restore(motion, pool)?;
+        self.kept(inside, total, care, pool)
+    }
+
     /// The plan of least cost about a motion inside the set, with holds.
     fn kept(&mut self, motion: Motion, total: f64, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Planned> {
         let settled = self.settle_between(motion, care, pool)?;
@@ -248,7 +247,6 @@ impl Successive<'_, '_> {
     pub fn shortest(&mut self, begin: Option<&Planned>) -> Result<Shortest, NoTime> {
         let shortest =
             |time: f64, planned: Planned| Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() };
-        let windows = fixed_windows(self.engine.mission);
         if let Some(total) = determined(self.engine.mission) {
             return match self.decide(total, begin) {
                 Decision::Feasible(planned) => Ok(shortest(total, *planned)),
@@ -256,7 +254,7 @@ impl Successive<'_, '_> {
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
         }
-        if !windows.is_empty() {
+        if has_fixed_times(self.engine.mission) {
             return self.shortest_after_fixed_times();
         }
         let mut pool = BTreeSet::new();
@@ -278,8 +276,7 @@ impl Successive<'_, '_> {
         for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
             let time = (ticks + late) / (1.0 / GRID).round();
             let slower = motion.slower((time - self.held()) / motion.profile.total);
-            let restored = self.restore(slower, &mut pool);
-            if let Some(planned) = restored.and_then(|inside| self.kept(inside, time, CLOSELY, &mut pool)) {
+            if let Some(planned) = self.kept_near(slower, time, CLOSELY, &mut pool) {
                 return Ok(shortest(time, planned));
             }
         }

@@ -37,8 +37,6 @@ pub struct Step<'s> {
     pub stretches: &'s [Wrench],
     /// Per leg: which change of duration is its own; `None` where its duration stands.
     pub legs: &'s [Option<usize>],
-    /// Sets of legs (first, past the last) whose durations keep their sum, for a fixed time stands at the end.
-    pub fixed: &'s [(usize, usize)],
     /// Curvature of the Lagrangian: at each instant squares |factor . (s' - s)|^2 / 2 to be added to the objective.
     pub curvature: &'s [(usize, NodeState, Vec<FlatState>)],
     /// Weight of the squared relative change of accelerations, which keeps the step where the lines are true.
@@ -167,7 +165,7 @@ impl Transcription<'_> {
         bend
     }
 
-    /// Durations change by at most the step's reach, and keep fixed waypoint times.
+    /// Durations change by at most the step's reach; where a shorter time is sought, each counts by its share.
     fn durations(&self, builder: &mut Builder, step: &Step) {
         for segment in self.profile.segments.iter() {
             let leg = segment.from;
@@ -177,15 +175,6 @@ impl Transcription<'_> {
             let change = self.stretch(step, leg);
             for side in [1.0, -1.0] {
                 builder.nonnegative(change.clone().times(side).plus_constant(step.reach), RowOrigin::Duration { leg });
-            }
-        }
-        for &(first, past) in step.fixed {
-            let mut sum = Affine::default();
-            for segment in self.profile.segments.iter().filter(|s| (first..past).contains(&s.from)) {
-                sum.add(&self.stretch(step, segment.from), segment.duration / self.profile.total);
-            }
-            if !sum.terms.is_empty() {
-                builder.zero(sum, RowOrigin::Duration { leg: first });
             }
         }
         if step.objective == Objective::Time {

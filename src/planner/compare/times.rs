@@ -1,0 +1,29 @@
+//! Waypoint times for the hover model, whose own search keeps the legs' shares.
+
+use super::Progress;
+use crate::model::{Leg, Mission, Model, PlannerKind};
+use crate::planner::rows::Engine;
+use crate::planner::sets::PlanningSets;
+use crate::planner::successive::Successive;
+use crate::planner::wrench_model::WrenchModel;
+
+/// In the hover model waypoint times are chosen first, by steps, for the set that the planner is bounded by; the legs then
+/// keep these shares of any mission time. `None` where the steps find no plan.
+pub(super) fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Option<Mission> {
+    let sets = PlanningSets::of(model);
+    let set = if model.plan.planner == PlannerKind::Rip { &sets.rip } else { &sets.joint };
+    let tell = |t: f64| {
+        if let Some(progress) = progress {
+            progress("waypoint times", t);
+        }
+    };
+    let mut engine = Engine::new(model, mission, &sets.healthy);
+    engine.on_progress = Some(&tell);
+    let wrench = match mission.has_one_yaw() {
+        true => WrenchModel::HoverAt(mission.waypoints[0].yaw),
+        false => WrenchModel::HoverFollowing,
+    };
+    let found = Successive::new(&mut engine, wrench, set).shortest(None).ok()?;
+    let legs = found.planned.profile.segments.iter().filter(|s| !s.hold);
+    Some(Mission { legs: legs.map(|s| Leg { share: s.duration }).collect(), ..mission.clone() })
+}
