@@ -20,6 +20,7 @@ use crate::solve::Effort;
 use crate::trajectory::Trajectory;
 use crate::trajectory::outside::{Outside, outside};
 use rayon::prelude::*;
+use std::iter;
 
 /// Each planner at its own shortest time, or all at one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -173,26 +174,19 @@ impl<'a> Setting<'a> {
         let (result, effort) = match self.model.plan.model {
             PlanModel::Hover => self.with_engine(what, |e| e.shortest(set, hint, &mut pool)),
             PlanModel::Exact => {
-                let begin = hint.planned.or(hint.begin);
-                self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).shortest(begin.as_deref()))
+                let begins: Vec<&Planned> = hint.planned.as_deref().into_iter().chain(&hint.begins).collect();
+                self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).shortest(&begins))
             }
         };
         Found { result, pool, effort }
     }
 
-    /// The plan at one time; `begin` may be a plan of any set.
-    fn at(
-        &self,
-        what: &str,
-        set: &PlanningSet,
-        time: f64,
-        mut pool: Pool,
-        begin: Option<&Planned>,
-    ) -> (Decision, Effort) {
+    /// The plan at one time; `begins` may be plans of any set.
+    fn at(&self, what: &str, set: &PlanningSet, time: f64, mut pool: Pool, begins: &[&Planned]) -> (Decision, Effort) {
         match self.model.plan.model {
             PlanModel::Hover => self.with_engine(what, |e| e.decide(time, self.model.plan.samples, set, &mut pool)),
             PlanModel::Exact => {
-                self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).decide(time, begin))
+                self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).decide(time, begins))
             }
         }
     }
@@ -257,11 +251,11 @@ impl<'a> Setting<'a> {
     fn plan(&self) -> Comparison {
         let mut out = self.begun();
         let kind = self.model.plan.planner;
-        let (set, name, begin) = match kind {
-            PlannerKind::Rip => (self.sets.rip.clone(), "RIP", None),
-            PlannerKind::Rcp => (self.sets.joint.clone(), "RCP", None),
+        let (set, name, begins) = match kind {
+            PlannerKind::Rip => (self.sets.rip.clone(), "RIP", Vec::new()),
+            PlannerKind::Rcp => (self.sets.joint.clone(), "RCP", Vec::new()),
             PlannerKind::Rsp => match self.rsp_set(&mut out) {
-                Ok((set, begin)) => (set, "RSP", Some(begin)),
+                Ok((set, begins)) => (set, "RSP", begins),
                 Err(ending) => {
                     let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
                     out.runs.push(self.run(kind, &self.sets.names, which, ending, &self.sets.rip));
@@ -270,21 +264,22 @@ impl<'a> Setting<'a> {
             },
         };
         let against: &[String] = if kind == PlannerKind::Rip { &[] } else { &self.sets.names };
+        let begun: Vec<&Planned> = begins.iter().collect();
         let (run, ending, effort) = match self.fixed_time() {
             Some(time) => {
-                let (decision, effort) = self.at(name, &set, time, Pool::default(), begin.as_deref());
+                let (decision, effort) = self.at(name, &set, time, Pool::default(), &begun);
                 (Run::Common, self.common(time, &decision), effort)
             }
             None => {
                 let hint = match out.common_time {
                     Some(at) => {
-                        let (decision, effort) = self.at(name, &set, at, Pool::default(), begin.as_deref());
+                        let (decision, effort) = self.at(name, &set, at, Pool::default(), &begun);
                         out.effort += effort;
                         hint_from(at, decision)
                     }
                     None => Hint::default(),
                 };
-                let hint = Hint { begin, ..hint };
+                let hint = Hint { begins, ..hint };
                 let found = self.search(name, &set, hint, Pool::default());
                 (Run::Own, self.own(&found), found.effort)
             }
@@ -316,9 +311,11 @@ impl<'a> Setting<'a> {
         Some(joint)
     }
 
-    /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates.
-    fn rsp_set(&self, out: &mut Comparison) -> Result<(PlanningSet, Box<Planned>), Ending> {
-        self.seek_common_time(out);
+    /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates; and plans to
+    /// begin RSP's from, RIP's and then RCP's.
+    fn rsp_set(&self, out: &mut Comparison) -> Result<(PlanningSet, Vec<Planned>), Ending> {
+        let joint = self.seek_common_time(out);
+        let rcp = joint.as_ref().and_then(plan_found);
         let Some(time) = out.common_time else {
             let found = self.search("RIP", &self.sets.rip, Hint::default(), Pool::default());
             out.effort += found.effort;
@@ -328,12 +325,12 @@ impl<'a> Setting<'a> {
                 ending => ending,
             });
         };
-        let (decision, effort) = self.at("RIP", &self.sets.rip, time, Pool::default(), None);
+        let (decision, effort) = self.at("RIP", &self.sets.rip, time, Pool::default(), rcp.as_slice());
         out.effort += effort;
         match decision {
             Decision::Feasible(planned) => {
-                let set = self.select(time, &planned, out);
-                Ok((set, planned))
+                let set = self.select(time, &planned, rcp, out);
+                Ok((set, iter::once(*planned).chain(rcp.cloned()).collect()))
             }
             _ => Err(self.common(time, &decision)),
         }
@@ -353,18 +350,28 @@ impl<'a> Setting<'a> {
                 }
             }
             let pool = rip.pool.translated(&self.sets.rip, set);
-            let begin = hint.begin.clone().or_else(|| plan_found(rip).map(|p| Box::new(p.clone())));
-            let hint = Hint { begin, ..hint.clone() };
+            let begins = hint.begins.iter().chain(plan_found(rip)).cloned().collect();
+            let hint = Hint { begins, ..hint.clone() };
             self.search(&format!("RCP {name}"), set, hint, pool)
         };
         self.sets.names.par_iter().zip(self.sets.singles.par_iter()).map(work).collect()
     }
 
-    /// The plan at a time, taken from the own search where that ended at the same time.
-    fn at_or_own(&self, what: &str, set: &PlanningSet, at: f64, own: &Found) -> (Decision, Effort) {
+    /// The plan at a time, taken from the own search where that ended at the same time; `other` is one of another set.
+    fn at_or_own(
+        &self,
+        what: &str,
+        set: &PlanningSet,
+        at: f64,
+        own: &Found,
+        other: Option<&Planned>,
+    ) -> (Decision, Effort) {
         match &own.result {
             Ok(s) if s.time == at => (Decision::Feasible(Box::new(s.planned.clone())), Effort::default()),
-            _ => self.at(what, set, at, own.pool.clone(), plan_found(own)),
+            _ => {
+                let begins: Vec<&Planned> = plan_found(own).into_iter().chain(other).collect();
+                self.at(what, set, at, own.pool.clone(), &begins)
+            }
         }
     }
 }

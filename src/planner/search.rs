@@ -50,8 +50,8 @@ pub struct Hint {
     pub feasible: Option<f64>,
     /// A plan of this very set at `feasible`.
     pub planned: Option<Box<Planned>>,
-    /// A plan of any set that is worth beginning from, where the planner works by steps.
-    pub begin: Option<Box<Planned>>,
+    /// Plans of any set that are worth beginning from, where the planner works by steps.
+    pub begins: Vec<Planned>,
 }
 
 /// Mission times in ticks of [`GRID`].

@@ -1,9 +1,9 @@
 //! All planners at one mission time: what a campaign flies.
 
-use super::{Comparison, Run, Setting, planned_of};
+use super::{Comparison, Run, Setting, plan_found, planned_of};
 use crate::model::PlannerKind;
 use crate::planner::pool::Pool;
-use crate::planner::rows::Decision;
+use crate::planner::rows::{Decision, Planned};
 
 impl Setting<'_> {
     /// RIP, RCP jointly and RSP at T_d; no runs where there is no such time, and no RCP without modes.
@@ -11,12 +11,13 @@ impl Setting<'_> {
         let mut out = self.begun();
         let joint = self.seek_common_time(&mut out);
         let Some(time) = out.common_time else { return out };
+        let joint_plan = joint.as_ref().and_then(plan_found);
         let (rip, rcp) = rayon::join(
-            || self.at("RIP", &self.sets.rip, time, Pool::default(), None),
+            || self.at("RIP", &self.sets.rip, time, Pool::default(), joint_plan.as_slice()),
             || {
                 (!self.sets.names.is_empty()).then(|| match &joint {
-                    Some(found) => self.at_or_own("RCP", &self.sets.joint, time, found),
-                    None => self.at("RCP", &self.sets.joint, time, Pool::default(), None),
+                    Some(found) => self.at_or_own("RCP", &self.sets.joint, time, found, None),
+                    None => self.at("RCP", &self.sets.joint, time, Pool::default(), &[]),
                 })
             },
         );
@@ -24,14 +25,16 @@ impl Setting<'_> {
         out.effort += effort;
         let ending = self.common(time, &rip_decision);
         let rsp_set = match &rip_decision {
-            Decision::Feasible(planned) => self.select(time, planned, &mut out),
+            Decision::Feasible(planned) => self.select(time, planned, joint_plan, &mut out),
             _ => self.sets.rip.clone(),
         };
         // Where nothing is selected RSP's plan is RIP's, and where RIP has none RSP has nothing to select by.
         let rsp = match out.selected.is_empty() {
             true => ending.clone(),
             false => {
-                let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default(), planned_of(&rip_decision));
+                let rcp_plan = rcp.as_ref().and_then(|r| planned_of(&r.0));
+                let begins: Vec<&Planned> = planned_of(&rip_decision).into_iter().chain(rcp_plan).collect();
+                let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default(), &begins);
                 out.effort += effort;
                 self.common(time, &decision)
             }

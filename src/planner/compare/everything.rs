@@ -3,7 +3,7 @@
 use super::{Comparison, Ending, Found, Run, Setting, hint_from, label, plan_found, planned_of, time, time_below};
 use crate::model::{PlanModel, PlannerKind};
 use crate::planner::pool::Pool;
-use crate::planner::rows::Decision;
+use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::{Hint, RESOLUTION};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
@@ -27,8 +27,8 @@ impl Setting<'_> {
         let above_rip = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
         let mut singles: Vec<Found> = Vec::new();
         if let Some(joint) = tightest.as_ref().filter(|_| several) {
-            let begin = plan_found(joint).map(|p| Box::new(p.clone()));
-            singles = self.singles_own(&rip, Hint { feasible: time(joint), begin, ..above_rip.clone() });
+            let begins = plan_found(joint).cloned().into_iter().collect();
+            singles = self.singles_own(&rip, Hint { feasible: time(joint), begins, ..above_rip.clone() });
             singles.iter().for_each(|f| effort += f.effort);
         }
         let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
@@ -51,10 +51,11 @@ impl Setting<'_> {
         }
         let mut out = Comparison { runs, common_time, effort, ..self.begun() };
         if let Some(at) = common_time {
-            let (decision, spent) = self.at_or_own("RIP", &self.sets.rip, at, &rip);
+            let binding = tightest.as_ref().and_then(plan_found);
+            let (decision, spent) = self.at_or_own("RIP", &self.sets.rip, at, &rip, binding);
             out.effort += spent;
             let rsp_set = match &decision {
-                Decision::Feasible(planned) => self.select(at, planned, &mut out),
+                Decision::Feasible(planned) => self.select(at, planned, binding, &mut out),
                 _ => self.sets.rip.clone(),
             };
             let selected = &out.selected;
@@ -62,15 +63,17 @@ impl Setting<'_> {
                 vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.sets.rip)];
             let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
                 || {
-                    let binding = tightest.as_ref().unwrap_or(&rip);
-                    let pool = binding
-                        .pool
-                        .translated(if tightest.is_some() { &self.sets.joint } else { &self.sets.rip }, &rsp_set);
+                    let (known, of) = match &tightest {
+                        Some(found) => (found, &self.sets.joint),
+                        None => (&rip, &self.sets.rip),
+                    };
+                    let pool = known.pool.translated(of, &rsp_set);
+                    let begins = planned_of(&decision).into_iter().chain(binding).cloned().collect();
                     self.rsp_own_and_common(
                         &rsp_set,
                         at,
                         &rip,
-                        Hint { begin: planned_of(&decision).map(|p| Box::new(p.clone())), ..above_rip.clone() },
+                        Hint { begins, ..above_rip.clone() },
                         selected.is_empty(),
                         pool,
                     )
@@ -78,7 +81,7 @@ impl Setting<'_> {
                 || {
                     let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
                         let label = label(PlannerKind::Rcp, against);
-                        let (decision, spent) = self.at_or_own(&label, set, at, found);
+                        let (decision, spent) = self.at_or_own(&label, set, at, found, binding);
                         let ending = self.common(at, &decision);
                         (self.run(PlannerKind::Rcp, against, Run::Common, ending, set), spent)
                     };
@@ -105,8 +108,8 @@ impl Setting<'_> {
         let Some(better) = shortest.filter(|f| time(&rip).is_none_or(|t| time(f).is_some_and(|o| o < t))) else {
             return rip;
         };
-        let begin = plan_found(better).map(|p| Box::new(p.clone()));
-        let again = self.search("RIP", &self.sets.rip, Hint { begin, ..Hint::default() }, Pool::default());
+        let begins = plan_found(better).cloned().into_iter().collect();
+        let again = self.search("RIP", &self.sets.rip, Hint { begins, ..Hint::default() }, Pool::default());
         *effort += again.effort;
         if again.result.is_ok() { again } else { rip }
     }
@@ -121,19 +124,19 @@ impl Setting<'_> {
         same_as_rip: bool,
         pool: Pool,
     ) -> (Found, Ending, Effort) {
-        let begin = above_rip.begin.as_deref();
+        let begins: Vec<&Planned> = above_rip.begins.iter().collect();
         if same_as_rip {
-            let (decision, effort) = self.at_or_own("RSP", set, at, rip);
+            let (decision, effort) = self.at_or_own("RSP", set, at, rip, None);
             let own = Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
             return (own, self.common(at, &decision), effort);
         }
         // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
         let below = at - RESOLUTION;
         let ((decision, mut effort), shorter) = rayon::join(
-            || self.at("RSP", set, at, pool.clone(), begin),
+            || self.at("RSP", set, at, pool.clone(), &begins),
             || {
                 (self.fixed_time().is_none() && self.model.plan.model == PlanModel::Hover)
-                    .then(|| self.at("RSP", set, below, pool.clone(), begin))
+                    .then(|| self.at("RSP", set, below, pool.clone(), &begins))
             },
         );
         let ending = self.common(at, &decision);
@@ -147,7 +150,7 @@ impl Setting<'_> {
             }
         }
         hint.infeasible = hint.infeasible.or(above_rip.infeasible);
-        hint.begin = begin.map(|p| Box::new(p.clone()));
+        hint.begins = above_rip.begins;
         let own = self.search("RSP", set, hint, pool);
         effort += own.effort;
         (own, ending, effort)

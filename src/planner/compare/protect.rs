@@ -66,12 +66,12 @@ impl Setting<'_> {
 
     /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before.
     fn plan_of(&self, set: &PlanningSet, before: Option<&Step>) -> (Result<(Solved, Planned), Ending>, Effort) {
-        let begin = before.map(|step| &step.planned);
+        let begins = before.map(|step| &step.planned);
         let time = self.fixed_time().or(before.map(|step| step.solved.time));
         let mut effort = Effort::default();
         let mut hint = Hint::default();
         if let Some(time) = time {
-            let (decision, spent) = self.at("RSP", set, time, Pool::default(), begin);
+            let (decision, spent) = self.at("RSP", set, time, Pool::default(), begins.as_slice());
             effort += spent;
             if let Some(planned) = planned_of(&decision) {
                 // What was shown infeasible for the larger set is so for this one.
@@ -82,7 +82,7 @@ impl Setting<'_> {
                 return (Err(self.common(time, &decision)), effort);
             }
             let infeasible = matches!(decision, Decision::Infeasible).then_some(time);
-            hint = Hint { near: Some(time), infeasible, begin: begin.map(|p| Box::new(p.clone())), ..hint };
+            hint = Hint { near: Some(time), infeasible, begins: begins.cloned().into_iter().collect(), ..hint };
         }
         let found = self.search("RSP", set, hint, Pool::default());
         effort += found.effort;

@@ -11,6 +11,7 @@ use crate::planner::search::RESOLUTION;
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::solve::Effort;
 use std::collections::BTreeMap;
+use std::iter;
 
 /// Steps in which a time with a plan is looked for beyond T_d, each 5 % longer.
 const MOST_STEPS: usize = 20;
@@ -110,12 +111,16 @@ fn seconds(ticks: i64) -> f64 {
 
 impl Setting<'_> {
     /// Step (e) as often as the spec says, from the RIP plan at T_d: RSP's set. What is selected goes to `out`.
-    pub(super) fn select(&self, time: f64, rip: &Planned, out: &mut Comparison) -> PlanningSet {
+    /// `rcp` is a plan of the joint set, where one is known.
+    pub(super) fn select(&self, time: f64, rip: &Planned, rcp: Option<&Planned>, out: &mut Comparison) -> PlanningSet {
         let mut planned = rip.clone();
         for round in 1..=self.model.plan.rounds {
             if round > 1 {
                 let set = self.sets.rip.with(out.selected.clone());
-                let (decision, effort) = self.at("RSP", &set, time, Pool::default(), Some(&planned));
+                let (decision, effort) = {
+                    let begins: Vec<&Planned> = iter::once(&planned).chain(rcp).collect();
+                    self.at("RSP", &set, time, Pool::default(), &begins)
+                };
                 out.effort += effort;
                 match decision {
                     Decision::Feasible(next) => planned = *next,
@@ -139,7 +144,7 @@ impl Setting<'_> {
         for _ in 0..=last {
             let set = self.sets.rip.with(selected.clone());
             let name = if chain.is_empty() { "RIP" } else { "RSP" };
-            let (decision, spent) = self.at(name, &set, time, Pool::default(), before.as_ref());
+            let (decision, spent) = self.at(name, &set, time, Pool::default(), before.as_ref().as_slice());
             *effort += spent;
             before = super::planned_of(&decision).cloned();
             chain.push((selected.clone(), decision));

@@ -92,12 +92,15 @@ impl Successive<'_, '_> {
 
     /// The motion at the first of [`SLOWER`] times at which it can be restored.
     fn restore_slower(&mut self, motion: &Motion, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
-        SLOWER.into_iter().find_map(|factor| {
-            let mut known = pool.clone();
-            let restored = self.restore(motion.slower(factor), &mut known)?;
-            *pool = known;
-            Some(self.settle(restored, ROUGHLY, pool))
-        })
+        SLOWER.into_iter().find_map(|factor| self.restore_at(motion, factor, pool))
+    }
+
+    /// The motion `factor` times slower, made to fit.
+    fn restore_at(&mut self, motion: &Motion, factor: f64, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        let mut known = pool.clone();
+        let restored = self.restore(motion.slower(factor), &mut known)?;
+        *pool = known;
+        Some(self.settle(restored, ROUGHLY, pool))
     }
 
     /// Shorter and shorter times down to `target` s of flight, each from the plan of least cost at the last: smooth motions
@@ -155,12 +158,22 @@ impl Successive<'_, '_> {
         self.restore_slower(&motion.on(&fine.flown()), &mut BTreeSet::new())
     }
 
-    /// A plan at one mission time, begun from another plan where there is one.
-    pub fn decide(&mut self, total: f64, begin: Option<&Planned>) -> Decision {
+    /// A first motion inside the set: made from other plans, the first that will do flown least slower, or from nothing for
+    /// the mission about as fast as `near` s of flight.
+    fn first_of(&mut self, begins: &[&Planned], near: f64, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        if begins.is_empty() {
+            return self.first(near);
+        }
+        let motions: Vec<Motion> = begins.iter().map(|planned| self.motion_of(planned)).collect();
+        SLOWER.into_iter().find_map(|factor| motions.iter().find_map(|motion| self.restore_at(motion, factor, pool)))
+    }
+
+    /// A plan at one mission time, begun from other plans where there are some, the first that will do.
+    pub fn decide(&mut self, total: f64, begins: &[&Planned]) -> Decision {
         let samples = self.engine.model.plan.samples;
         let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
         self.engine.progress(total);
-        match self.at(&full, begin) {
+        match self.at(&full, begins) {
             Some(planned) => Decision::Feasible(Box::new(planned)),
             // What is shown of one division of the time is not shown of all.
             None if !self.chooses_times() && self.shown_infeasible(&full.flown()) => Decision::Infeasible,
@@ -185,7 +198,7 @@ impl Successive<'_, '_> {
         }
     }
 
-    fn at(&mut self, full: &Profile, begin: Option<&Planned>) -> Option<Planned> {
+    fn at(&mut self, full: &Profile, begins: &[&Planned]) -> Option<Planned> {
         let flown = full.total - self.held();
         let fixed = has_fixed_times(self.engine.mission);
         let mut pool = BTreeSet::new();
@@ -196,7 +209,7 @@ impl Successive<'_, '_> {
                 return kept;
             }
         }
-        if let Some(planned) = begin.filter(|_| !fixed) {
+        for planned in begins.iter().filter(|_| !fixed) {
             let other = self.motion_of(planned);
             let scaled = other.slower(flown / other.profile.total);
             let kept = self.kept_near(scaled, full.total, CLOSELY, &mut pool);
@@ -207,13 +220,7 @@ impl Successive<'_, '_> {
         if fixed {
             return None;
         }
-        let first = match begin {
-            Some(planned) => {
-                let motion = self.motion_of(planned);
-                self.restore_slower(&motion, &mut pool)?
-            }
-            None => self.first(flown)?,
-        };
+        let first = self.first_of(begins, flown, &mut pool)?;
         let motion = match first.profile.total <= flown {
             true => self.restore(first.slower(flown / first.profile.total), &mut pool)?,
             false => self.descend(first, (FINE_STEP, LEAST_FINE), flown, &mut pool),
@@ -242,13 +249,13 @@ impl Successive<'_, '_> {
         })
     }
 
-    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from the plan
-    /// of another set where there is one.
-    pub fn shortest(&mut self, begin: Option<&Planned>) -> Result<Shortest, NoTime> {
+    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from plans of
+    /// other sets where there are some.
+    pub fn shortest(&mut self, begins: &[&Planned]) -> Result<Shortest, NoTime> {
         let shortest =
             |time: f64, planned: Planned| Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() };
         if let Some(total) = determined(self.engine.mission) {
-            return match self.decide(total, begin) {
+            return match self.decide(total, begins) {
                 Decision::Feasible(planned) => Ok(shortest(total, *planned)),
                 Decision::Infeasible => Err(NoTime::Infeasible { up_to: total }),
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
@@ -258,13 +265,7 @@ impl Successive<'_, '_> {
             return self.shortest_after_fixed_times();
         }
         let mut pool = BTreeSet::new();
-        let first = match begin {
-            Some(planned) => {
-                let motion = self.motion_of(planned);
-                self.restore_slower(&motion, &mut pool)
-            }
-            None => self.first(0.0),
-        };
+        let first = self.first_of(begins, 0.0, &mut pool);
         let guess = self.engine.guess();
         let Some(mut motion) = first else { return Err(not_found(guess)) };
         if self.chooses_times() {
@@ -292,7 +293,7 @@ impl Successive<'_, '_> {
         while best.as_ref().is_none_or(|b| b.0 - low > (LEAST_FINE * b.0).max(GRID)) {
             let try_at = best.as_ref().map_or(low + stride, |b| 0.5 * (low + b.0));
             let time = (try_at / GRID).ceil() / (1.0 / GRID).round();
-            match self.decide(time, None) {
+            match self.decide(time, &[]) {
                 Decision::Feasible(planned) => best = Some((time, *planned)),
                 _ if best.as_ref().is_some_and(|b| time >= b.0) => break,
                 _ => low = time,

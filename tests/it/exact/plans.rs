@@ -305,7 +305,7 @@ fn the_cost_of_a_plan_is_its_programs_objective() {
         let healthy = AdmissibleSet::healthy(&model);
         let set = healthy_set(&model);
         let mut engine = Engine::new(&model, mission, &healthy);
-        let Decision::Feasible(planned) = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(time, None)
+        let Decision::Feasible(planned) = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(time, &[])
         else {
             panic!("no plan at {time} s");
         };
@@ -356,8 +356,8 @@ fn plans_cost_the_same_wherever_steps_begin() {
     let set = healthy_set(&model);
     let mut engine = Engine::new(&model, model.mission.as_ref().unwrap(), &healthy);
     let mut steps = Successive::new(&mut engine, WrenchModel::Exact, &set);
-    let shortest = steps.shortest(None).unwrap().planned;
-    let [anew, begun] = [None, Some(&shortest)].map(|begin| match steps.decide(6.0, begin) {
+    let shortest = steps.shortest(&[]).unwrap().planned;
+    let [anew, begun] = [vec![], vec![&shortest]].map(|begins| match steps.decide(6.0, &begins) {
         Decision::Feasible(planned) => planned.objective,
         other => panic!("{other:?}"),
     });
