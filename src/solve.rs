@@ -95,6 +95,10 @@ fn matrix(m: &Sparse) -> CscMatrix<f64> {
 /// missions or fine grids).
 const SCALED: (usize, usize) = (32, 4_500);
 
+/// The solver's tolerance on the gap, absolute and relative: its own default, and that of steps.
+const GAP: f64 = 1e-8;
+const STEP_GAP: f64 = 1e-6;
+
 /// Solves a program on one thread; the same program gives the same bytes.
 ///
 /// Where the solver stops without a verdict it is asked again with its scaling the other way: on or off.
@@ -111,14 +115,49 @@ pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
     (again, effort)
 }
 
+/// A point of a program and its multipliers, good enough for a step of a sequence that measures what it reaches: rows hold
+/// to [`PRIMAL_TOLERANCE`], the objective to [`STEP_GAP`], and where the solver stops early its last point will do.
+pub fn approach(program: &QuadraticProgram) -> (Option<Solution>, Effort) {
+    let (raw, effort) = call(program, true, STEP_GAP);
+    let Some(Raw { status, x, z }) = raw else { return (None, effort) };
+    let stopped = matches!(
+        status,
+        SolverStatus::Solved
+            | SolverStatus::AlmostSolved
+            | SolverStatus::InsufficientProgress
+            | SolverStatus::NumericalError
+            | SolverStatus::MaxIterations
+    );
+    let holds = stopped
+        && x.iter().chain(&z).all(|v| v.is_finite())
+        && program.cone_violation(&program.slack(&x)) <= PRIMAL_TOLERANCE;
+    let objective = program.objective(&x);
+    (holds.then_some(Solution { bound: f64::NEG_INFINITY, objective, x, z }), effort)
+}
+
+/// What the solver left.
+struct Raw {
+    status: SolverStatus,
+    x: Vec<f64>,
+    z: Vec<f64>,
+}
+
 /// One call of the solver, with or without its own scaling.
 fn attempt(program: &QuadraticProgram, scaled: bool) -> (Outcome, Effort) {
+    match call(program, scaled, GAP) {
+        (Some(Raw { status, x, z }), effort) => (judge(program, status, x, z), effort),
+        (None, effort) => {
+            let status = "the program holds a number that is not finite, or the solver refused it".into();
+            (Outcome::Inconclusive { status, point: None }, effort)
+        }
+    }
+}
+
+/// `None` where the program holds a number that is not finite or the solver refuses it.
+fn call(program: &QuadraticProgram, scaled: bool, gap: f64) -> (Option<Raw>, Effort) {
     let finite = |v: &[f64]| v.iter().all(|x| x.is_finite());
     if ![&program.p.nzval[..], &program.q, &program.a.nzval, &program.b].into_iter().all(finite) {
-        return (
-            Outcome::Inconclusive { status: "the program holds a number that is not finite".into(), point: None },
-            Effort::default(),
-        );
+        return (None, Effort::default());
     }
     let cones: Vec<SupportedConeT<f64>> = program
         .cones
@@ -135,19 +174,17 @@ fn attempt(program: &QuadraticProgram, scaled: bool) -> (Outcome, Effort) {
         presolve_enable: false,
         max_iter: MOST_ITERATIONS,
         equilibrate_enable: scaled,
+        tol_gap_abs: gap,
+        tol_gap_rel: gap,
         ..DefaultSettings::default()
     };
     let begin = Instant::now();
     let solver = DefaultSolver::new(&matrix(&program.p), &program.q, &matrix(&program.a), &program.b, &cones, settings);
-    let Ok(mut solver) = solver else {
-        return (
-            Outcome::Inconclusive { status: "the solver refused the program".into(), point: None },
-            Effort::default(),
-        );
-    };
+    let Ok(mut solver) = solver else { return (None, Effort::default()) };
     solver.solve();
     let effort = Effort { solves: 1, iterations: solver.solution.iterations as usize, time: begin.elapsed() };
-    (judge(program, solver.solution.status, solver.solution.x, solver.solution.z), effort)
+    let found = solver.solution;
+    (Some(Raw { status: found.status, x: found.x, z: found.z }), effort)
 }
 
 /// Entries of points that count, in the program's scaling: ten times the largest number on a right-hand side (which

@@ -25,7 +25,7 @@ use super::wrench_model::WrenchModel;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
 use crate::model::Limit;
-use crate::solve::{Outcome, Solution, solve};
+use crate::solve::{Outcome, Solution, approach, solve};
 use std::collections::{BTreeMap, BTreeSet};
 use step::{Objective, Step, change};
 
@@ -48,29 +48,28 @@ const ALL_AXES: [usize; 4] = [X, Y, Z, YAW];
 struct Trust {
     /// Weight of changed accelerations; see [`Step::proximity`].
     proximity: f64,
-    /// Largest change of time; see [`Step::reach`].
-    reach: f64,
 }
 
 impl Trust {
     const MOST_PROXIMITY: f64 = 1e5;
     const LEAST_PROXIMITY: f64 = 1e-6;
-    const MOST_REACH: f64 = 0.2;
 
     /// After a step that gained `gained` where the program promised `expected`.
     fn after(self, gained: f64, expected: f64) -> Trust {
         match gained / expected {
-            r if r > 0.7 => Trust {
-                proximity: (0.25 * self.proximity).max(Self::LEAST_PROXIMITY),
-                reach: (2.0 * self.reach).min(Self::MOST_REACH),
-            },
+            r if r > 0.7 => Trust { proximity: (0.25 * self.proximity).max(Self::LEAST_PROXIMITY) },
             r if r < 0.3 => self.less(),
             _ => self,
         }
     }
 
+    /// After a step of which only a share was taken.
+    fn shared(self, share: f64) -> Trust {
+        Trust { proximity: self.proximity * (1.0 / share).clamp(2.0, 16.0) }
+    }
+
     fn less(self) -> Trust {
-        Trust { proximity: 4.0 * self.proximity, reach: 0.4 * self.reach }
+        Trust { proximity: 4.0 * self.proximity }
     }
 
     fn exhausted(self) -> bool {
@@ -88,6 +87,15 @@ struct Weights {
     smoothing: f64,
 }
 
+/// How durations may change in a step.
+#[derive(Debug, Clone)]
+struct Durations {
+    /// Per leg: which change is its own; `None` where its duration stands.
+    legs: Vec<Option<usize>>,
+    /// Least and largest relative change of a duration.
+    range: (f64, f64),
+}
+
 /// Plans one mission against one set.
 pub struct Successive<'e, 'a> {
     pub engine: &'e mut Engine<'a>,
@@ -95,10 +103,12 @@ pub struct Successive<'e, 'a> {
     pub set: &'e PlanningSet,
     /// What each row of the set keeps free, in widths of the healthy set.
     back_off: Vec<f64>,
-    /// What facets and then limits keep free beyond that, because the wrench bends between the instants.
-    bends: Vec<f64>,
+    /// What rows keep free beyond that, by instant and place ([`Self::row`]): about there the wrench bends between instants.
+    bends: BTreeMap<usize, BTreeMap<usize, f64>>,
     /// Of the last program: the sum of multiplier times normal of the facets at each instant.
     multipliers: BTreeMap<usize, Wrench>,
+    /// Proximity at which the next steps towards the least cost begin.
+    settling: f64,
 }
 
 /// What one program gave.
@@ -127,8 +137,16 @@ impl<'e, 'a> Successive<'e, 'a> {
             true => -BACK_OFF,
             false => BACK_OFF.min(-0.5 * row.excess(&hover)).max(0.0),
         });
-        let bends = vec![0.0; set.rows.len() + engine.mission.limits.len()];
-        Successive { back_off: back_off.collect(), bends, engine, wrench, set, multipliers: BTreeMap::new() }
+        let bends = BTreeMap::new();
+        Successive {
+            back_off: back_off.collect(),
+            bends,
+            engine,
+            wrench,
+            set,
+            multipliers: BTreeMap::new(),
+            settling: sequence::SETTLING,
+        }
     }
 
     fn transcription<'s>(&self, profile: &'s Profile, maps: &'s [WrenchMap]) -> Transcription<'s>
@@ -152,7 +170,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         if excess.is_nan() { f64::INFINITY } else { excess }
     }
 
-    /// The excess of every facet and then of every limit for one state, each with what it keeps free between instants.
+    /// The excess of every facet and then of every limit for one state.
     fn excesses<'s>(&'s self, form: &'s Transcription<'s>, state: &'s NodeState) -> impl Iterator<Item = f64> + 's {
         let wrench = self.wrench_at(state);
         let facets = (0..self.set.rows.len()).map(move |facet| self.excess_of_row(facet, &wrench));
@@ -164,19 +182,30 @@ impl<'e, 'a> Successive<'e, 'a> {
             .iter()
             .map(move |l| form.excess_of(l, state, 0.0) - if place(l.kind) { ACCEPTED } else { 0.0 });
         let exact = self.wrench == WrenchModel::Exact;
-        let rows = facets.chain(limits).zip(&self.bends).map(|(excess, bend)| excess + bend);
-        rows.chain(exact.then(|| form.excess_upright(state)))
+        facets.chain(limits).chain(exact.then(|| form.excess_upright(state)))
+    }
+
+    /// The same at an instant, each with its place and with what it keeps free between instants.
+    fn excesses_at<'s>(
+        &'s self,
+        form: &'s Transcription<'s>,
+        state: &'s NodeState,
+        instant: usize,
+    ) -> impl Iterator<Item = (usize, f64)> + 's {
+        let bends = self.bends.get(&instant);
+        let bend = move |place: usize| bends.and_then(|b| b.get(&place)).copied().unwrap_or(0.0);
+        self.excesses(form, state).enumerate().map(move |(place, excess)| (place, excess + bend(place)))
     }
 
     /// The largest excess of facets and limits at an instant.
-    fn excess_at(&self, form: &Transcription, state: &NodeState) -> f64 {
-        self.excesses(form, state).fold(f64::NEG_INFINITY, f64::max)
+    fn excess_at(&self, form: &Transcription, state: &NodeState, instant: usize) -> f64 {
+        self.excesses_at(form, state, instant).map(|e| e.1).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The largest excess over all instants.
     fn excess(&self, motion: &Motion) -> f64 {
         let form = self.transcription(&motion.profile, &[]);
-        (0..form.instants()).map(|i| self.excess_at(&form, &motion.at(i))).fold(f64::NEG_INFINITY, f64::max)
+        (0..form.instants()).map(|i| self.excess_at(&form, &motion.at(i), i)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The largest excess at the nodes and at the instants of `pool`, and where that is none, over all instants.
@@ -184,7 +213,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         let form = self.transcription(&motion.profile, &[]);
         let between: BTreeSet<usize> = pool.iter().map(|r| r.instant).filter(|i| i % PARTS != 0).collect();
         let known = (0..form.instants()).step_by(PARTS).chain(between);
-        let excess = known.map(|i| self.excess_at(&form, &motion.at(i))).fold(f64::NEG_INFINITY, f64::max);
+        let excess = known.map(|i| self.excess_at(&form, &motion.at(i), i)).fold(f64::NEG_INFINITY, f64::max);
         if excess > 0.0 { excess } else { self.excess(motion) }
     }
 
@@ -198,13 +227,28 @@ impl<'e, 'a> Successive<'e, 'a> {
         }
     }
 
+    /// The inverse of [`Self::row`].
+    fn place(&self, row: Row) -> usize {
+        match row {
+            Row::Facet(facet) => facet,
+            Row::Limit(limit) => self.set.rows.len() + limit,
+            Row::Upright => self.set.rows.len() + self.engine.mission.limits.len(),
+        }
+    }
+
+    /// What a row keeps free between instants.
+    fn bend(&self, RowAt { row, instant }: &RowAt) -> f64 {
+        self.bends.get(instant).and_then(|bends| bends.get(&self.place(*row))).copied().unwrap_or(0.0)
+    }
+
     /// Rows with an excess over `threshold` at nodes. Equality rows always stand.
     fn rows_at_nodes(&self, motion: &Motion, threshold: f64) -> BTreeSet<RowAt> {
         let form = self.transcription(&motion.profile, &[]);
         let mut found = BTreeSet::new();
         for (node, state) in motion.states.iter().enumerate() {
-            let over = self.excesses(&form, state).enumerate().filter(|(_, e)| *e > threshold);
-            found.extend(over.map(|(i, _)| RowAt { row: self.row(i), instant: node * PARTS }));
+            let instant = node * PARTS;
+            let over = self.excesses_at(&form, state, instant).filter(|(_, e)| *e > threshold);
+            found.extend(over.map(|(i, _)| RowAt { row: self.row(i), instant }));
         }
         found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
         found
@@ -219,7 +263,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             let mut worst: BTreeMap<usize, (f64, usize)> = BTreeMap::new();
             for instant in interval * PARTS + 1..(interval + 1) * PARTS {
                 let state = motion.at(instant);
-                for (i, excess) in self.excesses(&form, &state).enumerate().filter(|(_, e)| *e > 0.0) {
+                for (i, excess) in self.excesses_at(&form, &state, instant).filter(|(_, e)| *e > 0.0) {
                     let entry = worst.entry(i).or_insert((excess, instant));
                     if excess > entry.0 {
                         *entry = (excess, instant);
@@ -287,7 +331,7 @@ impl<'e, 'a> Successive<'e, 'a> {
     fn step(
         &mut self,
         motion: &Motion,
-        legs: &[Option<usize>],
+        Durations { legs, range }: &Durations,
         trust: Trust,
         weights: Weights,
         pool: &mut BTreeSet<RowAt>,
@@ -296,6 +340,8 @@ impl<'e, 'a> Successive<'e, 'a> {
         pool.extend(self.places(&motion.profile));
         let lines = self.lines(motion, pool);
         let curvature = self.curvature(motion);
+        let chosen: Vec<RowAt> = pool.iter().copied().collect();
+        let bends: Vec<f64> = chosen.iter().map(|r| self.bend(r)).collect();
         let step = Step {
             from: &motion.states,
             wrenches: &lines.wrenches,
@@ -306,11 +352,10 @@ impl<'e, 'a> Successive<'e, 'a> {
             objective: weights.objective,
             penalty: weights.penalty,
             smoothing: weights.smoothing,
-            reach: trust.reach,
+            range: *range,
             back_off: &self.back_off,
-            bends: &self.bends,
+            bends: &bends,
         };
-        let chosen: Vec<RowAt> = pool.iter().copied().collect();
         let stages = self.transcription(&motion.profile, &lines.maps);
         // Splines cannot bend where legs change by different shares.
         let together = legs.iter().all(|leg| *leg == legs[0]);
@@ -318,17 +363,16 @@ impl<'e, 'a> Successive<'e, 'a> {
         let mut found = None;
         for form in splines.iter().chain([&stages]) {
             let (program, places) = form.step_program(&step, &chosen);
-            let (outcome, effort) = solve(&program);
+            let (solution, effort) = approach(&program);
             self.engine.effort += effort;
-            if let Outcome::Solved(Solution { x, z, .. }) = outcome {
+            if let Some(Solution { x, z, .. }) = solution {
                 found = Some((form, x, z, places));
                 break;
             }
         }
         let (form, x, z, places) = found?;
         let variables = form.variables();
-        let of_leg =
-            |leg: &Option<usize>| leg.map_or(0.0, |i| change(x[variables + 1 + i].clamp(-trust.reach, trust.reach)));
+        let of_leg = |leg: &Option<usize>| leg.map_or(0.0, |i| change(x[variables + 1 + i]).clamp(range.0, range.1));
         self.multipliers.clear();
         for (&RowAt { row, instant }, place) in chosen.iter().zip(&places) {
             if let (Row::Facet(facet), Some(place)) = (row, place)

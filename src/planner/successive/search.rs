@@ -68,7 +68,7 @@ impl Successive<'_, '_> {
         let form = self.transcription(&motion.profile, &[]);
         let inside = |factor: f64| {
             let slow = motion.slower(factor);
-            slow.states.iter().all(|s| self.excess_at(&form, s) <= 0.0)
+            slow.states.iter().enumerate().all(|(node, s)| self.excess_at(&form, s, node * PARTS) <= 0.0)
         };
         let (mut low, mut high) = (0.0, 1.0);
         while !inside(high) {
@@ -117,7 +117,7 @@ impl Successive<'_, '_> {
             let factor = (1.0 - step).max(target / motion.profile.total);
             self.engine.progress(factor * motion.profile.total + self.held());
             let mut known = pool.clone();
-            match self.restore(motion.slower(factor), &mut known) {
+            match self.hasten(&motion, 1.0 - factor, &mut known) {
                 Some(inside) => {
                     *pool = known;
                     motion = self.settle(inside, ROUGHLY, pool);

@@ -9,12 +9,23 @@ const RESTORING: f64 = 0.1;
 const MOST_RESTORING: usize = 8;
 const PATIENCE: usize = 2;
 
+/// Below this excess rows at other instants take turns, and each step that adds them is worth its while.
+const NEARLY: f64 = 1e-2;
+
 /// Where even the lines leave this much excess, restoring is given up: what comes after takes many steps to nothing, or to
 /// a motion at the edge of what flies (measured).
 const HOPELESS: f64 = 1e-2;
 
 /// Proximity at which steps towards the least cost begin.
-const SETTLING: f64 = 0.03;
+pub(super) const SETTLING: f64 = 0.03;
+
+/// And at which they begin at most, where the last ones found the motion to bend much.
+const MOST_SETTLING: f64 = 1e3;
+
+/// Proximity of steps to another time, and the weights of the excess and of the relative cost there.
+const HASTENING: f64 = 1.0;
+const HASTENED: f64 = 20.0;
+const SMOOTHING: f64 = 0.05;
 
 /// Weight of the excess against the relative cost, at first.
 const PENALTY: f64 = 2.0;
@@ -27,7 +38,7 @@ const LEAST_SHARE: f64 = 0.05;
 const BETWEEN: f64 = 1e-4;
 const FINER: usize = 4;
 const BENT: f64 = 1.5;
-const MOST_BENDS: usize = 5;
+const MOST_BENDS: usize = 8;
 
 /// How closely the least cost is sought.
 #[derive(Debug, Clone, Copy)]
@@ -41,10 +52,21 @@ pub(super) struct Care {
 pub(super) const ROUGHLY: Care = Care { steps: 2, small: 0.03 };
 /// For a plan that is kept.
 pub(super) const CLOSELY: Care = Care { steps: 12, small: 2e-3 };
-
 impl Successive<'_, '_> {
-    fn durations_stand(&self) -> Vec<Option<usize>> {
-        vec![None; self.engine.mission.legs.len()]
+    fn durations_stand(&self) -> Durations {
+        Durations { legs: vec![None; self.engine.mission.legs.len()], range: (0.0, 0.0) }
+    }
+
+    /// A motion made to fit in a time shorter by `share`: the lines about the motion as it was tell how, for the motion
+    /// merely flown faster can be far outside, where they say nothing.
+    pub(super) fn hasten(&mut self, motion: &Motion, share: f64, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        let durations = Durations { legs: vec![Some(0); self.engine.mission.legs.len()], range: (-share, -share) };
+        let weights = Weights { objective: Objective::Cost, penalty: HASTENED, smoothing: SMOOTHING };
+        let stepped = self.step(motion, &durations, Trust { proximity: HASTENING }, weights, pool)?;
+        if stepped.sigma > HOPELESS {
+            return None;
+        }
+        self.restore(motion.stepped(&stepped.states, &stepped.changes), pool)
     }
 
     /// Steps towards the least excess, until the motion is inside at every instant. `None` where it does not get there.
@@ -59,21 +81,22 @@ impl Successive<'_, '_> {
         hopeless: f64,
         pool: &mut BTreeSet<RowAt>,
     ) -> Option<Motion> {
-        let legs = self.durations_stand();
+        let durations = self.durations_stand();
         let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0 };
-        let mut trust = Trust { proximity: RESTORING, reach: 0.0 };
+        let mut trust = Trust { proximity: RESTORING };
         let mut excess = self.excess_by(&motion, pool);
         let mut history = Vec::new();
         self.multipliers.clear();
         while excess > 0.0 {
             history.push(excess);
-            let stuck = history.len() > PATIENCE && excess > 0.5 * history[history.len() - 1 - PATIENCE];
+            let stuck =
+                excess > NEARLY && history.len() > PATIENCE && excess > 0.5 * history[history.len() - 1 - PATIENCE];
             if history.len() > MOST_RESTORING || stuck || trust.exhausted() {
                 return None;
             }
             pool.extend(self.rows_between(&motion));
             excess = self.excess_by(&motion, pool);
-            let stepped = self.step(&motion, &legs, trust, weights, pool)?;
+            let stepped = self.step(&motion, &durations, trust, weights, pool)?;
             if stepped.sigma > hopeless {
                 return None;
             }
@@ -100,14 +123,14 @@ impl Successive<'_, '_> {
     /// Steps towards the least cost. Both the motion given and the one returned are inside at every instant; in between
     /// merit is the cost and a penalty on the excess.
     pub(super) fn settle(&mut self, motion: Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Motion {
-        let legs = self.durations_stand();
-        let mut trust = Trust { proximity: SETTLING, reach: 0.0 };
+        let durations = self.durations_stand();
+        let mut trust = Trust { proximity: self.settling };
         let mut weights = Weights { objective: Objective::Cost, penalty: PENALTY, smoothing: 1.0 };
         let mut best = (self.cost(&motion), motion.clone());
         let (mut at, mut excess) = (motion, 0.0);
         for _ in 0..care.steps {
             let here = self.cost(&at);
-            let Some(stepped) = self.step(&at, &legs, trust, weights, pool) else { break };
+            let Some(stepped) = self.step(&at, &durations, trust, weights, pool) else { break };
             // A sigma within the back-off is inside.
             let sigma = stepped.sigma - BACK_OFF;
             if sigma > 0.0 {
@@ -135,58 +158,76 @@ impl Successive<'_, '_> {
                 best = (cost, reached.clone());
             }
             pool.extend(self.rows_between(&reached));
-            trust = if expected > 0.0 { trust.after(gained, expected) } else { trust.less() };
+            trust = match share {
+                1.0 if expected > 0.0 => trust.after(gained, expected),
+                _ => trust.shared(share),
+            };
             if gained > 0.0 {
                 // Measured again, with the instants that the pool has now.
                 at = reached;
                 excess = self.excess_by(&at, pool);
             }
-            if expected < care.small && excess <= 0.0 || trust.exhausted() {
+            if expected < care.small || trust.exhausted() {
                 break;
+            }
+        }
+        self.settling = trust.proximity.min(MOST_SETTLING);
+        // Where the last motion is still outside, the nearest one inside may well be the best.
+        if excess > 0.0 && self.cost(&at) < best.0 {
+            let mut known = pool.clone();
+            if let Some(inside) = self.restore(at, &mut known) {
+                let cost = self.cost(&inside);
+                if cost < best.0 {
+                    *pool = known;
+                    best = (cost, inside);
+                }
             }
         }
         best.1
     }
 
     /// Settles, and looks between the instants: rows that are passed there by more than [`BETWEEN`] keep that much more free
-    /// from then on, and the motion is restored and settled again. `None` where that does not end.
+    /// at the instants beside from then on, and the motion is restored. `None` where that does not end.
     pub(super) fn settle_between(&mut self, motion: Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        self.bends.clear();
         let mut motion = self.settle(motion, care, pool);
         for _ in 0..MOST_BENDS {
             let over = self.between_instants(&motion);
-            if over.iter().all(|excess| *excess <= BETWEEN) {
+            if over.is_empty() {
                 return Some(motion);
             }
-            for (bend, excess) in self.bends.iter_mut().zip(&over) {
-                *bend += BENT * excess.max(0.0);
+            for (at, excess) in over {
+                let place = self.place(at.row);
+                for instant in [at.instant, at.instant + 1] {
+                    *self.bends.entry(instant).or_default().entry(place).or_default() += BENT * excess;
+                    pool.insert(RowAt { instant, ..at });
+                }
             }
-            let restored = self.restore(motion, pool)?;
-            motion = self.settle(restored, care, pool);
+            motion = self.restore(motion, pool)?;
         }
         None
     }
 
-    /// The largest excess of each facet and limit on a grid [`FINER`] times finer than the instants, as they stand.
-    fn between_instants(&self, motion: &Motion) -> Vec<f64> {
+    /// The rows passed by more than [`BETWEEN`] on a grid [`FINER`] times finer than the instants, each at the instant before
+    /// with its largest excess until the next.
+    fn between_instants(&self, motion: &Motion) -> Vec<(RowAt, f64)> {
         let form = self.transcription(&motion.profile, &[]);
-        let mut worst = vec![f64::NEG_INFINITY; self.bends.len()];
+        let mut over: BTreeMap<RowAt, f64> = BTreeMap::new();
         let parts = PARTS * FINER;
         for interval in 0..motion.profile.intervals() {
             for part in 0..parts {
                 let state = motion.inside(interval, part as f64 / parts as f64);
-                let bends = self.bends.iter();
-                for ((w, excess), bend) in worst.iter_mut().zip(self.excesses(&form, &state)).zip(bends) {
-                    *w = w.max(excess - bend);
+                let instant = interval * PARTS + part / FINER;
+                for (place, excess) in self.excesses(&form, &state).enumerate().filter(|(_, e)| *e > BETWEEN) {
+                    let entry = over.entry(RowAt { row: self.row(place), instant }).or_default();
+                    *entry = entry.max(excess);
                 }
             }
         }
         // Places have no width to keep a share of free.
-        for (w, limit) in worst[self.set.rows.len()..].iter_mut().zip(&self.engine.mission.limits) {
-            if place(limit.kind) {
-                *w = f64::NEG_INFINITY;
-            }
-        }
-        worst
+        let limits = &self.engine.mission.limits;
+        over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if place(limits[limit].kind)));
+        over.into_iter().collect()
     }
 
     pub(super) fn cost(&self, motion: &Motion) -> f64 {

@@ -45,11 +45,11 @@ pub struct Step<'s> {
     pub penalty: f64,
     /// Weight of the cost (48), relative to that of the last motion.
     pub smoothing: f64,
-    /// Largest relative change of a duration.
-    pub reach: f64,
+    /// Least and largest relative change of a duration.
+    pub range: (f64, f64),
     /// What each row of the set keeps free, in widths of the healthy set.
     pub back_off: &'s [f64],
-    /// What facets and then limits keep free beyond that.
+    /// What each chosen row keeps free beyond that.
     pub bends: &'s [f64],
 }
 
@@ -59,6 +59,11 @@ const ORDER_OF_TIME: f64 = 4.0;
 /// The relative change of a duration that a value of its variable stands for.
 pub fn change(epsilon: f64) -> f64 {
     (1.0 + ORDER_OF_TIME * epsilon).max(0.0).powf(1.0 / ORDER_OF_TIME) - 1.0
+}
+
+/// The value of the variable that stands for a relative change of a duration.
+fn variable(change: f64) -> f64 {
+    ((1.0 + change).powf(ORDER_OF_TIME) - 1.0) / ORDER_OF_TIME
 }
 
 /// A psi that changes by this much counts like an acceleration that changes by itself, rad.
@@ -118,20 +123,19 @@ impl Transcription<'_> {
             Widening::by(&free).with_stretch(&self.stretch(step, self.leg_of(instant)))
         };
         let mut places = Vec::with_capacity(chosen.len());
-        for &RowAt { row, instant } in chosen {
+        for (&RowAt { row, instant }, &bend) in chosen.iter().zip(step.bends) {
             places.push(matches!(row, Row::Facet(_)).then(|| builder.inequalities()));
             match row {
                 Row::Facet(facet) => {
-                    let free = step.back_off[facet] + step.bends[facet];
+                    let free = step.back_off[facet] + bend;
                     let mut expression = excess.clone().plus_constant(-free);
                     expression.add(&slack(instant, &self.set.rows[facet]), 1.0);
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node: instant / self.parts });
                 }
                 Row::Limit(limit) => {
-                    let bend = step.bends[self.set.rows.len() + limit];
                     self.limit(&mut builder, limit, instant, &widening(instant, bend));
                 }
-                Row::Upright => self.upright(&mut builder, instant, &widening(instant, 0.0)),
+                Row::Upright => self.upright(&mut builder, instant, &widening(instant, bend)),
             }
         }
         self.durations(&mut builder, step);
@@ -165,7 +169,7 @@ impl Transcription<'_> {
         bend
     }
 
-    /// Durations change by at most the step's reach; where a shorter time is sought, each counts by its share.
+    /// Durations change within the step's range; where a shorter time is sought, each counts by its share.
     fn durations(&self, builder: &mut Builder, step: &Step) {
         for segment in self.profile.segments.iter() {
             let leg = segment.from;
@@ -173,8 +177,12 @@ impl Transcription<'_> {
                 continue;
             }
             let change = self.stretch(step, leg);
-            for side in [1.0, -1.0] {
-                builder.nonnegative(change.clone().times(side).plus_constant(step.reach), RowOrigin::Duration { leg });
+            let (least, most) = (variable(step.range.0), variable(step.range.1));
+            if least == most {
+                builder.zero(change.plus_constant(-least), RowOrigin::Duration { leg });
+            } else {
+                builder.nonnegative(change.clone().plus_constant(-least), RowOrigin::Duration { leg });
+                builder.nonnegative(change.times(-1.0).plus_constant(most), RowOrigin::Duration { leg });
             }
         }
         if step.objective == Objective::Time {

@@ -3,8 +3,9 @@
 use super::sequence::ROUGHLY;
 use super::*;
 
-/// Largest relative change of a leg's duration in the first step, how it changes, and where that ends.
+/// Largest relative change of a leg's duration in the first step and in any, how it changes, and where that ends.
 const FIRST_REACH: f64 = 0.1;
+const MOST_REACH: f64 = 0.2;
 const FURTHER: f64 = 1.5;
 const SHRINK: f64 = 0.4;
 const LEAST_REACH: f64 = 0.01;
@@ -34,15 +35,16 @@ impl Successive<'_, '_> {
     pub(super) fn better_times(&mut self, mut motion: Motion, pool: &mut BTreeSet<RowAt>) -> Motion {
         let legs: Vec<Option<usize>> = (0..self.engine.mission.legs.len()).map(Some).collect();
         let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing: SMOOTHING };
-        let mut trust = Trust { proximity: PROXIMITY, reach: FIRST_REACH };
+        let trust = Trust { proximity: PROXIMITY };
+        let mut reach = FIRST_REACH;
         for _ in 0..MOST_STEPS {
-            if trust.reach < LEAST_REACH {
+            if reach < LEAST_REACH {
                 break;
             }
             self.engine.progress(motion.profile.total);
             let mut known = pool.clone();
             let shorter = self
-                .step(&motion, &legs, trust, weights, &mut known)
+                .step(&motion, &Durations { legs: legs.clone(), range: (-reach, reach) }, trust, weights, &mut known)
                 .map(|stepped| motion.stepped(&stepped.states, &stepped.changes))
                 .filter(|reached| reached.profile.total < motion.profile.total)
                 .and_then(|reached| self.restore_unless(reached, HOPELESS, &mut known));
@@ -51,12 +53,12 @@ impl Successive<'_, '_> {
                     let gained = 1.0 - inside.profile.total / motion.profile.total;
                     *pool = known;
                     motion = self.settle(inside, ROUGHLY, pool);
-                    trust.reach = (FURTHER * trust.reach).min(Trust::MOST_REACH);
+                    reach = (FURTHER * reach).min(MOST_REACH);
                     if gained < SMALL {
                         break;
                     }
                 }
-                None => trust.reach *= SHRINK,
+                None => reach *= SHRINK,
             }
         }
         motion
