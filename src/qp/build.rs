@@ -128,6 +128,35 @@ impl Builder {
         self.constant += factor * a.constant * b.constant;
     }
 
+    /// Adds `factor` times the sum of the squares of some expressions to the objective: each pair of variables once,
+    /// however many expressions share it.
+    pub fn squares(&mut self, expressions: &[Affine], factor: f64) {
+        let mut variables: Vec<usize> = expressions.iter().flat_map(|e| e.terms.iter().map(|t| t.0)).collect();
+        variables.sort_unstable();
+        variables.dedup();
+        let row = |expression: &Affine| {
+            let mut row = vec![0.0; variables.len()];
+            for &(variable, coefficient) in &expression.terms {
+                if let Ok(place) = variables.binary_search(&variable) {
+                    row[place] += coefficient;
+                }
+            }
+            row
+        };
+        let rows: Vec<Vec<f64>> = expressions.iter().map(row).collect();
+        for (i, &u) in variables.iter().enumerate() {
+            for (j, &v) in variables.iter().enumerate().skip(i) {
+                let sum: f64 = rows.iter().map(|row| row[i] * row[j]).sum();
+                if sum != 0.0 {
+                    self.product(u, v, if i == j { factor * sum } else { 2.0 * factor * sum });
+                }
+            }
+            let crossed: f64 = rows.iter().zip(expressions).map(|(row, e)| row[i] * e.constant).sum();
+            self.linear(u, 2.0 * factor * crossed);
+        }
+        self.constant += factor * expressions.iter().map(|e| e.constant.powi(2)).sum::<f64>();
+    }
+
     pub fn finish(self) -> QuadraticProgram {
         let grouped_rows: usize = self.cones.iter().map(|c| c.0.len()).sum();
         let rows = self.equal.len() + self.nonnegative.len() + grouped_rows;

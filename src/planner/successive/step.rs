@@ -200,14 +200,17 @@ impl Transcription<'_> {
         let mut steps: Vec<f64> = self.profile.steps().collect();
         steps.push(0.0);
         for (instant, from, factors) in step.curvature {
-            for factor in factors {
+            let directions = DIRECTIONS
+                .map(|(axis, order)| self.derivative(*instant, axis, order).plus_constant(-from[axis][order]).merged());
+            let change = |factor: &FlatState| {
                 let mut change = Affine::default();
-                for (&(axis, order), weight) in DIRECTIONS.iter().zip(factor.iter()).filter(|(_, w)| **w != 0.0) {
-                    change.add(&self.derivative(*instant, axis, order).plus_constant(-from[axis][order]), *weight);
+                for (direction, weight) in directions.iter().zip(factor.iter()) {
+                    change.add(direction, *weight);
                 }
-                let change = change.merged();
-                builder.inner_product(&change, &change, 0.5);
-            }
+                change
+            };
+            let changes: Vec<Affine> = factors.iter().map(change).collect();
+            builder.squares(&changes, 0.5);
         }
         for (node, from) in step.from.iter().enumerate() {
             let around = 0.5 * (steps[node] + if node > 0 { steps[node - 1] } else { 0.0 });
@@ -217,7 +220,7 @@ impl Transcription<'_> {
             let share = 0.5 * step.proximity * around / self.profile.total;
             let mut near = |axis: usize, order: usize, scale: f64| {
                 let change = self.at_node(node, axis, order).plus_constant(-from[axis][order]);
-                builder.inner_product(&change, &change, share / (scale * scale));
+                builder.squares(&[change], share / (scale * scale));
             };
             for axis in [X, Y, Z] {
                 near(axis, 2, acceleration);
