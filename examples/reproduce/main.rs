@@ -10,12 +10,16 @@ mod document;
 fn main() -> std::io::Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => print!("{}", document::whole()),
-        ["--write"] => std::fs::write(document::specs::root().join("docs/reproduction.md"), document::whole())?,
+        [] => print!("{}", page()),
+        ["--write"] => std::fs::write(document::specs::root().join("docs/reproduction.md"), page())?,
         _ => {
             eprintln!("usage: reproduce [--write]");
             std::process::exit(2);
         }
     }
     Ok(())
+}
+
+fn page() -> String {
+    document::whole(document::exact::shortest)
 }
