@@ -12,6 +12,7 @@ import warnings
 import cvxpy as cp
 import numpy as np
 import scipy.sparse as sp
+from scipy.ndimage import maximum_filter1d
 
 import flatness
 from case import GRAVITY, PeerError
@@ -235,7 +236,8 @@ class Successive:
         """The compiled problem if it has the slots, else another one with some to spare."""
         if self.program is None or any((n > c).any() for n, c in zip(need, self.program.capacity)):
             before = self.program.capacity if self.program else [np.full(self.grid.samples, 2)] * 2
-            wider = [np.where(n > c, 2 * n + 2, c) for n, c in zip(need, before)]
+            # What binds moves on to the intervals beside it.
+            wider = [np.maximum(c, 2 * maximum_filter1d(n, 7) + 2) for n, c in zip(need, before)]
             self.program = StepProgram(self.grid, *wider)
         return self.program
 
