@@ -143,15 +143,15 @@ class Grid:
             theirs = theirs[:, fine.first[axis] : fine.first[axis + 1]]
             values = []
             for s in shares:
-                at = np.stack([self.at(axis, 0, (p + s) / repeat)[:, mine] @ motion.coefficients[mine] for p in range(repeat)])
-                values.append(at.T.ravel())
+                rows = [self.at(axis, 0, (p + s) / repeat)[:, mine] for p in range(repeat)]
+                values.append(np.stack([r @ motion.coefficients[mine] for r in rows]).T.ravel())
             parts.append(np.linalg.lstsq(theirs.toarray(), np.concatenate(values), rcond=None)[0])
         return Motion(np.concatenate(parts), motion.total)
 
 
 def taylor(nodes, times, shares):
-    """(intervals, S, 12): flat inputs, shares of the way through each interval, of a motion known at its nodes (nodes, 5, 4):
-    the input's slope is constant in between. Knows nothing of splines, so it serves any plan."""
+    """(intervals, S, 12): flat inputs, shares of the way through each interval, of a motion known at its nodes
+    (nodes, 5, 4): the input's slope is constant in between. Knows nothing of splines, so it serves any plan."""
     steps = np.diff(times)[:, None]
     t = steps * shares
     highest = [4, 4, 4, 2]

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Plans in the exact model by mavc and by the same algorithm in CVXPY with Clarabel, at fixed mission times.
 
-Both plans are then judged alike, by code that knows neither: cost (48) and the wrench from the derivatives at the nodes, on a
-grid of --parts instants an interval, against the facets of scipy's convex hull. Exit code 1 where mavc's plan is not what
-its table says (wrench or objective), or where either passes a facet by more than 1e-4 of its width.
+Both plans are then judged alike, by code that knows neither: cost (48) and the wrench from the derivatives at the
+nodes, on a grid of --parts instants an interval, against the facets of scipy's convex hull. Exit code 1 where mavc's
+plan is not what its table says (wrench or objective), or where either passes a facet by more than 1e-4 of its width.
 """
 
 import argparse
@@ -47,7 +47,7 @@ class Result:
 
 
 def mavc_plan(options, case, total):
-    """mavc's plan, its wrench at the nodes (nodes, 4) and the objective that it reports; None where it finds no plan."""
+    """mavc's plan, its wrench at the nodes (nodes, 4) and the objective that it reports."""
     with tempfile.TemporaryDirectory() as folder:
         table, report = Path(folder) / "plan.csv", Path(folder) / "report.json"
         settings = ["plan.model=exact", f"plan.planner={options.planner}", f"plan.samples={case.samples}"]
@@ -88,7 +88,7 @@ def peer_plan(case, facets, total):
 
 @dataclass
 class Judged:
-    """Cost (48), the largest excess over a facet (widths) and over (68) (g), and the largest distance to a waypoint (m)."""
+    """Cost (48), the largest excess over a facet (widths) and (68) (g), the largest distance to a waypoint (m)."""
 
     cost: float
     excess: float
@@ -132,7 +132,8 @@ def rows(case, facets, total, options):
         judged = judge(case, facets, result, options.parts)
         per_iteration = 1e3 * result.solver_seconds / result.iterations
         print(
-            f"{result.times[-1]:6.2f} s  {result.who:4}  {judged.cost:9.5f}  {judged.excess:10.1e}  {100 * judged.miss:8.3f}"
+            f"{result.times[-1]:6.2f} s  {result.who:4}  {judged.cost:9.5f}  {judged.excess:10.1e}"
+            f"  {100 * judged.miss:8.3f}"
             f"  {result.solves:6}  {result.iterations:10}  {result.solver_seconds:8.2f}  {per_iteration:12.2f}"
             f"  {result.user_seconds:6.2f}  {result.seconds:6.2f}  {result.compilations:3} in {result.compiling:.1f} s"
         )
@@ -161,7 +162,8 @@ def main():
         case = replace(case, samples=options.samples)
     healthy, _, joint = planning_sets(case)
     print(
-        "    time  who        cost  passed by  miss cm  solves  iterations  solver s  ms/iteration  user s  wall s  compiled"
+        "    time  who        cost   passed by   miss cm  solves  iterations  solver s  ms/iteration  user s  wall s"
+        "  compiled"
     )
     words = []
     for total in options.times.split(","):

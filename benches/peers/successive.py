@@ -1,8 +1,8 @@
 """Plans under the exact wrench by successive convexification, step by step as docs/method.md section 12 has it.
 
-One compiled problem serves all steps and times of a grid: rows and squares of curvature stand in slots, a number of them
-on each interval whose coefficients they may couple, and what stands there are parameters. Where an interval runs out of
-slots the problem is compiled anew with more.
+One compiled problem serves all steps and times of a grid: rows and squares of curvature stand in slots, a number of
+them on each interval whose coefficients they may couple, and what stands there are parameters. Where an interval runs
+out of slots the problem is compiled anew with more.
 """
 
 import math
@@ -111,7 +111,8 @@ def meet(grid, c):
 def cost(grid, c, weights):
     """(48) but for a constant."""
     snap, acceleration, waypoint = weights
-    distance = cp.quad_form(c, (grid.meet.T @ grid.meet).tocsc(), assume_PSD=True) - 2 * (grid.meet.T @ grid.targets) @ c
+    distance = cp.quad_form(c, (grid.meet.T @ grid.meet).tocsc(), assume_PSD=True)
+    distance -= 2 * (grid.meet.T @ grid.targets) @ c
     squares = snap * cp.quad_form(c, grid.snap, assume_PSD=True)
     return squares + acceleration * cp.quad_form(c, grid.acceleration, assume_PSD=True) + waypoint * distance
 
@@ -190,8 +191,8 @@ class Successive:
         return problem.status == cp.OPTIMAL
 
     def step(self, motion, pool, *, proximity, penalty, smoothing):
-        """The program about a motion: its coefficients and sigma, or None without a verdict. Adds rows at nodes that the
-        motion is near to the pool."""
+        """The program about a motion: its coefficients and sigma, or None without a verdict. Rows at nodes that the
+        motion is near to join the pool."""
         grid, h = self.grid, motion.total / self.grid.samples
         excesses = self.excesses(motion)
         pool[::PARTS] |= excesses[::PARTS] > -NEAR
@@ -254,7 +255,7 @@ class Successive:
         program.turn_from.value = root * psi
 
     def curvature(self, flat, h):
-        """Squares |factor . (d' - d)|^2 / 2 of the Lagrangian's convex part: their instants, factors by window, constants."""
+        """Squares |factor . (d' - d)|^2 / 2 of the Lagrangian's convex part: instants, factors by window, constants."""
         at = np.array(sorted(self.multipliers), dtype=int)
         if not len(at):
             return at, np.zeros((0, WINDOW)), np.zeros(0)
@@ -345,7 +346,7 @@ class Successive:
         return best
 
     def kept(self, motion, care, pool):
-        """Settled, and rows that are passed between the instants kept further away from; None where that does not end."""
+        """Settled, with more kept free of rows that are passed between the instants; None where that does not end."""
         motion = self.settle(motion, care, pool)
         for _ in range(MOST_BENDS):
             over = self.excesses(motion, PARTS * FINER)[:, :-1].max(axis=0) - self.bends
