@@ -248,12 +248,11 @@ fn exact_by_samples() {
 fn exact_by_modes() {
     println!(
         "\nRCP around a square in the exact model at {SQUARE} s, 16 rotors, 200 samples; seconds of the thread's own\n  \
-         modes  rows at a node  near hover  sets s  plan s  solves  iterations  rows used  of"
+         modes  rows at a node  sets s  plan s  solves  iterations  rows used  of"
     );
     let (model, square) = sixteen_rotors();
     let healthy = AdmissibleSet::healthy(&model);
     let able = able(&model);
-    let hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
     for count in [1, 15, 30, 60, 120] {
         let chosen: Vec<usize> = able.iter().copied().step_by(able.len() / count).take(count).collect();
         let begin = thread_seconds();
@@ -268,12 +267,10 @@ fn exact_by_modes() {
             Decision::Feasible(planned) => planned.rows.to_string(),
             _ => "no plan".into(),
         };
-        // Steps begin with the rows that a motion is this near to.
-        let near = set.rows.iter().filter(|row| row.excess(&hover) > -0.1).count();
         let (modes, at_node, effort) = (chosen.len(), set.rows.len(), &engine.effort);
         let (solves, iterations, all) = (effort.solves, effort.iterations, at_node * 201);
         println!(
-            "  {modes:>5}  {at_node:>14}  {near:>10}  {sets_took:>6.2}  {plan_took:>6.2}  {solves:>6}  {iterations:>10}  {rows:>9}  {all}"
+            "  {modes:>5}  {at_node:>14}  {sets_took:>6.2}  {plan_took:>6.2}  {solves:>6}  {iterations:>10}  {rows:>9}  {all}"
         );
     }
 }
