@@ -1,8 +1,7 @@
-//! What changes when the model is exact: what the hover plans ask of a real vehicle, and the shortest times found in the
-//! exact model.
+//! What changes when the model is exact: what the hover plans ask of a real vehicle, and where shortest times stand.
 
 use super::case_plans::seconds;
-use super::markdown::{fixed, none, paragraph, table};
+use super::markdown::{fixed, paragraph, table};
 use super::plans::{self, JOINTLY, Plans, name};
 use super::specs;
 use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
@@ -17,7 +16,7 @@ use mavc::trajectory::checks::stretch;
 pub const SHORTEST: &str = "### Shortest times in both models\n\n";
 
 /// The cases' planners at their own shortest times; RIP knows no modes and is the same in all three.
-const PLANNERS: [(usize, &str, PlannerKind); 4] = [
+pub const PLANNERS: [(usize, &str, PlannerKind); 4] = [
     (1, "RIP", PlannerKind::Rip),
     (1, "RCP M1", PlannerKind::Rcp),
     (2, "RCP M1_6", PlannerKind::Rcp),
@@ -71,7 +70,8 @@ pub fn exactly(solved: &Solved, model: &Model, rows: &[SetRow]) -> Exactly {
     found
 }
 
-fn degrees(solved: &Solved, model: &Model) -> String {
+/// The largest tilt of a plan.
+pub fn degrees(solved: &Solved, model: &Model) -> String {
     fixed(stretch(&solved.trajectory, model).tilt.value.to_degrees(), 0)
 }
 
@@ -129,47 +129,4 @@ pub fn plan(model: &Model) -> Option<(PlannerRun, Solved)> {
     let run = compare(model, mission, Scope::Plan, None).runs.pop()?;
     let solved = plans::solved(&run)?.clone();
     Some((run, solved))
-}
-
-/// What stands under [`SHORTEST`]: computed anew, which takes minutes.
-pub fn shortest() -> String {
-    let mut rows = Vec::new();
-    for (number, planner, kind) in PLANNERS {
-        let hover = plans::of_case(number);
-        let before = hover.plan(planner, Run::Own);
-        let model = exact_case(number, kind, MissionTime::Minimum);
-        let found = plan(&model);
-        let or_none = |of: &dyn Fn(&Solved) -> String| found.as_ref().map_or_else(none, |(_, s)| of(s));
-        rows.push(vec![
-            number.to_string(),
-            planner.into(),
-            seconds(before.time),
-            or_none(&|s| seconds(s.time)),
-            or_none(&|s| fixed(s.time / before.time, 2)),
-            degrees(before, &hover.model),
-            or_none(&|s| degrees(s, &model)),
-            found.as_ref().map_or_else(none, |(run, s)| {
-                let found = exactly(s, &model, &run.set.rows);
-                if found.outside > 0.0 { seconds(found.outside) } else { "never".into() }
-            }),
-        ]);
-    }
-    let header = [
-        "case",
-        "planner",
-        "T, hover",
-        "T, exact",
-        "ratio",
-        "tilt, hover, degrees",
-        "tilt, exact, degrees",
-        "exact plan outside",
-    ];
-    [
-        paragraph(
-            "With `--set plan.model=exact` shortest times are the shortest *found*: the steps are local, and a shorter \
-             time may have a plan. Every such plan stays upright, and is looked at as the hover plans were.",
-        ),
-        table(&header, &rows),
-    ]
-    .concat()
 }

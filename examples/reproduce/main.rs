@@ -9,6 +9,8 @@
 // By path, so that its parts lie beside it.
 #[path = "document.rs"]
 mod document;
+#[path = "shortest.rs"]
+mod shortest;
 
 use document::exact;
 
@@ -16,8 +18,8 @@ fn main() -> std::io::Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let path = document::specs::root().join("docs/reproduction.md");
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => print!("{}", document::whole(exact::shortest)),
-        ["--write"] => std::fs::write(path, document::whole(exact::shortest))?,
+        [] => print!("{}", document::whole(shortest::section)),
+        ["--write"] => std::fs::write(path, document::whole(shortest::section))?,
         ["--write", "--keep-shortest"] => {
             let page = std::fs::read_to_string(&path)?;
             std::fs::write(path, document::whole(|| exact::written(&page).into()))?;
