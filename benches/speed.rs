@@ -1,5 +1,6 @@
 //! How long the stages take, and how that grows. `cargo bench` prints criterion's figures, then tables: sets by
-//! number of rotors, RIP plans by number of samples, RCP against many modes, flights.
+//! number of rotors, RIP plans by number of samples, RCP against many modes, flights, and plans of the exact model by
+//! samples and by modes. `cargo bench --bench speed -- exact` prints those whose name holds the word.
 
 #[path = "../tests/it/vehicles.rs"]
 #[allow(dead_code)]
@@ -9,13 +10,16 @@ use criterion::Criterion;
 use mavc::actuation::Wrench;
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::flight::{Sortie, fly};
-use mavc::model::{Allocation, Controller, Detection, Model, PlannerKind, Strike};
+use mavc::model::{Allocation, Controller, Detection, Mission, Model, PlannerKind, Strike};
 use mavc::planner::pool::Pool;
 use mavc::planner::rows::{Decision, Engine};
 use mavc::planner::search::Hint;
 use mavc::planner::select::PlanningSet;
+use mavc::planner::successive::Successive;
+use mavc::planner::wrench_model::WrenchModel;
 use mavc::trajectory::Trajectory;
 use std::hint::black_box;
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use vehicles::{lost, mission, octocopter, paper_case, ring_model, waypoint};
 
@@ -122,20 +126,30 @@ fn by_samples() {
     }
 }
 
+/// Sixteen rotors on a ring with every double loss, and a climbing square.
+fn sixteen_rotors() -> (Model, Mission) {
+    let mut model = ring_model(&"PN".repeat(8), 4.5, [0.2, 0.2, 0.35], 8.5485e-6, 1.3678e-7, 874.0);
+    let pairs = (1..=16).flat_map(|i| (i + 1..=16).map(move |j| [i, j]));
+    model.modes = pairs.map(|pair| lost(&model, &pair)).collect();
+    let corners = [[0.0, 0.0, 2.0], [6.0, 0.0, 3.0], [6.0, 6.0, 4.0], [0.0, 6.0, 3.0], [0.0, 0.0, 2.0]];
+    (model, mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec()))
+}
+
+/// The modes that leave hover strictly inside their set.
+fn able(model: &Model) -> Vec<usize> {
+    let hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
+    let inside = |&m: &usize| AdmissibleSet::of_mode(model, m).polytope.margin(&hover) > 1e-6;
+    (0..model.modes.len()).filter(inside).collect()
+}
+
 /// RCP against every double loss of a sixteen-rotor vehicle that leaves hover, around a climbing square at 200 samples.
 fn by_modes() {
     println!(
         "\nRCP around a square in the shortest time, 16 rotors, 200 samples\n  modes  rows at a node  sets s  plan s  solves  rows used"
     );
-    let mut model = ring_model(&"PN".repeat(8), 4.5, [0.2, 0.2, 0.35], 8.5485e-6, 1.3678e-7, 874.0);
-    let pairs = (1..=16).flat_map(|i| (i + 1..=16).map(move |j| [i, j]));
-    model.modes = pairs.map(|pair| lost(&model, &pair)).collect();
-    let corners = [[0.0, 0.0, 2.0], [6.0, 0.0, 3.0], [6.0, 6.0, 4.0], [0.0, 6.0, 3.0], [0.0, 0.0, 2.0]];
-    let square = mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec());
+    let (model, square) = sixteen_rotors();
     let healthy = AdmissibleSet::healthy(&model);
-    let hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
-    let able: Vec<usize> =
-        (0..120).filter(|&m| AdmissibleSet::of_mode(&model, m).polytope.margin(&hover) > 1e-6).collect();
+    let able = able(&model);
     for share in [8, 4, 2, 1] {
         let chosen: Vec<usize> = able.iter().copied().step_by(share).collect();
         let begin = Instant::now();
@@ -195,13 +209,92 @@ fn by_flight() {
     row("controller at 1 kHz", |m| m.simulation.control_rate = 1000.0);
 }
 
+/// Seconds that this thread has been running, which other work on the machine does not add to. Where the system does
+/// not say, wall seconds.
+fn thread_seconds() -> f64 {
+    static BEGIN: OnceLock<Instant> = OnceLock::new();
+    let begin = BEGIN.get_or_init(Instant::now);
+    let running = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = running.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |ns| 1e-9 * ns)
+}
+
+/// The exact model at one time, RIP along case 1's curve.
+fn exact_by_samples() {
+    println!(
+        "\nRIP plan of case 1 in the exact model at 24 s; seconds of the thread's own\n  samples  solves  iterations  plan s  \
+         ms per iteration  us per iteration and sample"
+    );
+    let mut model = paper_case(PlannerKind::Rip, &[]);
+    let (healthy, set) = healthy_set(&model);
+    for samples in [100, 200, 400, 800, 1_600] {
+        model.plan.samples = samples;
+        let mission = model.mission.as_ref().expect("a mission");
+        let mut engine = Engine::new(&model, mission, &healthy);
+        let begin = thread_seconds();
+        let decision = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(24.0, None);
+        let seconds = thread_seconds() - begin;
+        let verdict = if let Decision::Feasible(_) = decision { "" } else { "  no plan" };
+        let (solves, iterations) = (engine.effort.solves, engine.effort.iterations);
+        let each = 1e3 * seconds / iterations as f64;
+        let per_sample = 1e3 * each / samples as f64;
+        println!(
+            "  {samples:>7}  {solves:>6}  {iterations:>10}  {seconds:>6.2}  {each:>16.3}  {per_sample:>27.2}{verdict}"
+        );
+    }
+}
+
+/// The exact model against double losses of sixteen rotors jointly, at one time.
+fn exact_by_modes() {
+    println!(
+        "\nRCP around a square in the exact model at {SQUARE} s, 16 rotors, 200 samples; seconds of the thread's own\n  \
+         modes  rows at a node  sets s  plan s  solves  iterations  rows used  of"
+    );
+    let (model, square) = sixteen_rotors();
+    let healthy = AdmissibleSet::healthy(&model);
+    let able = able(&model);
+    for count in [1, 15, 30, 60, 120] {
+        let chosen: Vec<usize> = able.iter().copied().step_by(able.len() / count).take(count).collect();
+        let begin = thread_seconds();
+        let sets: Vec<AdmissibleSet> = chosen.iter().map(|&m| AdmissibleSet::of_mode(&model, m)).collect();
+        let set = PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy);
+        let sets_took = thread_seconds() - begin;
+        let begin = thread_seconds();
+        let mut engine = Engine::new(&model, &square, &healthy);
+        let decision = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(SQUARE, None);
+        let plan_took = thread_seconds() - begin;
+        let rows = match decision {
+            Decision::Feasible(planned) => planned.rows.to_string(),
+            _ => "no plan".into(),
+        };
+        let (modes, at_node, effort) = (chosen.len(), set.rows.len(), &engine.effort);
+        let (solves, iterations, all) = (effort.solves, effort.iterations, at_node * 201);
+        println!(
+            "  {modes:>5}  {at_node:>14}  {sets_took:>6.2}  {plan_took:>6.2}  {solves:>6}  {iterations:>10}  {rows:>9}  {all}"
+        );
+    }
+}
+
+/// Mission time of the square in the exact model, s.
+const SQUARE: f64 = 6.0;
+
 fn main() {
     let mut criterion = Criterion::default().configure_from_args();
+    let asked: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
     sets(&mut criterion);
     plans(&mut criterion);
     criterion.final_summary();
-    by_rotors();
-    by_samples();
-    by_modes();
-    by_flight();
+    let tables: [(&str, fn()); 6] = [
+        ("rotors", by_rotors),
+        ("samples", by_samples),
+        ("modes", by_modes),
+        ("flight", by_flight),
+        ("exact samples", exact_by_samples),
+        ("exact modes", exact_by_modes),
+    ];
+    for (name, table) in tables {
+        if asked.is_empty() || asked.iter().any(|word| name.contains(word.as_str())) {
+            table();
+        }
+    }
 }

@@ -28,11 +28,13 @@ MEGABYTES = 300  # resident, case 3
 
 @dataclass
 class Finished:
-    """A process that ended well: wall time in s, resident memory in MB, what it printed."""
+    """A process that ended well: wall and user time in s, resident memory in MB, what it printed."""
 
     seconds: float
+    user_seconds: float
     megabytes: float
     out: str
+    complaints: str
     timings: dict
 
 
@@ -61,7 +63,9 @@ def run(command, repeat=1):
             line = " ".join(map(str, command))
             raise PeerError(f"{line} ended with {process.returncode}:\n{complaints.strip()[-800:]}")
         if best is None or seconds < best.seconds:
-            best = Finished(seconds, usage.ru_maxrss / 1024, said, parse_timings(complaints))
+            best = Finished(
+                seconds, usage.ru_utime, usage.ru_maxrss / 1024, said, complaints, parse_timings(complaints)
+            )
     return best
 
 

@@ -49,8 +49,7 @@ pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Stri
         row.extend([s[X][1], s[Y][1], s[Z][1], s[YAW][1]]);
         row.extend([s[X][2], s[Y][2], s[Z][2], s[YAW][2]]);
         row.extend([s[X][3], s[Y][3], s[Z][3]]);
-        // z is a double integrator here: its snap is zero.
-        row.extend([s[X][4], s[Y][4], 0.0]);
+        row.extend([s[X][4], s[Y][4], s[Z][4]]);
         row.extend([roll, pitch]);
         row.extend(wrench.iter());
         row.extend(allocator.speeds(&wrench));

@@ -4,11 +4,13 @@ use crate::vehicles::{hexacopter, inspection, lost, octocopter, paper_case, quad
 use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::allocation::Allocator;
+use mavc::flatness::{self, FlatState};
 use mavc::model::{Mission, Model, PlannerKind};
 use mavc::planner::hover_model::ORDER;
 use mavc::planner::pool::Pool;
 use mavc::planner::rows::{Decision, Engine};
 use mavc::planner::select::{PlanningSet, SetRow, VIOLATED};
+use mavc::planner::successive::Successive;
 use mavc::planner::transcribe::NodeState;
 use mavc::planner::wrench_model::WrenchModel;
 use mavc::qp::RowOrigin;
@@ -321,6 +323,30 @@ fn the_table_is_what_was_planned() {
     }
     assert_eq!(rows[100][0], 20.0);
     assert_eq!(render(&flight, &model, None), text);
+}
+
+#[test]
+fn the_table_has_what_an_exact_wrench_depends_on() {
+    let mut model = paper_case(PlannerKind::Rip, &[]);
+    model.plan.samples = 100;
+    let mission = viviani();
+    let healthy = AdmissibleSet::healthy(&model);
+    let set = PlanningSet::of(&[&healthy], &healthy);
+    let mut engine = Engine::new(&model, &mission, &healthy);
+    let Decision::Feasible(planned) = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(26.0, None) else {
+        panic!("no plan")
+    };
+    let rows = table(&render(&Trajectory::of(&planned), &model, None));
+    for pair in rows.windows(2) {
+        // Snap is linear between the nodes, so jerk changes by its mean.
+        let (change, mean) = (pair[1][15] - pair[0][15], 0.5 * (pair[0][18] + pair[1][18]));
+        assert!((change - mean * (pair[1][0] - pair[0][0])).abs() < 1e-6 * (1.0 + change.abs()), "{change} {mean}");
+    }
+    for row in &rows {
+        let state = [9, 10, 11, 13, 14, 15, 16, 17, 18, 4, 8, 12].map(|column| row[column]);
+        let wrench = flatness::wrench(&model.vehicle, model.gravity, &FlatState::from(state));
+        assert!((0..4).all(|i| (wrench[i] - row[21 + i]).abs() < 1e-9), "{wrench} {row:?}");
+    }
 }
 
 #[test]

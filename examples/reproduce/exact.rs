@@ -1,0 +1,132 @@
+//! What changes when the model is exact: what the hover plans ask of a real vehicle, and where shortest times stand.
+
+use super::case_plans::seconds;
+use super::markdown::{fixed, paragraph, table};
+use super::plans::{self, JOINTLY, Plans, name};
+use super::specs;
+use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
+use mavc::planner::compare::{PlannerRun, Run, Scope, Solved, compare};
+use mavc::planner::hover_model::Z;
+use mavc::planner::select::{SetRow, VIOLATED};
+use mavc::planner::transcribe::UPRIGHT;
+use mavc::planner::wrench_model::WrenchModel;
+use mavc::trajectory::checks::stretch;
+
+/// Heads the part that takes long to compute; it ends the page.
+pub const SHORTEST: &str = "### Shortest times in both models\n\n";
+
+/// The cases' planners at their own shortest times; RIP knows no modes and is the same in all three.
+pub const PLANNERS: [(usize, &str, PlannerKind); 4] = [
+    (1, "RIP", PlannerKind::Rip),
+    (1, "RCP M1", PlannerKind::Rcp),
+    (2, "RCP M1_6", PlannerKind::Rcp),
+    (3, JOINTLY, PlannerKind::Rcp),
+];
+
+/// What stands under [`SHORTEST`] on a page.
+pub fn written(page: &str) -> &str {
+    page.split_once(SHORTEST).unwrap_or_else(|| panic!("the page has {SHORTEST:?}")).1
+}
+
+/// The section; `shortest` gives the part under [`SHORTEST`].
+pub fn section(shortest: impl FnOnce() -> String) -> String {
+    [hover_plans(), SHORTEST.into(), shortest()].concat()
+}
+
+/// A motion's exact wrench against the rows that its plan keeps in the hover model.
+pub struct Exactly {
+    /// The largest excess while upright, in widths of the healthy set.
+    pub worst: f64,
+    /// Seconds outside.
+    pub outside: f64,
+    /// Seconds not upright, where a vanishing thrust is to turn the vehicle round and the wrench may not even be finite.
+    falling: f64,
+}
+
+/// Points of each interval at which the exact wrench is looked at: the middles of so many parts.
+const POINTS: usize = 64;
+
+/// Against what the plan keeps in its own model.
+pub fn exactly(solved: &Solved, model: &Model, rows: &[SetRow]) -> Exactly {
+    let mut found = Exactly { worst: f64::NEG_INFINITY, outside: 0.0, falling: 0.0 };
+    let trajectory = &solved.trajectory;
+    for k in 0..trajectory.intervals() {
+        let part = (trajectory.times[k + 1] - trajectory.times[k]) / POINTS as f64;
+        for p in 0..POINTS {
+            let state = trajectory.within(k, part * (p as f64 + 0.5));
+            let wrench = WrenchModel::Exact.wrench(&model.vehicle, model.gravity, &state);
+            let most = rows.iter().map(|row| row.excess(&wrench)).fold(f64::NEG_INFINITY, f64::max);
+            let finite = wrench.iter().all(|w| w.is_finite());
+            if !finite || most > VIOLATED {
+                found.outside += part;
+            }
+            if state[Z][2] + model.gravity < UPRIGHT * model.gravity {
+                found.falling += part;
+            } else {
+                found.worst = found.worst.max(most);
+            }
+        }
+    }
+    found
+}
+
+/// The largest tilt of a plan.
+pub fn degrees(solved: &Solved, model: &Model) -> String {
+    fixed(stretch(&solved.trajectory, model).tilt.value.to_degrees(), 0)
+}
+
+fn hover_plans() -> String {
+    let row = |number: usize, plans: &Plans, run: &PlannerRun, solved: &Solved| {
+        let found = exactly(solved, &plans.model, &run.set.rows);
+        vec![
+            number.to_string(),
+            name(run),
+            seconds(solved.time),
+            degrees(solved, &plans.model),
+            format!("{} %", fixed(100.0 * found.worst, 0)),
+            seconds(found.outside),
+            format!("{} %", fixed(100.0 * found.outside / solved.time, 0)),
+            seconds(found.falling),
+        ]
+    };
+    let mut rows = Vec::new();
+    for number in 1..=3 {
+        let plans = plans::of_case(number);
+        for run in plans.runs(Run::Own) {
+            let listed = PLANNERS.iter().any(|(case, planner, _)| *case == number && *planner == name(run));
+            if let (true, Some(solved)) = (listed || run.planner == PlannerKind::Rsp, plans::solved(run)) {
+                rows.push(row(number, plans, run, solved));
+            }
+        }
+    }
+    let header = ["case", "planner", "T", "tilt, degrees", "worst", "outside", "share of the flight", "not upright"];
+    [
+        paragraph(
+            "The plans above keep every row of their sets in the model that is linear about hover. What (3) to (9) ask \
+             for along the same motions is another wrench (docs/method.md, section 12). *Outside* is for how long it \
+             passes the set that the plan was made against. *Not upright* is the time in which the thrust's vertical \
+             part is below a tenth of the weight, down to where no attitude gives it; *worst* is the largest excess in \
+             the rest of the flight, as a share of the healthy set's width. Jumps of z''' at the nodes, which would \
+             take an impulse of torque, are not counted.",
+        ),
+        table(&header, &rows),
+    ]
+    .concat()
+}
+
+/// A case as a model to be planned in the exact model by one planner alone.
+pub fn exact_case(number: usize, planner: PlannerKind, time: MissionTime) -> Model {
+    let mut model = specs::case(number);
+    model.plan.model = PlanModel::Exact;
+    model.plan.planner = planner;
+    model.plan.time = time;
+    model
+}
+
+/// The plan of the model's own planner.
+pub fn plan(model: &Model) -> Option<(PlannerRun, Solved)> {
+    let mission = model.mission.as_ref().unwrap_or_else(|| panic!("a mission"));
+    let run = compare(model, mission, Scope::Plan, None).runs.pop()?;
+    let solved = plans::solved(&run)?.clone();
+    Some((run, solved))
+}

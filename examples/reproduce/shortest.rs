@@ -1,0 +1,51 @@
+//! The shortest times found in the exact model. Their searches take minutes, so the tests do without.
+
+use crate::document::case_plans::seconds;
+use crate::document::exact::{PLANNERS, degrees, exact_case, exactly, plan};
+use crate::document::markdown::{fixed, none, paragraph, table};
+use crate::document::plans;
+use mavc::model::MissionTime;
+use mavc::planner::compare::{Run, Solved};
+
+/// What stands under `exact::SHORTEST`.
+pub fn section() -> String {
+    let mut rows = Vec::new();
+    for (number, planner, kind) in PLANNERS {
+        let hover = plans::of_case(number);
+        let before = hover.plan(planner, Run::Own);
+        let model = exact_case(number, kind, MissionTime::Minimum);
+        let found = plan(&model);
+        let or_none = |of: &dyn Fn(&Solved) -> String| found.as_ref().map_or_else(none, |(_, s)| of(s));
+        rows.push(vec![
+            number.to_string(),
+            planner.into(),
+            seconds(before.time),
+            or_none(&|s| seconds(s.time)),
+            or_none(&|s| fixed(s.time / before.time, 2)),
+            degrees(before, &hover.model),
+            or_none(&|s| degrees(s, &model)),
+            found.as_ref().map_or_else(none, |(run, s)| {
+                let found = exactly(s, &model, &run.set.rows);
+                if found.outside > 0.0 { seconds(found.outside) } else { "never".into() }
+            }),
+        ]);
+    }
+    let header = [
+        "case",
+        "planner",
+        "T, hover",
+        "T, exact",
+        "ratio",
+        "tilt, hover, degrees",
+        "tilt, exact, degrees",
+        "exact plan outside",
+    ];
+    [
+        paragraph(
+            "With `--set plan.model=exact` shortest times are the shortest *found*: the steps are local, and a shorter \
+             time may have a plan. Every such plan stays upright, and is looked at as the hover plans were.",
+        ),
+        table(&header, &rows),
+    ]
+    .concat()
+}
