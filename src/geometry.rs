@@ -2,6 +2,7 @@
 //! Nothing here knows a vehicle.
 
 mod cone;
+mod least_squares;
 pub mod nearest;
 pub mod polytope;
 pub mod symmetric;

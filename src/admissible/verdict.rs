@@ -152,16 +152,10 @@ struct Reach {
 impl Reach {
     fn of(set: &AdmissibleSet, hover: &Wrench, hover3: &Vector3<f64>) -> Self {
         let shadow = without_yaw(&set.zonotope);
-        // The rows tell at once whether hover is inside; the search for the nearest point can end early there.
-        let by_zonotope = || {
-            let yaw_free = shadow.facets().without_origins();
-            let inside = set.polytope.equalities.is_empty() && set.polytope.margin(hover) > 0.0;
-            let inside3 = yaw_free.equalities.is_empty() && yaw_free.margin(hover3) > 0.0;
-            Reach {
-                nearest: if inside { *hover } else { set.zonotope.nearest(hover) },
-                nearest3: if inside3 { *hover3 } else { shadow.nearest(hover3) },
-                yaw_free,
-            }
+        let by_zonotope = || Reach {
+            nearest: set.zonotope.nearest(hover),
+            nearest3: shadow.nearest(hover3),
+            yaw_free: shadow.facets().without_origins(),
         };
         let by_rows = || {
             let inside = set.polytope.nearest(hover);

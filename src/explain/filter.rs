@@ -26,7 +26,7 @@ pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Opt
     let (proved, weights) = match questions.without(&BTreeSet::new())? {
         Answer::Feasible => return None,
         Answer::Infeasible(weights) => (true, weights),
-        Answer::NotFound => (false, Vec::new()),
+        Answer::NotFound(weights) => (false, weights),
     };
     let mut filter = Filter { questions, left_out: BTreeSet::new(), proved, weights: summed(weights) };
     // Multipliers say nothing of these; and a conflict that does not hang on time is told as such.
@@ -59,7 +59,7 @@ impl Filter<'_, '_> {
             Some(Answer::Infeasible(weights)) => {
                 (self.proved, self.weights) = (true, summed(weights));
             }
-            Some(Answer::NotFound) if !self.proved => {}
+            Some(Answer::NotFound(weights)) if !self.proved => self.weights = summed(weights),
             _ => return false,
         }
         self.left_out = fewer;

@@ -23,8 +23,9 @@ pub enum Answer {
     /// It has shown that there is none: what each part weighs in the multipliers that show it (>= 0; a part may be named
     /// more than once). Empty where there are no multipliers.
     Infeasible(Vec<(Part, f64)>),
-    /// It has found no plan, and not shown that there is none.
-    NotFound,
+    /// It has found no plan, and not shown that there is none; with what each part is likely to weigh, as above, where
+    /// something tells.
+    NotFound(Vec<(Part, f64)>),
 }
 
 /// A planner, asked for plans.

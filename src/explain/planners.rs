@@ -8,6 +8,7 @@ use crate::planner::rows::{Decision, Engine, Planned};
 use crate::planner::select::PlanningSet;
 use crate::planner::sets::PlanningSets;
 use crate::planner::successive::Successive;
+use crate::planner::transcribe::UNBOUNDED;
 use crate::planner::wrench_model::WrenchModel;
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
@@ -70,21 +71,21 @@ impl Oracle for Planners<'_> {
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
         let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.pools);
         let mut engine = Engine::new(model, mission, &sets.imposed.healthy);
-        let mut decide = |set: &PlanningSet, pool: &mut Pool| {
+        let mut decide = |set: &PlanningSet, pool: &mut Pool, settled: bool| {
             let decision = match model.plan.model {
                 PlanModel::Hover => engine.decide(time, model.plan.samples, set, pool),
-                PlanModel::Exact => Successive::new(&mut engine, WrenchModel::Exact, set).attempt(time),
+                PlanModel::Exact => decide_exactly(&mut engine, set, pool, time, settled),
             };
             let weights = std::mem::take(&mut engine.weights);
-            (decision, weighed(set, weights, mission, time, model.plan.samples))
+            (decision, weighed(set, weights, model, mission, time))
         };
         let (decision, parts) = match model.plan.planner {
-            PlannerKind::Rip => decide(&sets.imposed.rip, &mut of_rip),
-            PlannerKind::Rcp => decide(&sets.imposed.joint, &mut of_joint),
-            PlannerKind::Rsp => match decide(&sets.imposed.rip, &mut of_rip) {
+            PlannerKind::Rip => decide(&sets.imposed.rip, &mut of_rip, false),
+            PlannerKind::Rcp => decide(&sets.imposed.joint, &mut of_joint, false),
+            PlannerKind::Rsp => match decide(&sets.imposed.rip, &mut of_rip, true) {
                 (Decision::Feasible(planned), parts) => match sets.imposed.violated(model, &planned) {
                     none if none.is_empty() => (Decision::Feasible(planned), parts),
-                    facets => decide(&sets.imposed.rip.with(facets), &mut of_rip.clone()),
+                    facets => decide(&sets.imposed.rip.with(facets), &mut of_rip.clone(), false),
                 },
                 other => other,
             },
@@ -93,12 +94,53 @@ impl Oracle for Planners<'_> {
         sets.pools = [of_rip, of_joint];
         self.sets = Some(sets);
         match decision {
-            Decision::Feasible(planned) if passes_a_limit(&planned, mission, model.gravity) => Answer::NotFound,
+            Decision::Feasible(planned) if passes_a_limit(&planned, mission, model.gravity) => {
+                Answer::NotFound(Vec::new())
+            }
             Decision::Feasible(_) => Answer::Feasible,
             Decision::Infeasible => Answer::Infeasible(parts),
-            Decision::Inconclusive(_) => Answer::NotFound,
+            Decision::Inconclusive(_) => Answer::NotFound(parts),
         }
     }
+}
+
+/// A short try in the exact model. Where it tells nothing, the rows that bind in the hover model tell where to look.
+fn decide_exactly(engine: &mut Engine, set: &PlanningSet, pool: &mut Pool, time: f64, settled: bool) -> Decision {
+    let (model, mission) = (engine.model, engine.mission);
+    let near = guided(mission);
+    let mut about = Engine::new(model, &near, engine.healthy);
+    let mut decision = Successive::new(&mut about, WrenchModel::Exact, set).attempt(time, settled);
+    engine.effort += about.effort;
+    engine.weights = about.weights;
+    // What is shown with waypoints kept near is shown of the mission itself only where there are none of those.
+    if near != *mission && !matches!(decision, Decision::Feasible(_)) {
+        decision = Successive::new(engine, WrenchModel::Exact, set).attempt(time, settled);
+    }
+    if matches!(decision, Decision::Inconclusive(_)) {
+        engine.decide(time, model.plan.samples, set, pool);
+    }
+    decision
+}
+
+/// Weight of a waypoint that was left out, and how near it is kept: in lengths of the mission and m, and in rad.
+const GUIDANCE: f64 = 0.01;
+const ROOM: f64 = 3.0;
+const LEAST_ROOM: f64 = 100.0;
+const TURNS: f64 = 20.0;
+
+/// The mission with waypoints that ask for nothing as something to keep near, by far. Without it, steps of the exact model
+/// drift along what nothing bounds, such as the speed where one waypoint is left, and the solver finds no end.
+fn guided(mission: &Mission) -> Mission {
+    let mut guided = mission.clone();
+    let apart = |i: usize| {
+        let (a, b) = (mission.waypoints[0].position, mission.waypoints[i].position);
+        (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
+    };
+    let length = (0..mission.waypoints.len()).map(apart).fold(0.0, f64::max);
+    let room = (LEAST_ROOM + ROOM * length).min(0.9 * UNBOUNDED);
+    let idle = guided.waypoints.iter_mut().filter(|w| w.within >= UNBOUNDED && w.weight == 0.0);
+    idle.for_each(|w| (w.within, w.yaw_within, w.weight) = (room, TURNS, GUIDANCE));
+    guided
 }
 
 /// Limits hold at the nodes. A plan that passes one by more than this share of it between them (of 1 m or 1 rad where it
@@ -122,11 +164,11 @@ fn passes_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
 fn weighed(
     set: &PlanningSet,
     weights: Vec<(RowOrigin, f64)>,
+    model: &Model,
     mission: &Mission,
     time: f64,
-    samples: usize,
 ) -> Vec<(Part, f64)> {
-    let last = profile(mission, time, samples).map(|p| p.flown().nodes() - 1);
+    let last = profile(mission, time, model.plan.samples).map(|p| p.flown().nodes() - 1);
     let mut parts = Vec::new();
     for (origin, weight) in weights {
         match origin {
@@ -140,6 +182,10 @@ fn weighed(
                 // Mode 0 is the healthy vehicle, which no statement could leave out.
                 let modes = set.rows[facet].origin.iter().filter_map(|of| of.mode.checked_sub(1));
                 parts.extend(modes.map(|mode| (Part::Mode(mode), weight)));
+            }
+            // The largest thrust is that of all modes together.
+            RowOrigin::Thrust { .. } if model.plan.planner == PlannerKind::Rcp => {
+                parts.extend(model.plan.against.iter().map(|&mode| (Part::Mode(mode), weight)));
             }
             _ => {}
         }

@@ -2,7 +2,7 @@
 
 use super::oracle::{Answer, Oracle};
 use super::statement::Statement;
-use crate::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
+use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::planner::profile::{determined, earliest};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -73,10 +73,37 @@ impl<'a> Questions<'a> {
         if let Some(answer) = self.answers.get(left_out) {
             return Some(answer.clone());
         }
-        let (model, mission) = self.variant(left_out);
-        let answer = self.ask(model, &mission)?;
+        let answer = match self.implied(left_out) {
+            Some(answer) => answer,
+            None => {
+                let (model, mission) = self.variant(left_out);
+                self.ask(model, &mission)?
+            }
+        };
         self.answers.insert(left_out.clone(), answer.clone());
         Some(answer)
+    }
+
+    /// What earlier answers say: a plan meets whatever asks for less than it was made for, and what has none has none with more
+    /// to meet. Only between variants that ask at the same times: a fixed time or a hold less moves waypoints. Nothing is
+    /// implied where other things move too: facets that follow from a plan (RSP), and yaw that is planned before the rest.
+    fn implied(&self, left_out: &BTreeSet<Statement>) -> Option<Answer> {
+        let moves = self.model.plan.model == PlanModel::Hover && !self.mission.has_one_yaw();
+        if moves || self.model.plan.planner == PlannerKind::Rsp {
+            return None;
+        }
+        let same_times = |a: &BTreeSet<Statement>, b: &BTreeSet<Statement>| {
+            a.symmetric_difference(b).all(|s| s.has_rows() || *s == Statement::Reserve)
+        };
+        let implies = |(other, answer): &(&BTreeSet<Statement>, &Answer)| {
+            same_times(other, left_out)
+                && match answer {
+                    Answer::Feasible => other.is_subset(left_out),
+                    Answer::Infeasible(_) => other.is_superset(left_out),
+                    Answer::NotFound(_) => false,
+                }
+        };
+        self.answers.iter().find(implies).map(|(_, answer)| answer.clone())
     }
 
     /// What the oracle says of any variant; `None` where too much has been asked.

@@ -1,6 +1,7 @@
 //! How far a ray lies from a cone of rays (non-negative least squares; Lawson and Hanson, *Solving Least
 //! Squares Problems*, chapter 23).
 
+use super::least_squares::least_squares;
 use nalgebra::{DMatrix, DVector, SVector};
 
 /// A vector of R^(D+1), a unit vector where it is a direction, the last coordinate apart.
@@ -86,7 +87,7 @@ fn extended<const D: usize>(
     let (mut basis, mut weights) = (basis.to_vec(), weights.to_vec());
     basis.push(next);
     weights.push(0.0);
-    while let Some(goal) = least_squares(target, rays, &basis) {
+    while let Some(goal) = goal_of(target, rays, &basis) {
         let ends = |k: &usize| weights[*k] / (weights[*k] - goal[*k]);
         let negative = (0..basis.len()).filter(|&k| goal[k] < 0.0);
         let Some(first) = negative.min_by(|a, b| ends(a).total_cmp(&ends(b))) else {
@@ -103,11 +104,9 @@ fn extended<const D: usize>(
 }
 
 /// Weights of the rays of `basis` that come nearest to `target`.
-fn least_squares<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], basis: &[usize]) -> Option<Vec<f64>> {
+fn goal_of<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], basis: &[usize]) -> Option<Vec<f64>> {
     let columns = DMatrix::from_fn(D + 1, basis.len(), |r, c| rays[basis[c]].coordinate(r));
-    let goal = DVector::from_fn(D + 1, |r, _| target.coordinate(r));
-    let solved = columns.svd(true, true).solve(&goal, 1e-13).ok()?;
-    Some(solved.iter().copied().collect()).filter(|w: &Vec<f64>| w.iter().all(|v| v.is_finite()))
+    least_squares(columns, DVector::from_fn(D + 1, |r, _| target.coordinate(r)))
 }
 
 #[cfg(test)]

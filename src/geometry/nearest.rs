@@ -2,6 +2,7 @@
 //! polytope", Mathematical Programming 11, 1976). The polytope is given by a linear minimisation oracle
 //! alone, so the 2^n vertices of a zonotope are never listed.
 
+use super::least_squares::least_squares;
 use nalgebra::{DMatrix, DVector, SVector};
 
 /// Iterations after which the search stops with what it has; Wolfe's method is finite, and the sets
@@ -36,8 +37,7 @@ pub fn nearest_to_origin<const D: usize>(
         // Minor cycle: move to the affine minimiser, dropping points until it lies inside the corral.
         loop {
             let Some(target) = affine_minimiser(&corral) else {
-                // The corral has become affinely dependent: the oldest weightless point is of no use.
-                corral.pop();
+                // The new point depends on the others to rounding: x is as near as can be told.
                 return x;
             };
             if target.iter().all(|&t| t > 1e-12) {
@@ -73,14 +73,9 @@ fn affine_minimiser<const D: usize>(points: &[SVector<f64, D>]) -> Option<Vec<f6
         return Some(vec![1.0]);
     }
     let q = DMatrix::from_fn(D, k, |r, c| points[c + 1][r] - points[0][r]);
-    let svd = q.svd(true, true);
-    let largest = svd.singular_values.max();
-    let c = svd
-        .solve(&DVector::from_iterator(D, points[0].iter().map(|v| -v)), 1e-14 * largest)
-        .ok()
-        .filter(|c| c.iter().all(|v| v.is_finite()))?;
-    let mut weights = vec![1.0 - c.sum()];
-    weights.extend(c.iter());
+    let c = least_squares(q, DVector::from_iterator(D, points[0].iter().map(|v| -v)))?;
+    let mut weights = vec![1.0 - c.iter().sum::<f64>()];
+    weights.extend(c);
     Some(weights)
 }
 

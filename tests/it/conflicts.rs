@@ -1,6 +1,7 @@
 //! Specs without a plan: `tests/specs/conflicts/*.mav`, each with the statements that cannot hold together in its first
 //! line (`LINE KIND`, or `FILE:LINE KIND` in another file). What is said of them is checked on edited texts, by planning.
 
+mod exact;
 mod filter;
 
 use mavc::diagnostic::render_human;

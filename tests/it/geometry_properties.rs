@@ -220,6 +220,23 @@ proptest! {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { cases: 5_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Sums with many rotors at rest or at full thrust lie on the boundary or near it.
+    #[test]
+    fn points_of_a_set_are_their_own_nearest(
+        model in vehicle(12),
+        capacity in capacities(),
+        shares in prop::collection::vec(prop_oneof![Just(0.0), Just(1.0), Just(0.5), 0.0..1.0f64], 12),
+    ) {
+        let set = generators(&model, &capacity);
+        let w = set.generators.iter().zip(&shares).fold(set.center, |sum, (g, t)| sum + g * *t);
+        let apart = (set.nearest(&w) - w).norm();
+        prop_assert!(apart <= 1e-9 * size(&set), "{apart:e}");
+    }
+}
+
+proptest! {
     #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]

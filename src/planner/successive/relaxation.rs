@@ -9,18 +9,45 @@ use super::*;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 
+/// What the relaxation says of a profile.
+pub(super) enum Relaxed {
+    /// It has no motion: multipliers checked in plain arithmetic say so. What its rows weigh in them is left in
+    /// [`Engine::weights`].
+    Infeasible,
+    /// Its motion of least cost, which keeps every limit at the nodes; `None` where none was found.
+    Feasible(Option<Motion>),
+}
+
 impl Successive<'_, '_> {
-    /// Whether the relaxation has no motion over a profile (without holds): multipliers checked in plain arithmetic say so.
+    /// Whether the relaxation has no motion over a profile (without holds).
     pub(super) fn shown_infeasible(&mut self, profile: &Profile) -> bool {
-        let Some(thrust) = self.most_thrust() else { return false };
+        matches!(self.relaxed(profile), Relaxed::Infeasible)
+    }
+
+    /// Solves the relaxation over a profile (without holds).
+    pub(super) fn relaxed(&mut self, profile: &Profile) -> Relaxed {
+        self.engine.weights.clear();
+        let Some(thrust) = self.most_thrust() else { return Relaxed::Feasible(None) };
         if self.out_of_reach(profile, thrust) {
-            return true;
+            return Relaxed::Infeasible;
         }
         let form = self.transcription(profile, &[]);
         let rows: Vec<RowAt> = self.limits_at_nodes(profile, |_| true).collect();
-        let (outcome, effort) = solve(&form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust));
+        let program = form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust);
+        let (outcome, effort) = solve(&program);
+        let motion = match outcome {
+            Outcome::Infeasible { certificate } => {
+                self.engine.effort += effort;
+                self.engine.weights = program.weights(&certificate);
+                return Relaxed::Infeasible;
+            }
+            Outcome::Solved(Solution { x, .. }) => {
+                Some(Motion { profile: profile.clone(), states: form.states(&x), model: self.wrench })
+            }
+            Outcome::Inconclusive { .. } => None,
+        };
         self.engine.effort += effort;
-        matches!(outcome, Outcome::Infeasible { .. })
+        Relaxed::Feasible(motion)
     }
 
     /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the vehicle

@@ -4,7 +4,8 @@ use super::super::profile::{determined, earliest, has_fixed_times, profile};
 use super::super::rows::{Decision, Planned};
 use super::super::search::{GRID, NoTime, Shortest};
 use super::super::transcribe::Purpose;
-use super::sequence::{CLOSELY, Care, ROUGHLY};
+use super::relaxation::Relaxed;
+use super::sequence::{CLOSELY, Care, NOT_AT_ALL, ROUGHLY};
 use super::*;
 use crate::model::{Leg, Mission};
 
@@ -181,18 +182,25 @@ impl Successive<'_, '_> {
         }
     }
 
-    /// One short try at a mission time: what the relaxation proves, else the smooth motion made to fit. For questions that
-    /// are asked by the dozen.
-    pub fn attempt(&mut self, total: f64) -> Decision {
+    /// Whether there is a plan at a mission time, for questions that are asked by the dozen: what the relaxation proves, else
+    /// a motion made to fit, begun from the relaxation's own, which keeps every limit, and then from the smooth one. It is
+    /// made (roughly) the cheapest where it is to be `settled`, or where it does not fit otherwise.
+    pub fn attempt(&mut self, total: f64, settled: bool) -> Decision {
         let samples = self.engine.model.plan.samples;
         let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
         self.engine.progress(total);
         let flown = full.flown();
-        if !self.chooses_times() && self.shown_infeasible(&flown) {
-            return Decision::Infeasible;
-        }
-        let mut pool = BTreeSet::new();
-        match self.smooth(&flown).and_then(|smooth| self.kept_near(smooth, total, ROUGHLY, &mut pool)) {
+        let relaxed = match self.relaxed(&flown) {
+            // What is shown of one division of the time is not shown of all.
+            Relaxed::Infeasible if self.chooses_times() => return Decision::Inconclusive(NOT_FOUND.into()),
+            Relaxed::Infeasible => return Decision::Infeasible,
+            Relaxed::Feasible(motion) => motion,
+        };
+        let quickly = if settled { ROUGHLY } else { NOT_AT_ALL };
+        let planned = relaxed
+            .and_then(|motion| self.kept_near(motion, total, quickly, &mut BTreeSet::new()))
+            .or_else(|| self.smooth(&flown).and_then(|m| self.kept_near(m, total, ROUGHLY, &mut BTreeSet::new())));
+        match planned {
             Some(planned) => Decision::Feasible(Box::new(planned)),
             None => Decision::Inconclusive(NOT_FOUND.into()),
         }

@@ -48,6 +48,8 @@ pub(super) struct Care {
     small: f64,
 }
 
+/// Where any motion inside will do.
+pub(super) const NOT_AT_ALL: Care = Care { steps: 0, small: 0.0 };
 /// On the way to another time.
 pub(super) const ROUGHLY: Care = Care { steps: 2, small: 0.03 };
 /// For a plan that is kept.

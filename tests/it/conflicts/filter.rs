@@ -52,7 +52,7 @@ impl Oracle for Asked<'_> {
         };
         match met {
             None => Answer::Feasible,
-            Some(_) if !self.known.proves => Answer::NotFound,
+            Some(_) if !self.known.proves => Answer::NotFound(Vec::new()),
             Some(conflict) if self.known.weighs => Answer::Infeasible(conflict.iter().filter_map(part).collect()),
             Some(_) => Answer::Infeasible(Vec::new()),
         }
@@ -175,7 +175,7 @@ struct Helpless;
 
 impl Oracle for Helpless {
     fn ask(&mut self, _: &Model, _: &Mission, _: f64) -> Answer {
-        Answer::NotFound
+        Answer::NotFound(Vec::new())
     }
 }
 
@@ -213,7 +213,7 @@ impl Oracle for Unsure<'_> {
     fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
         match present(model, mission, &self.0.whole, time).contains(&self.1) {
             true => self.0.ask(model, mission, time),
-            false => Answer::NotFound,
+            false => Answer::NotFound(Vec::new()),
         }
     }
 }

@@ -1,0 +1,131 @@
+//! Specs without a plan in the exact model: `tests/specs/conflicts/exact/*.mav`. The first line names the statements that
+//! are not met together, as in `tests/specs/conflicts`, the second whether that is `proved` or a plan was only `not found`.
+
+use super::{Text, explained, named};
+use mavc::explain::diagnose::diagnose;
+use mavc::explain::planners::Planners;
+use mavc::explain::{Answer, Explanation, MOST_ATTEMPTS, Oracle, explain};
+use mavc::model::{FileSet, Mission, Model, PlanModel};
+use mavc::planner::transcribe::UNBOUNDED;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+struct Case {
+    text: Text,
+    files: FileSet,
+    model: Model,
+    explanation: Explanation,
+}
+
+static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/conflicts/exact");
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    let case = |path: PathBuf| {
+        let text = Text::read(&path);
+        let (files, model, explanation) = explained(&text);
+        Case { text, files, model, explanation }
+    };
+    paths.into_iter().map(case).collect()
+});
+
+#[test]
+fn every_spec_names_its_conflict() {
+    assert!(CASES.len() >= 8, "{}", CASES.len());
+    for Case { text, files, model, explanation } in CASES.iter() {
+        assert_eq!(model.plan.model, PlanModel::Exact, "{}", text.name);
+        let mission = model.mission.as_ref().unwrap();
+        let mut lines = text.files[&text.name].lines();
+        let wanted: Vec<&str> = lines.next().unwrap().strip_prefix("// conflict: ").unwrap().split(", ").collect();
+        assert_eq!(named(explanation, files, model, mission, &text.name), wanted, "{}", text.name);
+        let proved = match lines.next().unwrap() {
+            "// proved" => true,
+            "// not found" => false,
+            other => panic!("{}: {other}", text.name),
+        };
+        assert_eq!(explanation.conflict.proved, proved, "{}", text.name);
+        assert!(explanation.questions <= MOST_ATTEMPTS.iter().sum(), "{}", text.name);
+        // What is proved and what was only tried are told apart.
+        let told = diagnose(explanation, model, mission);
+        let words = if proved { "cannot hold together" } else { "were not satisfied together in our attempts" };
+        assert!(told.message.contains(words), "{}: {}", text.name, told.message);
+        // The short tries miss a plan now and then; then that is said.
+        let unsure = told.help.is_some_and(|help| help.contains("It was not shown that every one"));
+        assert_eq!(unsure, !explanation.conflict.irreducible, "{}", text.name);
+    }
+}
+
+/// The changes are tried on the mission itself, so the planner has a plan there.
+#[test]
+fn every_change_offered_gives_a_plan() {
+    let mut offered = 0;
+    for Case { text, explanation, .. } in CASES.iter() {
+        for fix in &explanation.fixes {
+            let mut changed = text.clone();
+            changed.change(fix.change);
+            assert!(changed.plans(), "{} {:?}", text.name, fix.change);
+            offered += 1;
+        }
+    }
+    assert!(offered >= CASES.len(), "{offered}");
+}
+
+/// Hands questions on, and keeps what was asked and answered.
+struct Recording<'o> {
+    inner: &'o mut dyn Oracle,
+    answers: Vec<(Asked, Answer)>,
+}
+
+#[derive(PartialEq)]
+struct Asked {
+    /// Whether each limit, tolerance, rest and the reserve is there.
+    rows: Vec<bool>,
+    /// The mission time, fixed times and holds.
+    times: Vec<Option<f64>>,
+}
+
+impl Asked {
+    fn of(model: &Model, mission: &Mission, time: f64) -> Self {
+        let limits = mission.limits.iter().map(|l| l.lower.is_some() || l.upper.is_some());
+        let waypoints = mission.waypoints.iter().map(|w| w.within < UNBOUNDED);
+        let others = [mission.start_at_rest, mission.end_at_rest, model.plan.reserve > 0.0];
+        let times = mission.waypoints.iter().flat_map(|w| [w.time, Some(w.hold)]);
+        Asked { rows: limits.chain(waypoints).chain(others).collect(), times: times.chain([Some(time)]).collect() }
+    }
+
+    /// Whether it asks for a part of what another one asks for, at the same times.
+    fn is_part_of(&self, other: &Asked) -> bool {
+        self.times == other.times && self.rows.iter().zip(&other.rows).all(|(mine, others)| !mine || *others)
+    }
+}
+
+impl Oracle for Recording<'_> {
+    fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
+        let answer = self.inner.ask(model, mission, time);
+        self.answers.push((Asked::of(model, mission, time), answer.clone()));
+        answer
+    }
+}
+
+/// A plan answers what asks for a part of what it meets: that is not asked of the planner again.
+#[test]
+fn nothing_is_asked_that_is_known() {
+    let mut checked = 0;
+    for Case { text, model, explanation, .. } in CASES.iter().filter(|case| case.model.plan.against.is_empty()) {
+        let mission = model.mission.as_ref().unwrap();
+        let mut planners = Planners::default();
+        let mut recording = Recording { inner: &mut planners, answers: Vec::new() };
+        assert_eq!(explain(model, mission, &mut recording).as_ref(), Some(explanation), "{}", text.name);
+        assert_eq!(recording.answers.len(), explanation.questions);
+        // Changes keep every statement but the one that they change; the filter has left some out.
+        let named = explanation.conflict.statements.len();
+        let of_filter = |asked: &Asked| asked.rows.iter().filter(|there| !*there).count() > 1;
+        let answers: Vec<_> = recording.answers.iter().filter(|(asked, _)| of_filter(asked)).collect();
+        for (i, (asked, _)) in answers.iter().enumerate() {
+            let known = answers[..i].iter().any(|(before, a)| *a == Answer::Feasible && asked.is_part_of(before));
+            assert!(!known, "{}: {:?}, {named} statements", text.name, asked.rows);
+            checked += 1;
+        }
+    }
+    assert!(checked > 10, "{checked}");
+}
