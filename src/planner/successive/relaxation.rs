@@ -6,13 +6,30 @@
 use super::super::rows::{FEASIBLE, LEEWAY};
 use super::super::transcribe::Purpose;
 use super::*;
-use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
+use crate::qp::{QuadraticProgram, RowOrigin};
+
+/// The largest thrust of a set, and why no wrench of it has more.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MostThrust {
+    /// N
+    pub newtons: f64,
+    /// Of the set's rows, N: `T <= sum of weight x offset`, for the normals weighed alike add up to the axis of T.
+    pub weights: Vec<f64>,
+}
+
+/// The relaxation as a program that is always feasible.
+pub struct Relaxed {
+    pub program: QuadraticProgram,
+    /// Unit of time of its variables, s.
+    pub tau: f64,
+    pub thrust: MostThrust,
+}
 
 impl Successive<'_, '_> {
     /// Whether the relaxation has no motion over a profile (without holds): multipliers checked in plain arithmetic say so.
     pub(super) fn shown_infeasible(&mut self, profile: &Profile) -> bool {
-        let Some(thrust) = self.most_thrust() else { return false };
+        let thrust = self.most_thrust().newtons;
         if self.out_of_reach(profile, thrust) {
             return true;
         }
@@ -21,6 +38,16 @@ impl Successive<'_, '_> {
         let (outcome, effort) = solve(&form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust));
         self.engine.effort += effort;
         matches!(outcome, Outcome::Infeasible { .. })
+    }
+
+    /// The relaxation over a profile (without holds), asked how far waypoints would have to be overshot; `epsilon` weighs
+    /// the inputs' cost beside that.
+    pub fn overshoot(&mut self, profile: &Profile, epsilon: f64) -> Relaxed {
+        let thrust = self.most_thrust();
+        let form = self.transcription(profile, &[]);
+        let rows: Vec<RowAt> = self.limits_at_nodes(profile, |_| true).collect();
+        let program = form.relaxed_program(Purpose::Overshoot { epsilon }, &rows, thrust.newtons);
+        Relaxed { program, tau: form.tau(), thrust }
     }
 
     /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the vehicle
@@ -37,12 +64,13 @@ impl Successive<'_, '_> {
             })
     }
 
-    /// The largest thrust that the set allows with any torques, N.
-    fn most_thrust(&mut self) -> Option<f64> {
+    /// The largest thrust that the set allows with any torques.
+    fn most_thrust(&mut self) -> MostThrust {
         let mut builder = Builder::new(4);
         let scale = self.engine.model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum::<f64>();
         // Thrust in units of full thrust, torques in those of the rows.
         let sides = |equality: bool| if equality { &[1.0, -1.0][..] } else { &[1.0] };
+        let mut of_row = Vec::new();
         for (facet, row) in self.set.rows.iter().enumerate() {
             for side in sides(row.equality) {
                 let mut slack = Affine::constant(side * row.offset);
@@ -50,15 +78,18 @@ impl Successive<'_, '_> {
                     slack = slack.plus(i, -side * n * if i == 0 { scale } else { 1.0 });
                 }
                 builder.nonnegative(slack, RowOrigin::Facet { facet, node: 0 });
+                of_row.push((facet, side * scale));
             }
         }
         builder.linear(0, -1.0);
         let (outcome, effort) = solve(&builder.finish());
         self.engine.effort += effort;
-        match outcome {
-            // No thrust is larger than the dual bound says.
-            Outcome::Solved(solution) => Some((-solution.bound).min(1.0) * scale),
-            _ => Some(scale),
+        let mut weights = vec![0.0; self.set.rows.len()];
+        // No thrust is larger than the dual bound says.
+        let Outcome::Solved(solution) = outcome else { return MostThrust { newtons: scale, weights } };
+        for (&(facet, factor), z) in of_row.iter().zip(&solution.z) {
+            weights[facet] += factor * z;
         }
+        MostThrust { newtons: (-solution.bound).min(1.0) * scale, weights }
     }
 }

@@ -79,6 +79,7 @@ fn no_multipliers_refute_a_plan() {
                     match &mut multiplier.row {
                         RowRecord::Rest { node: n, .. } | RowRecord::Facet { node: n, .. } => *n = node,
                         RowRecord::Limit { node: n, .. } | RowRecord::LimitNorm { node: n, .. } => *n = node,
+                        RowRecord::Thrust { node: n } => *n = node,
                         RowRecord::Waypoint { waypoint } => *waypoint = node % 4,
                         RowRecord::WaypointYaw { side, .. } => *side = Side::Upper,
                     }
