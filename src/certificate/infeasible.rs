@@ -36,7 +36,7 @@ struct Asked {
     /// Without holds.
     times: Vec<f64>,
     waypoint_nodes: Vec<usize>,
-    /// In the exact model: of the set's rows, see [`MostThrust`].
+    /// In the exact model: of the set's rows, see `MostThrust::weights`.
     thrust: Vec<f64>,
 }
 
