@@ -1,11 +1,12 @@
 //! Certificates: what a sceptic needs to check a plan, or that there is none, without the planner. Here are the JSON
 //! records, whose schema is `docs/schema/certificate.schema.json`; [`plan`] and [`infeasible`] write them from results,
-//! `crate::verify` decides them.
+//! `crate::verify` decides them. [`between`] asks it for what reports say of a plan.
 
+pub mod between;
 pub mod infeasible;
 pub mod plan;
 
-use crate::model::{Mission, MissionTime, Model, PlanModel};
+use crate::model::{Mission, MissionTime, Model};
 use crate::planner::compare::{Comparison, Ending};
 use serde::{Deserialize, Serialize};
 
@@ -128,7 +129,19 @@ pub struct InfeasibleClaim {
     pub times_s: Vec<f64>,
     pub waypoint_nodes: Vec<usize>,
     pub facets: Vec<FacetRecord>,
+    /// In the exact model: facets whose normals, weighed, add up to the axis of T, so that their offsets bound the
+    /// thrust.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub thrust: Vec<FacetWeight>,
     pub multipliers: Vec<Multiplier>,
+}
+
+/// A facet of `facets` and its weight, 0 or more; in widths of the healthy set along the facet's normal, N.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FacetWeight {
+    pub facet: usize,
+    pub weight: f64,
 }
 
 /// A row, and its multiplier in SI: one number, or one for each part of a second-order cone. Those of the dynamics are
@@ -174,6 +187,10 @@ pub enum RowRecord {
         node: usize,
         interval: usize,
     },
+    /// m |(x'', y'', z'' + g)| is at most the thrust that `thrust` shows to be the largest.
+    Thrust {
+        node: usize,
+    },
     Waypoint {
         waypoint: usize,
     },
@@ -183,13 +200,14 @@ pub enum RowRecord {
     },
 }
 
-/// A facet of a mode's set, by the rotors that span it and the side it is on.
+/// A facet of a mode's set, by rotors and the side it is on. Where the spec has intervals it is the row that holds for all
+/// values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FacetRecord {
     pub mode: String,
-    /// Three rotors, from 1, whose wrenches span it.
-    pub rotors: [usize; 3],
+    /// Three rotors, from 1, whose wrenches span it; with the pseudo-inverse the one rotor at a bound.
+    pub rotors: Vec<usize>,
     /// Of length 1 in N and N m.
     pub normal: [f64; 4],
     /// The largest `normal . w` over the set, before the reserve.
@@ -215,9 +233,6 @@ pub fn of(
     comparison: &Comparison,
     spec_sha256: String,
 ) -> Result<Certificate, String> {
-    if let Some(why) = crate::verify::not_covered(model) {
-        return Err(why.into());
-    }
     match comparison.runs.last().map(|run| (run, &run.ending)) {
         Some((run, Ending::Solved(solved))) => {
             let certificate = plan::certificate(model, mission, run, solved, spec_sha256)?;
@@ -225,9 +240,6 @@ pub fn of(
                 Ok(_) => Ok(certificate),
                 Err(rejection) => Err(format!("{}: {}", rejection.claim, rejection.detail)),
             }
-        }
-        Some((_, Ending::Infeasible { .. })) if model.plan.model == PlanModel::Exact => {
-            Err("what the exact model's relaxation proves is not written down yet".into())
         }
         Some((run, Ending::Infeasible { at })) if has_one_time(model, mission) => {
             infeasible::certificate(model, mission, run, *at, spec_sha256)

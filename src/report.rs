@@ -1,6 +1,7 @@
 //! What was found, told: the record (`--report`), text for the terminal, and the trajectory table.
 
 pub mod analysis_text;
+pub mod between;
 pub mod campaign_record;
 pub mod campaign_text;
 pub mod caveats;

@@ -6,7 +6,7 @@ pub mod dyadic;
 pub mod facets;
 mod infeasible;
 pub mod interval;
-mod limits;
+pub mod limits;
 pub mod motion;
 pub mod plan;
 pub mod proof;
@@ -103,13 +103,23 @@ fn mode_named<'a>(model: &'a Model, name: &str) -> Option<&'a FaultMode> {
     model.modes.iter().find(|m| m.name == name)
 }
 
-/// The modes whose sets the spec's planner keeps to.
+/// The modes whose sets the spec's planner keeps to: under RCP the faults', and the healthy one where they need not lie
+/// inside it.
 fn required(model: &Model) -> Vec<String> {
-    let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i));
+    let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i)).map(|m| m.name.clone());
     match model.plan.planner {
-        PlannerKind::Rcp if !model.plan.against.is_empty() => against.map(|m| m.name.clone()).collect(),
+        PlannerKind::Rcp if model.plan.against.is_empty() => vec![sets::HEALTHY.into()],
+        PlannerKind::Rcp if faults_may_add(model) => std::iter::once(sets::HEALTHY.into()).chain(against).collect(),
+        PlannerKind::Rcp => against.collect(),
         _ => vec![sets::HEALTHY.into()],
     }
+}
+
+/// A lost rotor that could not stop gives less than the healthy vehicle can; the pseudo-inverse shares wrenches out
+/// otherwise once it knows of a fault.
+fn faults_may_add(model: &Model) -> bool {
+    let vehicle = &model.vehicle;
+    vehicle.allocation == Allocation::PseudoInverse || vehicle.rotors.iter().any(|r| r.min_speed > 0.0)
 }
 
 /// What a certificate shows.
@@ -140,28 +150,11 @@ pub fn verify(bytes: &[u8], model: &Model, spec_sha256: &str) -> Result<Verdict,
     decide(&certificate, model).map_err(|r| r.diagnostic(model).into())
 }
 
-/// What of a vehicle the checker's own sets do not know, if anything.
-pub fn not_covered(model: &Model) -> Option<&'static str> {
-    let vehicle = &model.vehicle;
-    if vehicle.rotors.iter().any(|r| r.min_speed > 0.0) {
-        Some("rotors that may not stop (`min_speed`) are not covered by certificates yet")
-    } else if vehicle.allocation == Allocation::PseudoInverse {
-        Some("the sets of `allocation = pseudo_inverse` are not covered by certificates yet")
-    } else if vehicle.is_uncertain() {
-        Some("intervals (`+-`) are not covered by certificates yet")
-    } else {
-        None
-    }
-}
-
 /// Decides a certificate that is known to be about this model.
 pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejection> {
     let Some(mission) = &model.mission else {
         return Err(Rejection::new("the mission", "the spec has none"));
     };
-    if let Some(why) = not_covered(model) {
-        return Err(Rejection::new("the vehicle", why));
-    }
     let asked = match model.plan.model {
         PlanModel::Hover => DynamicModel::Hover,
         PlanModel::Exact => DynamicModel::Exact,
@@ -172,7 +165,7 @@ pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejec
     }
     match &certificate.claim {
         Claim::Plan(claim) => {
-            let shown = Checker::new(model, mission, certificate.model, claim)?.decide(claim)?;
+            let shown = Checker::new(model, mission, certificate.model, &claim.motion)?.decide(claim)?;
             Ok(Verdict { shown })
         }
         Claim::Infeasible(claim) => {

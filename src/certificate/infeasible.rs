@@ -1,18 +1,26 @@
-//! A certificate that there is no plan: multipliers from the program that asks how far waypoints would have to be
-//! overshot. Those of the dynamics are left out; the checker works them out itself.
+//! A certificate that there is no plan: multipliers from the program (of the exact model: its relaxation) that asks how
+//! far waypoints would have to be overshot. Those of the dynamics are left out; the checker works them out itself.
 
 use super::{
-    Certificate, Claim, DynamicModel, FacetRecord, InfeasibleClaim, Multiplier, RowRecord, SCHEMA, Side, plan::facet_of,
+    Certificate, Claim, DynamicModel, FacetRecord, FacetWeight, InfeasibleClaim, Multiplier, RowRecord, SCHEMA, Side,
+    plan::facet_of,
 };
 use crate::admissible::AdmissibleSet;
-use crate::model::{Mission, Model};
+use crate::model::{LimitKind, Mission, Model, PlanModel};
 use crate::planner::compare::PlannerRun;
+use crate::planner::hover_model::YAW;
+use crate::planner::profile::profile;
 use crate::planner::rows::Engine;
+use crate::planner::select::SetRow;
+use crate::planner::successive::{Relaxed, Successive};
 use crate::planner::transcribe::{Purpose, Transcription};
+use crate::planner::wrench_model::WrenchModel;
 use crate::planner::yaw::YawPlan;
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use crate::solve::{Outcome, solve};
 use crate::verify;
+
+const NO_TIME: &str = "fixed times and holds leave some leg no time";
 
 /// Weight of the inputs' cost beside the overshoot: enough to make the solution unique, too little to matter.
 const COST: f64 = 1e-12;
@@ -20,10 +28,23 @@ const COST: f64 = 1e-12;
 /// Multipliers below this share of the largest are left out, if the others show it still.
 const NEGLIGIBLE: [f64; 4] = [1e-6, 1e-8, 1e-10, 0.0];
 
+/// The program whose multipliers are wanted.
+struct Asked {
+    program: QuadraticProgram,
+    /// Unit of time of its variables, s.
+    tau: f64,
+    /// Without holds.
+    times: Vec<f64>,
+    waypoint_nodes: Vec<usize>,
+    /// In the exact model: of the set's rows, see `MostThrust::weights`.
+    thrust: Vec<f64>,
+}
+
 /// The certificate that `run` has no plan at `total` seconds.
 ///
-/// # Errors Where yaw changes, some facet has no three rotors, or the multipliers found do not show it; they cannot
-/// where the start is not at rest.
+/// # Errors
+/// Where the mission does not begin and end as the checker asks, in the hover model where yaw changes, where some facet
+/// has no name, or where the multipliers found do not show it.
 pub fn certificate(
     model: &Model,
     mission: &Mission,
@@ -33,40 +54,109 @@ pub fn certificate(
 ) -> Result<Certificate, String> {
     let healthy = AdmissibleSet::healthy(model);
     let mut engine = Engine::new(model, mission, &healthy);
+    let (kind, asked) = match model.plan.model {
+        PlanModel::Hover => (DynamicModel::Hover, about_hover(&mut engine, run, total)?),
+        PlanModel::Exact => (DynamicModel::Exact, relaxed(&mut engine, run, total)?),
+    };
+    let z = match solve(&asked.program).0 {
+        Outcome::Solved(solution) => solution.z,
+        Outcome::Infeasible { certificate } => certificate,
+        Outcome::Inconclusive { .. } => return Err("no multipliers were found".into()),
+    };
+    let (facets, thrust) = match kind {
+        DynamicModel::Hover => (named(model, run.set.rows.iter())?, Vec::new()),
+        DynamicModel::Exact => weighed(model, run, &asked.thrust)?,
+    };
+    let every = multipliers(&asked.program, &z, asked.tau, mission).ok_or("a row of the program has no name")?;
+    let size = |m: &Multiplier| m.z.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let largest = every.iter().map(size).fold(0.0, f64::max);
+    let about = |part: Part, share: f64| InfeasibleClaim {
+        times_s: asked.times.clone(),
+        waypoint_nodes: asked.waypoint_nodes.clone(),
+        facets: facets.clone(),
+        thrust: thrust.clone(),
+        multipliers: every.iter().filter(|m| part.has(&m.row, mission) && size(m) > share * largest).cloned().collect(),
+    };
+    // Position and yaw are not tied together in the relaxation: where one shows it, what is left of the other is dust.
+    let parts: &[Part] = if kind == DynamicModel::Hover { &[Part::Both] } else { &[Part::Position, Part::Yaw] };
+    let tried = parts.iter().flat_map(|&part| NEGLIGIBLE.iter().map(move |&share| (part, share)));
+    let mut last = String::from("no multipliers were found");
+    for (part, share) in tried {
+        let claim = Claim::Infeasible(about(part, share));
+        let certificate = Certificate { schema: SCHEMA, spec_sha256: sha256.clone(), model: kind, claim };
+        // What does not show it is not written.
+        match verify::decide(&certificate, model) {
+            Ok(_) => return Ok(certificate),
+            Err(rejection) => last = format!("{}: {}", rejection.claim, rejection.detail),
+        }
+    }
+    Err(format!("the multipliers found do not show it ({last})"))
+}
+
+/// The hover model's program, asked how far waypoints would have to be overshot.
+fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Asked, String> {
+    let (model, mission) = (engine.model, engine.mission);
     let layout = match engine.layout(total, model.plan.samples) {
         Ok(Some(layout)) => layout,
-        Ok(None) => return Err("fixed times and holds leave some leg no time".into()),
+        Ok(None) => return Err(NO_TIME.into()),
         Err(_) => return Err("yaw alone has no plan".into()),
     };
     let YawPlan::Free { .. } = layout.yaw else { return Err("yaw changes, and was planned first".into()) };
     let maps = layout.yaw.maps(model, layout.flown.nodes());
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());
-    let program = form.full_program(Purpose::Overshoot { epsilon: COST });
-    let z = match solve(&program).0 {
-        Outcome::Solved(solution) => solution.z,
-        Outcome::Infeasible { certificate } => certificate,
-        Outcome::Inconclusive { .. } => return Err("no multipliers were found".into()),
-    };
-    let facets = run.set.rows.iter().map(|row| facet_of(model, row)).collect::<Option<Vec<FacetRecord>>>();
-    let facets = facets.ok_or("a flat set has facets that no three rotors span")?;
-    let every = multipliers(&program, &z, form.tau(), mission).ok_or("a row of the program has no name")?;
-    let size = |m: &Multiplier| m.z.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let largest = every.iter().map(size).fold(0.0, f64::max);
-    let of = |share: f64| InfeasibleClaim {
-        times_s: layout.flown.node_times.clone(),
+    Ok(Asked {
+        program: form.full_program(Purpose::Overshoot { epsilon: COST }),
+        tau: form.tau(),
+        times: layout.flown.node_times.clone(),
         waypoint_nodes: layout.flown.waypoint_nodes.clone(),
-        facets: facets.clone(),
-        multipliers: every.iter().filter(|m| size(m) > share * largest).cloned().collect(),
-    };
-    let written = NEGLIGIBLE.iter().map(|&share| Certificate {
-        schema: SCHEMA,
-        spec_sha256: sha256.clone(),
-        model: DynamicModel::Hover,
-        claim: Claim::Infeasible(of(share)),
-    });
-    // What does not show it is not written.
-    let mut shown = written.into_iter().filter(|certificate| verify::decide(certificate, model).is_ok());
-    shown.next().ok_or_else(|| "the multipliers found do not show it".into())
+        thrust: Vec::new(),
+    })
+}
+
+/// The exact model's relaxation, asked the same.
+fn relaxed(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Asked, String> {
+    let flown = profile(engine.mission, total, engine.model.plan.samples).ok_or(NO_TIME)?.flown();
+    let Relaxed { program, tau, thrust } =
+        Successive::new(engine, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
+    let (times, waypoint_nodes) = (flown.node_times, flown.waypoint_nodes);
+    Ok(Asked { program, tau, times, waypoint_nodes, thrust: thrust.weights })
+}
+
+fn named<'r>(model: &Model, rows: impl Iterator<Item = &'r SetRow>) -> Result<Vec<FacetRecord>, String> {
+    let records = rows.map(|row| facet_of(model, row)).collect::<Option<Vec<_>>>();
+    records.ok_or_else(|| "a flat set has facets that no three rotors span".into())
+}
+
+/// The facets that bound the thrust, with their weights.
+fn weighed(model: &Model, run: &PlannerRun, weights: &[f64]) -> Result<(Vec<FacetRecord>, Vec<FacetWeight>), String> {
+    let largest = weights.iter().copied().fold(0.0, f64::max);
+    let counts = |weight: f64| weight > NEGLIGIBLE[0] * largest;
+    let bounding = || run.set.rows.iter().zip(weights).filter(move |&(_, &w)| counts(w));
+    let facets = named(model, bounding().map(|(row, _)| row))?;
+    let thrust = bounding().enumerate().map(|(facet, (_, &weight))| FacetWeight { facet, weight }).collect();
+    Ok((facets, thrust))
+}
+
+/// What multipliers are about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Both,
+    Position,
+    Yaw,
+}
+
+impl Part {
+    fn has(self, row: &RowRecord, mission: &Mission) -> bool {
+        let of_yaw = match *row {
+            RowRecord::Rest { axis, .. } => axis == YAW,
+            RowRecord::WaypointYaw { .. } => true,
+            RowRecord::Limit { limit, .. } => {
+                matches!(mission.limits[limit].kind, LimitKind::Yaw | LimitKind::YawRate | LimitKind::YawAcceleration)
+            }
+            _ => false,
+        };
+        self == Part::Both || of_yaw == (self == Part::Yaw)
+    }
 }
 
 /// The multipliers of all rows but the dynamics'. Rows of one origin follow each other in the program: the sides of a
@@ -82,8 +172,9 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], tau: f64, mission: &Missio
             let mut values = z[first..first + size].to_vec();
             let row = match program.row_origin[first] {
                 RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Excess => continue,
-                // Rows of the exact model's programs, which are not written down here.
-                RowOrigin::Upright { .. } | RowOrigin::Thrust { .. } | RowOrigin::Duration { .. } => return None,
+                // Rows of the exact model's steps, which are no relaxation of it.
+                RowOrigin::Upright { .. } | RowOrigin::Duration { .. } => return None,
+                RowOrigin::Thrust { node } => RowRecord::Thrust { node },
                 RowOrigin::Rest { node, axis, derivative } => {
                     values[0] *= tau.powi(derivative as i32);
                     RowRecord::Rest { node, axis, derivative }

@@ -6,8 +6,8 @@ use super::{
     Scope, SetClaim,
 };
 use crate::actuation::Wrench;
-use crate::admissible::{AdmissibleSet, FacetOf};
-use crate::model::{Limit, LimitKind, Mission, Model, PlannerKind};
+use crate::admissible::{AdmissibleSet, FacetOf, faults_only_take};
+use crate::model::{Allocation, Limit, LimitKind, Mission, Model, PlannerKind};
 use crate::planner::compare::{PlannerRun, Solved};
 use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::planner::select::{PlanningSet, SetRow};
@@ -62,7 +62,7 @@ pub fn certificate(
     // Without a bounded tolerance there is nothing to exceed.
     claim.position_excess_m = up(if claim.position_excess_m.is_finite() { claim.position_excess_m } else { 0.0 });
     claim.yaw_excess_rad = up(claim.yaw_excess_rad);
-    let mut checker = Checker::new(model, mission, kind, &claim).map_err(|r| r.detail)?;
+    let mut checker = Checker::new(model, mission, kind, &claim.motion).map_err(|r| r.detail)?;
     let healthy = AdmissibleSet::healthy(model);
     let wrench = |state: &NodeState| trajectory.wrench(&model.vehicle, model.gravity, state);
     for (index, limit) in mission.limits.iter().enumerate() {
@@ -80,7 +80,7 @@ pub fn certificate(
         claim.limits.push(LimitClaim { bounds, ..told });
     }
     for mode in stood(model) {
-        let set = set_of(model, mode);
+        let set = set_of(model, mode).guaranteed(model);
         let rows = PlanningSet::of(&[&set.with_reserve(model.plan.reserve)], &healthy).rows;
         // A wrench that passes the facets by a share leaves the set, seen from hover, by that share over hover's
         // margin.
@@ -112,7 +112,7 @@ fn up(x: f64) -> f64 {
 }
 
 /// The equations that the plan follows.
-fn model_of(trajectory: &Trajectory) -> DynamicModel {
+pub(super) fn model_of(trajectory: &Trajectory) -> DynamicModel {
     match trajectory.model {
         WrenchModel::HoverAt(_) | WrenchModel::HoverFollowing => DynamicModel::Hover,
         WrenchModel::Exact => DynamicModel::Exact,
@@ -127,7 +127,7 @@ fn vertical(kind: DynamicModel) -> usize {
     }
 }
 
-fn motion(trajectory: &Trajectory, kind: DynamicModel) -> MotionRecord {
+pub(super) fn motion(trajectory: &Trajectory, kind: DynamicModel) -> MotionRecord {
     let nodes = &trajectory.nodes;
     MotionRecord {
         times_s: trajectory.times.clone(),
@@ -183,7 +183,7 @@ fn strongest(nodes: f64, between: f64, size: f64, mut stands: impl FnMut(Vec<Bou
 }
 
 /// How far a state passes a limit, as certificates measure it.
-fn limit_excess(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
+pub(super) fn limit_excess(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
     match (limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {
             let out = state[X][2].hypot(state[Y][2]) * upper.cos() - (state[Z][2] + gravity) * upper.sin();
@@ -195,8 +195,11 @@ fn limit_excess(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
 
 /// The modes that the planner keeps to: 0 is healthy, i + 1 is `Model::modes[i]`.
 fn stood(model: &Model) -> Vec<usize> {
+    let against = model.plan.against.iter().map(|i| i + 1);
     match model.plan.planner {
-        PlannerKind::Rcp if !model.plan.against.is_empty() => model.plan.against.iter().map(|i| i + 1).collect(),
+        PlannerKind::Rcp if model.plan.against.is_empty() => vec![0],
+        PlannerKind::Rcp if !faults_only_take(model) => std::iter::once(0).chain(against).collect(),
+        PlannerKind::Rcp => against.collect(),
         _ => vec![0],
     }
 }
@@ -208,13 +211,19 @@ fn set_of(model: &Model, mode: usize) -> AdmissibleSet {
     }
 }
 
-/// The facet that a row stands for; `None` in a flat set, whose facets have fewer rotors.
+/// The facet that a row stands for; `None` where rotors do not name it: in a flat set, and where T >= 0 is what it says.
 pub(super) fn facet_of(model: &Model, row: &SetRow) -> Option<FacetRecord> {
     let FacetOf { mode, facet, spanning } = *row.origin.first()?;
-    let set = set_of(model, mode);
+    let set = set_of(model, mode).guaranteed(model);
     let plane = set.polytope.facets.get(facet)?;
-    let rotors: Vec<usize> = spanning.generators().collect();
-    let rotors = steepest(&set.zonotope.generators, &rotors, &plane.normal)?.map(|k| k + 1);
+    let spanning: Vec<usize> = spanning.generators().collect();
+    let rotors = match set.allocation {
+        Allocation::Bounded => steepest(&set.zonotope.generators, &spanning, &plane.normal)?.map(|k| k + 1).to_vec(),
+        // All others span it.
+        Allocation::PseudoInverse => {
+            (1..=model.vehicle.rotors.len()).find(|k| !spanning.contains(&(k - 1))).into_iter().collect()
+        }
+    };
     Some(FacetRecord { mode: set.name, rotors, normal: plane.normal.into(), offset: plane.offset })
 }
 

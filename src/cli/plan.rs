@@ -6,7 +6,7 @@ use super::target::{Target, write};
 use super::why::why;
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
-use crate::certificate;
+use crate::certificate::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
 use crate::model::MAX_ROUNDS;
@@ -15,7 +15,7 @@ use crate::planner::compare::rounds;
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::record::{Record, RoundRecord};
-use crate::report::{terminal, trajectory_csv};
+use crate::report::{self, terminal, trajectory_csv};
 use std::path::Path;
 use std::time::Instant;
 
@@ -43,6 +43,15 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         (target, certificate)
     });
     let begin = Instant::now();
+    let between = match comparison.runs.last() {
+        Some(run) => match &run.ending {
+            Ending::Solved(solved) => Some(between::between(&model, &mission, run, solved)),
+            _ => None,
+        },
+        None => None,
+    };
+    timing(options, "prove", begin);
+    let begin = Instant::now();
     let mut results = Vec::new();
     let code = match comparison.runs.last().map(|r| &r.ending) {
         Some(Ending::Solved(solved)) => {
@@ -60,13 +69,17 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     if let Some(target) = &report {
         let told = |e: &Explanation| ConflictRecord::new(e, &model, &mission, &loaded.files.sources);
         let conflict = explanation.as_ref().map(told);
-        let record = Record { conflict, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
+        let mut record = Record { conflict, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
+        if let Some(planner) = record.planners.last_mut() {
+            planner.between = between.clone();
+        }
         results.push((target, json(&record)?));
     }
     // A result that goes to standard output has it to itself, and the text goes to standard error.
     let stdout = !results.iter().any(|(target, _)| target.is_stdout());
     let color = if stdout { spec::colored(&std::io::stdout()) } else { spec::colored(&std::io::stderr()) };
-    let text = terminal::plan(&model, &mission, &comparison, color);
+    let mut text = terminal::plan(&model, &mission, &comparison, color);
+    text.push_str(&report::between::between(&mission, between.as_deref().unwrap_or_default()));
     let told = stdout;
     if told {
         files::print(&text)?;

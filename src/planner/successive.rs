@@ -13,6 +13,7 @@ mod step;
 mod times;
 
 pub use motion::Motion;
+pub use relaxation::{MostThrust, Relaxed};
 pub use search::NOT_FOUND;
 
 use super::hover_model::{WrenchMap, X, Y, YAW, Z};

@@ -2,6 +2,7 @@
 
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
+use crate::certificate::between::Between;
 use crate::model::{Mission, Model};
 use crate::planner::compare::protect::{Addition, Protection};
 use crate::planner::compare::rounds::Round;
@@ -128,6 +129,8 @@ pub struct PlannerRecord {
     pub risk: Option<f64>,
     /// Where the plan is not what it seems.
     pub warnings: Vec<Caveat>,
+    /// How far the plan's rows are shown to hold between nodes, where `mavc plan` wrote the report.
+    pub between: Option<Vec<Between>>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -201,6 +204,7 @@ impl Record {
             modes: Vec::new(),
             risk: None,
             warnings: Vec::new(),
+            between: None,
         };
         Record {
             schema: 1,
@@ -237,6 +241,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         modes: Vec::new(),
         risk: None,
         warnings: Vec::new(),
+        between: None,
     };
     match &run.ending {
         Ending::Infeasible { .. } | Ending::Inconclusive { .. } => {}

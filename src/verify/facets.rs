@@ -1,4 +1,4 @@
-//! Facets as certificates print them: three rotors, a normal and an offset that follow from them.
+//! Facets as certificates print them: rotors, and the normal and offset that follow from them.
 
 use super::Rejection;
 use super::interval::{Interval, exceeds};
@@ -20,12 +20,12 @@ pub(super) fn few<T>(facets: &[T]) -> Result<(), Rejection> {
     Err(Rejection::new("the facets", format!("there are {}, and {MAX_FACETS} are checked at once", facets.len())))
 }
 
-/// The half-space that the rotors span, once the printed normal and offset are found to be its.
-pub fn spanned(model: &Model, record: &FacetRecord) -> Result<Plane, Rejection> {
+/// The half-space that the rotors name, once the printed normal and offset are found to be its.
+pub fn named(model: &Model, record: &FacetRecord) -> Result<Plane, Rejection> {
     let wrong = |why: String| Err(Rejection::new("the facet", why));
     let generators = Generators::of(model, &record.mode)?;
-    let Some(facet) = generators.spanned(record.rotors, &record.normal) else {
-        return wrong("these rotors span no facet on that side".into());
+    let Some(facet) = generators.named(&record.rotors, &record.normal) else {
+        return wrong("these rotors name no facet on that side".into());
     };
     let off = |printed: f64, exact: Interval, size: f64| {
         exceeds((Interval::point(printed) - exact).magnitude(), PRINTED * size)

@@ -1,6 +1,6 @@
 //! Decides what a certificate claims of a plan.
 
-use super::facets::{few, spanned};
+use super::facets::{few, named};
 use super::interval::{Interval, exceeds};
 use super::limits;
 use super::motion::{Motion, State, X, Y, YAW, Z};
@@ -8,7 +8,7 @@ use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds};
 use super::sets::{Generators, MAX_TRIPLES, Plane, along};
 use super::wrench::Dynamics;
 use super::{Reach, Rejection, Shown, mode_named, required};
-use crate::certificate::{Bound, DynamicModel, FacetClaim, LimitClaim, PlanClaim, Scope, SetClaim};
+use crate::certificate::{Bound, DynamicModel, FacetClaim, LimitClaim, MotionRecord, PlanClaim, Scope, SetClaim};
 use crate::model::{Mission, MissionTime, Model};
 use crate::report::caveats::limit_words;
 use crate::report::number::number;
@@ -42,14 +42,29 @@ impl<'a> Checker<'a> {
         model: &'a Model,
         mission: &'a Mission,
         kind: DynamicModel,
-        claim: &PlanClaim,
+        motion: &MotionRecord,
     ) -> Result<Self, Rejection> {
-        let motion = Motion::new(&claim.motion, kind).map_err(|why| Rejection::new("the motion", why))?;
+        let motion = Motion::new(motion, kind).map_err(|why| Rejection::new("the motion", why))?;
         let first = mission.waypoints.first().map_or(0.0, |w| w.yaw);
         // As the language says: one yaw throughout is linearised there.
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
         let dynamics = Dynamics { vehicle: &model.vehicle, gravity: model.gravity, model: kind, one_yaw };
         Ok(Checker { model, mission, dynamics, motion, budget: Budget(EVALUATIONS), triples: 0 })
+    }
+
+    /// What turns the motion into wrenches.
+    pub fn dynamics(&self) -> &Dynamics<'a> {
+        &self.dynamics
+    }
+
+    /// So many evaluations from now on.
+    pub fn allow(&mut self, evaluations: usize) {
+        self.budget = Budget(evaluations);
+    }
+
+    /// Whether all quantities of a family are shown to keep to a bound along the motion.
+    pub fn keeps(&mut self, family: &Family, bound: &Bound) -> bool {
+        holds(family, &self.motion, bound, &mut self.budget).is_ok()
     }
 
     /// Everything that is claimed, and that nothing is missing.
@@ -191,9 +206,8 @@ impl<'a> Checker<'a> {
         }
         for (node, held) in still {
             for axis in [X, Y, Z, YAW] {
-                // At rest the horizontal jerk vanishes beside velocity and acceleration.
-                let rest = if axis == X || axis == Y { 3 } else { 2 };
-                let highest = if held { self.motion.order(axis) } else { rest };
+                // At rest the jerk vanishes beside velocity and acceleration, where it is no input's slope.
+                let highest = if held { self.motion.order(axis) } else { self.motion.order(axis).min(3) };
                 if let Some(order) = (1..=highest).find(|&i| self.motion.at_node(node, axis, i) != 0.0) {
                     let name = ["x", "y", "z", "yaw"][axis];
                     let why = format!("derivative {order} of {name} is not zero");
@@ -283,7 +297,7 @@ impl<'a> Checker<'a> {
     pub fn facet(&mut self, index: usize, claim: &FacetClaim) -> Result<Reach, Rejection> {
         let what = format!("facet {} ({}, rotors {:?})", index + 1, claim.facet.mode, claim.facet.rotors);
         let span = self.span_of(&claim.facet.mode);
-        let plane = spanned(self.model, &claim.facet).map_err(|r| Rejection { claim: what.clone(), span, ..r })?;
+        let plane = named(self.model, &claim.facet).map_err(|r| Rejection { claim: what.clone(), span, ..r })?;
         let planes = [plane];
         let family = wrench_family(&self.dynamics.clone(), &planes);
         self.bounds(&family, &claim.bounds, MOST_OUTSIDE, |_| String::new()).map_err(|r| Rejection {
@@ -347,7 +361,7 @@ fn allowed(name: &str, claimed: f64, most: f64) -> Result<(), Rejection> {
 }
 
 /// The excess of the wrench over each plane.
-fn wrench_family<'b>(dynamics: &Dynamics<'b>, planes: &'b [Plane]) -> Family<'b> {
+pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, planes: &'b [Plane]) -> Family<'b> {
     let linear = dynamics.model == DynamicModel::Hover && dynamics.one_yaw.is_some();
     let dynamics = dynamics.clone();
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {

@@ -1,14 +1,20 @@
-//! A mode's set from exact arithmetic: every plane that three of its generators span.
+//! A mode's set from exact arithmetic: every plane that three of its generators span; with `allocation =
+//! pseudo_inverse` ([`inverse`]) two planes for each rotor; with intervals ([`doubt`]) what holds for all values.
 //!
 //! The set is `{ c + sum of t_k g_k : 0 <= t_k <= 1 }`. In four dimensions it is the intersection of the half-spaces
 //! `n.w <= n.c + sum of max(0, n.g_k)` over all n orthogonal to three independent generators, and their negatives. All
 //! triples are taken and none is merged, so no tolerance enters: a triple that only rounding makes independent gives a
 //! plane that touches the set all the same.
 
+pub mod doubt;
+pub mod inverse;
+
+use self::doubt::{Doubts, Known};
+use self::inverse::Inverse;
 use super::dyadic::{Dyadic, dot, orthogonal};
 use super::interval::Interval;
 use super::{Rejection, mode_named};
-use crate::model::{FaultMode, Model, Rotor, Spin, Vehicle};
+use crate::model::{Allocation, FaultMode, Model, Rotor, Spin, Vehicle};
 use std::cmp::Ordering;
 
 /// The name of the set without faults.
@@ -24,7 +30,8 @@ type Exact = [Dyadic; 4];
 pub struct Plane {
     pub normal: [Interval; 4],
     pub offset: Interval,
-    /// The rotors that span it, from 1; fewer than three in a flat set.
+    /// The rotors that span it, from 1; fewer than three in a flat set. Of the pseudo-inverse the one that is at a bound;
+    /// none where the row says that T is not negative.
     pub rotors: Vec<usize>,
 }
 
@@ -50,16 +57,20 @@ pub struct Generators {
     hover: Exact,
     /// The share of the way from hover to each plane that is left: one minus the reserve.
     kept: Interval,
+    /// What is left out where rotors or the mass are known to within intervals.
+    doubts: Option<Doubts>,
+    /// With `allocation = pseudo_inverse`.
+    inverse: Option<Inverse>,
 }
 
-/// b w_max^2 (1, y, -x, -/+ d/b): thrust, and its torques about the centre of gravity; P drags clockwise.
-fn full_thrust(rotor: &Rotor) -> Exact {
+/// b w^2 (1, y, -x, -/+ d/b) for the square of a speed: thrust, and its torques about the centre of gravity; P drags
+/// clockwise. Factors on thrust and on d/b.
+fn wrench_at(rotor: &Rotor, speed: f64, thrust: &Dyadic, ratio: &Dyadic) -> Exact {
     let [x, y, b, d, speed] =
-        [rotor.position[0], rotor.position[1], rotor.thrust_coefficient, rotor.drag_coefficient, rotor.max_speed]
-            .map(Dyadic::of);
-    let square = speed.times(&speed);
+        [rotor.position[0], rotor.position[1], rotor.thrust_coefficient, rotor.drag_coefficient, speed].map(Dyadic::of);
+    let square = speed.times(&speed).times(thrust);
     let thrust = b.times(&square);
-    let drag = d.times(&square);
+    let drag = d.times(&square).times(ratio);
     let about_z = match rotor.spin {
         Spin::P => drag.negated(),
         Spin::N => drag,
@@ -74,6 +85,10 @@ fn scaled(v: &Exact, factor: f64) -> Exact {
 
 fn sum(a: &Exact, b: &Exact) -> Exact {
     std::array::from_fn(|i| a[i].plus(&b[i]))
+}
+
+fn difference(a: &Exact, b: &Exact) -> Exact {
+    std::array::from_fn(|i| a[i].minus(&b[i]))
 }
 
 fn zero() -> Exact {
@@ -94,23 +109,41 @@ impl Generators {
 
     /// Of a mode, `None` for the healthy vehicle.
     pub fn new(vehicle: &Vehicle, gravity: f64, mode: Option<&FaultMode>, reserve: f64) -> Self {
-        let healthy: Vec<Exact> = vehicle.rotors.iter().map(full_thrust).collect();
+        let nominal = |rotor: &Rotor| {
+            let one = Dyadic::of(1.0);
+            let [idle, full] = [rotor.min_speed, rotor.max_speed].map(|speed| wrench_at(rotor, speed, &one, &one));
+            (idle, full)
+        };
+        let healthy = vehicle.rotors.iter().map(nominal).map(|(idle, full)| difference(&full, &idle)).collect();
         let mut center = zero();
-        let mut own = healthy.clone();
-        if let Some(mode) = mode {
-            for (k, generator) in own.iter_mut().enumerate() {
-                match mode.stuck.get(k).copied().flatten() {
-                    Some(share) => {
-                        center = sum(&center, &scaled(generator, share));
-                        *generator = zero();
-                    }
-                    None => *generator = scaled(generator, mode.capacity.get(k).copied().unwrap_or(1.0)),
+        let mut own = Vec::new();
+        for (k, rotor) in vehicle.rotors.iter().enumerate() {
+            let known = Known::of(rotor);
+            match mode.and_then(|m| m.stuck.get(k).copied().flatten()) {
+                // Stuck at a share of full thrust.
+                Some(share) => {
+                    center = sum(&center, &scaled(&known.middle, share));
+                    own.push(zero());
+                }
+                // From the lowest speed to the highest, times the capacity.
+                None => {
+                    let capacity = mode.and_then(|m| m.capacity.get(k).copied()).unwrap_or(1.0);
+                    center = sum(&center, &scaled(&known.idle, capacity));
+                    own.push(scaled(&difference(&known.full, &known.idle), capacity));
                 }
             }
         }
         let mut hover = zero();
         hover[0] = Dyadic::of(vehicle.mass).times(&Dyadic::of(gravity));
-        Generators { center, own, healthy, hover, kept: Interval::ONE - Interval::point(reserve) }
+        Generators {
+            center,
+            own,
+            healthy,
+            hover,
+            kept: Interval::ONE - Interval::point(reserve),
+            doubts: vehicle.is_uncertain().then(|| Doubts::of(vehicle, mode)),
+            inverse: (vehicle.allocation == Allocation::PseudoInverse).then(|| Inverse::of(vehicle, mode)),
+        }
     }
 
     /// Triples of generators there are.
@@ -119,28 +152,56 @@ impl Generators {
         n * n.saturating_sub(1) * n.saturating_sub(2) / 6
     }
 
-    /// The plane orthogonal to three rotors' wrenches, on the side that `towards` points to; `None` where they span
-    /// none.
-    pub fn spanned(&self, rotors: [usize; 3], towards: &[f64; 4]) -> Option<Facet> {
-        let [a, b, c] = rotors.map(|k| k.checked_sub(1).and_then(|k| self.own.get(k)));
+    /// The facet that a certificate names by rotors, on the side that `towards` points to; `None` where they name none.
+    pub fn named(&self, rotors: &[usize], towards: &[f64; 4]) -> Option<Facet> {
+        let towards = towards.map(Dyadic::of);
+        if let Some(inverse) = &self.inverse {
+            let [rotor] = *rotors else { return None };
+            let bounds = inverse.bounds(rotor)?;
+            let (normal, offset) = bounds.into_iter().find(|(n, _)| dot(n, &towards).sign() == Ordering::Greater)?;
+            return Some(self.facet(&normal, &offset, rotors));
+        }
+        let &[a, b, c] = rotors else { return None };
+        let [a, b, c] = [a, b, c].map(|k| k.checked_sub(1).and_then(|k| self.own.get(k)));
         let normal = orthogonal(a?, b?, c?);
-        let side = dot(&normal, &towards.map(Dyadic::of)).sign();
-        let normal = match side {
+        let normal = match dot(&normal, &towards).sign() {
             Ordering::Greater => normal,
             Ordering::Less => normal.map(|n| n.negated()),
             Ordering::Equal => return None,
         };
-        let enclosed = normal.each_ref().map(Dyadic::enclosure);
-        let length = enclosed.iter().fold(Interval::ZERO, |sum, n| sum + n.square()).sqrt();
-        Some(Facet {
-            normal: enclosed.map(|n| n / length),
-            offset: self.support(&normal).enclosure() / length,
-            plane: self.plane(&normal, rotors.to_vec()),
-        })
+        Some(self.facet(&normal, &self.support(&normal), rotors))
     }
 
-    /// Every plane that bounds the set. An error where the set has fewer than three dimensions.
+    /// As certificates print it: of length 1, the intervals taken off, the reserve not.
+    fn facet(&self, normal: &Exact, offset: &Dyadic, rotors: &[usize]) -> Facet {
+        let (row, bound) = self.row(normal, offset);
+        let length = row.iter().fold(Interval::ZERO, |sum, n| sum + n.square()).sqrt();
+        Facet {
+            normal: row.map(|n| n / length),
+            offset: bound / length,
+            plane: self.plane(normal, offset, rotors.to_vec()),
+        }
+    }
+
+    /// Every plane that bounds the set. An error where the set has fewer than three dimensions, or the pseudo-inverse does
+    /// not give all four.
     pub fn planes(&self) -> Result<Vec<Plane>, String> {
+        let mut planes = match &self.inverse {
+            Some(inverse) => {
+                let rows = inverse.rows()?;
+                rows.into_iter().map(|(rotor, normal, offset)| self.plane(&normal, &offset, vec![rotor])).collect()
+            }
+            None => self.spanned()?,
+        };
+        if self.doubts.is_some() {
+            let mut down = zero();
+            down[0] = Dyadic::of(-1.0);
+            planes.push(self.plane(&down, &Dyadic::zero(), Vec::new()));
+        }
+        Ok(planes)
+    }
+
+    fn spanned(&self) -> Result<Vec<Plane>, String> {
         let used: Vec<usize> = (0..self.own.len()).filter(|&k| !is_zero(&self.own[k])).collect();
         let mut normals = Vec::new();
         for (i, &a) in used.iter().enumerate() {
@@ -169,19 +230,20 @@ impl Generators {
         }
         let both = |(normal, rotors): (Exact, Vec<usize>)| {
             let opposite = normal.clone().map(|n| n.negated());
-            [self.plane(&normal, rotors.clone()), self.plane(&opposite, rotors)]
+            [&normal, &opposite].map(|n| self.plane(n, &self.support(n), rotors.clone()))
         };
         Ok(normals.into_iter().flat_map(both).collect())
     }
 
-    /// The range of T, tau_x, tau_y and tau_z over the set, the reserve taken off.
+    /// Bounds on T, tau_x, tau_y and tau_z over the set, the reserve taken off: those of all that the rotors give.
     pub fn extent(&self) -> [Interval; 4] {
         std::array::from_fn(|axis| {
             let reach = |sign: f64| {
                 let mut normal = zero();
                 normal[axis] = Dyadic::of(sign);
-                let plane = self.plane(&normal, Vec::new());
-                plane.offset / plane.normal[axis]
+                let hover = dot(&normal, &self.hover);
+                let room = self.support(&normal).minus(&hover).enclosure();
+                Interval::point(sign) * (hover.enclosure() + self.kept * room)
             };
             Interval::new(reach(-1.0).low, reach(1.0).high)
         })
@@ -193,21 +255,40 @@ impl Generators {
         reach.fold(dot(normal, &self.center), |sum, v| sum.plus(&v))
     }
 
-    /// The half-space, shrunk about hover by the reserve: n.w <= n.h + (1 - reserve) (e - n.h).
-    fn plane(&self, normal: &Exact, rotors: Vec<usize>) -> Plane {
-        let width = self.healthy.iter().map(|g| dot(normal, g)).fold(Dyadic::zero(), |sum, v| match v.sign() {
-            Ordering::Less => sum.minus(&v),
-            _ => sum.plus(&v),
-        });
-        let width = width.enclosure();
-        let hover = dot(normal, &self.hover);
-        let room = self.support(normal).minus(&hover).enclosure();
-        Plane {
-            normal: normal.each_ref().map(|n| n.enclosure() / width),
-            offset: (hover.enclosure() + self.kept * room) / width,
-            rotors,
+    /// n.w <= e with what intervals take away.
+    fn row(&self, normal: &Exact, offset: &Dyadic) -> ([Interval; 4], Interval) {
+        match &self.doubts {
+            Some(doubts) => doubts.row(normal, offset),
+            None => (normal.each_ref().map(Dyadic::enclosure), offset.enclosure()),
         }
     }
+
+    /// The half-space, shrunk about hover by the reserve: n.w <= n.h + (1 - reserve) (e - n.h).
+    fn plane(&self, normal: &Exact, offset: &Dyadic, rotors: Vec<usize>) -> Plane {
+        if self.doubts.is_none() {
+            let width = absolute(self.healthy.iter().map(|g| dot(normal, g))).enclosure();
+            let hover = dot(normal, &self.hover);
+            let room = offset.minus(&hover).enclosure();
+            return Plane {
+                normal: normal.each_ref().map(|n| n.enclosure() / width),
+                offset: (hover.enclosure() + self.kept * room) / width,
+                rotors,
+            };
+        }
+        let (normal, offset) = self.row(normal, offset);
+        let enclosed = |v: &Exact| v.each_ref().map(Dyadic::enclosure);
+        let width = self.healthy.iter().fold(Interval::ZERO, |sum, g| sum + along(&normal, &enclosed(g)).abs());
+        let hover = along(&normal, &enclosed(&self.hover));
+        Plane { normal: normal.map(|n| n / width), offset: (hover + self.kept * (offset - hover)) / width, rotors }
+    }
+}
+
+/// The sum of absolute values.
+fn absolute(values: impl Iterator<Item = Dyadic>) -> Dyadic {
+    values.fold(Dyadic::zero(), |sum, v| match v.sign() {
+        Ordering::Less => sum.minus(&v),
+        _ => sum.plus(&v),
+    })
 }
 
 /// A facet as certificates print it, and the half-space.

@@ -6,11 +6,28 @@
 use super::super::rows::{FEASIBLE, LEEWAY};
 use super::super::transcribe::Purpose;
 use super::*;
-use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
+use crate::qp::{QuadraticProgram, RowOrigin};
+
+/// The largest thrust of a set, and why no wrench of it has more.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MostThrust {
+    /// N
+    pub newtons: f64,
+    /// Of the set's rows, N: `T <= sum of weight x offset`, for the normals weighed alike add up to the axis of T.
+    pub weights: Vec<f64>,
+}
+
+/// The relaxation as a program that is always feasible.
+pub struct Relaxed {
+    pub program: QuadraticProgram,
+    /// Unit of time of its variables, s.
+    pub tau: f64,
+    pub thrust: MostThrust,
+}
 
 /// What the relaxation says of a profile.
-pub(super) enum Relaxed {
+pub(super) enum Verdict {
     /// It has no motion: multipliers checked in plain arithmetic say so. What its rows weigh in them is left in
     /// [`Engine::weights`].
     Infeasible,
@@ -21,15 +38,15 @@ pub(super) enum Relaxed {
 impl Successive<'_, '_> {
     /// Whether the relaxation has no motion over a profile (without holds).
     pub(super) fn shown_infeasible(&mut self, profile: &Profile) -> bool {
-        matches!(self.relaxed(profile), Relaxed::Infeasible)
+        matches!(self.relaxed(profile), Verdict::Infeasible)
     }
 
     /// Solves the relaxation over a profile (without holds).
-    pub(super) fn relaxed(&mut self, profile: &Profile) -> Relaxed {
+    pub(super) fn relaxed(&mut self, profile: &Profile) -> Verdict {
         self.engine.weights.clear();
-        let Some(thrust) = self.most_thrust() else { return Relaxed::Feasible(None) };
+        let thrust = self.most_thrust().newtons;
         if self.out_of_reach(profile, thrust) {
-            return Relaxed::Infeasible;
+            return Verdict::Infeasible;
         }
         let form = self.transcription(profile, &[]);
         let rows: Vec<RowAt> = self.limits_at_nodes(profile, |_| true).collect();
@@ -39,7 +56,7 @@ impl Successive<'_, '_> {
             Outcome::Infeasible { certificate } => {
                 self.engine.effort += effort;
                 self.engine.weights = program.weights(&certificate);
-                return Relaxed::Infeasible;
+                return Verdict::Infeasible;
             }
             Outcome::Solved(Solution { x, .. }) => {
                 Some(Motion { profile: profile.clone(), states: form.states(&x), model: self.wrench })
@@ -47,7 +64,17 @@ impl Successive<'_, '_> {
             Outcome::Inconclusive { .. } => None,
         };
         self.engine.effort += effort;
-        Relaxed::Feasible(motion)
+        Verdict::Feasible(motion)
+    }
+
+    /// The relaxation over a profile (without holds), asked how far waypoints would have to be overshot; `epsilon` weighs
+    /// the inputs' cost beside that.
+    pub fn overshoot(&mut self, profile: &Profile, epsilon: f64) -> Relaxed {
+        let thrust = self.most_thrust();
+        let form = self.transcription(profile, &[]);
+        let rows: Vec<RowAt> = self.limits_at_nodes(profile, |_| true).collect();
+        let program = form.relaxed_program(Purpose::Overshoot { epsilon }, &rows, thrust.newtons);
+        Relaxed { program, tau: form.tau(), thrust }
     }
 
     /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the vehicle
@@ -64,12 +91,13 @@ impl Successive<'_, '_> {
             })
     }
 
-    /// The largest thrust that the set allows with any torques, N.
-    fn most_thrust(&mut self) -> Option<f64> {
+    /// The largest thrust that the set allows with any torques.
+    fn most_thrust(&mut self) -> MostThrust {
         let mut builder = Builder::new(4);
         let scale = self.engine.model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum::<f64>();
         // Thrust in units of full thrust, torques in those of the rows.
         let sides = |equality: bool| if equality { &[1.0, -1.0][..] } else { &[1.0] };
+        let mut of_row = Vec::new();
         for (facet, row) in self.set.rows.iter().enumerate() {
             for side in sides(row.equality) {
                 let mut slack = Affine::constant(side * row.offset);
@@ -77,15 +105,18 @@ impl Successive<'_, '_> {
                     slack = slack.plus(i, -side * n * if i == 0 { scale } else { 1.0 });
                 }
                 builder.nonnegative(slack, RowOrigin::Facet { facet, node: 0 });
+                of_row.push((facet, side * scale));
             }
         }
         builder.linear(0, -1.0);
         let (outcome, effort) = solve(&builder.finish());
         self.engine.effort += effort;
-        match outcome {
-            // No thrust is larger than the dual bound says.
-            Outcome::Solved(solution) => Some((-solution.bound).min(1.0) * scale),
-            _ => Some(scale),
+        let mut weights = vec![0.0; self.set.rows.len()];
+        // No thrust is larger than the dual bound says.
+        let Outcome::Solved(solution) = outcome else { return MostThrust { newtons: scale, weights } };
+        for (&(facet, factor), z) in of_row.iter().zip(&solution.z) {
+            weights[facet] += factor * z;
         }
+        MostThrust { newtons: (-solution.bound).min(1.0) * scale, weights }
     }
 }

@@ -4,7 +4,7 @@ use super::super::profile::{determined, earliest, has_fixed_times, profile};
 use super::super::rows::{Decision, Planned};
 use super::super::search::{GRID, NoTime, Shortest};
 use super::super::transcribe::Purpose;
-use super::relaxation::Relaxed;
+use super::relaxation::Verdict;
 use super::sequence::{CLOSELY, Care, NOT_AT_ALL, ROUGHLY};
 use super::*;
 use crate::model::{Leg, Mission};
@@ -192,9 +192,9 @@ impl Successive<'_, '_> {
         let flown = full.flown();
         let relaxed = match self.relaxed(&flown) {
             // What is shown of one division of the time is not shown of all.
-            Relaxed::Infeasible if self.chooses_times() => return Decision::Inconclusive(NOT_FOUND.into()),
-            Relaxed::Infeasible => return Decision::Infeasible,
-            Relaxed::Feasible(motion) => motion,
+            Verdict::Infeasible if self.chooses_times() => return Decision::Inconclusive(NOT_FOUND.into()),
+            Verdict::Infeasible => return Decision::Infeasible,
+            Verdict::Feasible(motion) => motion,
         };
         let quickly = if settled { ROUGHLY } else { NOT_AT_ALL };
         let planned = relaxed

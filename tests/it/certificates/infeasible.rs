@@ -3,7 +3,7 @@
 use super::{Numbers, SHA, certified, hop, planned};
 use crate::vehicles::{inspection, paper_case};
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, RowRecord, Side};
-use mavc::model::{MissionTime, Model, PlannerKind};
+use mavc::model::{Allocation, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::Ending;
 use mavc::verify::{decide, verify};
 
@@ -37,6 +37,23 @@ fn what_has_no_plan_is_certified() {
         assert!(verify(&text, &model, SHA).is_ok() && text.len() < 1 << 20);
         assert_eq!(verify(&text, &model, "4567").unwrap_err().code, "mavc::verify::other_spec");
         assert_eq!(serde_json::from_slice::<Certificate>(&text).unwrap(), certificate);
+    }
+}
+
+/// The facets of rotors that may not stop, of the pseudo-inverse and of intervals weigh as others do.
+#[test]
+fn other_vehicles_without_a_plan_are_certified() {
+    let mut idling = hop(PlannerKind::Rcp, 3.0);
+    idling.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 150.0);
+    let mut inverted = hop(PlannerKind::Rcp, 3.0);
+    inverted.vehicle.allocation = Allocation::PseudoInverse;
+    let mut uncertain = hop(PlannerKind::Rcp, 3.0);
+    super::sets::doubt(&mut uncertain);
+    for (which, model) in [idling, inverted, uncertain].iter().enumerate() {
+        assert!(is_infeasible(model), "{which}");
+        let certificate = mavc::certificate::of(model, model.mission.as_ref().unwrap(), &planned(model), SHA.into());
+        let certificate = certificate.unwrap_or_else(|no| panic!("{which}: {no}"));
+        decide(&certificate, model).unwrap();
     }
 }
 
@@ -79,6 +96,7 @@ fn no_multipliers_refute_a_plan() {
                     match &mut multiplier.row {
                         RowRecord::Rest { node: n, .. } | RowRecord::Facet { node: n, .. } => *n = node,
                         RowRecord::Limit { node: n, .. } | RowRecord::LimitNorm { node: n, .. } => *n = node,
+                        RowRecord::Thrust { node: n } => *n = node,
                         RowRecord::Waypoint { waypoint } => *waypoint = node % 4,
                         RowRecord::WaypointYaw { side, .. } => *side = Side::Upper,
                     }

@@ -4,7 +4,7 @@ use super::Numbers;
 use crate::vehicles::{hexacopter, lost, octocopter, quadcopter};
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
-use mavc::model::Model;
+use mavc::model::{Allocation, Model, Spread};
 use mavc::verify::interval::Interval;
 use mavc::verify::sets::{Generators, Plane};
 
@@ -16,6 +16,7 @@ fn excess(planes: &[Plane], w: &Wrench) -> f64 {
 /// Both say the same of wrenches about the boundary, to rounding.
 fn assert_same(model: &Model, mode: Option<usize>, reserve: f64, numbers: &mut Numbers) {
     let set = mode.map_or_else(|| AdmissibleSet::healthy(model), |i| AdmissibleSet::of_mode(model, i));
+    let set = set.guaranteed(model);
     let kept = set.with_reserve(reserve);
     let mode = mode.map(|i| &model.modes[i]);
     let generators = Generators::new(&model.vehicle, model.gravity, mode, reserve);
@@ -38,10 +39,68 @@ fn assert_same(model: &Model, mode: Option<usize>, reserve: f64, numbers: &mut N
     }
     assert!(inside > 200 && outside > 200, "{}: {inside}", set.name);
     let extent = generators.extent();
+    let plain = set.allocation == Allocation::Bounded && !model.vehicle.is_uncertain();
     for (axis, range) in extent.iter().enumerate() {
         let n = Wrench::from_fn(|i, _| f64::from(u8::from(i == axis)));
         let shrunk = |n: &Wrench| n.dot(&set.hover) + (1.0 - reserve) * (set.zonotope.support(n) - n.dot(&set.hover));
-        assert!((range.high - shrunk(&n)).abs() < 1e-9 && (range.low + shrunk(&-n)).abs() < 1e-9);
+        if plain {
+            assert!((range.high - shrunk(&n)).abs() < 1e-9 && (range.low + shrunk(&-n)).abs() < 1e-9);
+            continue;
+        }
+        // A set that lies within what the rotors give.
+        let (low, high) = kept.polytope.chord(&set.hover, &n, 1e-9).unwrap();
+        assert!(range.low <= set.hover[axis] + low + 1e-9 && range.high >= set.hover[axis] + high - 1e-9);
+    }
+}
+
+/// Gives the vehicle intervals on its mass and on its rotors' thrusts and drags.
+pub fn doubt(model: &mut Model) {
+    let spread = |low, high| Spread { low, high };
+    model.vehicle.mass_spread = spread(0.97, 1.04);
+    for (k, rotor) in model.vehicle.rotors.iter_mut().enumerate() {
+        rotor.spread.full_thrust = spread(0.96, 1.03);
+        rotor.spread.idle_thrust = spread(0.9, 1.1);
+        if k % 2 == 0 {
+            rotor.spread.torque_per_thrust = spread(0.95, 1.04);
+        }
+    }
+}
+
+/// Rotors that may not stop, the pseudo-inverse, intervals, and what goes together of them.
+#[test]
+fn other_vehicles_sets_are_the_planners() {
+    let mut numbers = Numbers(14);
+    let idle = |model: &mut Model| model.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 200.0);
+    let inverted = |model: &mut Model| model.vehicle.allocation = Allocation::PseudoInverse;
+    let heavier = |model: &mut Model| model.vehicle.mass_spread = Spread { low: 0.95, high: 1.05 };
+    let kinds: [&dyn Fn(&mut Model); 6] = [
+        &idle,
+        &inverted,
+        &doubt,
+        &|m| {
+            idle(m);
+            doubt(m);
+        },
+        &|m| {
+            idle(m);
+            inverted(m);
+        },
+        &|m| {
+            inverted(m);
+            heavier(m);
+        },
+    ];
+    for change in kinds {
+        let mut model = octocopter("PPNNPPNN");
+        model.modes = vec![lost(&model, &[3]), lost(&model, &[2]), lost(&model, &[4])];
+        model.modes[1].capacity[1] = 0.7;
+        model.modes[2].capacity[3] = 1.0;
+        model.modes[2].stuck[3] = Some(0.4);
+        change(&mut model);
+        for mode in [None, Some(0), Some(1), Some(2)] {
+            assert_same(&model, mode, 0.0, &mut numbers);
+            assert_same(&model, mode, 0.1, &mut numbers);
+        }
     }
 }
 

@@ -1,0 +1,105 @@
+//! What reports say of a plan between its nodes: proved for every instant by the checker's intervals, or checked on a grid.
+
+use super::plan::{limit_excess, model_of, motion};
+use super::{Bound, Scope};
+use crate::model::{Mission, Model};
+use crate::planner::compare::{PlannerRun, Solved};
+use crate::planner::select::{SetRow, VIOLATED};
+use crate::planner::transcribe::NodeState;
+use crate::report::caveats::limit_words;
+use crate::trajectory::Trajectory;
+use crate::verify::interval::Interval;
+use crate::verify::limits;
+use crate::verify::plan::{Checker, wrench_family};
+use crate::verify::proof::Family;
+use crate::verify::sets::Plane;
+use serde::Serialize;
+
+/// Points of each interval where nothing is proved: those on which plans of the exact model are settled.
+pub const GRID: usize = 64;
+
+/// Evaluations of single rows that one proof may take: a small part of what planning takes.
+const EVALUATIONS: usize = 3_000_000;
+
+/// By how much a limit may be passed, in shares of itself or in its SI unit if that is more: tried in turn.
+const PAST: [f64; 2] = [1e-6, 1e-4];
+
+/// The rows of one kind, and how far they are shown to hold.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Between {
+    /// `wrench`: everything imposed on it; else what is limited, in words.
+    pub rows: &'static str,
+    pub shown: Shown,
+    /// Points of each interval, where a grid was looked at.
+    pub points: Option<usize>,
+    /// No row is passed by more: a share of the healthy set's width for the wrench, the limit's SI unit for limits.
+    pub excess: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Shown {
+    /// For every instant.
+    Proved,
+    /// On a grid.
+    Checked,
+}
+
+/// The name of the rows on the wrench.
+pub const WRENCH: &str = "wrench";
+
+/// The wrench first, then each limit in the spec's order. With rows linear over each piece (the hover model with one yaw)
+/// the nodes decide; all else is proved in intervals or looked at on a grid.
+pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> Vec<Between> {
+    let trajectory = &solved.trajectory;
+    let kind = model_of(trajectory);
+    let Ok(mut checker) = Checker::new(model, mission, kind, &motion(trajectory, kind)) else { return Vec::new() };
+    let rows = &run.set.rows;
+    let plane = |side: f64, row: &SetRow| Plane {
+        normal: std::array::from_fn(|i| Interval::point(side * row.normal[i])),
+        offset: Interval::point(side * row.offset),
+        rotors: Vec::new(),
+    };
+    let other_sides = rows.iter().filter(|r| r.equality).map(|r| plane(-1.0, r));
+    let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
+    let excess = |state: &NodeState| {
+        let wrench = trajectory.wrench(&model.vehicle, model.gravity, state);
+        rows.iter().map(|row| row.excess(&wrench)).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let family = wrench_family(checker.dynamics(), &planes);
+    let mut found = vec![shown(&mut checker, WRENCH, &family, &[VIOLATED], trajectory, excess)];
+    for limit in &mission.limits {
+        let size = limit.upper.unwrap_or(0.0).abs().max(limit.lower.unwrap_or(0.0).abs()).max(1.0);
+        let family = limits::family(limit, model.gravity);
+        let excess = |state: &NodeState| limit_excess(limit, state, model.gravity);
+        let bounds = PAST.map(|share| share * size);
+        found.push(shown(&mut checker, limit_words(limit.kind).0, &family, &bounds, trajectory, excess));
+    }
+    found
+}
+
+/// The first of the bounds that is proved, else what a grid shows.
+fn shown(
+    checker: &mut Checker,
+    rows: &'static str,
+    family: &Family,
+    bounds: &[f64],
+    trajectory: &Trajectory,
+    excess: impl Fn(&NodeState) -> f64,
+) -> Between {
+    let at = |k: usize, i: usize| {
+        let h = trajectory.times[k + 1] - trajectory.times[k];
+        excess(&trajectory.within(k, h * i as f64 / GRID as f64))
+    };
+    let looks = (0..trajectory.intervals()).flat_map(|k| (0..=GRID).map(move |i| (k, i)));
+    let seen = looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max);
+    // What is seen to be false is not tried.
+    let proved = bounds.iter().filter(|bound| seen <= **bound).find(|&&excess| {
+        checker.allow(EVALUATIONS);
+        checker.keeps(family, &Bound { scope: Scope::EveryInstant, excess })
+    });
+    match proved {
+        Some(&excess) => Between { rows, shown: Shown::Proved, points: None, excess },
+        None => Between { rows, shown: Shown::Checked, points: Some(GRID), excess: seen },
+    }
+}

@@ -1,0 +1,212 @@
+//! What rows say: expressions in the derivatives at the nodes that are not negative for any plan.
+
+use super::super::interval::Interval;
+use super::super::motion::{X, Y, YAW, Z};
+use super::super::sets::Plane;
+use super::Rows;
+use crate::certificate::{DynamicModel, Multiplier, RowRecord, Side};
+use crate::model::{Limit, LimitKind};
+
+/// A plan may miss a waypoint by this much beside its tolerance, m; yaw in proportion.
+const FEASIBLE: f64 = 1e-6;
+
+/// A tolerance of a kilometre binds nothing, m.
+pub(super) const UNBOUNDED: f64 = 1e3;
+
+/// A linear expression in the derivatives at some nodes.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Expression {
+    /// (node, axis, derivative, coefficient)
+    pub terms: Vec<(usize, usize, usize, Interval)>,
+    pub constant: Option<Interval>,
+}
+
+impl Expression {
+    fn constant(value: Interval) -> Self {
+        Expression { terms: Vec::new(), constant: Some(value) }
+    }
+
+    fn of(node: usize, axis: usize, order: usize) -> Self {
+        Expression { terms: vec![(node, axis, order, Interval::ONE)], constant: None }
+    }
+
+    fn plus(mut self, node: usize, axis: usize, order: usize, coefficient: Interval) -> Self {
+        self.terms.push((node, axis, order, coefficient));
+        self
+    }
+
+    fn minus(mut self, value: Interval) -> Self {
+        self.constant = Some(self.constant.unwrap_or(Interval::ZERO) - value);
+        self
+    }
+}
+
+impl Rows<'_> {
+    /// The expressions of a row, once its multipliers are found to be in the dual cone.
+    pub(super) fn weighed(&self, multiplier: &Multiplier) -> Result<Vec<Expression>, String> {
+        let parts = self.expressions(&multiplier.row)?;
+        let z = &multiplier.z;
+        if parts.len() != z.len() || z.iter().any(|v| !v.is_finite()) {
+            return Err(format!("{} numbers for a row with {} parts", z.len(), parts.len()));
+        }
+        let free = matches!(multiplier.row, RowRecord::Rest { .. });
+        let rest = z[1..].iter().fold(Interval::ZERO, |sum, &v| sum + Interval::point(v).square()).sqrt();
+        if !free && rest.high > z[0] {
+            return Err("it lies outside the dual cone".into());
+        }
+        Ok(parts)
+    }
+
+    /// What a row says is not negative (first part of a cone: not below the length of the others; rest: zero).
+    fn expressions(&self, row: &RowRecord) -> Result<Vec<Expression>, String> {
+        let points = &self.mission.waypoints;
+        let at = |node: usize| if node < self.nodes() { Ok(node) } else { Err(format!("there is no node {node}")) };
+        let of_waypoint = |i: usize| match (points.get(i), self.claim.waypoint_nodes.get(i)) {
+            (Some(point), Some(&node)) => Ok((point, node)),
+            _ => Err(format!("there is no waypoint {i}")),
+        };
+        match *row {
+            RowRecord::Rest { node, axis, derivative } if self.rests(at(node)?, axis, derivative) => {
+                Ok(vec![Expression::of(node, axis, derivative)])
+            }
+            RowRecord::Rest { node, axis, derivative } => {
+                Err(format!("the spec does not ask for rest of derivative {derivative} of axis {axis} at node {node}"))
+            }
+            RowRecord::Facet { .. } if self.kind == DynamicModel::Exact => {
+                Err("in the exact model facets are no rows in the derivatives".into())
+            }
+            RowRecord::Facet { facet, node } => {
+                let plane = self.planes.get(facet).ok_or(format!("there is no facet {facet}"))?;
+                Ok(vec![self.keeps(plane, at(node)?)])
+            }
+            RowRecord::Limit { limit, node, side } => {
+                let limit = self.mission.limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
+                one_sided(limit, at(node)?, side).ok_or("the limit has no such side".into()).map(|row| vec![row])
+            }
+            RowRecord::LimitNorm { limit, node, interval } => {
+                let limit = self.mission.limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
+                self.norm(limit, at(node)?, interval).ok_or("the limit bounds no norm there".into())
+            }
+            RowRecord::Thrust { node } => {
+                let most = self.thrust.ok_or("the hover model has no such row")?;
+                Ok(self.thrust_cone(most, at(node)?))
+            }
+            RowRecord::Waypoint { waypoint } => {
+                let (point, node) = of_waypoint(waypoint)?;
+                if point.within >= UNBOUNDED {
+                    return Err(format!("waypoint {waypoint} has no tolerance that binds"));
+                }
+                let mut parts = vec![Expression::constant(self.tolerances(waypoint).0)];
+                for (axis, due) in [X, Y, Z].into_iter().zip(point.position) {
+                    parts.push(Expression::of(node, axis, 0).minus(Interval::point(due)));
+                }
+                Ok(parts)
+            }
+            RowRecord::WaypointYaw { waypoint, side } => {
+                let (point, node) = of_waypoint(waypoint)?;
+                let sign = if side == Side::Upper { -Interval::ONE } else { Interval::ONE };
+                let slack = self.tolerances(waypoint).1 - sign * Interval::point(point.yaw);
+                Ok(vec![Expression::constant(slack).plus(node, YAW, 0, sign)])
+            }
+        }
+    }
+
+    /// Tolerances of a waypoint, m and rad, with what a plan may miss beside them.
+    pub(super) fn tolerances(&self, waypoint: usize) -> (Interval, Interval) {
+        let point = &self.mission.waypoints[waypoint];
+        let [within, turned, more] = [point.within, point.yaw_within, FEASIBLE].map(Interval::point);
+        (within + more, turned * (Interval::ONE + more / within))
+    }
+
+    /// Rest as the language has it: velocity, acceleration, horizontal jerk, yaw rate and yaw acceleration; in a hold
+    /// the inputs too.
+    fn rests(&self, node: usize, axis: usize, derivative: usize) -> bool {
+        if axis > YAW || derivative == 0 {
+            return false;
+        }
+        let last = self.nodes() - 1;
+        let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
+        let held =
+            self.mission.waypoints.iter().zip(&self.claim.waypoint_nodes).any(|(w, &n)| n == node && w.hold > 0.0);
+        let highest = if held { self.orders()[axis] } else { self.orders()[axis].min(3) };
+        (ends || held) && derivative <= highest
+    }
+
+    /// e - n.w with T = m (g + z''), tau_x = Ixx/g (s x'''' - c y''''), tau_y = Iyy/g (c x'''' + s y''''), tau_z = Izz
+    /// psi''.
+    fn keeps(&self, plane: &Plane, node: usize) -> Expression {
+        let [thrust, roll, pitch, turn] = plane.normal;
+        let (s, c) = self.yaw;
+        let vehicle = &self.model.vehicle;
+        let (m, g) = (Interval::point(vehicle.mass), Interval::point(self.model.gravity));
+        let [ixx, iyy, izz] = vehicle.inertia.map(Interval::point);
+        let (by_roll, by_pitch) = (roll * ixx / g, pitch * iyy / g);
+        Expression::constant(plane.offset - thrust * m * g)
+            .plus(node, X, 4, -(by_roll * s + by_pitch * c))
+            .plus(node, Y, 4, by_roll * c - by_pitch * s)
+            .plus(node, Z, 2, -(thrust * m))
+            .plus(node, YAW, 2, -(turn * izz))
+    }
+
+    /// T_max / m is not below |(x'', y'', z'' + g)|.
+    fn thrust_cone(&self, most: Interval, node: usize) -> Vec<Expression> {
+        let [mass, g] = [self.model.vehicle.mass, self.model.gravity].map(Interval::point);
+        let lift = Expression::of(node, Z, 2).minus(-g);
+        vec![Expression::constant(most / mass), Expression::of(node, X, 2), Expression::of(node, Y, 2), lift]
+    }
+
+    /// Limits on lengths as second-order cones; `None` for others.
+    fn norm(&self, limit: &Limit, node: usize, interval: usize) -> Option<Vec<Expression>> {
+        let upper = Interval::point(limit.upper?);
+        let parts = |axes: &[usize], order: usize| -> Vec<Expression> {
+            axes.iter().map(|&axis| Expression::of(node, axis, order)).collect()
+        };
+        let with = |reach: Expression, parts: Vec<Expression>| Some(std::iter::once(reach).chain(parts).collect());
+        let reach = Expression::constant(upper);
+        match limit.kind {
+            LimitKind::Speed => with(reach, parts(&[X, Y, Z], 1)),
+            LimitKind::SpeedHorizontal => with(reach, parts(&[X, Y], 1)),
+            LimitKind::Acceleration => with(reach, parts(&[X, Y, Z], 2)),
+            LimitKind::AccelerationHorizontal => with(reach, parts(&[X, Y], 2)),
+            LimitKind::Tilt => {
+                // |(x'', y'')| <= tan L (g + z''): the thrust is along (x'', y'', g + z'').
+                let (s, c) = upper.sin_cos();
+                let tangent = s / c;
+                let g = Interval::point(self.model.gravity);
+                with(Expression::constant(tangent * g).plus(node, Z, 2, tangent), parts(&[X, Y], 2))
+            }
+            LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),
+            LimitKind::Jerk if interval + 1 < self.nodes() && (interval == node || interval + 1 == node) => {
+                let times = &self.claim.times_s;
+                let h = Interval::point(times[interval + 1]) - Interval::point(times[interval]);
+                let rate = Interval::ONE / h;
+                let slope = Expression::default().plus(interval + 1, Z, 2, rate).plus(interval, Z, 2, -rate);
+                let mut parts = parts(&[X, Y], 3);
+                parts.push(slope);
+                with(reach, parts)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A bound on one coordinate or rate; `None` where the limit has none on that side.
+fn one_sided(limit: &Limit, node: usize, side: Side) -> Option<Expression> {
+    let (axis, order, sign) = match limit.kind {
+        LimitKind::X => (X, 0, 1.0),
+        LimitKind::Y => (Y, 0, 1.0),
+        LimitKind::Z => (Z, 0, 1.0),
+        LimitKind::Yaw => (YAW, 0, 1.0),
+        LimitKind::YawRate => (YAW, 1, 1.0),
+        LimitKind::YawAcceleration => (YAW, 2, 1.0),
+        LimitKind::Climb => (Z, 1, 1.0),
+        LimitKind::Descent => (Z, 1, -1.0),
+        _ => return None,
+    };
+    let (bound, towards) = match side {
+        Side::Upper => (limit.upper?, -1.0),
+        Side::Lower => (limit.lower?, 1.0),
+    };
+    let slack = Interval::point(-towards * bound);
+    Some(Expression::constant(slack).plus(node, axis, order, Interval::point(towards * sign)))
+}

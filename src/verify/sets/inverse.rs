@@ -1,0 +1,80 @@
+//! What the pseudo-inverse (42) gives without clipping, in exact arithmetic.
+//!
+//! With a_k the wrench of rotor k for one unit of squared speed, times its capacity, and `G = sum of a_k a_k'`, the squared
+//! speeds are `a_k . G^-1 (w - c)`, c the wrench of stuck rotors. With the adjugate in place of the inverse no number is
+//! divided: for each working rotor
+//!
+//! `det G w_min^2 <= (adj G a_k) . (w - c) <= det G w_max^2`.
+
+use super::{Exact, is_zero, scaled, sum, wrench_at, zero};
+use crate::model::{FaultMode, Vehicle};
+use crate::verify::dyadic::{Dyadic, dot, orthogonal};
+use std::cmp::Ordering;
+
+/// A row `n.w <= e`.
+type Row = (Exact, Dyadic);
+
+/// Rows for each rotor, from 1.
+#[derive(Debug, Clone)]
+pub struct Inverse {
+    /// `(rotor, upper, lower)`; none where not all four dimensions are given.
+    rows: Vec<(usize, Row, Row)>,
+}
+
+impl Inverse {
+    pub(super) fn of(vehicle: &Vehicle, mode: Option<&FaultMode>) -> Self {
+        let one = Dyadic::of(1.0);
+        let mut center = zero();
+        let mut columns = Vec::new();
+        for (k, rotor) in vehicle.rotors.iter().enumerate() {
+            match mode.and_then(|m| m.stuck.get(k).copied().flatten()) {
+                Some(share) => {
+                    center = sum(&center, &scaled(&wrench_at(rotor, rotor.max_speed, &one, &one), share));
+                    columns.push(zero());
+                }
+                None => {
+                    let capacity = mode.and_then(|m| m.capacity.get(k).copied()).unwrap_or(1.0);
+                    columns.push(scaled(&wrench_at(rotor, 1.0, &one, &one), capacity));
+                }
+            }
+        }
+        let square: [Exact; 4] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| columns.iter().fold(Dyadic::zero(), |sum, a| sum.plus(&a[i].times(&a[j]))))
+        });
+        // Row i of the adjugate is orthogonal to all columns of G but the i-th; G is symmetric, so are its columns and rows.
+        let adjugate: [Exact; 4] = std::array::from_fn(|i| {
+            let others: Vec<&Exact> = (0..4).filter(|&j| j != i).map(|j| &square[j]).collect();
+            let minors = orthogonal(others[0], others[1], others[2]);
+            if i % 2 == 0 { minors } else { minors.map(|m| m.negated()) }
+        });
+        let determinant = dot(&adjugate[0], &square[0]);
+        if determinant.sign() != Ordering::Greater {
+            return Inverse { rows: Vec::new() };
+        }
+        let bounds = |(k, column): (usize, &Exact)| {
+            let normal: Exact = adjugate.each_ref().map(|row| dot(row, column));
+            let [least, most] = [vehicle.rotors[k].min_speed, vehicle.rotors[k].max_speed].map(|speed| {
+                let speed = Dyadic::of(speed);
+                determinant.times(&speed).times(&speed).plus(&dot(&normal, &center))
+            });
+            let opposite = normal.each_ref().map(Dyadic::negated);
+            (k + 1, (normal, most), (opposite, least.negated()))
+        };
+        Inverse { rows: columns.iter().enumerate().filter(|(_, a)| !is_zero(a)).map(bounds).collect() }
+    }
+
+    /// Both rows of a rotor, from 1.
+    pub(super) fn bounds(&self, rotor: usize) -> Option<[Row; 2]> {
+        let (_, upper, lower) = self.rows.iter().find(|r| r.0 == rotor)?;
+        Some([upper.clone(), lower.clone()])
+    }
+
+    /// All rows with their rotors. An error where the rotors do not give all four dimensions.
+    pub(super) fn rows(&self) -> Result<Vec<(usize, Exact, Dyadic)>, String> {
+        if self.rows.is_empty() {
+            return Err("the rotors do not give all four dimensions, and the pseudo-inverse is another one".into());
+        }
+        let both = |(k, upper, lower): &(usize, Row, Row)| [upper, lower].map(|(n, e)| (*k, n.clone(), e.clone()));
+        Ok(self.rows.iter().flat_map(both).collect())
+    }
+}
