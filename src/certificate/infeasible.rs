@@ -82,8 +82,11 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], tau: f64, mission: &Missio
             let mut values = z[first..first + size].to_vec();
             let row = match program.row_origin[first] {
                 RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Excess => continue,
-                // Rows of the exact model's programs, which are not written down here.
-                RowOrigin::Upright { .. } | RowOrigin::Thrust { .. } | RowOrigin::Duration { .. } => return None,
+                // Rows of the exact model's programs and of stops, which are not written down here.
+                RowOrigin::Upright { .. }
+                | RowOrigin::Thrust { .. }
+                | RowOrigin::Duration { .. }
+                | RowOrigin::Stop { .. } => return None,
                 RowOrigin::Rest { node, axis, derivative } => {
                     values[0] *= tau.powi(derivative as i32);
                     RowRecord::Rest { node, axis, derivative }

@@ -62,9 +62,9 @@ fn committed_until_the_last_sample_outside() {
     }
     assert!(s.outside.iter().any(|o| o.committed() > 0.0), "the plan leaves some set");
     // Only what has a rate counts.
-    assert_eq!(rated_risk(&[None, None], &s.outside), None);
+    assert_eq!(rated_risk(&[None, None], &s.committed), None);
     let rate = 1e-3;
-    let alone = rated_risk(&[Some(rate), None], &s.outside).unwrap();
+    let alone = rated_risk(&[Some(rate), None], &s.committed).unwrap();
     assert!((alone - (1.0 - (-rate * s.outside[0].committed()).exp())).abs() < 1e-12);
 }
 
@@ -117,7 +117,7 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
         let found = run(&model, Scope::Plan);
         let s = solved(&found);
         let rates: Vec<Option<f64>> = model.modes.iter().map(|m| m.rate).collect();
-        let kept = rated_risk(&rates, &s.outside).unwrap();
+        let kept = rated_risk(&rates, &s.committed).unwrap();
         assert!(kept <= bound, "{kept}");
         assert_eq!((found.trade_off[0].risk, found.trade_off.last().unwrap().risk), (before, kept));
         assert!(found.trade_off.len() > 1);

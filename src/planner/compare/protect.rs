@@ -61,7 +61,7 @@ impl Setting<'_> {
     /// Rate (1/s) and committed time (s) of each mode; one without a rate, which the spec refuses, counts for nothing.
     fn weights(&self, solved: &Solved) -> Vec<(f64, f64)> {
         let rates = self.model.plan.against.iter().map(|&mode| self.model.modes[mode].rate.unwrap_or(0.0));
-        rates.zip(solved.outside.iter().map(|o| o.committed())).collect()
+        rates.zip(solved.committed.iter().copied()).collect()
     }
 
     /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before.
