@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use super::{
-    AfterFault, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Simulation, Spin, Spread,
-    Vehicle,
+    AfterFault, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Simulation, Spin,
+    Spread, Vehicle,
 };
 use crate::report::number::number;
 

@@ -22,13 +22,14 @@ use crate::solve::Effort;
 /// A stop is cut into parts of these shares, each with so many intervals: rates are caught at its beginning and the
 /// vehicle is levelled at its end, which takes shorter steps than to brake in between.
 const SHARES: [f64; 5] = [1.0, 2.0, 3.0, 2.0, 1.0];
-const INTERVALS: usize = 7;
+const INTERVALS: usize = 5;
 
-/// Durations tried: the first, s, or what 2 g take to brake if that is longer; by what factor each is longer than the one
-/// before; how many.
-const FIRST: f64 = 0.4;
+/// Durations tried: the shortest, s, or what 2 g take to brake if that is longer; by what factor each is longer than the one
+/// before; how many; and which is the first where no stop is known yet.
+const SHORTEST: f64 = 0.4;
 const LONGER: f64 = 1.6;
 const TRIES: i32 = 9;
+const MIDDLE: i32 = 3;
 
 /// Limits may be passed by this share of themselves, places by this much (m or rad): plans hold them to tolerances, and
 /// may be struck at a limit.
@@ -67,18 +68,26 @@ impl<'a> Stops<'a> {
         let mut engine = Engine::new(self.model, &mission, self.healthy);
         engine.struck = Some(*struck);
         let mut steps = Successive::new(&mut engine, self.wrench, self.set);
-        let about = self.last.take().and_then(|last| steps.stop_about(last));
-        let found = about.or_else(|| durations(struck, self.model.gravity).find_map(|duration| steps.stop(&profile(&mission, duration))));
+        let near = self.last.as_ref().map(|last| last.profile.total);
+        let about = self.last.as_ref().and_then(|last| steps.stop_about(last.clone()));
+        let found = about.or_else(|| {
+            let mut tried = durations(struck, self.model.gravity, near).into_iter();
+            tried.find_map(|duration| steps.stop(&profile(&mission, duration)))
+        });
         self.effort += engine.effort;
         self.last = found.clone();
         found
     }
 }
 
-fn durations(struck: &NodeState, gravity: f64) -> impl Iterator<Item = f64> {
+/// Nearest to `near` first, in ratio.
+fn durations(struck: &NodeState, gravity: f64, near: Option<f64>) -> Vec<f64> {
     let speed = [X, Y, Z].map(|axis| struck[axis][1].powi(2)).iter().sum::<f64>().sqrt();
-    let first = FIRST.max(0.5 * speed / gravity);
-    (0..TRIES).map(move |i| first * LONGER.powi(i))
+    let shortest = SHORTEST.max(0.5 * speed / gravity);
+    let near = near.unwrap_or(shortest * LONGER.powi(MIDDLE));
+    let mut all: Vec<f64> = (0..TRIES).map(|i| shortest * LONGER.powi(i)).collect();
+    all.sort_by(|a, b| (a / near).ln().abs().total_cmp(&(b / near).ln().abs()));
+    all
 }
 
 fn profile(mission: &Mission, duration: f64) -> Profile {

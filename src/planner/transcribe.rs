@@ -93,7 +93,18 @@ impl<'a> Transcription<'a> {
         maps: &'a [WrenchMap],
         axes: &'a [usize],
     ) -> Self {
-        Transcription { model, mission, profile, set, maps, axes, orders: ORDER, parts: 1, struck: None, form: Form::Stages }
+        Transcription {
+            model,
+            mission,
+            profile,
+            set,
+            maps,
+            axes,
+            orders: ORDER,
+            parts: 1,
+            struck: None,
+            form: Form::Stages,
+        }
     }
 
     /// The same mission with other integrators, and rows also between nodes.

@@ -198,8 +198,7 @@ fn risk_lines(model: &Model, solved: &Solved) -> String {
              sought at the nodes; one that is not found may exist, and counts as none."
         }
     };
-    let text =
-        format!("Risk {}: {meaning} Modes are taken as independent.{unrated}", significant(risk, 3));
+    let text = format!("Risk {}: {meaning} Modes are taken as independent.{unrated}", significant(risk, 3));
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     format!("\n{}\n", textwrap::fill(&text, options))
 }

@@ -69,7 +69,6 @@ fn a_descent_is_committed_until_it_can_be_braked() {
         let samples = 50_000;
         let last = (0..=samples).rev().map(|i| s.time * f64::from(i) / f64::from(samples)).find(|t| hits(*t)).unwrap();
         let step = s.time / 100.0;
-        println!("{:?}", comparison.effort);
         println!("{wrench:?}: {} s, in closed form {last} s, continued {} s", s.committed[0], s.outside[0].committed());
         assert!(last > 0.5 && last < s.outside[0].committed() - 2.0 * step, "{last} {:?}", s.outside);
         assert!((last..last + 2.0 * step).contains(&s.committed[0]), "{wrench:?}: {} s, {last} s", s.committed[0]);
@@ -98,7 +97,6 @@ fn without_limits_the_hover_model_always_stops() {
     model.plan.time = MissionTime::Fixed(17.0);
     let comparison = run(&model);
     let s = solved(&comparison);
-    println!("{:?} {:?}", comparison.effort, s.outside);
     assert!(s.outside.iter().any(|o| o.committed() > 1.0), "{:?}", s.outside);
     assert_eq!(s.committed, [0.0, 0.0]);
 }
@@ -221,8 +219,6 @@ fn what_is_found_is_a_stop() {
                 found += 1;
             }
         }
-        println!("{:?}", stops.effort);
-        println!("{wrench:?}: {found} of 10");
         assert!(found >= 5, "{found}");
     }
 }
