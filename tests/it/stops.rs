@@ -178,9 +178,7 @@ fn is_a_stop(model: &Model, sets: &PlanningSets, struck: &NodeState, slope: &Nod
     }
     let end = stop.states.last().unwrap();
     for (axis, orders) in [(X, 3), (Y, 3), (Z, 1), (YAW, 1)] {
-        for order in 1..=orders {
-            assert!(end[axis][order].abs() < 1e-4, "{axis} {order}: {}", end[axis][order]);
-        }
+        assert!(end[axis][1..=orders].iter().all(|d| d.abs() < 1e-4), "{axis}: {:?}", end[axis]);
     }
 }
 
