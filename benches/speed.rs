@@ -232,7 +232,7 @@ fn exact_by_samples() {
         let mission = model.mission.as_ref().expect("a mission");
         let mut engine = Engine::new(&model, mission, &healthy);
         let begin = thread_seconds();
-        let decision = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(24.0, None);
+        let decision = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(24.0, &[]);
         let seconds = thread_seconds() - begin;
         let verdict = if let Decision::Feasible(_) = decision { "" } else { "  no plan" };
         let (solves, iterations) = (engine.effort.solves, engine.effort.iterations);
@@ -261,7 +261,7 @@ fn exact_by_modes() {
         let sets_took = thread_seconds() - begin;
         let begin = thread_seconds();
         let mut engine = Engine::new(&model, &square, &healthy);
-        let decision = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(SQUARE, None);
+        let decision = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(SQUARE, &[]);
         let plan_took = thread_seconds() - begin;
         let rows = match decision {
             Decision::Feasible(planned) => planned.rows.to_string(),

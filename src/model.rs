@@ -1,6 +1,7 @@
 //! The model: what the spec means, in SI units. After this stage no string is looked up, every number
 //! is a finite `f64`, and every list is complete.
 
+mod after_fault;
 mod arithmetic;
 mod campaign;
 mod context;
@@ -139,6 +140,8 @@ pub struct FaultMode {
     pub detection: Option<u8>,
     /// Failure rate, 1/s.
     pub rate: Option<f64>,
+    /// What the mission does after it strikes, where the mode says so itself: see [`Model::after_fault`].
+    pub after_fault: Option<AfterFault>,
     pub span: Span,
 }
 
@@ -322,6 +325,9 @@ pub struct Plan {
     pub rounds: usize,
     /// The largest risk that the plan may have: the planner then chooses what to protect.
     pub require_risk: Option<f64>,
+    /// What the mission does after a fault, for the risk: [`AfterFault::Continue`] or [`AfterFault::Hold`]. A mode may say
+    /// otherwise: see [`Model::after_fault`].
+    pub after_fault: AfterFault,
     /// The `require` statement, or the plan's place where there is none.
     pub require_span: Span,
 }

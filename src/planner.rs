@@ -11,6 +11,7 @@ pub mod search;
 pub mod select;
 pub mod sets;
 pub mod spline;
+pub mod stop;
 pub mod successive;
 pub mod transcribe;
 pub mod wrench_model;

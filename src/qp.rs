@@ -112,6 +112,8 @@ pub enum RowOrigin {
     Dynamics { interval: usize, axis: usize, derivative: usize },
     /// A derivative that is zero at rest (start, end, hold).
     Rest { node: usize, axis: usize, derivative: usize },
+    /// What a fault leaves as it is where it strikes, and what is nothing where the vehicle has stopped.
+    Stop { node: usize, axis: usize, derivative: usize },
     /// Row `facet` of the planner's set (see `PlanningSet::rows`) at a node.
     Facet { facet: usize, node: usize },
     /// `Mission::limits[limit]` at a node.
@@ -154,6 +156,7 @@ impl RowOrigin {
         match self {
             RowOrigin::Dynamics { .. } => "dynamics",
             RowOrigin::Rest { .. } => "rest",
+            RowOrigin::Stop { .. } => "stop",
             RowOrigin::Facet { .. } => "facets",
             RowOrigin::Limit { .. } => "limits",
             RowOrigin::Waypoint { .. } => "waypoints",

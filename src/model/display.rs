@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use super::{
-    Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Simulation, Spin, Spread,
-    Vehicle,
+    AfterFault, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Simulation, Spin,
+    Spread, Vehicle,
 };
 use crate::report::number::number;
 
@@ -132,6 +132,9 @@ fn mode(f: &mut fmt::Formatter<'_>, m: &FaultMode) -> fmt::Result {
     if let Some(rate) = m.rate {
         write!(f, ", rate {} 1/h", number(rate * 3600.0))?;
     }
+    if let Some(then) = m.after_fault {
+        write!(f, ", after_fault {}", then.name())?;
+    }
     writeln!(f)?;
     m.doc.iter().flat_map(|text| text.lines()).try_for_each(|line| writeln!(f, "    /// {line}"))
 }
@@ -224,6 +227,9 @@ fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Resul
     }
     if let Some(bound) = p.require_risk {
         writeln!(f, "  risk at most {}", number(bound))?;
+    }
+    if p.after_fault != AfterFault::Continue {
+        writeln!(f, "  after_fault {}", p.after_fault.name())?;
     }
     writeln!(f, "  reserve {} %", number(p.reserve * 100.0))?;
     writeln!(f, "  snap {}, acceleration {}", number(p.snap_weight), number(p.acceleration_weight))

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::FaultMode;
 use super::context::{Context, duplicate};
 use super::due::Due;
 use super::expression::Value;
 use super::fields::Fields;
+use super::{AfterFault, FaultMode, after_fault};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
@@ -15,7 +15,7 @@ use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
 /// Fault modes of one spec.
 pub const MAX_MODES: usize = 10_000;
 
-const FIELDS: [&str; 4] = ["rate", "severity", "occurrence", "detection"];
+const FIELDS: [&str; 5] = ["rate", "severity", "occurrence", "detection", "after_fault"];
 const RESERVED: [&str; 2] = ["all", "healthy"];
 
 /// The modes and what else may be known about their names.
@@ -253,8 +253,9 @@ fn indices<'a>(cx: &mut Context<'a>, expr: &'a Expr, rotors: Option<usize>) -> O
     indices
 }
 
-/// Rate and FMEA numbers.
+/// Rate, FMEA numbers, and what the mission does then.
 struct Numbers {
+    after_fault: Option<AfterFault>,
     rate: Option<f64>,
     severity: Option<u8>,
     occurrence: Option<u8>,
@@ -269,7 +270,9 @@ impl Numbers {
             fields.get(name).map(|e| cx.whole(&format!("`{name}`"), e, 1..=10, "mavc::fault::fmea").map(|x| x as u8))
         };
         let (severity, occurrence, detection) = (fmea("severity"), fmea("occurrence"), fmea("detection"));
+        let after_fault = after_fault::read(cx, &fields);
         Some(Numbers {
+            after_fault: settled(after_fault)?,
             rate: settled(rate)?,
             severity: settled(severity)?,
             occurrence: settled(occurrence)?,
@@ -288,6 +291,7 @@ impl Numbers {
             occurrence: self.occurrence,
             detection: self.detection,
             rate: self.rate,
+            after_fault: self.after_fault,
             span,
         }
     }

@@ -31,6 +31,10 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("severity", "is a field of a fault mode, between the braces of `mode` or `every`"),
     ("occurrence", "is a field of a fault mode, between the braces of `mode` or `every`"),
     ("detection", "is a field of a fault mode, between the braces of `mode` or `every`, and of `simulate`"),
+    (
+        "after_fault",
+        "is a field of `plan`, of a fault mode, between the braces of `mode` or `every`, and of `simulate`",
+    ),
     ("fault", "is a statement of `simulate`, written `fault M1 at 5 s`"),
     ("seed", "is a field of `simulate` and of `campaign`"),
     ("rpn", "is the product of `severity`, `occurrence` and `detection`: write those"),

@@ -8,7 +8,7 @@ use super::due::Due;
 use super::fields::Fields;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
-use super::{DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlannerKind};
+use super::{AfterFault, DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlannerKind, after_fault};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
@@ -21,10 +21,11 @@ pub const MAX_ROUNDS: usize = 100;
 pub const MAX_SAMPLES: usize = 100_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-const FIELDS: [&str; 15] = [
+const FIELDS: [&str; 16] = [
     "model",
     "planner",
     "rounds",
+    "after_fault",
     "against",
     "time",
     "within",
@@ -45,6 +46,7 @@ const WITHIN: (f64, &str, &str) = (0.05, "5 cm", "how closely each waypoint is m
 const YAW_WITHIN: (f64, &str, &str) = (std::f64::consts::PI / 90.0, "2 deg", "how closely each yaw is met");
 const SAMPLES: (usize, &str, &str) = (200, "200", "intervals of the whole mission");
 const ROUNDS: (usize, &str, &str) = (1, "1", "how often rsp selects facets");
+const AFTER_FAULT: (AfterFault, &str, &str) = (AfterFault::Continue, "continue", "the mission goes on");
 const WEIGHT: (f64, &str, &str) = (1.0, "1", "weight of the squared distance to each waypoint");
 const SNAP: (f64, &str, &str) = (1e-4, "1e-4", "weight of horizontal snap");
 const ACCELERATION: (f64, &str, &str) = (1e-4, "1e-4", "weight of vertical and yaw acceleration");
@@ -216,6 +218,10 @@ impl<'a> Draft<'a> {
             Some(e) => cx.whole("`rounds`", e, 0..=MAX_ROUNDS, "mavc::plan::rounds"),
             None => Some(self.default("rounds", ROUNDS)),
         };
+        let after_fault = match self.fields.as_ref().and_then(|fields| after_fault::read(cx, fields)) {
+            Some(written) => written,
+            None => Some(self.default("after_fault", AFTER_FAULT)),
+        };
         let reserve = match self.get("reserve") {
             Some(e) => self.reserve(cx, e),
             None => Some(self.default("reserve", RESERVE)),
@@ -236,7 +242,19 @@ impl<'a> Draft<'a> {
                 check_time(cx, time, time_span, mission);
             }
         }
-        let plan = match (planner, wrench, against, time, samples, rounds, require, reserve, snap, acceleration) {
+        let plan = match (
+            planner,
+            wrench,
+            against,
+            time,
+            samples,
+            rounds,
+            require,
+            reserve,
+            snap,
+            acceleration,
+            after_fault,
+        ) {
             (
                 Some(planner),
                 Some(model),
@@ -248,6 +266,7 @@ impl<'a> Draft<'a> {
                 Some(reserve),
                 Some(snap_weight),
                 Some(acceleration_weight),
+                Some(after_fault),
             ) if !self.broken => Some(Plan {
                 planner,
                 model,
@@ -257,6 +276,7 @@ impl<'a> Draft<'a> {
                 samples,
                 rounds,
                 require_risk,
+                after_fault,
                 require_span: self.require.map_or(span, |r| r.1),
                 reserve,
                 snap_weight,

@@ -1,5 +1,6 @@
 //! Steps (a) to (f) of section 5.3: which planners are run at which time, and how each plan stands to each mode.
 
+mod committed;
 mod common;
 mod everything;
 pub mod protect;
@@ -21,6 +22,7 @@ use crate::trajectory::Trajectory;
 use crate::trajectory::outside::{Outside, outside};
 use rayon::prelude::*;
 use std::iter;
+use std::sync::{Mutex, PoisonError};
 
 /// Each planner at its own shortest time, or all at one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,6 +56,9 @@ pub struct Solved {
     pub rows: usize,
     /// Against every mode of the comparison, in their order.
     pub outside: Vec<Outside>,
+    /// How long the mission is committed to each of them, s, by what it does after a fault
+    /// ([`Model::after_fault`]). Empty under [`Scope::Common`] and for rounds, which weigh no risk.
+    pub committed: Vec<f64>,
     /// For an own shortest time: the shorter time shown infeasible.
     pub infeasible_at: Option<f64>,
     /// Longer times that were tried and found infeasible.
@@ -115,6 +120,10 @@ struct Setting<'a> {
     mission: &'a Mission,
     sets: PlanningSets,
     progress: Progress<'a>,
+    /// Whether plans are asked how long they are committed.
+    weighs_risk: bool,
+    /// Spent on stops after faults.
+    stopping: Mutex<Effort>,
 }
 
 /// A search's result with what later searches can use.
@@ -132,20 +141,23 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
         .then(|| times::with_better_times(model, mission, progress))
         .flatten();
     let mission = timed.as_ref().unwrap_or(mission);
-    let setting = Setting::new(model, mission, progress);
-    match scope {
+    let setting = Setting { weighs_risk: scope != Scope::Common, ..Setting::new(model, mission, progress) };
+    let mut comparison = match scope {
         Scope::Plan => match model.plan.require_risk {
             Some(bound) => setting.protect(bound),
             None => setting.plan(),
         },
         Scope::Common => setting.at_common_time(),
         Scope::Everything => setting.everything(),
-    }
+    };
+    comparison.effort += setting.stopping.into_inner().unwrap_or_else(PoisonError::into_inner);
+    comparison
 }
 
 impl<'a> Setting<'a> {
     fn new(model: &'a Model, mission: &'a Mission, progress: Progress<'a>) -> Self {
-        Setting { model, mission, sets: PlanningSets::of(model), progress }
+        let (sets, stopping) = (PlanningSets::of(model), Mutex::default());
+        Setting { model, mission, sets, progress, weighs_risk: false, stopping }
     }
 
     /// The time that the spec asks for or determines.
@@ -193,15 +205,17 @@ impl<'a> Setting<'a> {
 
     fn solved(&self, time: f64, planned: &Planned) -> Solved {
         let trajectory = Trajectory::of(planned);
-        let outside = self
+        let outside: Vec<Outside> = self
             .sets
             .modes
             .iter()
             .map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows))
             .collect();
+        let committed = if self.weighs_risk { self.committed(&trajectory, &outside) } else { Vec::new() };
         Solved {
             time,
             trajectory,
+            committed,
             objective: planned.objective,
             rows: planned.rows,
             outside,

@@ -67,6 +67,8 @@ pub struct Engine<'a> {
     /// After [`Decision::Infeasible`]: what the rows weigh in the multipliers that show it
     /// ([`crate::qp::QuadraticProgram::weights`]). Empty where reach, fixed times or the yaw planned first show it.
     pub weights: Vec<(RowOrigin, f64)>,
+    /// Where the mission is a stop: the state in which a fault strikes. See [`super::stop`].
+    pub struck: Option<NodeState>,
     /// Told each mission time before it is tried.
     pub on_progress: Option<&'a (dyn Fn(f64) + Sync)>,
 }
@@ -112,7 +114,8 @@ struct Attempt {
 
 impl<'a> Engine<'a> {
     pub fn new(model: &'a Model, mission: &'a Mission, healthy: &'a AdmissibleSet) -> Self {
-        Engine { model, mission, healthy, effort: Effort::default(), weights: Vec::new(), on_progress: None }
+        let (effort, weights) = (Effort::default(), Vec::new());
+        Engine { model, mission, healthy, effort, weights, struck: None, on_progress: None }
     }
 
     pub(super) fn progress(&self, time: f64) {

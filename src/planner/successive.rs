@@ -10,6 +10,7 @@ mod relaxation;
 mod search;
 mod sequence;
 mod step;
+mod stopping;
 mod times;
 
 pub use motion::Motion;
@@ -156,7 +157,8 @@ impl<'e, 'a> Successive<'e, 'a> {
         'e: 's,
     {
         let (model, mission) = (self.engine.model, self.engine.mission);
-        Transcription::new(model, mission, profile, self.set, maps, &ALL_AXES).with_orders(self.wrench.orders(), PARTS)
+        let form = Transcription::new(model, mission, profile, self.set, maps, &ALL_AXES);
+        form.with_orders(self.wrench.orders(), PARTS).stopping_from(self.engine.struck)
     }
 
     fn wrench_at(&self, state: &NodeState) -> Wrench {

@@ -70,6 +70,8 @@ pub struct Transcription<'a> {
     pub orders: [usize; 4],
     /// Instants per interval at which rows can stand; 1 where they stand at nodes only.
     pub parts: usize,
+    /// Of a motion that stops: the state in which a fault meets it. See [`super::stop`].
+    pub struck: Option<NodeState>,
     form: Form,
 }
 
@@ -91,12 +93,28 @@ impl<'a> Transcription<'a> {
         maps: &'a [WrenchMap],
         axes: &'a [usize],
     ) -> Self {
-        Transcription { model, mission, profile, set, maps, axes, orders: ORDER, parts: 1, form: Form::Stages }
+        Transcription {
+            model,
+            mission,
+            profile,
+            set,
+            maps,
+            axes,
+            orders: ORDER,
+            parts: 1,
+            struck: None,
+            form: Form::Stages,
+        }
     }
 
     /// The same mission with other integrators, and rows also between nodes.
     pub fn with_orders(self, orders: [usize; 4], parts: usize) -> Self {
         Transcription { orders, parts, ..self }
+    }
+
+    /// The same from the state in which a fault strikes, if one does, to rest.
+    pub(super) fn stopping_from(self, struck: Option<NodeState>) -> Self {
+        Transcription { struck, ..self }
     }
 
     /// The same program in spline coefficients.
@@ -345,6 +363,9 @@ impl<'a> Transcription<'a> {
         for (node, axis, derivative) in self.at_rest() {
             let row = self.at_node(node, axis, derivative).times(self.tau().powi(derivative as i32));
             builder.zero(row, RowOrigin::Rest { node, axis, derivative });
+        }
+        if let Some(struck) = &self.struck {
+            self.stopping(builder, struck);
         }
     }
 

@@ -142,7 +142,10 @@ pub struct ModeRecord {
     pub max_violation: f64,
     pub outside_s: f64,
     pub last_outside_s: Option<f64>,
-    /// Until the last instant outside, s; 0 where there is none.
+    /// `continue` or `hold`: what the mission does after this fault.
+    pub after_fault: &'static str,
+    /// Where it continues, until the last instant outside; where it holds, until the last one from which no stop inside the
+    /// set was found, s; 0 where there is none.
     pub committed_s: f64,
 }
 
@@ -252,13 +255,14 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             record.position_error_m = Some(e.position);
             record.yaw_error_rad = Some(e.yaw);
             record.max_waypoint_error_m = Some(e.largest);
-            record.risk = rated_risk(&rates(model), &solved.outside);
+            record.risk = rated_risk(&rates(model), &solved.committed);
             record.warnings = caveats(model, solved);
             record.modes = comparison
                 .modes
                 .iter()
                 .zip(&solved.outside)
-                .map(|(name, out)| ModeRecord {
+                .zip(model.plan.against.iter().zip(&solved.committed))
+                .map(|((name, out), (&mode, &committed_s))| ModeRecord {
                     name: name.clone(),
                     violated_facets: out.facets.len(),
                     violated_rows: out.rows,
@@ -266,7 +270,8 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
                     max_violation: out.max_violation,
                     outside_s: out.seconds,
                     last_outside_s: out.last,
-                    committed_s: out.committed(),
+                    after_fault: model.after_fault(mode).name(),
+                    committed_s,
                 })
                 .collect();
         }

@@ -5,7 +5,7 @@ use super::heat;
 use super::number::{fixed, number, percent, significant};
 use super::record::{errors, rates};
 use super::table::Table;
-use crate::model::{Mission, Model, PlanModel, PlannerKind};
+use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::{Protection, UNMET};
 use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
@@ -154,7 +154,7 @@ fn solved_run(
     out.push_str(&format!("  objective {}\n", number(solved.objective)));
     if !comparison.modes.is_empty() {
         out.push_str("\n  If a fault strikes, when is the plan outside what is left?\n");
-        out.push_str(&mode_table(comparison, solved).render(2));
+        out.push_str(&mode_table(model, comparison, solved).render(2));
         out.push_str(&risk_lines(model, solved));
         out.push_str("\n  How near the plan comes to the edge of what is left, in shares of the healthy set's width\n");
         out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
@@ -173,21 +173,32 @@ fn solved_run(
     out
 }
 
-/// What the modes' rates make of the last instants outside; nothing where no mode has a rate.
+/// Whether after some fault the mission holds.
+fn holds(model: &Model) -> bool {
+    model.plan.against.iter().any(|&mode| model.after_fault(mode) == AfterFault::Hold)
+}
+
+/// What the modes' rates make of the time committed to them; nothing where no mode has a rate.
 fn risk_lines(model: &Model, solved: &Solved) -> String {
     let rates = rates(model);
-    let Some(risk) = rated_risk(&rates, &solved.outside) else { return String::new() };
+    let Some(risk) = rated_risk(&rates, &solved.committed) else { return String::new() };
     let without = rates.iter().filter(|r| r.is_none()).count();
     let unrated = match without {
         0 => String::new(),
         1 => " 1 mode has no rate and does not count.".to_string(),
         n => format!(" {n} modes have no rate and do not count."),
     };
-    let text = format!(
-        "Risk {}: that some mode strikes before its last instant outside, and so meets that excursion if the mission goes \
-         on. Modes are taken as independent.{unrated}",
-        significant(risk, 3)
-    );
+    let meaning = match holds(model) {
+        false => {
+            "that some mode strikes before its last instant outside, and so meets that excursion if the mission goes on."
+        }
+        true => {
+            "that some mode strikes while the mission is committed to it: before its last instant outside where the \
+             mission continues, before the last one from which no stop inside its set was found where it holds. Stops are \
+             sought at the nodes; one that is not found may exist, and counts as none."
+        }
+    };
+    let text = format!("Risk {}: {meaning} Modes are taken as independent.{unrated}", significant(risk, 3));
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     format!("\n{}\n", textwrap::fill(&text, options))
 }
@@ -237,22 +248,34 @@ pub fn rounds(mission: &Mission, comparison: &Comparison, rounds: &[Round]) -> S
     out
 }
 
-fn mode_table(comparison: &Comparison, solved: &Solved) -> Table {
-    let mut table = Table::new(&["mode", "facets", "positions", "worst", "outside", "last outside"]);
-    for (name, out) in comparison.modes.iter().zip(&solved.outside) {
-        if out.last.is_none() {
-            let dash = || "-".to_string();
-            table.row(vec![name.clone(), "0".into(), "0".into(), dash(), "never".into(), dash()]);
-            continue;
+fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table {
+    let mut headings = vec!["mode", "facets", "positions", "worst", "outside", "last outside"];
+    let holds = holds(model);
+    if holds {
+        headings.extend(["after it", "committed"]);
+    }
+    let mut table = Table::new(&headings);
+    for (i, (name, out)) in comparison.modes.iter().zip(&solved.outside).enumerate() {
+        let mut cells = match out.last {
+            None => {
+                let dash = || "-".to_string();
+                vec![name.clone(), "0".into(), "0".into(), dash(), "never".into(), dash()]
+            }
+            Some(last) => vec![
+                name.clone(),
+                out.facets.len().to_string(),
+                out.positions.to_string(),
+                percent(out.max_violation),
+                format!("{} s", fixed(out.seconds, 2)),
+                format!("{} s", fixed(last, 2)),
+            ],
+        };
+        if holds {
+            cells.push(model.after_fault(model.plan.against[i]).name().to_string());
+            let until = solved.committed.get(i).copied().unwrap_or(0.0);
+            cells.push(if until > 0.0 { format!("{} s", fixed(until, 2)) } else { "never".into() });
         }
-        table.row(vec![
-            name.clone(),
-            out.facets.len().to_string(),
-            out.positions.to_string(),
-            percent(out.max_violation),
-            format!("{} s", fixed(out.seconds, 2)),
-            out.last.map_or("-".into(), |t| format!("{} s", fixed(t, 2))),
-        ]);
+        table.row(cells);
     }
     table
 }
@@ -270,15 +293,23 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
     }
     out.push_str(&run_table(mission, comparison, Run::Common).render(2));
     if !comparison.modes.is_empty() {
+        let holds = holds(model);
         for (run, title) in [(Run::Own, "at its own shortest time"), (Run::Common, "at T_d")] {
-            out.push_str(&format!("\nSeconds outside each mode's set, and the last instant outside, {title}\n"));
+            let held = if holds { "; where the mission holds, the last one without a stop after it" } else { "" };
+            out.push_str(&format!("\nSeconds outside each mode's set, and the last instant outside{held}, {title}\n"));
             out.push_str(&outside_table(model, comparison, run).render(2));
         }
         if rates(model).iter().any(Option::is_some) {
-            out.push_str(
-                "  risk: that some mode with a rate strikes before its last instant outside, if the mission goes on; modes are\n  \
-                 taken as independent.\n",
-            );
+            out.push_str(match holds {
+                false => {
+                    "  risk: that some mode with a rate strikes before its last instant outside, if the mission goes on; modes are\n  \
+                     taken as independent.\n"
+                }
+                true => {
+                    "  risk: that some mode with a rate strikes before its last instant outside, or where the mission holds before the\n  \
+                     last one from which no stop was found (sought at the nodes); modes are taken as independent.\n"
+                }
+            });
         }
         out.push_str(
             "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
@@ -362,11 +393,16 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
         let Ending::Solved(s) = &run.ending else { continue };
         let name = name_of(run);
         let mut cells = vec![name];
-        cells.extend(s.outside.iter().map(|o| match o.last {
-            None => "0".to_string(),
-            Some(last) => format!("{} ({})", fixed(o.seconds, 2), fixed(last, 2)),
+        let modes = s.outside.iter().zip(&s.committed).zip(&model.plan.against);
+        cells.extend(modes.map(|((o, committed), &mode)| match (o.last, model.after_fault(mode)) {
+            (None, _) if *committed == 0.0 => "0".to_string(),
+            (last, AfterFault::Hold) => {
+                let last = fixed(last.unwrap_or(0.0), 2);
+                format!("{} ({last}; {})", fixed(o.seconds, 2), fixed(*committed, 2))
+            }
+            (last, _) => format!("{} ({})", fixed(o.seconds, 2), fixed(last.unwrap_or(0.0), 2)),
         }));
-        cells.extend(rated_risk(&rates, &s.outside).map(|r| significant(r, 3)));
+        cells.extend(rated_risk(&rates, &s.committed).map(|r| significant(r, 3)));
         table.row(cells);
     }
     table

@@ -50,34 +50,60 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     }
     found.facets = (0..rows.len()).filter(|&i| violated[i]).collect();
     for k in 0..trajectory.intervals() {
-        let h = trajectory.times[k + 1] - trajectory.times[k];
-        let curved = !matches!(trajectory.model, WrenchModel::HoverAt(_));
-        let parts = if curved { PARTS } else { 1 };
-        let at = |t: f64| trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
-        let mut spans: Vec<(f64, f64)> = Vec::new();
-        let mut left = (0.0, wrenches[k]);
-        for p in 1..=parts {
-            let t = h * p as f64 / parts as f64;
-            let right = (t, if p == parts { wrenches[k + 1] } else { at(t) });
-            for row in rows {
-                found.max_violation = found.max_violation.max(row.excess(&right.1));
-                let at = curved.then_some(&at as &dyn Fn(f64) -> Wrench);
-                // A plane can be left on either side.
-                let sides: &[f64] = if row.equality { &[1.0, -1.0] } else { &[1.0] };
-                let spans_of = |&side| {
-                    let over = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
-                    span_outside(over, left, right, at)
-                };
-                spans.extend(sides.iter().filter_map(spans_of));
-            }
-            left = right;
-        }
-        for (a, b) in merged(spans) {
+        let (stretches, worst) = stretches(trajectory, vehicle, gravity, rows, k);
+        found.max_violation = found.max_violation.max(worst);
+        for (a, b) in merged(stretches.into_iter().map(|s| (s.from, s.to)).collect()) {
             found.seconds += b - a;
-            found.last = Some(trajectory.times[k] + b);
+            found.last = Some(b);
         }
     }
     found
+}
+
+/// A time during which a row is violated within one interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    pub row: usize,
+    /// s since the start
+    pub from: f64,
+    pub to: f64,
+}
+
+/// What is violated in interval `k`, and the largest excess seen there; see [`outside`].
+pub fn stretches(
+    trajectory: &Trajectory,
+    vehicle: &Vehicle,
+    gravity: f64,
+    rows: &[SetRow],
+    k: usize,
+) -> (Vec<Stretch>, f64) {
+    let begin = trajectory.times[k];
+    let h = trajectory.times[k + 1] - begin;
+    let curved = !matches!(trajectory.model, WrenchModel::HoverAt(_));
+    let parts = if curved { PARTS } else { 1 };
+    let at = |t: f64| trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
+    let at_node = |node: usize| trajectory.wrench(vehicle, gravity, &trajectory.nodes[node]);
+    let mut found = Vec::new();
+    let mut worst = f64::NEG_INFINITY;
+    let mut left = (0.0, at_node(k));
+    for p in 1..=parts {
+        let t = h * p as f64 / parts as f64;
+        let right = (t, if p == parts { at_node(k + 1) } else { at(t) });
+        for (i, row) in rows.iter().enumerate() {
+            worst = worst.max(row.excess(&right.1));
+            let at = curved.then_some(&at as &dyn Fn(f64) -> Wrench);
+            // A plane can be left on either side.
+            let sides: &[f64] = if row.equality { &[1.0, -1.0] } else { &[1.0] };
+            let spans_of = |&side| {
+                let over = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
+                let (from, to) = span_outside(over, left, right, at)?;
+                Some(Stretch { row: i, from: begin + from, to: begin + to })
+            };
+            found.extend(sides.iter().filter_map(spans_of));
+        }
+        left = right;
+    }
+    (found, worst)
 }
 
 /// The part of [left, right] in which `over` is positive; at most one crossing is looked for.

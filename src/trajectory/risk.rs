@@ -6,7 +6,8 @@
 use super::outside::Outside;
 
 impl Outside {
-    /// How long the mission is committed, s: until the last instant outside; 0 where the plan never leaves the set.
+    /// How long a mission that goes on after a fault is committed, s: until the last instant outside; 0 where the plan never
+    /// leaves the set.
     pub fn committed(&self) -> f64 {
         self.last.unwrap_or(0.0)
     }
@@ -19,9 +20,9 @@ pub fn risk(modes: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     -(-expected).exp_m1()
 }
 
-/// The risk over the modes that have a rate; `None` where none has.
-pub fn rated_risk(rates: &[Option<f64>], outside: &[Outside]) -> Option<f64> {
+/// The risk over the modes that have a rate (1/s), each committed for so long (s); `None` where none has one.
+pub fn rated_risk(rates: &[Option<f64>], committed: &[f64]) -> Option<f64> {
     let rated: Vec<(f64, f64)> =
-        rates.iter().zip(outside).filter_map(|(rate, out)| Some(((*rate)?, out.committed()))).collect();
+        rates.iter().zip(committed).filter_map(|(rate, committed)| Some(((*rate)?, *committed))).collect();
     (!rated.is_empty()).then(|| risk(rated))
 }

@@ -8,11 +8,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 /// Runs `mavc` in the repository's root.
-fn mavc(args: &[&str]) -> Output {
+pub fn mavc(args: &[&str]) -> Output {
     mavc_with(args, "")
 }
 
-fn mavc_with(args: &[&str], input: &str) -> Output {
+pub fn mavc_with(args: &[&str], input: &str) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_mavc"))
         .args(args)
         .current_dir(env!("CARGO_MANIFEST_DIR"))

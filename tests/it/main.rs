@@ -25,6 +25,7 @@ mod rounds;
 mod schemas;
 mod simulate;
 mod stages;
+mod stops;
 mod syntax;
 mod trajectories;
 mod vehicles;

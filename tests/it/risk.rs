@@ -1,7 +1,8 @@
 //! Committed seconds, risk and its strip against sampling and another formulation; what a required risk chooses.
 
-use crate::vehicles::{lost, octocopter, paper_case, viviani};
-use mavc::model::{FaultMode, MissionTime, Model, PlannerKind};
+use crate::cli::mavc_with;
+use crate::vehicles::{limit, lost, mission, octocopter, paper_case, viviani, waypoint};
+use mavc::model::{FaultMode, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::planner::compare::protect::{Protection, UNMET};
 use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
 use mavc::planner::rows::ACCEPTED;
@@ -9,6 +10,7 @@ use mavc::planner::select::VIOLATED;
 use mavc::trajectory::nearness::nearness;
 use mavc::trajectory::risk::{rated_risk, risk};
 use proptest::prelude::*;
+use serde_json::Value;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), scope, None)
@@ -62,9 +64,9 @@ fn committed_until_the_last_sample_outside() {
     }
     assert!(s.outside.iter().any(|o| o.committed() > 0.0), "the plan leaves some set");
     // Only what has a rate counts.
-    assert_eq!(rated_risk(&[None, None], &s.outside), None);
+    assert_eq!(rated_risk(&[None, None], &s.committed), None);
     let rate = 1e-3;
-    let alone = rated_risk(&[Some(rate), None], &s.outside).unwrap();
+    let alone = rated_risk(&[Some(rate), None], &s.committed).unwrap();
     assert!((alone - (1.0 - (-rate * s.outside[0].committed()).exp())).abs() < 1e-12);
 }
 
@@ -117,7 +119,7 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
         let found = run(&model, Scope::Plan);
         let s = solved(&found);
         let rates: Vec<Option<f64>> = model.modes.iter().map(|m| m.rate).collect();
-        let kept = rated_risk(&rates, &s.outside).unwrap();
+        let kept = rated_risk(&rates, &s.committed).unwrap();
         assert!(kept <= bound, "{kept}");
         assert_eq!((found.trade_off[0].risk, found.trade_off.last().unwrap().risk), (before, kept));
         assert!(found.trade_off.len() > 1);
@@ -141,4 +143,179 @@ fn a_risk_that_cannot_be_kept_is_told_with_the_best_curve() {
     // Where there is no plan at all, no risk is to blame.
     let early = run(&required(0.0, MissionTime::Fixed(12.0)), Scope::Plan);
     assert!(matches!(early.runs[0].ending, Ending::Infeasible { .. }) && early.trade_off.is_empty());
+}
+
+/// A short way in the exact model, at 1.12 times the shortest time that is found for the healthy vehicle.
+fn short(bound: Option<f64>) -> Model {
+    let mut model = octocopter("PPNNPPNN");
+    model.modes = [1, 3].map(|k| FaultMode { rate: Some(1e-5 / 3600.0), ..lost(&model, &[k]) }).to_vec();
+    let points = vec![waypoint([0.0, 0.0, 3.0], 0.0), waypoint([5.0, 2.0, 4.0], 0.0)];
+    let limits = vec![limit(LimitKind::Tilt, 40f64.to_radians())];
+    model.mission = Some(Mission { limits, ..mission(points) });
+    model.plan.model = PlanModel::Exact;
+    model.plan.planner = PlannerKind::Rip;
+    model.plan.against = vec![0, 1];
+    model.plan.samples = 20;
+    let shortest = solved(&run(&model, Scope::Plan)).time;
+    model.plan.time = MissionTime::Fixed((112.0 * shortest).round() / 100.0);
+    model.plan.planner = PlannerKind::Rsp;
+    model.plan.require_risk = bound;
+    model
+}
+
+#[test]
+fn a_required_risk_is_kept_in_the_exact_model() {
+    let mut model = short(Some(0.9));
+    let nothing = run(&model, Scope::Plan);
+    assert_eq!(nothing.trade_off.len(), 1);
+    let before = nothing.trade_off[0].risk;
+    assert!(before > 0.0, "the plan is committed to some mode");
+    model.plan.require_risk = Some(0.5 * before);
+    let found = run(&model, Scope::Plan);
+    let s = solved(&found);
+    let rates: Vec<Option<f64>> = model.modes.iter().map(|m| m.rate).collect();
+    let kept = rated_risk(&rates, &s.committed).unwrap();
+    assert!(kept <= 0.5 * before, "{kept} of {before}");
+    assert!(found.trade_off.len() > 1 && found.trade_off.windows(2).all(|w| w[1].risk < w[0].risk));
+    // Inside the set that it reports at instants of its own, and what is committed is the last of them outside.
+    let steps = 20_000;
+    let wrench = |t: f64| s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
+    let instants = || (0..=steps).map(|i| s.time * f64::from(i) / f64::from(steps));
+    let worst = |rows: &[mavc::planner::select::SetRow], t: f64| {
+        let w = wrench(t);
+        rows.iter().map(|r| r.excess(&w)).fold(f64::NEG_INFINITY, f64::max)
+    };
+    assert!(instants().all(|t| worst(&found.runs[0].set.rows, t) <= 2e-4));
+    for (set, committed) in found.sets.iter().zip(&s.committed) {
+        let last = instants().rev().find(|t| worst(&set.rows, *t) > VIOLATED).unwrap_or(0.0);
+        assert!((committed - last).abs() <= 2.0 * s.time / f64::from(steps), "{committed} {last}");
+    }
+}
+
+#[test]
+fn the_facet_passed_last_is_among_what_is_tried() {
+    // At the shortest times one facet is cheaper than all that are passed.
+    let nothing = run(&required(0.9, MissionTime::Minimum), Scope::Plan).trade_off[0].risk;
+    let found = run(&required(0.9 * nothing, MissionTime::Minimum), Scope::Plan);
+    let added: Vec<&Protection> = found.trade_off.iter().map(|step| &step.added).collect();
+    assert!(matches!(added[1], Protection::Facets { facets: 1, .. }), "{added:?}");
+}
+
+/// A descent that no lost rotor can catch above the floor.
+const DROP: &str = r#"
+vehicle octo {
+    layout  = "PPNNPPNN"
+    arm     = 0.211 m
+    mass    = 1.8 kg
+    inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { thrust_coefficient = 8.5485e-6 N*s^2/rad^2; drag_coefficient = 1.3678e-7 N*m*s^2/rad^2; max_speed = 874 rad/s }
+}
+faults {
+    mode weak { rotors [1, 2, 3, 4, 5, 6, 7, 8] reduced to 40 %; rate = 1e-4 1/h }
+    mode tired { rotors [1, 2, 3, 4, 5, 6, 7, 8] reduced to 40 %; rate = 1e-4 1/h; after_fault = continue }
+}
+mission drop {
+    start at [0, 0, 30] m
+    waypoint at [0, 0, 2] m
+    limits { altitude >= 1 m }
+}
+plan { planner = rip; time = 5 s; samples = 40; reserve = 0 %; after_fault = hold }
+"#;
+
+/// The text of a command over a spec on standard input, and its JSON report.
+fn told(command: &str, spec: &str, arguments: &[&str]) -> (i32, String, Value) {
+    let folder = tempfile::tempdir().unwrap();
+    let report = folder.path().join("report.json");
+    let mut all = vec![command, "-", "--report", report.to_str().unwrap()];
+    all.extend(arguments);
+    let ran = mavc_with(&all, spec);
+    let text = String::from_utf8(ran.stdout).unwrap() + &String::from_utf8(ran.stderr).unwrap();
+    let json = serde_json::from_str(&std::fs::read_to_string(&report).unwrap_or_else(|_| panic!("{text}"))).unwrap();
+    (ran.status.code().unwrap(), text, json)
+}
+
+#[test]
+fn reports_tell_what_the_mission_does_after_each_fault() {
+    for model in ["hover", "exact"] {
+        let choice = format!("plan.model={model}");
+        let (code, text, json) = told("plan", DROP, &["--set", &choice]);
+        assert_eq!(code, 0, "{text}");
+        let run = &json["planners"][0];
+        let [weak, tired] = [0, 1].map(|i| &run["modes"][i]);
+        assert_eq!((&weak["after_fault"], &tired["after_fault"]), (&"hold".into(), &"continue".into()));
+        let [held, flown] = [weak, tired].map(|mode| mode["committed_s"].as_f64().unwrap());
+        assert_eq!(tired["committed_s"], tired["last_outside_s"]);
+        assert!(0.0 < held && held < flown, "{held} {flown}");
+        let rate = 1e-4 / 3600.0;
+        let risk = run["risk"].as_f64().unwrap();
+        assert!((risk / (rate * (held + flown)) - 1.0).abs() < 1e-6, "{risk}");
+        assert!(text.contains("last outside  after it  committed"), "{text}");
+        let row = |name: &str| text.lines().find(|l| l.trim_start().starts_with(name)).unwrap();
+        let last_cells = |name: &str| row(name).split_whitespace().rev().take(3).collect::<Vec<_>>();
+        assert_eq!(last_cells("weak"), ["s", &format!("{held:.2}"), "hold"], "{text}");
+        assert_eq!(last_cells("tired"), ["s", &format!("{flown:.2}"), "continue"], "{text}");
+        let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(flat.contains("one that is not found may exist, and counts as none"), "{text}");
+    }
+    // Where every mode continues the report has no such columns.
+    let (_, text, json) = told("plan", DROP, &["--set", "plan.model=hover", "--set", "plan.against=[tired]"]);
+    assert!(!text.contains("after it") && text.contains("before its last instant outside"), "{text}");
+    assert_eq!(json["planners"][0]["modes"][0]["after_fault"], "continue");
+}
+
+#[test]
+fn comparisons_count_risk_by_what_is_done_after_a_fault() {
+    let (code, text, json) = told("compare", DROP, &["--set", "plan.model=hover", "--set", "plan.against=[weak]"]);
+    assert_eq!(code, 0, "{text}");
+    let rip = json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rip").unwrap();
+    let mode = &rip["modes"][0];
+    let cell = |key: &str| format!("{:.2}", mode[key].as_f64().unwrap());
+    let shown = format!("{} ({}; {})", cell("outside_s"), cell("last_outside_s"), cell("committed_s"));
+    assert!(text.contains(&shown), "{shown}\n{text}");
+    assert!(text.contains("where the mission holds, the last one without a stop after it"), "{text}");
+}
+
+/// A descent that what is left can fly, with a bound on the risk.
+fn slower(bound: f64) -> String {
+    DROP.replace("time = 5 s", "time = 8 s").replace("planner = rip", &format!("require risk <= {bound}"))
+}
+
+#[test]
+fn a_required_risk_counts_stops() {
+    // With more time the descent can be stopped from everywhere, though it ends outside: who holds need protect nothing.
+    let bound = 7.0 * 1e-4 / 3600.0;
+    let spec = slower(bound);
+    let keep = |after: &str| {
+        let after = format!("plan.after_fault={after}");
+        let against = "plan.against=[weak]";
+        told("plan", &spec, &["--set", "plan.model=hover", "--set", &after, "--set", against])
+    };
+    let [(held, text, json), (continued, other, trade)] = ["hold", "continue"].map(keep);
+    assert_eq!((held, continued), (0, 0), "{text}\n{other}");
+    let steps = |json: &Value| json["trade_off"].as_array().unwrap().clone();
+    assert_eq!(steps(&json).len(), 1, "{text}");
+    assert!(steps(&trade).len() > 1, "{other}");
+    for (text, json) in [(&text, &json), (&other, &trade)] {
+        let curve = steps(json);
+        assert_eq!(curve[0]["added"], "nothing");
+        let (last, run) = (curve.last().unwrap(), &json["planners"][0]);
+        assert_eq!((&last["risk"], &last["time_s"]), (&run["risk"], &run["time_s"]));
+        assert!(last["risk"].as_f64().unwrap() <= bound);
+        assert!(text.contains("What to protect for a risk of at most") && text.contains("nothing"), "{text}");
+        assert_eq!(text.lines().filter(|l| l.trim_start().starts_with("and ")).count(), curve.len() - 1, "{text}");
+    }
+}
+
+#[test]
+fn a_required_risk_is_told_in_the_exact_model() {
+    let bound = 5.0 * 1e-4 / 3600.0;
+    let spec = slower(bound);
+    let chosen = ["--set", "plan.against=[tired]", "--set", "plan.samples=20"];
+    let (code, text, json) = told("plan", &spec, &chosen);
+    assert_eq!(code, 0, "{text}");
+    let curve = json["trade_off"].as_array().unwrap();
+    assert!(curve.len() > 1 && curve[0]["risk"].as_f64() > Some(bound), "{text}");
+    assert!(curve.last().unwrap()["risk"].as_f64().unwrap() <= bound);
+    assert_eq!((&json["model"], &json["planners"][0]["status"]), (&"exact".into(), &"solved".into()));
+    assert!(text.contains("exact model") && text.contains("What to protect"), "{text}");
 }

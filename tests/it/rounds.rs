@@ -1,8 +1,9 @@
 //! Rounds of selection, and the whole family of double faults of a large vehicle.
 
-use crate::vehicles::{lost, mission, octocopter, paper_case, ring_model, viviani, waypoint};
+use crate::cli::mavc_with;
+use crate::vehicles::{limit, lost, mission, octocopter, paper_case, ring_model, viviani, waypoint};
 use mavc::admissible::{AdmissibleSet, faults_only_take};
-use mavc::model::{MissionTime, Model, PlannerKind};
+use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::planner::compare::rounds::rounds;
 use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
 use mavc::planner::pool::Pool;
@@ -142,4 +143,89 @@ fn rounds_of_a_guarded_plan_change_nothing() {
     let [one, five] = [1, 5].map(|count| planned(model.clone(), PlannerKind::Rsp, count));
     assert!(five.selected.is_empty());
     assert_eq!(only(&one).trajectory, only(&five).trajectory);
+}
+
+/// A short way in the exact model, at 1.1 times the shortest time that is found for the healthy vehicle.
+fn short() -> Model {
+    let mut model = octocopter("PPNNPPNN");
+    model.modes = vec![lost(&model, &[1])];
+    let points = vec![waypoint([0.0, 0.0, 3.0], 0.0), waypoint([5.0, 2.0, 4.0], 0.0)];
+    model.mission = Some(Mission { limits: vec![limit(LimitKind::Tilt, 40f64.to_radians())], ..mission(points) });
+    model.plan.model = PlanModel::Exact;
+    model.plan.against = vec![0];
+    model.plan.samples = 20;
+    let shortest = only(&planned(model.clone(), PlannerKind::Rip, 1)).time;
+    model.plan.time = MissionTime::Fixed((110.0 * shortest).round() / 100.0);
+    model
+}
+
+#[test]
+fn rounds_in_the_exact_model_end_inside() {
+    let model = short();
+    let rip = planned(model.clone(), PlannerKind::Rip, 1);
+    let [none, one, many] = [0, 1, 20].map(|count| planned(model.clone(), PlannerKind::Rsp, count));
+    assert_eq!(only(&none).trajectory, only(&rip).trajectory);
+    assert!(only(&rip).outside[0].max_violation > 0.01, "the plan passes the set");
+    assert!(none.selected.is_empty() && !one.selected.is_empty());
+    assert!(one.selected.len() <= many.selected.len());
+    // Each plan keeps what was selected for it, at instants of its own.
+    for plan in [&one, &many] {
+        let s = only(plan);
+        for i in 0..=5000 {
+            let t = s.time * f64::from(i) / 5000.0;
+            let w = s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
+            assert!(plan.selected.iter().all(|row| row.excess(&w) <= 2e-4), "{t}");
+        }
+    }
+    // And the last passes nothing at its nodes, where facets are selected.
+    assert!(only(&many).outside[0].facets.is_empty(), "{:?}", only(&many).outside[0]);
+}
+
+#[test]
+fn rounds_are_told_in_the_exact_model() {
+    let MissionTime::Fixed(time) = short().plan.time else { panic!("a fixed time") };
+    let spec = format!(
+        r#"
+vehicle octo {{
+    layout  = "PPNNPPNN"
+    arm     = 0.211 m
+    mass    = 1.8 kg
+    inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor {{ thrust_coefficient = 8.5485e-6 N*s^2/rad^2; drag_coefficient = 1.3678e-7 N*m*s^2/rad^2; max_speed = 874 rad/s }}
+}}
+faults {{ mode M1 {{ rotor 1 lost }} }}
+mission hop {{
+    start at [0, 0, 3] m
+    waypoint at [5, 2, 4] m  within 5 cm
+    limits {{ tilt <= 40 deg }}
+}}
+plan {{ time = {time} s; samples = 20; reserve = 0 % }}
+"#
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let report = folder.path().join("report.json");
+    let ran = mavc_with(&["compare", "-", "--rounds", "0..2", "--report", report.to_str().unwrap()], &spec);
+    let text = String::from_utf8(ran.stdout).unwrap() + &String::from_utf8(ran.stderr).unwrap();
+    assert_eq!(ran.status.code(), Some(0), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    assert_eq!(json["model"], "exact");
+    let rounds = json["rounds"].as_array().unwrap();
+    assert_eq!(rounds.iter().map(|r| r["rounds"].as_u64().unwrap()).collect::<Vec<_>>(), [0, 1, 2]);
+    assert_eq!((rounds[0]["selected"].as_u64(), rounds[0]["status"].as_str()), (Some(0), Some("solved")));
+    assert!(rounds[1]["selected"].as_u64() > Some(0), "{text}");
+    let rip = json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rip" && r["run"] == "common").unwrap();
+    // Steps that begin elsewhere settle a little elsewhere.
+    let [objective, other] = [rip, &rounds[0]].map(|run| run["objective"].as_f64().unwrap());
+    assert!((objective / other - 1.0).abs() < 1e-2, "{objective} {other}");
+    // Where the time is fixed there is no other for each round.
+    for round in rounds.iter().filter(|r| r["status"] == "solved") {
+        assert_eq!(round["own_time_s"].as_f64(), Some(time));
+        assert!(round["outside_s"].as_array().unwrap().len() == 1, "{round}");
+    }
+    let table = text.split("Rounds of selection, at T_d = ").nth(1).unwrap_or_else(|| panic!("{text}"));
+    let selected = |line: &str| line.split_whitespace().take(2).map(str::to_string).collect::<Vec<_>>();
+    let rows: Vec<Vec<String>> = table.lines().skip(2).take(3).map(selected).collect();
+    let told: Vec<Vec<String>> =
+        rounds.iter().map(|r| vec![r["rounds"].to_string(), r["selected"].to_string()]).collect();
+    assert_eq!(rows, told, "{text}");
 }

@@ -57,6 +57,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             reserve_span: span,
             rounds: 1,
             require_risk: None,
+            after_fault: AfterFault::Continue,
             require_span: span,
         },
         simulation: Default::default(),
@@ -84,6 +85,7 @@ pub fn lost(model: &Model, rotors: &[usize]) -> FaultMode {
         occurrence: None,
         detection: None,
         rate: None,
+        after_fault: None,
         span: Span::default(),
     }
 }

@@ -1,8 +1,8 @@
 //! `require risk <= bound`: what to protect, chosen greedily.
 //!
-//! Beginning with the healthy set alone, each step tries, for the modes that weigh most, the facets that the plan passes and
-//! the mode's whole set, and adds what takes away most risk per second of mission time. Greedy: a cleverer order or choice
-//! may need less time, and none is claimed to be the shortest.
+//! Beginning with the healthy set alone, each step tries, for the modes that weigh most, the one facet passed last, all the
+//! facets that the plan passes, and the mode's whole set, and adds what takes away most risk per second of mission time.
+//! Greedy: a cleverer order or choice may need less time, and none is claimed to be the shortest.
 
 use super::{Comparison, Ending, Run, Setting, Solved, planned_of};
 use crate::model::PlannerKind;
@@ -11,11 +11,15 @@ use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::Hint;
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::solve::Effort;
+use crate::trajectory::outside::{Stretch, stretches};
 use crate::trajectory::risk::risk;
 use rayon::prelude::*;
 
 /// Modes tried in a step: those that weigh most.
 const MOST_MODES: usize = 4;
+
+/// Single facets added; after them facets are only tried together, so that the steps stay few.
+const MOST_SINGLES: usize = 8;
 
 /// What is said where the required risk is not met.
 pub const UNMET: &str = "the required risk is not met";
@@ -25,7 +29,7 @@ pub const UNMET: &str = "the required risk is not met";
 pub enum Protection {
     /// The healthy set alone.
     Nothing,
-    /// The facets of a mode's set that the plan before passes at nodes.
+    /// The facets of a mode's set that the plan before passes at nodes, or the one that it passes last.
     Facets { mode: String, facets: usize },
     /// A mode's whole set.
     Mode { mode: String },
@@ -42,10 +46,22 @@ pub struct Addition {
     pub risk: f64,
 }
 
+/// What a step may add.
+struct Candidate {
+    added: Protection,
+    rows: Vec<SetRow>,
+    /// The modes whose whole sets these are.
+    whole: Vec<usize>,
+    /// Whether it is the one facet that the plan passes last.
+    single: bool,
+}
+
 /// A plan with all that is protected so far.
 struct Step {
     added: Protection,
     set: PlanningSet,
+    /// Single facets added so far.
+    singles: usize,
     /// The modes whose whole sets are protected.
     whole: Vec<usize>,
     solved: Solved,
@@ -61,7 +77,7 @@ impl Setting<'_> {
     /// Rate (1/s) and committed time (s) of each mode; one without a rate, which the spec refuses, counts for nothing.
     fn weights(&self, solved: &Solved) -> Vec<(f64, f64)> {
         let rates = self.model.plan.against.iter().map(|&mode| self.model.modes[mode].rate.unwrap_or(0.0));
-        rates.zip(solved.outside.iter().map(|o| o.committed())).collect()
+        rates.zip(solved.committed.iter().copied()).collect()
     }
 
     /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before.
@@ -94,7 +110,7 @@ impl Setting<'_> {
     }
 
     /// What a step may add.
-    fn candidates(&self, step: &Step) -> Vec<(Protection, Vec<SetRow>, Vec<usize>)> {
+    fn candidates(&self, step: &Step) -> Vec<Candidate> {
         let weights = self.weights(&step.solved);
         let mut modes: Vec<(usize, f64)> =
             weights.iter().enumerate().map(|(m, w)| (m, w.0 * w.1)).filter(|m| m.1 > 0.0).collect();
@@ -103,27 +119,47 @@ impl Setting<'_> {
         let mut all = Vec::new();
         for &(m, _) in modes.iter().take(MOST_MODES) {
             let mode = self.sets.names[m].clone();
-            let passed: Vec<SetRow> =
-                step.solved.outside[m].facets.iter().map(|&f| self.sets.modes[m].rows[f].clone()).collect();
+            let rows = &self.sets.modes[m].rows;
+            let mut facets = |which: &[usize], single: bool| {
+                let added = Protection::Facets { mode: mode.clone(), facets: which.len() };
+                let rows = which.iter().map(|&f| rows[f].clone()).collect();
+                all.push(Candidate { added, rows, whole: Vec::new(), single });
+            };
+            let passed = &step.solved.outside[m].facets;
             if !passed.is_empty() {
-                all.push((Protection::Facets { mode: mode.clone(), facets: passed.len() }, passed, Vec::new()));
+                facets(passed, false);
             }
-            all.push((Protection::Mode { mode }, self.sets.modes[m].rows.clone(), vec![m]));
+            let last = self.passed_last(&step.solved, m).filter(|f| step.singles < MOST_SINGLES && passed[..] != [*f]);
+            if let Some(facet) = last {
+                facets(&[facet], true);
+            }
+            let added = Protection::Mode { mode };
+            all.push(Candidate { added, rows: rows.clone(), whole: vec![m], single: false });
         }
         all
     }
 
-    fn tried(
-        &self,
-        before: &Step,
-        (added, rows, modes): (Protection, Vec<SetRow>, Vec<usize>),
-    ) -> (Result<Step, Ending>, Effort) {
+    /// The facet of a mode's set that commits the mission longest: the one passed last, up to the last instant from which the
+    /// mission is committed. Protecting any other leaves that instant as it is.
+    fn passed_last(&self, solved: &Solved, mode: usize) -> Option<usize> {
+        let (trajectory, until) = (&solved.trajectory, solved.committed[mode]);
+        let rows = &self.sets.modes[mode].rows;
+        let before = (0..trajectory.intervals()).rev().filter(|&k| trajectory.times[k] < until);
+        let last = |k: usize| -> Option<Stretch> {
+            let (found, _) = stretches(trajectory, &self.model.vehicle, self.model.gravity, rows, k);
+            found.into_iter().filter(|s| s.from < until).max_by(|a, b| a.to.total_cmp(&b.to))
+        };
+        before.into_iter().find_map(last).map(|stretch| stretch.row)
+    }
+
+    fn tried(&self, before: &Step, candidate: Candidate) -> (Result<Step, Ending>, Effort) {
+        let Candidate { added, rows, whole, single } = candidate;
         let set = before.set.with(rows);
         let (result, effort) = self.plan_of(&set, Some(before));
-        let whole = before.whole.iter().copied().chain(modes).collect();
+        let whole = before.whole.iter().copied().chain(whole).collect();
         let step = result.map(|(solved, planned)| {
             let risk = self.risk_of(&solved);
-            Step { added, set, whole, solved, planned, risk }
+            Step { added, set, whole, singles: before.singles + usize::from(single), solved, planned, risk }
         });
         (step, effort)
     }
@@ -142,7 +178,7 @@ impl Setting<'_> {
             Ok((solved, planned)) => {
                 let risk = self.risk_of(&solved);
                 let set = self.sets.rip.clone();
-                Step { added: Protection::Nothing, set, whole: Vec::new(), solved, planned, risk }
+                Step { added: Protection::Nothing, set, whole: Vec::new(), singles: 0, solved, planned, risk }
             }
             Err(ending) => return finish(out, ending, &self.sets.rip),
         };
@@ -165,8 +201,9 @@ impl Setting<'_> {
             step = match best {
                 Some((_, next)) => next,
                 None if step.whole != all => {
-                    let (joint, effort) =
-                        self.tried(&step, (Protection::All, self.sets.joint.rows.clone(), Vec::new()));
+                    let rows = self.sets.joint.rows.clone();
+                    let every = Candidate { added: Protection::All, rows, whole: Vec::new(), single: false };
+                    let (joint, effort) = self.tried(&step, every);
                     out.effort += effort;
                     match joint {
                         Ok(next) if next.risk < step.risk => Step { whole: all, ..next },

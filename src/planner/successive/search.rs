@@ -51,7 +51,7 @@ impl Successive<'_, '_> {
     }
 
     /// A smooth motion through the waypoints that knows no set: the least cost with positions in their limits.
-    fn smooth(&mut self, profile: &Profile) -> Option<Motion> {
+    pub(super) fn smooth(&mut self, profile: &Profile) -> Option<Motion> {
         let form = self.transcription(profile, &[]);
         let places: Vec<RowAt> = self.places(profile).into_iter().collect();
         let program = form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY);

@@ -55,7 +55,7 @@ pub(super) const ROUGHLY: Care = Care { steps: 2, small: 0.03 };
 /// For a plan that is kept.
 pub(super) const CLOSELY: Care = Care { steps: 12, small: 2e-3 };
 impl Successive<'_, '_> {
-    fn durations_stand(&self) -> Durations {
+    pub(super) fn durations_stand(&self) -> Durations {
         Durations { legs: vec![None; self.engine.mission.legs.len()], range: (0.0, 0.0) }
     }
 

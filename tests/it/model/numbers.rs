@@ -1,7 +1,7 @@
 //! Expressions, missions and plans come out with the numbers one would compute by hand.
 
 use super::{QUAD, check, codes, model};
-use mavc::model::{LimitKind, MissionTime, PlannerKind, Spin};
+use mavc::model::{AfterFault, LimitKind, MissionTime, PlannerKind, Spin};
 use std::f64::consts::PI;
 
 /// The x coordinate that `expression` gives, m.
@@ -146,6 +146,21 @@ fn plans_select_their_modes() {
 }
 
 #[test]
+fn a_mode_says_what_follows_it_or_the_plan_does() {
+    let spec = "faults {\n every 1 rotor lost as M { after_fault = hold }\n mode W { rotor 3 reduced to 60 % }\n}\nmission m {\n start at [0, 0, 2] m\n waypoint at [3, 0, 2] m\n}\n";
+    let continued = model(spec);
+    assert_eq!((continued.after_fault(0), continued.after_fault(4)), (AfterFault::Hold, AfterFault::Continue));
+    let held = model(&format!("{spec}plan {{ after_fault = hold }}"));
+    assert_eq!(held.after_fault(4), AfterFault::Hold);
+    let other = model(&format!("{}plan {{ after_fault = hold }}", spec.replace("= hold", "= continue")));
+    assert_eq!((other.after_fault(0), other.after_fault(4)), (AfterFault::Continue, AfterFault::Hold));
+    // What a flight does is another field.
+    assert_eq!(held.simulation.after_fault, AfterFault::Continue);
+    let text = held.to_string();
+    assert!(text.contains("after_fault hold\n") && text.contains("  after_fault hold"), "{text}");
+}
+
+#[test]
 fn defaults_are_listed() {
     let found = model("mission m {\n start at [0, 0, 2] m\n waypoint at [3, 0, 2] m\n}\nplan { reserve = 0 % }");
     let fields: Vec<&str> = found.defaults.iter().map(|d| d.field.as_str()).collect();
@@ -165,6 +180,7 @@ fn defaults_are_listed() {
             "plan.time",
             "plan.samples",
             "plan.rounds",
+            "plan.after_fault",
             "plan.snap",
             "plan.acceleration"
         ]

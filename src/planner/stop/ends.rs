@@ -1,0 +1,66 @@
+//! Where a stop begins and where it ends, as rows.
+
+use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::planner::transcribe::{NodeState, Transcription};
+use crate::qp::RowOrigin;
+use crate::qp::build::{Affine, Builder};
+
+impl Transcription<'_> {
+    /// From the state in which a fault strikes to rest. In the hover model z'' is the thrust and the derivatives of x and y
+    /// up to the third are attitude and body rates. In the exact one these are the direction of `a + g` and how it turns.
+    pub(in crate::planner) fn stopping(&self, builder: &mut Builder, struck: &NodeState) {
+        for axis in [X, Y, Z, YAW] {
+            for order in 0..=1 {
+                self.remains(builder, struck, axis, order);
+            }
+        }
+        if self.orders[Z] > 2 {
+            self.direction_remains(builder, struck);
+        } else {
+            for (axis, order) in [(X, 2), (X, 3), (Y, 2), (Y, 3)] {
+                self.remains(builder, struck, axis, order);
+            }
+        }
+        let last = self.nodes() - 1;
+        for (axis, highest) in [(X, 3), (Y, 3), (Z, 1), (YAW, 1)] {
+            for order in 1..=highest {
+                let row = self.at_node(last, axis, order).times(self.tau().powi(order as i32));
+                builder.zero(row, RowOrigin::Stop { node: last, axis, derivative: order });
+            }
+        }
+    }
+
+    /// A derivative that no fault changes.
+    fn remains(&self, builder: &mut Builder, struck: &NodeState, axis: usize, order: usize) {
+        let row = self.at_node(0, axis, order).plus_constant(-struck[axis][order]);
+        let origin = RowOrigin::Stop { node: 0, axis, derivative: order };
+        builder.zero(row.times(self.tau().powi(order as i32)), origin);
+    }
+
+    /// With A, J the acceleration with gravity and the jerk of the plan, a, j those of the stop, and e any direction across
+    /// A: the thrust's direction n = A/|A| remains where `e.a = 0`, and turns as it did, `e.n' = e.J/|A| = e.j/|a|`, where
+    /// `e.j = (n.a/|A|) e.J`. Two such directions say it all.
+    fn direction_remains(&self, builder: &mut Builder, struck: &NodeState) {
+        let gravity = self.model.gravity;
+        let across = nalgebra::Vector3::new(struck[X][2], struck[Y][2], struck[Z][2] + gravity);
+        let jerk = nalgebra::Vector3::new(struck[X][3], struck[Y][3], struck[Z][3]);
+        let (n, length) = (across.normalize(), across.norm());
+        let mut least = nalgebra::Vector3::zeros();
+        least[n.iamin()] = 1.0;
+        let e1 = n.cross(&least).normalize();
+        let along = |v: &nalgebra::Vector3<f64>, order: usize| {
+            let mut sum = Affine::constant(if order == 2 { v[2] * gravity } else { 0.0 });
+            for (axis, share) in [X, Y, Z].into_iter().zip(v.iter()) {
+                sum.add(&self.at_node(0, axis, order), *share);
+            }
+            sum
+        };
+        for (e, axis) in [(e1, X), (n.cross(&e1), Y)] {
+            let row = along(&e, 2).times(self.tau().powi(2));
+            builder.zero(row, RowOrigin::Stop { node: 0, axis, derivative: 2 });
+            let mut row = along(&e, 3);
+            row.add(&along(&n, 2), -e.dot(&jerk) / length);
+            builder.zero(row.times(self.tau().powi(3)), RowOrigin::Stop { node: 0, axis, derivative: 3 });
+        }
+    }
+}
