@@ -17,7 +17,7 @@ pub mod wrench;
 
 use crate::certificate::{Bound, Certificate, Claim, DynamicModel, MAX_BYTES, SCHEMA, Scope};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Allocation, FaultMode, Model, PlanModel, PlannerKind};
+use crate::model::{Allocation, FaultMode, Model, PlanModel, PlanRotors, PlannerKind};
 use crate::report::number::number;
 use crate::source::Span;
 use plan::Checker;
@@ -149,6 +149,8 @@ pub fn not_covered(model: &Model) -> Option<&'static str> {
         Some("the sets of `allocation = pseudo_inverse` are not covered by certificates yet")
     } else if vehicle.is_uncertain() {
         Some("intervals (`+-`) are not covered by certificates yet")
+    } else if model.plan.rotors == PlanRotors::Lagging {
+        Some("`rotors = lagging` is not covered by certificates yet")
     } else {
         None
     }

@@ -83,7 +83,12 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], tau: f64, mission: &Missio
             let row = match program.row_origin[first] {
                 RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Excess => continue,
                 // Rows of the exact model's programs, which are not written down here.
-                RowOrigin::Upright { .. } | RowOrigin::Thrust { .. } | RowOrigin::Duration { .. } => return None,
+                RowOrigin::Upright { .. }
+                | RowOrigin::Thrust { .. }
+                | RowOrigin::Duration { .. }
+                | RowOrigin::Lag { .. } => {
+                    return None;
+                }
                 RowOrigin::Rest { node, axis, derivative } => {
                     values[0] *= tau.powi(derivative as i32);
                     RowRecord::Rest { node, axis, derivative }

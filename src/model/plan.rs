@@ -8,7 +8,7 @@ use super::due::Due;
 use super::fields::Fields;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
-use super::{DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlannerKind};
+use super::{DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
@@ -21,8 +21,9 @@ pub const MAX_ROUNDS: usize = 100;
 pub const MAX_SAMPLES: usize = 100_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-const FIELDS: [&str; 15] = [
+const FIELDS: [&str; 16] = [
     "model",
+    "rotors",
     "planner",
     "rounds",
     "against",
@@ -196,6 +197,12 @@ impl<'a> Draft<'a> {
                 Some(self.default("model", (PlanModel::Exact, "exact", "what thrust and torques a motion asks for")))
             }
         };
+        let rotors = match self.word(cx, "rotors", &["instant", "lagging"]) {
+            Some(word) => word.map(|w| if w == "lagging" { PlanRotors::Lagging } else { PlanRotors::Instant }),
+            None => {
+                Some(self.default("rotors", (PlanRotors::Instant, "instant", "thrusts follow their commands at once")))
+            }
+        };
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
             None => {
@@ -236,39 +243,42 @@ impl<'a> Draft<'a> {
                 check_time(cx, time, time_span, mission);
             }
         }
-        let plan = match (planner, wrench, against, time, samples, rounds, require, reserve, snap, acceleration) {
-            (
-                Some(planner),
-                Some(model),
-                Some(against),
-                Some(time),
-                Some(samples),
-                Some(rounds),
-                Some(require_risk),
-                Some(reserve),
-                Some(snap_weight),
-                Some(acceleration_weight),
-            ) if !self.broken => Some(Plan {
-                planner,
-                model,
-                chooses_times: self.chooses_times,
-                against,
-                time,
-                samples,
-                rounds,
-                require_risk,
-                require_span: self.require.map_or(span, |r| r.1),
-                reserve,
-                snap_weight,
-                acceleration_weight,
-                span,
-                against_span: self.against.map_or(span, |f| f.span),
-                time_span,
-                samples_span,
-                reserve_span,
-            }),
-            _ => None,
-        };
+        let plan =
+            match (planner, wrench.zip(rotors), against, time, samples, rounds, require, reserve, snap, acceleration) {
+                (
+                    Some(planner),
+                    Some((model, rotors)),
+                    Some(against),
+                    Some(time),
+                    Some(samples),
+                    Some(rounds),
+                    Some(require_risk),
+                    Some(reserve),
+                    Some(snap_weight),
+                    Some(acceleration_weight),
+                ) if !self.broken => Some(Plan {
+                    planner,
+                    model,
+                    rotors,
+                    chooses_times: self.chooses_times,
+                    against,
+                    time,
+                    samples,
+                    rounds,
+                    require_risk,
+                    require_span: self.require.map_or(span, |r| r.1),
+                    reserve,
+                    snap_weight,
+                    acceleration_weight,
+                    span,
+                    against_span: self.against.map_or(span, |f| f.span),
+                    time_span,
+                    samples_span,
+                    reserve_span,
+                    rotors_span: place("rotors"),
+                }),
+                _ => None,
+            };
         let fixed = if let Some(MissionTime::Fixed(time)) = time { Some((time, time_span)) } else { None };
         (plan, fixed, self.defaults)
     }

@@ -5,6 +5,7 @@
 //! *Numerical Optimization*, chapter 18; for trajectories Mao, Szmuk and Acikmese, CDC 2016). Steps restore feasibility
 //! at one mission time, then lower the cost there; shorter times are tried from the smooth plan of the last.
 
+mod lead;
 mod motion;
 mod relaxation;
 mod search;
@@ -24,8 +25,9 @@ use super::transcribe::{NodeState, Row, RowAt, Transcription};
 use super::wrench_model::WrenchModel;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
-use crate::model::Limit;
+use crate::model::{Limit, Model};
 use crate::solve::{Outcome, Solution, solve};
+use lead::Lag;
 use std::collections::{BTreeMap, BTreeSet};
 use step::{Objective, Step, change};
 
@@ -99,6 +101,8 @@ pub struct Successive<'e, 'a> {
     bends: Vec<f64>,
     /// Of the last program: the sum of multiplier times normal of the facets at each instant.
     multipliers: BTreeMap<usize, Wrench>,
+    /// Where rotors lag.
+    lag: Option<Lag>,
 }
 
 /// What one program gave.
@@ -128,7 +132,8 @@ impl<'e, 'a> Successive<'e, 'a> {
             false => BACK_OFF.min(-0.5 * row.excess(&hover)).max(0.0),
         });
         let bends = vec![0.0; set.rows.len() + engine.mission.limits.len()];
-        Successive { back_off: back_off.collect(), bends, engine, wrench, set, multipliers: BTreeMap::new() }
+        let lag = model.thrust_lag().map(|tau| Lag::new(tau, set));
+        Successive { back_off: back_off.collect(), bends, engine, wrench, set, multipliers: BTreeMap::new(), lag }
     }
 
     fn transcription<'s>(&self, profile: &'s Profile, maps: &'s [WrenchMap]) -> Transcription<'s>
@@ -176,7 +181,8 @@ impl<'e, 'a> Successive<'e, 'a> {
     /// The largest excess over all instants.
     fn excess(&self, motion: &Motion) -> f64 {
         let form = self.transcription(&motion.profile, &[]);
-        (0..form.instants()).map(|i| self.excess_at(&form, &motion.at(i))).fold(f64::NEG_INFINITY, f64::max)
+        let at = |i: usize| self.excess_at(&form, &motion.at(i)).max(self.lead_excess_at(motion, i));
+        (0..form.instants()).map(at).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The largest excess at the nodes and at the instants of `pool`, and where that is none, over all instants.
@@ -184,7 +190,8 @@ impl<'e, 'a> Successive<'e, 'a> {
         let form = self.transcription(&motion.profile, &[]);
         let between: BTreeSet<usize> = pool.iter().map(|r| r.instant).filter(|i| i % PARTS != 0).collect();
         let known = (0..form.instants()).step_by(PARTS).chain(between);
-        let excess = known.map(|i| self.excess_at(&form, &motion.at(i))).fold(f64::NEG_INFINITY, f64::max);
+        let at = |i: usize| self.excess_at(&form, &motion.at(i)).max(self.lead_excess_at(motion, i));
+        let excess = known.map(at).fold(f64::NEG_INFINITY, f64::max);
         if excess > 0.0 { excess } else { self.excess(motion) }
     }
 
@@ -205,6 +212,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         for (node, state) in motion.states.iter().enumerate() {
             let over = self.excesses(&form, state).enumerate().filter(|(_, e)| *e > threshold);
             found.extend(over.map(|(i, _)| RowAt { row: self.row(i), instant: node * PARTS }));
+            found.extend(self.lead_rows_at_node(motion, node, threshold));
         }
         found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
         found
@@ -227,6 +235,7 @@ impl<'e, 'a> Successive<'e, 'a> {
                 }
             }
             found.extend(worst.into_iter().map(|(i, (_, instant))| RowAt { row: self.row(i), instant }));
+            found.extend(self.lead_rows_between(motion, interval));
         }
         found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
         found
@@ -282,6 +291,11 @@ impl<'e, 'a> Successive<'e, 'a> {
         self.multipliers.iter().map(at).collect()
     }
 
+    fn forget_multipliers(&mut self) {
+        self.multipliers.clear();
+        self.lag.iter_mut().for_each(|lag| lag.multipliers.clear());
+    }
+
     /// Solves one step about a motion. Rows that it passes are found afterwards, and stand in the next one: solving the same
     /// lines again with them takes more programs in all (measured).
     fn step(
@@ -296,6 +310,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         pool.extend(self.places(&motion.profile));
         let lines = self.lines(motion, pool);
         let curvature = self.curvature(motion);
+        let leads = self.lead_lines(motion, pool);
         let step = Step {
             from: &motion.states,
             wrenches: &lines.wrenches,
@@ -309,6 +324,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             reach: trust.reach,
             back_off: &self.back_off,
             bends: &self.bends,
+            leads: leads.as_ref(),
         };
         let chosen: Vec<RowAt> = pool.iter().copied().collect();
         let stages = self.transcription(&motion.profile, &lines.maps);
@@ -329,13 +345,19 @@ impl<'e, 'a> Successive<'e, 'a> {
         let variables = form.variables();
         let of_leg =
             |leg: &Option<usize>| leg.map_or(0.0, |i| change(x[variables + 1 + i].clamp(-trust.reach, trust.reach)));
-        self.multipliers.clear();
+        self.forget_multipliers();
         for (&RowAt { row, instant }, place) in chosen.iter().zip(&places) {
             if let (Row::Facet(facet), Some(place)) = (row, place)
                 && z[*place] > NEGLIGIBLE
             {
                 let normal = self.set.rows[facet].normal;
                 *self.multipliers.entry(instant).or_insert_with(Wrench::zeros) += normal * z[*place];
+            }
+            if let (Row::Lead { facet, slope }, Some(place), Some(lag)) = (row, place, &mut self.lag)
+                && z[*place] > NEGLIGIBLE
+            {
+                let normal = self.set.rows[facet].normal;
+                *lag.multipliers.entry((instant, slope)).or_insert_with(Wrench::zeros) += normal * z[*place];
             }
         }
         Some(Stepped {

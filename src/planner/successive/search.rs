@@ -68,7 +68,8 @@ impl Successive<'_, '_> {
         let form = self.transcription(&motion.profile, &[]);
         let inside = |factor: f64| {
             let slow = motion.slower(factor);
-            slow.states.iter().all(|s| self.excess_at(&form, s) <= 0.0)
+            let leads_inside = |node: usize| self.lead_excess_at(&slow, node * PARTS) <= 0.0;
+            slow.states.iter().all(|s| self.excess_at(&form, s) <= 0.0) && (0..slow.states.len()).all(leads_inside)
         };
         let (mut low, mut high) = (0.0, 1.0);
         while !inside(high) {
@@ -151,7 +152,7 @@ impl Successive<'_, '_> {
         }
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
-        self.multipliers.clear();
+        self.forget_multipliers();
         self.restore_slower(&motion.on(&fine.flown()), &mut BTreeSet::new())
     }
 
