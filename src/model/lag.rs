@@ -37,7 +37,7 @@ pub(super) fn check(cx: &mut Context, plan: &Plan, vehicle: &Vehicle) -> bool {
     if plan.rotors == PlanRotors::Instant || !vehicle.rotors.iter().any(silent) {
         return true;
     }
-    let message = format!("lagging rotors need a `time_constant`, and vehicle `{}` does not say all", vehicle.name);
+    let message = "lagging rotors need a `time_constant` each";
     let which = match vehicle.rotors.iter().position(silent) {
         Some(first) if vehicle.rotors.iter().any(|r| !silent(r)) => format!("rotor {} has none", first + 1),
         _ => "its rotors have none".to_string(),

@@ -81,12 +81,11 @@ fn the_quickest_climb_is_that_of_the_closed_form() {
 #[test]
 fn the_exact_model_climbs_as_quickly_as_it_may() {
     let (up, down) = reach(&climb(PlanModel::Exact, None));
-    for tau in [0.1, 0.3] {
-        let mut model = climb(PlanModel::Exact, Some(tau));
-        model.plan.samples = 60;
-        let found = shortest(&model);
-        let least = quickest(HEIGHT - 2.0 * WITHIN, up, down, tau);
-        let most = 1.06 * quickest(HEIGHT, up, 0.9 * down, tau);
-        assert!(found >= least && found <= most, "{found} s with {tau} s, between {least} and {most} s");
-    }
+    let tau = 0.2;
+    let mut model = climb(PlanModel::Exact, Some(tau));
+    model.plan.samples = 40;
+    let found = shortest(&model);
+    let least = quickest(HEIGHT - 2.0 * WITHIN, up, down, tau);
+    let most = 1.06 * quickest(HEIGHT, up, 0.9 * down, tau);
+    assert!(found >= least && found <= most, "{found} s with {tau} s, between {least} and {most} s");
 }

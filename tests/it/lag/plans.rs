@@ -138,12 +138,13 @@ fn time_grows_with_the_constant_and_vanishes_with_it() {
 
 #[test]
 fn the_exact_models_time_grows_too() {
-    let instant = planning(shuttle(), PlanModel::Exact, MissionTime::Minimum);
+    let mut instant = planning(shuttle(), PlanModel::Exact, MissionTime::Minimum);
+    instant.plan.samples = 24;
     let at_once = shortest(&instant);
     let [quick, slow] = [1e-6, 0.3].map(|tau| shortest(&lagging(instant.clone(), tau)));
     // Both are found, not proved.
-    assert!((quick / at_once - 1.0).abs() < 0.02, "{quick} s and {at_once} s");
-    assert!(slow > 1.05 * at_once, "{slow} s and {at_once} s");
+    assert!((quick / at_once - 1.0).abs() < 0.05, "{quick} s and {at_once} s");
+    assert!(slow > 1.1 * at_once.max(quick), "{slow} s, {at_once} s and {quick} s");
 }
 
 /// Rows on demand give the optimum of the program with all rows, that of `emit qp`.

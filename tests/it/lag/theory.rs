@@ -219,8 +219,9 @@ fn slopes_and_curvature_are_those_of_differences() {
             let wanted = (ahead.0 - behind.0) / (2.0 * h);
             assert!(apart(&slope.column(i).into_owned(), &wanted) < 1e-5 * (1.0 + wanted.amax()), "input {i} at {t}");
             let bent = (ahead.1 - behind.1).transpose() * n / (2.0 * h);
-            let missed = (curvature.column(i) - &bent).amax();
-            assert!(missed < 1e-4 * (1.0 + bent.amax()), "curvature along input {i} at {t}: {missed:e}");
+            let size = bent.amax();
+            let missed = (curvature.column(i) - bent).amax();
+            assert!(missed < 1e-4 * (1.0 + size), "curvature along input {i} at {t}: {missed:e}");
         }
     }
 }
