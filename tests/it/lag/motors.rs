@@ -110,7 +110,7 @@ fn followed(model: &Model, plan: &Trajectory) -> Followed {
 /// Where no rotor turns slower than a third, motors give the planned thrusts to what the steps leave.
 #[test]
 fn motors_follow_a_plan_that_keeps_rotors_turning() {
-    for (model, time) in [(PlanModel::Hover, 5.6), (PlanModel::Exact, 4.5)] {
+    for (model, time) in [(PlanModel::Hover, 5.6), (PlanModel::Exact, 6.5)] {
         let mut model = lagging(planning(shuttle(), model, MissionTime::Fixed(time)), 0.1);
         model.plan.reserve = 0.1;
         let comparison = compared(&model);
