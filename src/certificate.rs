@@ -233,6 +233,9 @@ pub fn of(
     comparison: &Comparison,
     spec_sha256: String,
 ) -> Result<Certificate, String> {
+    if let Some(why) = crate::verify::not_covered(model) {
+        return Err(why.into());
+    }
     match comparison.runs.last().map(|run| (run, &run.ending)) {
         Some((run, Ending::Solved(solved))) => {
             let certificate = plan::certificate(model, mission, run, solved, spec_sha256)?;

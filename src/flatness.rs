@@ -15,7 +15,7 @@
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
 use nalgebra::{SMatrix, SVector};
-use num_dual::{DualNum, hessian, jacobian};
+use num_dual::{Dual, DualNum, hessian, jacobian};
 
 /// Derivatives that the wrench depends on, in the order of [`FlatState`].
 pub const INPUTS: usize = 12;
@@ -40,6 +40,56 @@ pub fn curvature(vehicle: &Vehicle, gravity: f64, state: &FlatState, n: &Wrench)
         w[0] * n[0] + w[1] * n[1] + w[2] * n[2] + w[3] * n[3]
     };
     hessian(along, state).2
+}
+
+/// Derivatives that the lead wrench depends on, in the order of [`LeadFlatState`].
+pub const LEAD_INPUTS: usize = 16;
+
+/// A [`FlatState`], then (x''''', y''''', z''''', psi'''), SI units.
+pub type LeadFlatState = SVector<f64, LEAD_INPUTS>;
+
+/// Where the time derivative of each entry of a flat state stands in a [`LeadFlatState`].
+const RATES: [usize; INPUTS] = [3, 4, 5, 6, 7, 8, 12, 13, 14, 10, 11, 15];
+
+/// The lead wrench c = w + tau w' of rotors that lag by `tau` s, N and N m.
+pub fn lead(vehicle: &Vehicle, gravity: f64, tau: f64, state: &LeadFlatState) -> Wrench {
+    leading(vehicle, gravity, tau, state)
+}
+
+/// The lead wrench and its derivatives, 4 x 16.
+pub fn lead_and_jacobian(
+    vehicle: &Vehicle,
+    gravity: f64,
+    tau: f64,
+    state: &LeadFlatState,
+) -> (Wrench, SMatrix<f64, 4, LEAD_INPUTS>) {
+    jacobian(|s| leading(vehicle, gravity, tau, &s), state)
+}
+
+/// Second derivatives of n.c, 16 x 16.
+pub fn lead_curvature(
+    vehicle: &Vehicle,
+    gravity: f64,
+    tau: f64,
+    state: &LeadFlatState,
+    n: &Wrench,
+) -> SMatrix<f64, LEAD_INPUTS, LEAD_INPUTS> {
+    let along = |s: SVector<_, LEAD_INPUTS>| {
+        let c = leading(vehicle, gravity, tau, &s);
+        c[0] * n[0] + c[1] * n[1] + c[2] * n[2] + c[3] * n[3]
+    };
+    hessian(along, state).2
+}
+
+/// w and w' = J(s) s' at once: the wrench of s + epsilon s', epsilon^2 = 0.
+fn leading<D: DualNum<Primitive = f64> + Copy>(
+    vehicle: &Vehicle,
+    gravity: f64,
+    tau: f64,
+    state: &SVector<D, LEAD_INPUTS>,
+) -> SVector<D, 4> {
+    let moving = SVector::<Dual<D>, INPUTS>::from_fn(|i, _| Dual::new(state[i], state[RATES[i]]));
+    of(vehicle, gravity, &moving).map(|w| w.re + w.eps * D::from(tau))
 }
 
 /// Sine, cosine and the first two time derivatives of an angle.

@@ -14,6 +14,7 @@ mod fields;
 mod flight;
 mod function;
 mod interval;
+mod lag;
 mod legs;
 mod limits;
 mod load;
@@ -106,7 +107,7 @@ pub struct Rotor {
     pub min_speed: f64,
     /// w_max, rad/s.
     pub max_speed: f64,
-    /// First-order motor time constant, s; simulation only.
+    /// Time constant with which the speed follows its command, s.
     pub time_constant: Option<f64>,
     /// How well these numbers are known.
     pub spread: RotorSpread,
@@ -291,6 +292,24 @@ impl PlanModel {
     }
 }
 
+/// How plans take the rotors to follow their commands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlanRotors {
+    /// At once: any admissible wrench can follow any other.
+    Instant,
+    /// With [`Model::thrust_lag`].
+    Lagging,
+}
+
+impl PlanRotors {
+    pub fn name(self) -> &'static str {
+        match self {
+            PlanRotors::Instant => "instant",
+            PlanRotors::Lagging => "lagging",
+        }
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MissionTime {
     Minimum,
@@ -302,6 +321,7 @@ pub enum MissionTime {
 pub struct Plan {
     pub planner: PlannerKind,
     pub model: PlanModel,
+    pub rotors: PlanRotors,
     /// Whether the planner chooses when waypoints are passed, beyond fixed times.
     pub chooses_times: bool,
     /// Indices into [`Model::modes`], in the order written, without repeats.
@@ -321,6 +341,7 @@ pub struct Plan {
     pub time_span: Span,
     pub samples_span: Span,
     pub reserve_span: Span,
+    pub rotors_span: Span,
     /// How often RSP selects facets, at one mission time (step (e)): 0 is RIP, 1 the paper's RSP.
     pub rounds: usize,
     /// The largest risk that the plan may have: the planner then chooses what to protect.

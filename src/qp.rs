@@ -116,6 +116,8 @@ pub enum RowOrigin {
     Stop { node: usize, axis: usize, derivative: usize },
     /// Row `facet` of the planner's set (see `PlanningSet::rows`) at a node.
     Facet { facet: usize, node: usize },
+    /// The same facet for the lead wrench of rotors that lag, with the slopes of the interval after or before the node.
+    Lag { facet: usize, node: usize, after: bool },
     /// `Mission::limits[limit]` at a node.
     Limit { limit: usize, node: usize },
     /// The position tolerance of `Mission::waypoints[waypoint]`.
@@ -158,6 +160,7 @@ impl RowOrigin {
             RowOrigin::Rest { .. } => "rest",
             RowOrigin::Stop { .. } => "stop",
             RowOrigin::Facet { .. } => "facets",
+            RowOrigin::Lag { .. } => "lag",
             RowOrigin::Limit { .. } => "limits",
             RowOrigin::Waypoint { .. } => "waypoints",
             RowOrigin::WaypointYaw { .. } => "waypoint yaw",

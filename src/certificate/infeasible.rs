@@ -172,8 +172,11 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], tau: f64, mission: &Missio
             let mut values = z[first..first + size].to_vec();
             let row = match program.row_origin[first] {
                 RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Excess => continue,
-                // Rows of the exact model's steps, which are no relaxation of it, and of stops.
-                RowOrigin::Upright { .. } | RowOrigin::Duration { .. } | RowOrigin::Stop { .. } => return None,
+                // Rows of the exact model's steps, which are no relaxation of it, of stops and of rotors that lag.
+                RowOrigin::Upright { .. }
+                | RowOrigin::Duration { .. }
+                | RowOrigin::Stop { .. }
+                | RowOrigin::Lag { .. } => return None,
                 RowOrigin::Thrust { node } => RowRecord::Thrust { node },
                 RowOrigin::Rest { node, axis, derivative } => {
                     values[0] *= tau.powi(derivative as i32);

@@ -105,8 +105,9 @@ fn program(model: &Model, mission: &Mission, run: &PlannerRun, time: f64) -> Opt
     let mut engine = Engine::new(model, mission, &healthy);
     let layout = engine.layout(time, model.plan.samples).ok()??;
     let maps = layout.yaw.maps(model, layout.flown.nodes());
+    let leads = layout.leads(model);
     let transcription = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());
-    Some(transcription.full_program(Purpose::Plan { slack: FEASIBLE }))
+    Some(transcription.with_leads(leads.as_ref()).full_program(Purpose::Plan { slack: FEASIBLE }))
 }
 
 /// The program as exported: minimise 1/2 x'P x + q'x + constant subject to A x + s = b, s in the cones.

@@ -178,7 +178,7 @@ fn weighed(
             RowOrigin::Limit { limit, .. } => parts.push((Part::Limit(limit), weight)),
             RowOrigin::Rest { node: 0, .. } => parts.push((Part::RestAtStart, weight)),
             RowOrigin::Rest { node, .. } if Some(node) == last => parts.push((Part::RestAtEnd, weight)),
-            RowOrigin::Facet { facet, .. } => {
+            RowOrigin::Facet { facet, .. } | RowOrigin::Lag { facet, .. } => {
                 // Mode 0 is the healthy vehicle, which no statement could leave out.
                 let modes = set.rows[facet].origin.iter().filter_map(|of| of.mode.checked_sub(1));
                 parts.extend(modes.map(|mode| (Part::Mode(mode), weight)));

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use super::{
-    AfterFault, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, Simulation, Spin,
-    Spread, Vehicle,
+    AfterFault, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors,
+    Simulation, Spin, Spread, Vehicle,
 };
 use crate::report::number::number;
 
@@ -212,6 +212,9 @@ impl fmt::Display for Limit {
 fn plan(f: &mut fmt::Formatter<'_>, p: &Plan, modes: &[FaultMode]) -> fmt::Result {
     writeln!(f, "plan")?;
     writeln!(f, "  planner {}, model {}", p.planner.name(), p.model.name())?;
+    if p.rotors != PlanRotors::Instant {
+        writeln!(f, "  rotors {}", p.rotors.name())?;
+    }
     if p.chooses_times {
         writeln!(f, "  timing optimal")?;
     }

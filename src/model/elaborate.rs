@@ -8,7 +8,7 @@ use super::load::FileSet;
 use super::overrides::{Override, apply};
 use super::plan::Draft;
 use super::simulate::Around;
-use super::{DefaultUsed, Model, campaign, mission, simulate, vehicle};
+use super::{DefaultUsed, Model, campaign, lag, mission, simulate, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
 use crate::report::number::number;
 use crate::source::{SourceMap, Span, Spanned};
@@ -169,10 +169,12 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     if plan_written || mission.is_some() {
         defaults.extend(plan_defaults);
     }
+    let known = vehicle.and_then(|v| v.vehicle.as_ref());
+    let lags_known = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle));
     let around = Around {
         modes: &modes.modes,
         incomplete,
-        vehicle: vehicle.and_then(|v| v.vehicle.as_ref()),
+        vehicle: known,
         mission: flown,
         plan_time,
         fallback: draft_span.unwrap_or(fallback),
@@ -183,7 +185,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     defaults.extend(flight_defaults);
     let (campaign, campaign_defaults) = campaign::elaborate(cx, blocks.campaigns.first().copied(), &around);
     defaults.extend(campaign_defaults);
-    let plan = plan.filter(|_| manner_fine)?;
+    let plan = plan.filter(|_| manner_fine && lags_known)?;
     let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {
         return None;

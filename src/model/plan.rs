@@ -8,7 +8,9 @@ use super::due::Due;
 use super::fields::Fields;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
-use super::{AfterFault, DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlannerKind, after_fault};
+use super::{
+    AfterFault, DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault,
+};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
@@ -21,8 +23,9 @@ pub const MAX_ROUNDS: usize = 100;
 pub const MAX_SAMPLES: usize = 100_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-const FIELDS: [&str; 16] = [
+const FIELDS: [&str; 17] = [
     "model",
+    "rotors",
     "planner",
     "rounds",
     "after_fault",
@@ -198,6 +201,12 @@ impl<'a> Draft<'a> {
                 Some(self.default("model", (PlanModel::Exact, "exact", "what thrust and torques a motion asks for")))
             }
         };
+        let rotors = match self.word(cx, "rotors", &["instant", "lagging"]) {
+            Some(word) => word.map(|w| if w == "lagging" { PlanRotors::Lagging } else { PlanRotors::Instant }),
+            None => {
+                Some(self.default("rotors", (PlanRotors::Instant, "instant", "thrusts follow their commands at once")))
+            }
+        };
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
             None => {
@@ -244,7 +253,7 @@ impl<'a> Draft<'a> {
         }
         let plan = match (
             planner,
-            wrench,
+            wrench.zip(rotors),
             against,
             time,
             samples,
@@ -257,7 +266,7 @@ impl<'a> Draft<'a> {
         ) {
             (
                 Some(planner),
-                Some(model),
+                Some((model, rotors)),
                 Some(against),
                 Some(time),
                 Some(samples),
@@ -270,6 +279,7 @@ impl<'a> Draft<'a> {
             ) if !self.broken => Some(Plan {
                 planner,
                 model,
+                rotors,
                 chooses_times: self.chooses_times,
                 against,
                 time,
@@ -286,6 +296,7 @@ impl<'a> Draft<'a> {
                 time_span,
                 samples_span,
                 reserve_span,
+                rotors_span: place("rotors"),
             }),
             _ => None,
         };

@@ -359,7 +359,8 @@ impl<'a> Setting<'a> {
             if let Ok(s) = &rip.result {
                 let trajectory = Trajectory::of(&s.planned);
                 let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
-                if out.max_violation <= ACCEPTED {
+                // With rotors that lag a wrench inside is not enough.
+                if out.max_violation <= ACCEPTED && self.model.thrust_lag().is_none() {
                     return Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
                 }
             }

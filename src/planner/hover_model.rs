@@ -66,7 +66,7 @@ impl WrenchMap {
     }
 
     /// The wrench for `derivatives[axis][order]`.
-    pub fn at(&self, derivatives: &[[f64; 5]; 4]) -> Wrench {
+    pub fn at<const N: usize>(&self, derivatives: &[[f64; N]; 4]) -> Wrench {
         self.terms.iter().fold(self.constant, |w, &(axis, order, c)| w + c * derivatives[axis][order])
     }
 }

@@ -36,6 +36,7 @@ impl Pool {
             from.rows.iter().map(|a| to.rows.iter().position(|b| !b.equality && same(a, b))).collect();
         let moved = |r: &RowAt| match r.row {
             Row::Facet(facet) => Some(RowAt { row: Row::Facet(image[facet]?), ..*r }),
+            Row::Lead { facet, slope } => Some(RowAt { row: Row::Lead { facet: image[facet]?, slope }, ..*r }),
             Row::Limit(_) | Row::Upright => Some(*r),
         };
         Pool { rows: self.rows.iter().filter_map(moved).collect(), nodes: self.nodes }

@@ -3,6 +3,7 @@
 //! Few rows ever bind. A program that lacks rows is a relaxation: where it is infeasible, so is the
 //! full one; where its solution passes no row, it solves the full one.
 
+use super::lead::{LeadMaps, Slope};
 use super::limits::place;
 use super::pool::Pool;
 use super::profile::{Profile, profile};
@@ -56,6 +57,14 @@ pub struct Layout {
     pub flown: Profile,
     /// At the nodes of `flown`.
     pub yaw: YawPlan,
+}
+
+impl Layout {
+    /// The lead wrench at both ends of every interval flown, where the spec's rotors lag.
+    pub fn leads(&self, model: &Model) -> Option<LeadMaps> {
+        let tau = model.thrust_lag()?;
+        Some(self.yaw.leads(&model.vehicle, model.gravity, &self.flown, tau))
+    }
 }
 
 /// Plans one mission of one model, and counts the solver's effort.
@@ -231,21 +240,35 @@ impl<'a> Engine<'a> {
         if own_times || least_rates {
             return false;
         }
-        planned.states.iter().all(|state| {
-            let slow = state.map(|axis| std::array::from_fn(|order| axis[order] * factor.powi(-(order as i32))));
-            let wrench = planned.model.wrench(&self.model.vehicle, self.model.gravity, &slow);
-            set.rows.iter().all(|row| row.excess(&wrench) <= ACCEPTED)
-        })
+        let slow = |state: &NodeState| -> NodeState {
+            state.map(|axis| std::array::from_fn(|order| axis[order] * factor.powi(-(order as i32))))
+        };
+        let wrench = |state| planned.model.wrench(&self.model.vehicle, self.model.gravity, &slow(state));
+        let wrenches: Vec<Wrench> = planned.states.iter().map(wrench).collect();
+        let keeps = |w: &Wrench| set.rows.iter().all(|row| row.excess(w) <= ACCEPTED);
+        // The wrench is linear over an interval here, so w' is the same at both its ends.
+        let leads = |tau: f64| {
+            wrenches.windows(2).zip(planned.profile.steps()).all(|(w, step)| {
+                let ahead = (w[1] - w[0]) * (tau / (factor * step));
+                keeps(&(w[0] + ahead)) && keeps(&(w[1] + ahead))
+            })
+        };
+        wrenches.iter().all(keeps) && self.model.thrust_lag().is_none_or(leads)
     }
 
     /// Drops the rows that states keep well clear of.
     fn keep_near(&self, layout: &Layout, set: &PlanningSet, states: &[NodeState], sigma: f64, pool: &mut Pool) {
         let maps = layout.yaw.maps(self.model, layout.flown.nodes());
-        let stages = Transcription::new(self.model, self.mission, &layout.flown, set, &maps, layout.yaw.axes());
+        let leads = layout.leads(self.model);
+        let stages = Transcription::new(self.model, self.mission, &layout.flown, set, &maps, layout.yaw.axes())
+            .with_leads(leads.as_ref());
         pool.rows.retain(|r| match r.row {
             Row::Facet(facet) => set.rows[facet].excess(&maps[r.instant].at(&states[r.instant])) > sigma - KEPT,
             Row::Limit(limit) => stages.limit_excess(&self.mission.limits[limit], states, r.instant, sigma) > -KEPT,
             Row::Upright => false,
+            Row::Lead { facet, slope } => stages
+                .lead_wrench(states, (r.instant, slope))
+                .is_some_and(|wrench| set.rows[facet].excess(&wrench) > sigma - KEPT),
         });
     }
 
@@ -342,7 +365,10 @@ impl<'a> Engine<'a> {
         let nodes = layout.flown.nodes();
         let maps = layout.yaw.maps(self.model, nodes);
         let (model, mission) = (self.model, self.mission);
-        let new = || Transcription::new(model, mission, &layout.flown, set, &maps, layout.yaw.axes());
+        let leads = layout.leads(model);
+        let new = || {
+            Transcription::new(model, mission, &layout.flown, set, &maps, layout.yaw.axes()).with_leads(leads.as_ref())
+        };
         let (stages, splines) = (new(), new().in_splines());
         let smooth = splines.stiffness() <= MOST_STIFFNESS;
         pool.fit(nodes);
@@ -402,21 +428,27 @@ impl<'a> Engine<'a> {
 }
 
 /// At each node the facet that the states pass furthest by more than `accepted`, and every limit passed by more, there
-/// and at the neighbouring nodes. All rows are taken as widened by `sigma`.
+/// and at the neighbouring nodes; where rotors lag, the facet that the lead wrench passes furthest too, on each side of the
+/// node. All rows are taken as widened by `sigma`.
 fn passed(form: &Transcription, states: &[NodeState], sigma: f64, accepted: f64) -> Vec<RowAt> {
     let (rows, last) = (&form.set.rows, states.len() - 1);
     let mut found = Vec::new();
+    // The facet passed furthest speaks for those beside it; the others get their turn if they still need one.
+    let furthest = |wrench: &Wrench| {
+        let inequalities = (0..rows.len()).filter(|&f| !rows[f].equality);
+        let excesses = inequalities.map(|f| (f, rows[f].excess(wrench) - sigma));
+        excesses.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|worst| worst.1 > accepted).map(|(f, _)| f)
+    };
     for (node, (state, map)) in states.iter().zip(form.maps).enumerate() {
-        let wrench = map.at(state);
-        // The facet passed furthest speaks for those beside it; the others get their turn if they still need one.
-        let worst = (0..rows.len())
-            .filter(|&f| !rows[f].equality)
-            .map(|f| (f, rows[f].excess(&wrench) - sigma))
-            .max_by(|a, b| a.1.total_cmp(&b.1));
-        let facet = worst.filter(|w| w.1 > accepted).map(|(f, _)| Row::Facet(f));
+        let facet = furthest(&map.at(state)).map(Row::Facet);
+        let lead = |slope: Slope| {
+            let facet = furthest(&form.lead_wrench(states, (node, slope))?)?;
+            Some(Row::Lead { facet, slope })
+        };
+        let leads = [Slope::Before, Slope::After].into_iter().filter_map(lead);
         let limits = form.mission.limits.iter().enumerate();
         let limits = limits.filter(|(_, l)| form.limit_excess(l, states, node, sigma) > accepted);
-        for row in facet.into_iter().chain(limits.map(|(i, _)| Row::Limit(i))) {
+        for row in facet.into_iter().chain(leads).chain(limits.map(|(i, _)| Row::Limit(i))) {
             let around = node.saturating_sub(1)..=(node + 1).min(last);
             found.extend(around.map(|instant| RowAt { row, instant }));
         }

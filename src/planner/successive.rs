@@ -5,6 +5,7 @@
 //! *Numerical Optimization*, chapter 18; for trajectories Mao, Szmuk and Acikmese, CDC 2016). Steps restore feasibility
 //! at one mission time, then lower the cost there; shorter times are tried from the smooth plan of the last.
 
+mod lead;
 mod motion;
 mod relaxation;
 mod search;
@@ -26,8 +27,9 @@ use super::transcribe::{NodeState, Row, RowAt, Transcription};
 use super::wrench_model::WrenchModel;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
-use crate::model::Limit;
+use crate::model::{Limit, Model};
 use crate::solve::{Outcome, Solution, approach, solve};
+use lead::Lag;
 use std::collections::{BTreeMap, BTreeSet};
 use step::{Objective, Step, change};
 
@@ -111,6 +113,8 @@ pub struct Successive<'e, 'a> {
     multipliers: BTreeMap<usize, Wrench>,
     /// Proximity at which the next steps towards the least cost begin.
     settling: f64,
+    /// Where rotors lag.
+    lag: Option<Lag>,
 }
 
 /// What one program gave.
@@ -139,6 +143,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             true => -BACK_OFF,
             false => BACK_OFF.min(-0.5 * row.excess(&hover)).max(0.0),
         });
+        let lag = model.thrust_lag().map(|tau| Lag::new(tau, set));
         let bends = BTreeMap::new();
         Successive {
             back_off: back_off.collect(),
@@ -148,6 +153,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             set,
             multipliers: BTreeMap::new(),
             settling: sequence::SETTLING,
+            lag,
         }
     }
 
@@ -208,7 +214,8 @@ impl<'e, 'a> Successive<'e, 'a> {
     /// The largest excess over all instants.
     fn excess(&self, motion: &Motion) -> f64 {
         let form = self.transcription(&motion.profile, &[]);
-        (0..form.instants()).map(|i| self.excess_at(&form, &motion.at(i), i)).fold(f64::NEG_INFINITY, f64::max)
+        let at = |i: usize| self.excess_at(&form, &motion.at(i), i).max(self.lead_excess_at(motion, i));
+        (0..form.instants()).map(at).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The largest excess at the nodes and at the instants of `pool`, and where that is none, over all instants.
@@ -216,7 +223,8 @@ impl<'e, 'a> Successive<'e, 'a> {
         let form = self.transcription(&motion.profile, &[]);
         let between: BTreeSet<usize> = pool.iter().map(|r| r.instant).filter(|i| i % PARTS != 0).collect();
         let known = (0..form.instants()).step_by(PARTS).chain(between);
-        let excess = known.map(|i| self.excess_at(&form, &motion.at(i), i)).fold(f64::NEG_INFINITY, f64::max);
+        let at = |i: usize| self.excess_at(&form, &motion.at(i), i).max(self.lead_excess_at(motion, i));
+        let excess = known.map(at).fold(f64::NEG_INFINITY, f64::max);
         if excess > 0.0 { excess } else { self.excess(motion) }
     }
 
@@ -230,18 +238,20 @@ impl<'e, 'a> Successive<'e, 'a> {
         }
     }
 
-    /// The inverse of [`Self::row`].
-    fn place(&self, row: Row) -> usize {
+    /// The inverse of [`Self::row`]; rows on the lead wrench have no place there.
+    fn place(&self, row: Row) -> Option<usize> {
         match row {
-            Row::Facet(facet) => facet,
-            Row::Limit(limit) => self.set.rows.len() + limit,
-            Row::Upright => self.set.rows.len() + self.engine.mission.limits.len(),
+            Row::Facet(facet) => Some(facet),
+            Row::Limit(limit) => Some(self.set.rows.len() + limit),
+            Row::Upright => Some(self.set.rows.len() + self.engine.mission.limits.len()),
+            Row::Lead { .. } => None,
         }
     }
 
     /// What a row keeps free between instants.
     fn bend(&self, RowAt { row, instant }: &RowAt) -> f64 {
-        self.bends.get(instant).and_then(|bends| bends.get(&self.place(*row))).copied().unwrap_or(0.0)
+        let bends = self.bends.get(instant);
+        bends.zip(self.place(*row)).and_then(|(bends, place)| bends.get(&place)).copied().unwrap_or(0.0)
     }
 
     /// Rows with an excess over `threshold` at nodes. Equality rows always stand.
@@ -252,6 +262,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             let instant = node * PARTS;
             let over = self.excesses_at(&form, state, instant).filter(|(_, e)| *e > threshold);
             found.extend(over.map(|(i, _)| RowAt { row: self.row(i), instant }));
+            found.extend(self.lead_rows_at_node(motion, node, threshold));
         }
         found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
         found
@@ -274,6 +285,7 @@ impl<'e, 'a> Successive<'e, 'a> {
                 }
             }
             found.extend(worst.into_iter().map(|(i, (_, instant))| RowAt { row: self.row(i), instant }));
+            found.extend(self.lead_rows_between(motion, interval));
         }
         found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
         found
@@ -329,6 +341,11 @@ impl<'e, 'a> Successive<'e, 'a> {
         self.multipliers.iter().map(at).collect()
     }
 
+    fn forget_multipliers(&mut self) {
+        self.multipliers.clear();
+        self.lag.iter_mut().for_each(|lag| lag.multipliers.clear());
+    }
+
     /// Solves one step about a motion. Rows that it passes are found afterwards, and stand in the next one: solving the same
     /// lines again with them takes more programs in all (measured).
     fn step(
@@ -345,6 +362,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         let curvature = self.curvature(motion);
         let chosen: Vec<RowAt> = pool.iter().copied().collect();
         let bends: Vec<f64> = chosen.iter().map(|r| self.bend(r)).collect();
+        let leads = self.lead_lines(motion, pool);
         let step = Step {
             from: &motion.states,
             wrenches: &lines.wrenches,
@@ -358,6 +376,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             range: *range,
             back_off: &self.back_off,
             bends: &bends,
+            leads: leads.as_ref(),
         };
         let stages = self.transcription(&motion.profile, &lines.maps);
         // Splines cannot bend where legs change by different shares.
@@ -376,13 +395,19 @@ impl<'e, 'a> Successive<'e, 'a> {
         let (form, x, z, places) = found?;
         let variables = form.variables();
         let of_leg = |leg: &Option<usize>| leg.map_or(0.0, |i| change(x[variables + 1 + i]).clamp(range.0, range.1));
-        self.multipliers.clear();
+        self.forget_multipliers();
         for (&RowAt { row, instant }, place) in chosen.iter().zip(&places) {
             if let (Row::Facet(facet), Some(place)) = (row, place)
                 && z[*place] > NEGLIGIBLE
             {
                 let normal = self.set.rows[facet].normal;
                 *self.multipliers.entry(instant).or_insert_with(Wrench::zeros) += normal * z[*place];
+            }
+            if let (Row::Lead { facet, slope }, Some(place), Some(lag)) = (row, place, &mut self.lag)
+                && z[*place] > NEGLIGIBLE
+            {
+                let normal = self.set.rows[facet].normal;
+                *lag.multipliers.entry((instant, slope)).or_insert_with(Wrench::zeros) += normal * z[*place];
             }
         }
         Some(Stepped {

@@ -7,6 +7,7 @@
 //! them.
 
 use super::hover_model::{ORDER, WrenchMap, X, Y, YAW, Z};
+use super::lead::{LeadMaps, Slope};
 use super::limits::Widening;
 use super::profile::Profile;
 use super::select::PlanningSet;
@@ -14,6 +15,7 @@ use super::spline::NodeSpline;
 use crate::model::{Mission, Model};
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
+use std::collections::BTreeMap;
 
 /// Derivatives of each axis at a node: `[axis][order]`, SI units.
 pub type NodeState = [[f64; 5]; 4];
@@ -49,6 +51,8 @@ pub enum Row {
     Limit(usize),
     /// The thrust's vertical part is at least [`UPRIGHT`] times the weight.
     Upright,
+    /// Of the planning set, by place, for the lead wrench of rotors that lag.
+    Lead { facet: usize, slope: Slope },
 }
 
 /// Share of the weight that the vertical part of the thrust never falls below in the exact model. Nearer to free fall,
@@ -64,6 +68,8 @@ pub struct Transcription<'a> {
     pub set: &'a PlanningSet,
     /// One wrench map per instant; those without a row may be empty.
     pub maps: &'a [WrenchMap],
+    /// The lead wrench at both ends of every interval, where rotors lag and rows are those of [`Self::program`].
+    pub leads: Option<&'a LeadMaps>,
     /// The axes planned here: all four, or only x, y, z where yaw was planned first.
     pub axes: &'a [usize],
     /// The derivative of each axis that is its input; see `WrenchModel::orders`.
@@ -99,12 +105,18 @@ impl<'a> Transcription<'a> {
             profile,
             set,
             maps,
+            leads: None,
             axes,
             orders: ORDER,
             parts: 1,
             struck: None,
             form: Form::Stages,
         }
+    }
+
+    /// The same with rows on the lead wrench, where rotors lag.
+    pub fn with_leads(self, leads: Option<&'a LeadMaps>) -> Self {
+        Transcription { leads, ..self }
     }
 
     /// The same mission with other integrators, and rows also between nodes.
@@ -226,7 +238,13 @@ impl<'a> Transcription<'a> {
     pub fn every_row(&self) -> Vec<RowAt> {
         let facets = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality).map(Row::Facet);
         let rows = facets.chain((0..self.mission.limits.len()).map(Row::Limit));
-        rows.flat_map(|row| (0..self.instants()).map(move |instant| RowAt { row, instant })).collect()
+        let rows = rows.flat_map(|row| (0..self.instants()).map(move |instant| RowAt { row, instant }));
+        let places = self.leads.into_iter().flat_map(BTreeMap::keys);
+        let leads = places.flat_map(|&(instant, slope)| {
+            let inequalities = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality);
+            inequalities.map(move |facet| RowAt { row: Row::Lead { facet, slope }, instant })
+        });
+        rows.chain(leads).collect()
     }
 
     /// The program with every row.
@@ -271,6 +289,16 @@ impl<'a> Transcription<'a> {
                 }
                 Row::Limit(limit) => self.limit(&mut builder, limit, instant, &Widening::by(&widening)),
                 Row::Upright => self.upright(&mut builder, instant, &Widening::by(&widening)),
+                Row::Lead { facet, slope } => {
+                    let (row, at) = (&self.set.rows[facet], (instant, slope));
+                    let map = self.leads.and_then(|leads| leads.get(&at));
+                    let along = map.and_then(|map| self.along_lead(map, at, &row.normal, &|_, _, _| Affine::default()));
+                    // Rows that come from another grid may stand where no interval is.
+                    let Some(along) = along else { continue };
+                    let mut expression = along.plus_constant(-row.offset).times(-1.0);
+                    expression.add(&widening, 1.0);
+                    builder.nonnegative(expression, RowOrigin::Lag { facet, node, after: slope == Slope::After });
+                }
             }
         }
         if let Some(most) = thrust.filter(|t| t.is_finite()) {

@@ -1,10 +1,12 @@
 //! Which wrench a motion asks for: by the paper's model about hover, or exactly.
 
 use super::hover_model::{self, WrenchMap, X, Y, YAW, YawState, Z};
+use super::lead::LeadState;
 use super::transcribe::NodeState;
 use crate::actuation::Wrench;
-use crate::flatness::{self, FlatState, INPUTS};
+use crate::flatness::{self, FlatState, INPUTS, LEAD_INPUTS, LeadFlatState};
 use crate::model::Vehicle;
+use nalgebra::{DMatrix, DVector};
 
 /// The model that a plan is made in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +22,22 @@ pub enum WrenchModel {
 /// Axis and derivative of each entry of a flat state.
 const FLAT: [(usize, usize); INPUTS] =
     [(X, 2), (Y, 2), (Z, 2), (X, 3), (Y, 3), (Z, 3), (X, 4), (Y, 4), (Z, 4), (YAW, 0), (YAW, 1), (YAW, 2)];
+
+/// Axis and derivative of each entry of a flat state with the slopes of the inputs.
+pub(super) const LEAD_FLAT: [(usize, usize); LEAD_INPUTS] = {
+    let mut all = [(YAW, 3); LEAD_INPUTS];
+    let mut i = 0;
+    while i < INPUTS {
+        all[i] = FLAT[i];
+        i += 1;
+    }
+    (all[INPUTS], all[INPUTS + 1], all[INPUTS + 2]) = ((X, 5), (Y, 5), (Z, 5));
+    all
+};
+
+fn lead_flat(state: &LeadState) -> LeadFlatState {
+    LeadFlatState::from_fn(|i, _| state[LEAD_FLAT[i].0][LEAD_FLAT[i].1])
+}
 
 /// Axis and derivative of each direction in which the wrench may curve.
 pub(super) const DIRECTIONS: [(usize, usize); INPUTS] = FLAT;
@@ -86,18 +104,75 @@ impl WrenchModel {
         if self != WrenchModel::Exact {
             return Vec::new();
         }
-        let scale = FlatState::from_fn(|i, _| match FLAT[i] {
-            (YAW, order) => tau.powi(-(order as i32)),
-            (_, order) => gravity * tau.powi(2 - order as i32),
-        });
         let hessian = flatness::curvature(vehicle, gravity, &flat(state), n);
-        let scaled = hessian.component_mul(&(scale * scale.transpose()));
-        if !scaled.iter().all(|v| v.is_finite()) {
+        let factors = upward(&FLAT, DMatrix::from_column_slice(INPUTS, INPUTS, hessian.as_slice()), gravity, tau);
+        factors.into_iter().map(|f| FlatState::from_column_slice(f.as_slice())).collect()
+    }
+
+    /// The lead wrench c = w + lag w' of rotors that lag by `lag` s, N and N m.
+    pub fn lead(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &LeadState) -> Wrench {
+        match self {
+            WrenchModel::Exact => flatness::lead(vehicle, gravity, lag, &lead_flat(state)),
+            _ => self.lead_linearised(vehicle, gravity, lag, state).at(state),
+        }
+    }
+
+    /// The lead wrench about a state, to first order, as in [`Self::linearised`].
+    pub fn lead_linearised(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &LeadState) -> WrenchMap {
+        match self {
+            WrenchModel::HoverAt(psi) => WrenchMap::leading_with_free_yaw(vehicle, gravity, psi, lag),
+            WrenchModel::HoverFollowing => {
+                let [psi, rate, acceleration, jerk, ..] = state[YAW];
+                let mut map = WrenchMap::leading(vehicle, gravity, YawState { psi, rate, acceleration }, jerk, lag);
+                map.constant[3] = 0.0;
+                let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
+                map.terms.extend([(YAW, 2, turn), (YAW, 3, lag * turn)]);
+                map
+            }
+            WrenchModel::Exact => {
+                let at = lead_flat(state);
+                let (lead, slope) = flatness::lead_and_jacobian(vehicle, gravity, lag, &at);
+                let columns = LEAD_FLAT.iter().zip(slope.column_iter());
+                let terms = columns.map(|(&(axis, order), c)| (axis, order, c.into_owned())).collect();
+                WrenchMap { constant: lead - slope * at, terms }
+            }
+        }
+    }
+
+    /// [`Self::curvature`] of n.c, over [`LEAD_FLAT`].
+    pub(super) fn lead_curvature(
+        self,
+        vehicle: &Vehicle,
+        gravity: f64,
+        lag: f64,
+        state: &LeadState,
+        n: &Wrench,
+        tau: f64,
+    ) -> Vec<LeadFlatState> {
+        if self != WrenchModel::Exact {
             return Vec::new();
         }
-        let eigen = scaled.symmetric_eigen();
-        let most = eigen.eigenvalues.amax();
-        let upward = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).filter(|(l, _)| **l > 1e-3 * most);
-        upward.map(|(l, v)| v.component_div(&scale) * l.sqrt()).collect()
+        let hessian = flatness::lead_curvature(vehicle, gravity, lag, &lead_flat(state), n);
+        let hessian = DMatrix::from_column_slice(LEAD_INPUTS, LEAD_INPUTS, hessian.as_slice());
+        let factors = upward(&LEAD_FLAT, hessian, gravity, tau);
+        factors.into_iter().map(|f| LeadFlatState::from_column_slice(f.as_slice())).collect()
     }
+}
+
+/// The positive part of a Hessian over derivatives (axis, order) as squares: eigenvectors times the roots of their
+/// eigenvalues, taken with accelerations in units of g and time in units of `tau`, s.
+fn upward(inputs: &[(usize, usize)], hessian: DMatrix<f64>, gravity: f64, tau: f64) -> Vec<DVector<f64>> {
+    let unit = |&(axis, order): &(usize, usize)| match axis {
+        YAW => tau.powi(-(order as i32)),
+        _ => gravity * tau.powi(2 - order as i32),
+    };
+    let scale = DVector::from_iterator(inputs.len(), inputs.iter().map(unit));
+    let scaled = hessian.component_mul(&(&scale * scale.transpose()));
+    if !scaled.iter().all(|v| v.is_finite()) {
+        return Vec::new();
+    }
+    let eigen = scaled.symmetric_eigen();
+    let most = eigen.eigenvalues.amax();
+    let upward = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).filter(|(l, _)| **l > 1e-3 * most);
+    upward.map(|(l, v)| v.component_div(&scale) * l.sqrt()).collect()
 }

@@ -19,6 +19,8 @@ pub struct Record {
     /// `hover` or `exact`: what the plans take for the wrench of their motion.
     pub model: &'static str,
     pub reserve: f64,
+    /// With which the plans take thrusts to follow their commands; `None` where these follow at once.
+    pub thrust_time_constant_s: Option<f64>,
     pub planners: Vec<PlannerRecord>,
     /// Why `mavc plan` has no plan, where it could tell.
     pub conflict: Option<ConflictRecord>,
@@ -181,6 +183,7 @@ impl Record {
             spec_sha256,
             model: model.plan.model.name(),
             reserve: model.plan.reserve,
+            thrust_time_constant_s: model.thrust_lag(),
             planners,
             conflict: None,
             rounds: None,
@@ -214,6 +217,7 @@ impl Record {
             spec_sha256,
             model: model.plan.model.name(),
             reserve: model.plan.reserve,
+            thrust_time_constant_s: model.thrust_lag(),
             planners: vec![planner],
             conflict: None,
             rounds: None,

@@ -39,6 +39,10 @@ fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     if model.vehicle.is_uncertain() {
         out.push_str("The sets hold for every value of the spec's intervals\n");
     }
+    if let Some(tau) = model.thrust_lag() {
+        let milliseconds = significant(1e3 * tau, 3);
+        out.push_str(&format!("Rotors lag: thrusts are taken to follow their commands in {milliseconds} ms\n"));
+    }
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
         out.push_str("Yaw changes: it was planned first, alone; what is infeasible is so for that yaw motion\n");
     }

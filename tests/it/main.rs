@@ -13,6 +13,7 @@ mod geometry_properties;
 mod hostile;
 mod idle_rotors;
 mod intervals;
+mod lag;
 mod model;
 mod parallel_rows;
 mod planning;

@@ -333,7 +333,7 @@ fn the_table_has_what_an_exact_wrench_depends_on() {
     let healthy = AdmissibleSet::healthy(&model);
     let set = PlanningSet::of(&[&healthy], &healthy);
     let mut engine = Engine::new(&model, &mission, &healthy);
-    let Decision::Feasible(planned) = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(26.0, None) else {
+    let Decision::Feasible(planned) = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(26.0, &[]) else {
         panic!("no plan")
     };
     let rows = table(&render(&Trajectory::of(&planned), &model, None));

@@ -43,6 +43,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
         plan: Plan {
             planner: PlannerKind::Rsp,
             model: PlanModel::Hover,
+            rotors: PlanRotors::Instant,
             chooses_times: false,
             against: Vec::new(),
             time: MissionTime::Minimum,
@@ -55,6 +56,7 @@ pub fn ring_model(layout: &str, mass: f64, inertia: [f64; 3], b: f64, d: f64, ma
             time_span: span,
             samples_span: span,
             reserve_span: span,
+            rotors_span: span,
             rounds: 1,
             require_risk: None,
             after_fault: AfterFault::Continue,

@@ -69,7 +69,9 @@ impl Successive<'_, '_> {
         let form = self.transcription(&motion.profile, &[]);
         let inside = |factor: f64| {
             let slow = motion.slower(factor);
+            let leads_inside = |node: usize| self.lead_excess_at(&slow, node * PARTS) <= 0.0;
             slow.states.iter().enumerate().all(|(node, s)| self.excess_at(&form, s, node * PARTS) <= 0.0)
+                && (0..slow.states.len()).all(leads_inside)
         };
         let (mut low, mut high) = (0.0, 1.0);
         while !inside(high) {
@@ -155,7 +157,7 @@ impl Successive<'_, '_> {
         }
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
-        self.multipliers.clear();
+        self.forget_multipliers();
         self.restore_slower(&motion.on(&fine.flown()), &mut BTreeSet::new())
     }
 

@@ -36,7 +36,7 @@ const LEAST_SHARE: f64 = 0.05;
 /// What may be passed between the instants, in widths of the healthy set or shares of a limit; on a grid so much finer; by
 /// what factor of it rows keep more free; and how often that is tried.
 const BETWEEN: f64 = 1e-4;
-const FINER: usize = 4;
+pub(super) const FINER: usize = 4;
 const BENT: f64 = 1.5;
 const MOST_BENDS: usize = 8;
 
@@ -88,7 +88,7 @@ impl Successive<'_, '_> {
         let mut trust = Trust { proximity: RESTORING };
         let mut excess = self.excess_by(&motion, pool);
         let mut history = Vec::new();
-        self.multipliers.clear();
+        self.forget_multipliers();
         while excess > 0.0 {
             history.push(excess);
             let stuck =
@@ -195,15 +195,20 @@ impl Successive<'_, '_> {
         let mut motion = self.settle(motion, care, pool);
         for _ in 0..MOST_BENDS {
             let over = self.between_instants(&motion);
-            if over.is_empty() {
+            let leads_over = self.leads_between_instants(&motion);
+            if over.is_empty() && leads_over.iter().all(|excess| *excess <= BETWEEN) {
                 return Some(motion);
             }
             for (at, excess) in over {
-                let place = self.place(at.row);
+                let Some(place) = self.place(at.row) else { continue };
                 for instant in [at.instant, at.instant + 1] {
                     *self.bends.entry(instant).or_default().entry(place).or_default() += BENT * excess;
                     pool.insert(RowAt { instant, ..at });
                 }
+            }
+            let lead_bends = self.lag.iter_mut().flat_map(|lag| &mut lag.bends);
+            for (bend, excess) in lead_bends.zip(&leads_over) {
+                *bend += BENT * excess.max(0.0);
             }
             motion = self.restore(motion, pool)?;
         }
@@ -245,6 +250,7 @@ impl Successive<'_, '_> {
                 Row::Facet(facet) => self.excess_of_row(facet, &self.wrench_at(&state)),
                 Row::Limit(limit) => form.excess_of(&self.engine.mission.limits[limit], &state, 0.0),
                 Row::Upright => form.excess_upright(&state),
+                Row::Lead { facet, slope } => self.lead_excess_of(motion, facet, (r.instant, slope)),
             };
             excess > -NEAR
         });

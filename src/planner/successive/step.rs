@@ -6,11 +6,13 @@
 //! 1 + 4 epsilon: rows times that factor hold the snap, whose torques bind first, without any error.
 
 use super::super::hover_model::{X, Y, YAW, Z};
+use super::super::lead::Slope;
 use super::super::limits::Widening;
 use super::super::select::SetRow;
 use super::super::transcribe::{NodeState, Row, RowAt, Transcription};
 use super::super::wrench_model::DIRECTIONS;
 use super::BACK_OFF;
+use super::lead::LeadLines;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
 use crate::qp::build::{Affine, Builder};
@@ -51,10 +53,12 @@ pub struct Step<'s> {
     pub back_off: &'s [f64],
     /// What each chosen row keeps free beyond that.
     pub bends: &'s [f64],
+    /// Where rotors lag.
+    pub leads: Option<&'s LeadLines>,
 }
 
 /// The highest derivative that the wrench depends on.
-const ORDER_OF_TIME: f64 = 4.0;
+pub const ORDER_OF_TIME: f64 = 4.0;
 
 /// The relative change of a duration that a value of its variable stands for.
 pub fn change(epsilon: f64) -> f64 {
@@ -80,19 +84,19 @@ impl Step<'_> {
 
 impl Transcription<'_> {
     /// The leg that an instant belongs to; at a waypoint the one that ends there.
-    fn leg_of(&self, instant: usize) -> usize {
+    pub(super) fn leg_of(&self, instant: usize) -> usize {
         let interval = instant.saturating_sub(1) / self.parts;
         let after = self.profile.segments.partition_point(|s| s.first_node <= interval);
         self.profile.segments[after - 1].from
     }
 
     /// The change of the duration of an instant's leg.
-    fn stretch(&self, step: &Step, leg: usize) -> Affine {
+    pub(super) fn stretch(&self, step: &Step, leg: usize) -> Affine {
         step.legs[leg].map_or(Affine::default(), |i| Affine::term(self.variables() + 1 + i, 1.0))
     }
 
     /// The program of one step, with the rows `chosen`; the set's equality rows always stand, at nodes. Also the row of
-    /// the program that each facet in `chosen` became.
+    /// the program that each facet in `chosen` became, for the wrench or the lead wrench.
     pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
         let sigma = self.variables();
         let excess = Affine::term(sigma, 1.0);
@@ -124,7 +128,7 @@ impl Transcription<'_> {
         };
         let mut places = Vec::with_capacity(chosen.len());
         for (&RowAt { row, instant }, &bend) in chosen.iter().zip(step.bends) {
-            places.push(matches!(row, Row::Facet(_)).then(|| builder.inequalities()));
+            places.push(matches!(row, Row::Facet(_) | Row::Lead { .. }).then(|| builder.inequalities()));
             match row {
                 Row::Facet(facet) => {
                     let free = step.back_off[facet] + bend;
@@ -136,6 +140,13 @@ impl Transcription<'_> {
                     self.limit(&mut builder, limit, instant, &widening(instant, bend));
                 }
                 Row::Upright => self.upright(&mut builder, instant, &widening(instant, bend)),
+                Row::Lead { facet, slope } => {
+                    // Where no such interval is, a row that says nothing keeps the places in step.
+                    let mut expression = self.lead_row(step, facet, (instant, slope)).unwrap_or_default();
+                    expression.add(&excess, 1.0);
+                    let node = instant / self.parts;
+                    builder.nonnegative(expression, RowOrigin::Lag { facet, node, after: slope == Slope::After });
+                }
             }
         }
         self.durations(&mut builder, step);
@@ -155,7 +166,7 @@ impl Transcription<'_> {
 
     /// What derivatives on the later side of a waypoint have more than on the earlier: both legs share the motion in
     /// the new time, `D (1 - m delta) = D' (1 - m delta')` to first order.
-    fn bend(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
+    pub(super) fn bend(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
         if node == 0 || order == 0 {
             return Affine::default();
         }
@@ -211,6 +222,9 @@ impl Transcription<'_> {
             };
             let changes: Vec<Affine> = factors.iter().map(change).collect();
             builder.squares(&changes, 0.5);
+        }
+        if let Some(leads) = step.leads {
+            self.curve_leads(builder, leads);
         }
         for (node, from) in step.from.iter().enumerate() {
             let around = 0.5 * (steps[node] + if node > 0 { steps[node - 1] } else { 0.0 });

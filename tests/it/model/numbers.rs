@@ -176,6 +176,7 @@ fn defaults_are_listed() {
             "plan.timing",
             "plan.planner",
             "plan.model",
+            "plan.rotors",
             "plan.against",
             "plan.time",
             "plan.samples",

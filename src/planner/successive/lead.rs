@@ -1,0 +1,188 @@
+//! Rotors that lag, in the steps: the planning set's facets for the lead wrench c = w + tau w'. It jumps where the inputs bend,
+//! so at a node rows stand on both its sides. Equalities of a flat set are not repeated: where w stays in a plane, w' does.
+
+use super::super::lead::{LeadAt, LeadState, Slope, interval_of, with_slopes};
+use super::super::wrench_model::LEAD_FLAT;
+use super::sequence::FINER;
+use super::step::{ORDER_OF_TIME, Step};
+use super::*;
+use crate::flatness::LeadFlatState;
+use crate::qp::build::{Affine, Builder};
+
+/// What steps know of rotors that lag.
+pub(super) struct Lag {
+    /// s
+    tau: f64,
+    /// What each row of the set keeps free for the lead wrench beyond its back-off, because that bends between the instants.
+    pub bends: Vec<f64>,
+    /// Of the last program: the sum of multiplier times normal of the rows on the lead wrench, where they stand.
+    pub multipliers: BTreeMap<LeadAt, Wrench>,
+}
+
+impl Lag {
+    pub fn new(tau: f64, set: &PlanningSet) -> Self {
+        Lag { tau, bends: vec![0.0; set.rows.len()], multipliers: BTreeMap::new() }
+    }
+}
+
+/// The lead wrench about a motion, to first order.
+struct LeadLine {
+    map: WrenchMap,
+    wrench: Wrench,
+    /// Change per relative change of time.
+    stretch: Wrench,
+}
+
+/// What one step needs of the lead wrench.
+pub(super) struct LeadLines {
+    lines: BTreeMap<LeadAt, LeadLine>,
+    /// See [`Lag::bends`].
+    bends: Vec<f64>,
+    /// Curvature of the Lagrangian, as in [`Step::curvature`], over [`LEAD_FLAT`].
+    curvature: Vec<(LeadAt, LeadState, Vec<LeadFlatState>)>,
+}
+
+impl Successive<'_, '_> {
+    /// A state of a motion within an interval, with the slopes there.
+    fn sloped(&self, motion: &Motion, interval: usize, state: &NodeState) -> LeadState {
+        let times = &motion.profile.node_times;
+        let ends = [&motion.states[interval], &motion.states[interval + 1]];
+        with_slopes(state, ends, times[interval + 1] - times[interval], self.wrench.orders())
+    }
+
+    /// The derivatives of a motion where a lead wrench is taken; `None` where there is no such interval.
+    fn lead_state(&self, motion: &Motion, at: LeadAt) -> Option<LeadState> {
+        let interval = interval_of(at, PARTS, motion.profile.intervals())?;
+        Some(self.sloped(motion, interval, &motion.at(at.0)))
+    }
+
+    /// The excess of each row of the set for the lead wrench, with what it keeps free between instants.
+    fn lead_excesses<'s>(&'s self, lag: &'s Lag, state: &LeadState) -> impl Iterator<Item = f64> + 's {
+        let wrench = self.wrench.lead(&self.engine.model.vehicle, self.engine.model.gravity, lag.tau, state);
+        self.set.rows.iter().zip(&lag.bends).enumerate().map(move |(facet, (row, bend))| match row.equality {
+            true => f64::NEG_INFINITY,
+            false => self.excess_of_row(facet, &wrench) + bend,
+        })
+    }
+
+    /// The largest excess of the lead wrench at an instant, on both its sides; below all others where no rotor lags.
+    pub(super) fn lead_excess_at(&self, motion: &Motion, instant: usize) -> f64 {
+        let Some(lag) = &self.lag else { return f64::NEG_INFINITY };
+        let sides = [Slope::Before, Slope::After].into_iter();
+        let states = sides.filter_map(|slope| self.lead_state(motion, (instant, slope)));
+        states.flat_map(|state| self.lead_excesses(lag, &state).collect::<Vec<_>>()).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The excess of one row on the lead wrench, as it stands.
+    pub(super) fn lead_excess_of(&self, motion: &Motion, facet: usize, at: LeadAt) -> f64 {
+        let Some((lag, state)) = self.lag.as_ref().zip(self.lead_state(motion, at)) else { return f64::NEG_INFINITY };
+        let Model { vehicle, gravity, .. } = self.engine.model;
+        self.excess_of_row(facet, &self.wrench.lead(vehicle, *gravity, lag.tau, &state))
+    }
+
+    /// Rows on the lead wrench with an excess over `threshold`, on both sides of a node.
+    pub(super) fn lead_rows_at_node(&self, motion: &Motion, node: usize, threshold: f64) -> Vec<RowAt> {
+        let Some(lag) = &self.lag else { return Vec::new() };
+        let instant = node * PARTS;
+        let mut found = Vec::new();
+        for slope in [Slope::Before, Slope::After] {
+            let Some(state) = self.lead_state(motion, (instant, slope)) else { continue };
+            let over = self.lead_excesses(lag, &state).enumerate().filter(|(_, e)| *e > threshold);
+            found.extend(over.map(|(facet, _)| RowAt { row: Row::Lead { facet, slope }, instant }));
+        }
+        found
+    }
+
+    /// Within an interval each row on the lead wrench that is passed, where it is passed most.
+    pub(super) fn lead_rows_between(&self, motion: &Motion, interval: usize) -> Vec<RowAt> {
+        let Some(lag) = &self.lag else { return Vec::new() };
+        let mut worst: Vec<(f64, usize)> = vec![(0.0, 0); self.set.rows.len()];
+        for instant in interval * PARTS + 1..(interval + 1) * PARTS {
+            let state = self.sloped(motion, interval, &motion.at(instant));
+            for (worst, excess) in worst.iter_mut().zip(self.lead_excesses(lag, &state)) {
+                if excess > worst.0 {
+                    *worst = (excess, instant);
+                }
+            }
+        }
+        let passed = worst.into_iter().enumerate().filter(|(_, w)| w.0 > 0.0);
+        let row = |facet| Row::Lead { facet, slope: Slope::After };
+        passed.map(|(facet, (_, instant))| RowAt { row: row(facet), instant }).collect()
+    }
+
+    /// The largest excess of each row for the lead wrench on a grid [`FINER`] times finer than the instants, as they stand.
+    pub(super) fn leads_between_instants(&self, motion: &Motion) -> Vec<f64> {
+        let Some(lag) = &self.lag else { return Vec::new() };
+        let mut worst = vec![f64::NEG_INFINITY; self.set.rows.len()];
+        let parts = PARTS * FINER;
+        for interval in 0..motion.profile.intervals() {
+            for part in 0..=parts {
+                let state = motion.inside(interval, part as f64 / parts as f64);
+                let excesses = self.lead_excesses(lag, &self.sloped(motion, interval, &state));
+                for ((worst, excess), bend) in worst.iter_mut().zip(excesses).zip(&lag.bends) {
+                    *worst = worst.max(excess - bend);
+                }
+            }
+        }
+        worst
+    }
+
+    /// The lead wrench about a motion where `pool` has rows on it; `None` where no rotor lags.
+    pub(super) fn lead_lines(&self, motion: &Motion, pool: &BTreeSet<RowAt>) -> Option<LeadLines> {
+        let lag = self.lag.as_ref()?;
+        let Model { vehicle, gravity, .. } = self.engine.model;
+        let mut lines = BTreeMap::new();
+        for &RowAt { row, instant } in pool {
+            let Row::Lead { slope, .. } = row else { continue };
+            let at = (instant, slope);
+            let Some(state) = self.lead_state(motion, at).filter(|_| !lines.contains_key(&at)) else { continue };
+            let map = self.wrench.lead_linearised(vehicle, *gravity, lag.tau, &state);
+            let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
+                let order: usize = order;
+                sum - c * (order as f64 * state[axis][order])
+            };
+            let stretch = map.terms.iter().fold(Wrench::zeros(), change);
+            lines.insert(at, LeadLine { wrench: map.at(&state), stretch, map });
+        }
+        let unit = self.transcription(&motion.profile, &[]).tau();
+        let curvature = lag.multipliers.iter().filter_map(|(&at, n)| {
+            let state = self.lead_state(motion, at)?;
+            Some((at, state, self.wrench.lead_curvature(vehicle, *gravity, lag.tau, &state, n, unit)))
+        });
+        Some(LeadLines { lines, bends: lag.bends.clone(), curvature: curvature.collect() })
+    }
+}
+
+impl Transcription<'_> {
+    /// (71) for the lead wrench, without sigma.
+    pub(super) fn lead_row(&self, step: &Step, facet: usize, at: LeadAt) -> Option<Affine> {
+        let leads = step.leads?;
+        let line = leads.lines.get(&at)?;
+        let row = &self.set.rows[facet];
+        let bend = |node: usize, axis: usize, order: usize| self.bend(step, node, axis, order);
+        let along = self.along_lead(&line.map, at, &row.normal, &bend)?;
+        let kept = step.back_off[facet] + leads.bends[facet];
+        let mut slack = along.times(-1.0).plus_constant(row.offset - kept);
+        let free = row.offset - row.normal.dot(&line.wrench);
+        let change = ORDER_OF_TIME * free - row.normal.dot(&line.stretch);
+        let interval = interval_of(at, self.parts, self.profile.intervals())?;
+        slack.add(&self.stretch(step, self.leg_of(interval * self.parts + 1)), change);
+        Some(slack)
+    }
+
+    /// Adds the curvature of the Lagrangian in the lead wrench to the objective.
+    pub(super) fn curve_leads(&self, builder: &mut Builder, leads: &LeadLines) {
+        let straight = |_, _, _| Affine::default();
+        for (at, from, factors) in &leads.curvature {
+            for factor in factors {
+                let mut change = Affine::default();
+                for (&(axis, order), weight) in LEAD_FLAT.iter().zip(factor.iter()).filter(|(_, w)| **w != 0.0) {
+                    let Some(now) = self.lead_derivative(*at, (axis, order), &straight) else { continue };
+                    change.add(&now.plus_constant(-from[axis][order]), *weight);
+                }
+                let change = change.merged();
+                builder.inner_product(&change, &change, 0.5);
+            }
+        }
+    }
+}

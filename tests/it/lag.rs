@@ -1,0 +1,64 @@
+//! Rotors that lag: what their rows mean, what motors make of plans that keep them, and what they cost.
+
+mod climb;
+mod motors;
+mod plans;
+mod spec;
+mod theory;
+
+use crate::vehicles::{mission, octocopter, waypoint};
+use mavc::model::{Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind};
+use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
+
+/// The model with rotors whose thrusts are planned to follow in `tau` s.
+fn lagging(mut model: Model, tau: f64) -> Model {
+    model.plan.rotors = PlanRotors::Lagging;
+    model.vehicle.rotors.iter_mut().for_each(|r| r.time_constant = Some(1.0));
+    let of_one_second = model.thrust_lag().unwrap();
+    model.vehicle.rotors.iter_mut().for_each(|r| r.time_constant = Some(tau / of_one_second));
+    model
+}
+
+/// There and back, a little upwards, without turning; at a time that is not easy.
+fn shuttle() -> Mission {
+    mission(vec![
+        waypoint([0.0, 0.0, 2.0], 0.3),
+        waypoint([4.0, 1.0, 4.0], 0.3),
+        waypoint([7.0, -2.0, 3.0], 0.3),
+        waypoint([3.0, 0.0, 2.0], 0.3),
+    ])
+}
+
+/// The same while the nose turns.
+fn turning() -> Mission {
+    let mut mission = shuttle();
+    for (w, yaw) in mission.waypoints.iter_mut().zip([0.0, 0.7, 1.3, 0.4]) {
+        w.yaw = yaw;
+    }
+    mission
+}
+
+fn planning(mission: Mission, model: PlanModel, time: MissionTime) -> Model {
+    let mut octo = octocopter("PPNNPPNN");
+    octo.mission = Some(mission);
+    octo.plan.model = model;
+    octo.plan.planner = PlannerKind::Rip;
+    octo.plan.time = time;
+    octo.plan.samples = 40;
+    octo
+}
+
+fn compared(model: &Model) -> Comparison {
+    compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
+}
+
+fn solved(comparison: &Comparison) -> &Solved {
+    match &comparison.runs.last().unwrap().ending {
+        Ending::Solved(solved) => solved,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn shortest(model: &Model) -> f64 {
+    solved(&compared(model)).time
+}
