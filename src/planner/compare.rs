@@ -279,17 +279,22 @@ impl<'a> Setting<'a> {
         };
         let against: &[String] = if kind == PlannerKind::Rip { &[] } else { &self.sets.names };
         let begun: Vec<&Planned> = begins.iter().collect();
+        let at = |time: f64| match begun.first() {
+            // Where nothing is selected RSP's plan is RIP's.
+            Some(&rip) if out.selected.is_empty() => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
+            _ => self.at(name, &set, time, Pool::default(), &begun),
+        };
         let (run, ending, effort) = match self.fixed_time() {
             Some(time) => {
-                let (decision, effort) = self.at(name, &set, time, Pool::default(), &begun);
+                let (decision, effort) = at(time);
                 (Run::Common, self.common(time, &decision), effort)
             }
             None => {
                 let hint = match out.common_time {
-                    Some(at) => {
-                        let (decision, effort) = self.at(name, &set, at, Pool::default(), &begun);
+                    Some(common) => {
+                        let (decision, effort) = at(common);
                         out.effort += effort;
-                        hint_from(at, decision)
+                        hint_from(common, decision)
                     }
                     None => Hint::default(),
                 };

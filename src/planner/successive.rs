@@ -338,7 +338,8 @@ impl<'e, 'a> Successive<'e, 'a> {
             let (vehicle, gravity) = (&self.engine.model.vehicle, self.engine.model.gravity);
             (instant, state, self.wrench.curvature(vehicle, gravity, &state, n, tau))
         };
-        self.multipliers.iter().map(at).collect()
+        // Where the wrench does not curve there is nothing to weigh, nor need its directions exist.
+        self.multipliers.iter().map(at).filter(|(_, _, factors)| !factors.is_empty()).collect()
     }
 
     fn forget_multipliers(&mut self) {

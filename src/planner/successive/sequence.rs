@@ -28,7 +28,11 @@ const HASTENED: f64 = 20.0;
 const SMOOTHING: f64 = 0.05;
 
 /// Weight of the excess against the relative cost, at first.
-const PENALTY: f64 = 2.0;
+const PENALTY: f64 = 6.0;
+
+/// Its growth where the cost tempts steps out of the set, and the most.
+const DEARER: f64 = 5.0;
+const MOST_PENALTY: f64 = 1e4;
 
 /// A step that keeps less than this share of itself is not worth a try.
 const LEAST_SHARE: f64 = 0.05;
@@ -135,8 +139,10 @@ impl Successive<'_, '_> {
             let Some(stepped) = self.step(&at, &durations, trust, weights, pool) else { break };
             // A sigma within the back-off is inside.
             let sigma = stepped.sigma - BACK_OFF;
-            if sigma > 0.0 {
-                weights.penalty *= 4.0;
+            // Lines that leave an excess were tempted by the cost: asked again, with less temptation.
+            if sigma > 0.0 && weights.penalty < MOST_PENALTY {
+                weights.penalty *= DEARER;
+                continue;
             }
             let penalty = weights.penalty;
             let merit = |cost: f64, excess: f64| cost / here + penalty * f64::max(excess, 0.0);
@@ -169,7 +175,7 @@ impl Successive<'_, '_> {
                 at = reached;
                 excess = self.excess_by(&at, pool);
             }
-            if expected < care.small || trust.exhausted() {
+            if expected < care.small && sigma <= 0.0 || trust.exhausted() {
                 break;
             }
         }
