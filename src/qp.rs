@@ -20,22 +20,30 @@ pub struct Sparse {
     pub nzval: Vec<f64>,
 }
 
+/// Entries in ascending order of their rows, those of one row in the order given.
+fn sorted_by_row(rows: usize, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
+    let mut next = vec![0usize; rows + 1];
+    for &(r, _, _) in entries {
+        next[r + 1] += 1;
+    }
+    for r in 0..rows {
+        next[r + 1] += next[r];
+    }
+    let mut sorted = vec![(0usize, 0usize, 0.0f64); entries.len()];
+    for &entry in entries {
+        sorted[next[entry.0]] = entry;
+        next[entry.0] += 1;
+    }
+    sorted
+}
+
 impl Sparse {
     /// From (row, column, value) entries in any order; entries at one place add up.
     pub fn from_entries(rows: usize, cols: usize, entries: &[(usize, usize, f64)]) -> Self {
-        // Counting sort by row, then by column: linear, and rows come out ascending in each column.
-        let mut by_row = vec![0usize; rows + 1];
-        for &(r, _, _) in entries {
-            by_row[r + 1] += 1;
-        }
-        for r in 0..rows {
-            by_row[r + 1] += by_row[r];
-        }
-        let mut order = vec![0usize; entries.len()];
-        for (i, &(r, _, _)) in entries.iter().enumerate() {
-            order[by_row[r]] = i;
-            by_row[r] += 1;
-        }
+        // Counting sort by row, where they are not in that order anyway, then by column: linear, and rows come out
+        // ascending in each column.
+        let by_row = if entries.is_sorted_by_key(|e| e.0) { None } else { Some(sorted_by_row(rows, entries)) };
+        let entries = by_row.as_deref().unwrap_or(entries);
         let mut start = vec![0usize; cols + 1];
         for &(_, c, _) in entries {
             start[c + 1] += 1;
@@ -45,8 +53,7 @@ impl Sparse {
         }
         let mut next = start.clone();
         let mut sorted = vec![(0usize, 0.0f64); entries.len()];
-        for i in order {
-            let (r, c, v) = entries[i];
+        for &(r, c, v) in entries {
             sorted[next[c]] = (r, v);
             next[c] += 1;
         }

@@ -43,7 +43,7 @@ pub use crate::trajectory::outside::PARTS;
 const NEAR: f64 = 0.1;
 
 /// Multipliers below this do not count.
-const NEGLIGIBLE: f64 = 1e-7;
+const NEGLIGIBLE: f64 = 1e-4;
 
 const ALL_AXES: [usize; 4] = [X, Y, Z, YAW];
 
