@@ -116,7 +116,7 @@ pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
 }
 
 /// A point of a program and its multipliers, good enough for a step of a sequence that measures what it reaches: rows hold
-/// to [`PRIMAL_TOLERANCE`], the objective to [`STEP_GAP`], and where the solver stops early its last point will do.
+/// to [`PRIMAL_TOLERANCE`], the objective to 1e-6, and where the solver stops early its last point will do.
 pub fn approach(program: &QuadraticProgram) -> (Option<Solution>, Effort) {
     let (raw, effort) = call(program, true, STEP_GAP);
     let Some(Raw { status, x, z }) = raw else { return (None, effort) };

@@ -23,7 +23,8 @@ use super::limits::place;
 use super::profile::Profile;
 use super::rows::{ACCEPTED, Engine};
 use super::select::PlanningSet;
-use super::transcribe::{NodeState, Row, RowAt, Transcription};
+use super::spline::NodeSpline;
+use super::transcribe::{NodeState, Row, RowAt, Transcription, splines};
 use super::wrench_model::WrenchModel;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
@@ -31,6 +32,7 @@ use crate::model::{Limit, Model};
 use crate::solve::{Outcome, Solution, approach, solve};
 use lead::Lag;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use step::{Objective, Step, change};
 
 /// Share of a facet's width that steps keep free, so that what the last one leaves curved ends inside.
@@ -115,6 +117,8 @@ pub struct Successive<'e, 'a> {
     settling: f64,
     /// Where rotors lag.
     lag: Option<Lag>,
+    /// Of the last step, with the times of the nodes.
+    splines: Option<(Vec<f64>, Arc<[NodeSpline; 2]>)>,
 }
 
 /// What one program gave.
@@ -154,6 +158,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             multipliers: BTreeMap::new(),
             settling: sequence::SETTLING,
             lag,
+            splines: None,
         }
     }
 
@@ -342,6 +347,18 @@ impl<'e, 'a> Successive<'e, 'a> {
         self.multipliers.iter().map(at).filter(|(_, _, factors)| !factors.is_empty()).collect()
     }
 
+    /// The splines of a profile: those of the last step where it had the same nodes.
+    fn splines(&mut self, profile: &Profile) -> Arc<[NodeSpline; 2]> {
+        match &self.splines {
+            Some((times, known)) if *times == profile.node_times => known.clone(),
+            _ => {
+                let new = splines(profile);
+                self.splines = Some((profile.node_times.clone(), new.clone()));
+                new
+            }
+        }
+    }
+
     fn forget_multipliers(&mut self) {
         self.multipliers.clear();
         self.lag.iter_mut().for_each(|lag| lag.multipliers.clear());
@@ -359,6 +376,9 @@ impl<'e, 'a> Successive<'e, 'a> {
     ) -> Option<Stepped> {
         pool.extend(self.rows_at_nodes(motion, -NEAR));
         pool.extend(self.places(&motion.profile));
+        // Splines cannot bend where legs change by different shares.
+        let together = legs.iter().all(|leg| *leg == legs[0]);
+        let known = together.then(|| self.splines(&motion.profile));
         let lines = self.lines(motion, pool);
         let curvature = self.curvature(motion);
         let chosen: Vec<RowAt> = pool.iter().copied().collect();
@@ -380,9 +400,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             leads: leads.as_ref(),
         };
         let stages = self.transcription(&motion.profile, &lines.maps);
-        // Splines cannot bend where legs change by different shares.
-        let together = legs.iter().all(|leg| *leg == legs[0]);
-        let splines = together.then(|| self.transcription(&motion.profile, &lines.maps).in_splines());
+        let splines = known.map(|known| self.transcription(&motion.profile, &lines.maps).in_these(known));
         let mut found = None;
         for form in splines.iter().chain([&stages]) {
             let (program, places) = form.step_program(&step, &chosen);

@@ -16,6 +16,7 @@ use crate::model::{Mission, Model};
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Derivatives of each axis at a node: `[axis][order]`, SI units.
 pub type NodeState = [[f64; 5]; 4];
@@ -86,7 +87,12 @@ enum Form {
     /// Scaled derivatives at every node.
     Stages,
     /// Spline coefficients, for quadruple and double integrators.
-    Splines([NodeSpline; 2]),
+    Splines(Arc<[NodeSpline; 2]>),
+}
+
+/// The splines of quadruple and of double integrators over a profile.
+pub(super) fn splines(profile: &Profile) -> Arc<[NodeSpline; 2]> {
+    Arc::new([4, 2].map(|order| NodeSpline::new(&profile.node_times, order)))
 }
 
 impl<'a> Transcription<'a> {
@@ -131,14 +137,20 @@ impl<'a> Transcription<'a> {
 
     /// The same program in spline coefficients.
     pub fn in_splines(self) -> Self {
-        let splines = [4, 2].map(|order| NodeSpline::new(&self.profile.node_times, order));
+        let splines = splines(self.profile);
+        self.in_these(splines)
+    }
+
+    /// The same program in the coefficients of splines made before ([`splines`]), of this profile.
+    pub(super) fn in_these(self, splines: Arc<[NodeSpline; 2]>) -> Self {
         Transcription { form: Form::Splines(splines), ..self }
     }
 
     /// The largest entry of the cost's matrix in spline coefficients, about: snap weights of coefficients that lie a
     /// few steps apart cancel, so a solver can only be as exact as this is small. Zero with stage variables.
     pub(super) fn stiffness(&self) -> f64 {
-        let Form::Splines([quadruple, _]) = &self.form else { return 0.0 };
+        let Form::Splines(splines) = &self.form else { return 0.0 };
+        let [quadruple, _] = &**splines;
         let step = self.profile.steps().fold(f64::INFINITY, f64::min);
         self.model.plan.snap_weight * step * quadruple.steepest().powi(2)
     }
@@ -192,7 +204,7 @@ impl<'a> Transcription<'a> {
         let times = &self.profile.node_times;
         let t = share * (times[interval + 1] - times[interval]);
         let r = self.orders[axis];
-        let mut sum = Affine::default();
+        let mut sum = Affine { terms: Vec::with_capacity(64), constant: 0.0 };
         let mut power = 1.0;
         for j in order..=r {
             sum.add(&self.at_node(interval, axis, j), power);

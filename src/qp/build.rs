@@ -76,7 +76,13 @@ pub struct Builder {
 
 impl Builder {
     pub fn new(variables: usize) -> Self {
-        Builder { variables, q: vec![0.0; variables], ..Builder::default() }
+        // Costs and curvature couple each variable with some dozens of others.
+        Builder {
+            variables,
+            hessian: Vec::with_capacity(64 * variables),
+            q: vec![0.0; variables],
+            ..Builder::default()
+        }
     }
 
     /// expression = 0
@@ -168,9 +174,10 @@ impl Builder {
             cones.push(Cone::Nonnegative(self.nonnegative.len()));
         }
         cones.extend(self.cones.iter().map(|c| Cone::SecondOrder(c.0.len())));
+        let terms: usize = self.equal.iter().chain(&self.nonnegative).map(|r| r.0.terms.len()).sum();
         let single = self.equal.into_iter().chain(self.nonnegative);
         let grouped = self.cones.into_iter().flat_map(|(rows, origin)| rows.into_iter().map(move |r| (r, origin)));
-        let mut entries = Vec::new();
+        let mut entries = Vec::with_capacity(terms);
         let mut b = Vec::with_capacity(rows);
         let mut row_origin = Vec::with_capacity(rows);
         for (row, (expression, origin)) in single.chain(grouped).enumerate() {

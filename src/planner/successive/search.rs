@@ -5,7 +5,7 @@ use super::super::rows::{Decision, Planned};
 use super::super::search::{GRID, NoTime, Shortest};
 use super::super::transcribe::Purpose;
 use super::relaxation::Verdict;
-use super::sequence::{CLOSELY, Care, NOT_AT_ALL, ROUGHLY};
+use super::sequence::{CLOSELY, CLOSER, Care, NOT_AT_ALL, ROUGHLY};
 use super::*;
 use crate::model::{Leg, Mission};
 
@@ -116,6 +116,7 @@ impl Successive<'_, '_> {
         pool: &mut BTreeSet<RowAt>,
     ) -> Motion {
         let mut step = first;
+        let mut settled = false;
         while step >= least && motion.profile.total > target {
             let factor = (1.0 - step).max(target / motion.profile.total);
             self.engine.progress(factor * motion.profile.total + self.held());
@@ -126,7 +127,15 @@ impl Successive<'_, '_> {
                     motion = self.settle(inside, ROUGHLY, pool);
                     step = (GROW * step).min(first);
                 }
-                None => step *= SHRINK,
+                None => {
+                    step *= SHRINK;
+                    // The nearer to the least cost, the further a motion can be hastened: tried once.
+                    if step < least && !settled {
+                        motion = self.settle(motion, CLOSER, pool);
+                        settled = true;
+                        step = SHRINK * first;
+                    }
+                }
             }
         }
         motion

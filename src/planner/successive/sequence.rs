@@ -56,6 +56,8 @@ pub(super) struct Care {
 pub(super) const NOT_AT_ALL: Care = Care { steps: 0, small: 0.0 };
 /// On the way to another time.
 pub(super) const ROUGHLY: Care = Care { steps: 2, small: 0.03 };
+/// Where the way to another time is hard.
+pub(super) const CLOSER: Care = Care { steps: 6, small: 0.01 };
 /// For a plan that is kept.
 pub(super) const CLOSELY: Care = Care { steps: 12, small: 2e-3 };
 impl Successive<'_, '_> {

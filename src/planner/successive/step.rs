@@ -17,6 +17,7 @@ use crate::actuation::Wrench;
 use crate::flatness::FlatState;
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
+use std::collections::BTreeMap;
 
 /// What a step seeks; all objectives are relative and of order one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,7 +83,34 @@ impl Step<'_> {
     }
 }
 
+/// The wrench at an instant in the program's variables, each once: many rows stand at one instant.
+struct WrenchExpression {
+    terms: Vec<(usize, Wrench)>,
+    constant: Wrench,
+}
+
+impl WrenchExpression {
+    fn along(&self, n: &Wrench) -> Affine {
+        let terms = self.terms.iter().map(|(variable, c)| (*variable, n.dot(c))).collect();
+        Affine { terms, constant: n.dot(&self.constant) }
+    }
+}
+
 impl Transcription<'_> {
+    fn wrench_expression(&self, instant: usize) -> WrenchExpression {
+        let map = &self.maps[instant];
+        let mut constant = map.constant;
+        let mut terms: BTreeMap<usize, Wrench> = BTreeMap::new();
+        for &(axis, order, c) in &map.terms {
+            let derivative = self.derivative(instant, axis, order);
+            constant += c * derivative.constant;
+            for (variable, coefficient) in derivative.terms {
+                *terms.entry(variable).or_insert_with(Wrench::zeros) += c * coefficient;
+            }
+        }
+        WrenchExpression { terms: terms.into_iter().collect(), constant }
+    }
+
     /// The leg that an instant belongs to; at a waypoint the one that ends there.
     pub(super) fn leg_of(&self, instant: usize) -> usize {
         let interval = instant.saturating_sub(1) / self.parts;
@@ -106,8 +134,10 @@ impl Transcription<'_> {
         self.waypoints(&mut builder, &Affine::constant(0.0));
         builder.nonnegative(excess.clone(), RowOrigin::Excess);
         // The row times (1 + delta)^4 = 1 + 4 epsilon: n.w (1 + 4 epsilon) <= e (1 + 4 epsilon).
-        let slack = |instant: usize, row: &SetRow| {
-            let mut slack = self.along(instant, &row.normal).times(-1.0).plus_constant(row.offset);
+        let mut expressions: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
+        let mut slack = |instant: usize, row: &SetRow| {
+            let wrench = expressions.entry(instant).or_insert_with(|| self.wrench_expression(instant));
+            let mut slack = wrench.along(&-row.normal).plus_constant(row.offset);
             let free = row.offset - row.normal.dot(&step.wrenches[instant]);
             let change = ORDER_OF_TIME * free - row.normal.dot(&step.stretches[instant]);
             slack.add(&self.stretch(step, self.leg_of(instant)), change);
