@@ -27,6 +27,9 @@ const LEAST_FINE: f64 = 0.0025;
 /// Where a motion found elsewhere cannot be restored at its own time, it is flown slower by these factors.
 const SLOWER: [f64; 10] = [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5];
 
+/// A motion of the coarse grid is worth more patience on the full one, as long as the lines leave no more excess than this.
+const NEARLY_THERE: f64 = 0.3;
+
 /// What is said where no plan is found and none is shown impossible.
 pub const NOT_FOUND: &str = "no plan found";
 
@@ -167,7 +170,18 @@ impl Successive<'_, '_> {
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
         self.forget_multipliers();
-        self.restore_slower(&motion.on(&fine.flown()), &mut BTreeSet::new())
+        let fine = fine.flown();
+        let same = motion.on(&fine);
+        if let Some(restored) = self.restore_unless(same.clone(), NEARLY_THERE, &mut BTreeSet::new()) {
+            return Some(restored);
+        }
+        if let Some(restored) = self.restore_slower(&same, &mut BTreeSet::new()) {
+            return Some(restored);
+        }
+        // Flown slower a motion near its limits need not come nearer to the set; a smooth one in the same shares of time does.
+        let smooth = self.smooth(&fine)?;
+        let timed = self.timed(&smooth)?;
+        self.restore_slower(&timed, &mut BTreeSet::new())
     }
 
     /// A first motion inside the set: made from other plans, the first that will do flown least slower, or from nothing for
