@@ -4,6 +4,7 @@ use super::plan::{limit_excess, model_of, motion};
 use super::{Bound, Scope};
 use crate::model::{Mission, Model};
 use crate::planner::compare::{PlannerRun, Solved};
+use crate::planner::lead::with_slopes;
 use crate::planner::select::{SetRow, VIOLATED};
 use crate::planner::transcribe::NodeState;
 use crate::report::caveats::limit_words;
@@ -27,12 +28,13 @@ const PAST: [f64; 2] = [1e-6, 1e-4];
 /// The rows of one kind, and how far they are shown to hold.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Between {
-    /// `wrench`: everything imposed on it; else what is limited, in words.
+    /// `wrench`: everything imposed on it; `commands`: the same on what lagging rotors are commanded; else what is limited, in
+    /// words.
     pub rows: &'static str,
     pub shown: Shown,
     /// Points of each interval, where a grid was looked at.
     pub points: Option<usize>,
-    /// No row is passed by more: a share of the healthy set's width for the wrench, the limit's SI unit for limits.
+    /// No row is passed by more: a share of the healthy set's width for the wrench and commands, the limit's SI unit for limits.
     pub excess: f64,
 }
 
@@ -48,7 +50,10 @@ pub enum Shown {
 /// The name of the rows on the wrench.
 pub const WRENCH: &str = "wrench";
 
-/// The wrench first, then each limit in the spec's order. With rows linear over each piece (the hover model with one yaw)
+/// The name of the rows on what lagging rotors are commanded.
+pub const COMMANDS: &str = "commands";
+
+/// The wrench first, then each limit in the spec's order, then the commands of lagging rotors. With rows linear over each piece (the hover model with one yaw)
 /// the nodes decide; all else is proved in intervals or looked at on a grid.
 pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> Vec<Between> {
     let trajectory = &solved.trajectory;
@@ -75,7 +80,23 @@ pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solv
         let bounds = PAST.map(|share| share * size);
         found.push(shown(&mut checker, limit_words(limit.kind).0, &family, &bounds, trajectory, excess));
     }
+    found.extend(model.thrust_lag().map(|tau| commands(model, rows, trajectory, tau)));
     found
+}
+
+/// The rows on the lead wrench w + tau w' of rotors that lag by `tau` s, both ends of each interval included.
+fn commands(model: &Model, rows: &[SetRow], trajectory: &Trajectory, tau: f64) -> Between {
+    let orders = trajectory.model.orders();
+    let at = |k: usize, i: usize| {
+        let h = trajectory.times[k + 1] - trajectory.times[k];
+        let state = trajectory.within(k, h * i as f64 / GRID as f64);
+        let sloped = with_slopes(&state, [&trajectory.nodes[k], &trajectory.nodes[k + 1]], h, orders);
+        let lead = trajectory.model.lead(&model.vehicle, model.gravity, tau, &sloped);
+        rows.iter().filter(|r| !r.equality).map(|row| row.excess(&lead)).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let looks = (0..trajectory.intervals()).flat_map(|k| (0..=GRID).map(move |i| (k, i)));
+    let excess = looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max);
+    Between { rows: COMMANDS, shown: Shown::Checked, points: Some(GRID), excess }
 }
 
 /// The first of the bounds that is proved, else what a grid shows.

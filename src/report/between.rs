@@ -3,13 +3,14 @@
 use super::caveats::limit_words;
 use super::number::{percent, significant};
 use super::terminal::WIDTH;
-use crate::certificate::between::{Between, GRID, Shown, WRENCH};
+use crate::certificate::between::{Between, COMMANDS, GRID, Shown, WRENCH};
 use crate::model::{Limit, LimitKind, Mission};
 use crate::planner::select::VIOLATED;
 
-/// Proved for every instant, or checked on a grid; `found` is of the wrench and of each limit in the mission's order.
+/// Proved for every instant, or checked on a grid; `found` is of the wrench, of each limit in the mission's order, and of what
+/// lagging rotors are commanded.
 pub fn between(mission: &Mission, found: &[Between]) -> String {
-    let limits = std::iter::once(None).chain(mission.limits.iter().map(Some));
+    let limits = std::iter::once(None).chain(mission.limits.iter().map(Some)).chain([None]);
     let named: Vec<(&Between, String)> =
         found.iter().zip(limits).map(|(b, limit)| (b, limit.map_or_else(|| wrench(b), |l| limited(b, l)))).collect();
     let heads = [
@@ -19,7 +20,7 @@ pub fn between(mission: &Mission, found: &[Between]) -> String {
     let mut out = String::new();
     for (shown, head) in heads {
         let (wrench, limits): (Vec<_>, Vec<_>) =
-            named.iter().filter(|(b, _)| b.shown == shown).partition(|(b, _)| b.rows == WRENCH);
+            named.iter().filter(|(b, _)| b.shown == shown).partition(|(b, _)| b.rows == WRENCH || b.rows == COMMANDS);
         let limits: Vec<&str> = limits.iter().map(|(_, words)| words.as_str()).collect();
         let limits = match limits[..] {
             [] => None,
@@ -36,9 +37,10 @@ pub fn between(mission: &Mission, found: &[Between]) -> String {
 }
 
 fn wrench(b: &Between) -> String {
+    let what = if b.rows == COMMANDS { "what the rotors are commanded" } else { "the wrench" };
     match b.excess > VIOLATED {
-        true => format!("the wrench passes a facet imposed by {} of its width", percent(b.excess)),
-        false => "the wrench keeps to every facet imposed".to_string(),
+        true => format!("{what} passes a facet imposed by {} of its width", percent(b.excess)),
+        false => format!("{what} keeps to every facet imposed"),
     }
 }
 
