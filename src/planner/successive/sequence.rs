@@ -38,8 +38,9 @@ const MOST_PENALTY: f64 = 1e4;
 const LEAST_SHARE: f64 = 0.05;
 
 /// What may be passed between the instants, in widths of the healthy set or shares of a limit; on a grid so much finer; by
-/// what factor of it rows keep more free; and how often that is tried.
-const BETWEEN: f64 = 1e-4;
+/// what factor of it rows keep more free; and how often that is tried. Half of what counts as a violation, for the grid has
+/// gaps as well.
+const BETWEEN: f64 = 5e-5;
 pub(super) const FINER: usize = 4;
 const BENT: f64 = 1.5;
 const MOST_BENDS: usize = 8;
