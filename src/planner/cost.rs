@@ -2,6 +2,7 @@
 
 use super::hover_model::{X, Y, YAW, Z};
 use super::transcribe::{NodeState, Transcription};
+use crate::model::{Mission, Waypoint};
 use crate::qp::build::Builder;
 
 /// Gauss and Legendre's points on 0..1 and their weights: exact for polynomials up to degree 7, and the square of an
@@ -72,6 +73,36 @@ impl Transcription<'_> {
             sum += w.weight * misses.map(|(axis, target)| (states[node][axis][0] - target).powi(2)).sum::<f64>();
         }
         sum
+    }
+
+    /// Where an end is free, squared accelerations over time, to go beside (48) in the search for a motion to begin from.
+    ///
+    /// (48) says little there: cubics of time cost nothing in x and y, and many of them meet a few waypoints. `w_s / tau^4`
+    /// times the integral of `x''^2 + y''^2`, tau the mean duration of a leg, weighs an acceleration like the snap that
+    /// builds it up within such a time, and prefers one.
+    pub(super) fn gentleness(&self, builder: &mut Builder) {
+        if self.free_ends().next().is_none() {
+            return;
+        }
+        let tau = self.profile.total / self.profile.segments.len() as f64;
+        let factor = self.model.plan.snap_weight / tau.powi(4);
+        for (k, step) in self.profile.steps().enumerate() {
+            for axis in [X, Y] {
+                for (share, weight) in GAUSS {
+                    let acceleration = self.inside(k, share, axis, 2).merged();
+                    builder.inner_product(&acceleration, &acceleration, factor * step * weight);
+                }
+            }
+        }
+    }
+
+    /// The first and the last node, where the mission neither rests nor is struck by a fault there.
+    pub(super) fn free_ends(&self) -> impl Iterator<Item = usize> {
+        let Mission { waypoints, start_at_rest, end_at_rest, .. } = self.mission;
+        let holds = |w: Option<&Waypoint>| w.is_some_and(|w| w.hold > 0.0);
+        let start = !start_at_rest && self.struck.is_none() && !holds(waypoints.first());
+        let end = !end_at_rest && !holds(waypoints.last());
+        start.then_some(0).into_iter().chain(end.then(|| self.nodes() - 1))
     }
 
     /// Whether z is a quadruple integrator that is planned here.

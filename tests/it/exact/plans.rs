@@ -37,6 +37,7 @@ fn past(kind: LimitKind, upper: f64, state: &NodeState, gravity: f64) -> f64 {
         LimitKind::Z => state[Z][0] - upper,
         LimitKind::Jerk => norm(state, &[X, Y, Z], 3) / upper - 1.0,
         LimitKind::Acceleration => norm(state, &[X, Y, Z], 2) / upper - 1.0,
+        LimitKind::AccelerationHorizontal => norm(state, &[X, Y], 2) / upper - 1.0,
         other => panic!("{other:?} is not checked here"),
     }
 }
@@ -247,6 +248,21 @@ fn free_ends_are_no_harder_than_rests() {
     for time in [5.0, 6.0] {
         planned(&planning(turning(), PlannerKind::Rip, &[], MissionTime::Fixed(time)));
         planned(&planning(moving(), PlannerKind::Rip, &[], MissionTime::Fixed(time)));
+    }
+}
+
+/// Between free ends a straight line at constant speed costs nothing and bends nothing.
+#[test]
+fn a_straight_line_is_found_between_free_ends() {
+    let ends = vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([4.0, 0.0, 2.0], 0.0)];
+    let straight = Mission { start_at_rest: false, end_at_rest: false, ..mission(ends) };
+    let tilt = limit(LimitKind::Tilt, 20f64.to_radians());
+    for bound in [tilt, limit(LimitKind::AccelerationHorizontal, 1.0)] {
+        let limits = vec![bound];
+        let model = planning(Mission { limits, ..straight.clone() }, PlannerKind::Rip, &[], MissionTime::Fixed(3.0));
+        let comparison = planned(&model);
+        let found = solved(last(&comparison));
+        assert!(found.objective < 1e-9, "{}", found.objective);
     }
 }
 
