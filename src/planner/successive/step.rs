@@ -256,6 +256,7 @@ impl Transcription<'_> {
         if let Some(leads) = step.leads {
             self.curve_leads(builder, leads);
         }
+        let free: Vec<usize> = self.free_ends().collect();
         for (node, from) in step.from.iter().enumerate() {
             let around = 0.5 * (steps[node] + if node > 0 { steps[node - 1] } else { 0.0 });
             let (sin, cos) = from[YAW][0].sin_cos();
@@ -270,6 +271,14 @@ impl Transcription<'_> {
                 near(axis, 2, acceleration);
             }
             near(YAW, 0, TURN);
+            // Values at all nodes leave a spline its slopes at the ends, and from there it may swing about between nodes.
+            if free.contains(&node) {
+                let beside = 2.0 * around;
+                for axis in [X, Y, Z] {
+                    near(axis, 3, acceleration / beside);
+                }
+                near(YAW, 1, TURN / beside);
+            }
         }
     }
 }

@@ -243,7 +243,6 @@ fn missions_may_begin_and_end_moving() {
 
 /// A plan from rest to rest is one of the mission that may begin and end as it likes.
 #[test]
-#[ignore = "none is found at 6 s, where there is one from rest to rest"]
 fn free_ends_are_no_harder_than_rests() {
     for time in [5.0, 6.0] {
         planned(&planning(turning(), PlannerKind::Rip, &[], MissionTime::Fixed(time)));
