@@ -9,8 +9,7 @@ use crate::admissible::diagnose::diagnose;
 use crate::certificate::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
-use crate::model::MAX_ROUNDS;
-use crate::model::{Mission, Model};
+use crate::model::{MAX_ROUNDS, Mission, MissionTime, Model};
 use crate::planner::compare::rounds;
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
@@ -114,7 +113,7 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     if !report.as_ref().is_some_and(Target::is_stdout) {
         files::print(&terminal::compare(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
         if let Some(rounds) = &rounds {
-            files::print(&terminal::rounds(&mission, &comparison, rounds))?;
+            files::print(&terminal::rounds(&mission, &comparison, rounds, model.plan.time == MissionTime::Minimum))?;
         }
     }
     if let Some(target) = &report {

@@ -331,7 +331,11 @@ fn warn_unused_modes(cx: &mut Context, modes: &Modes, looked_at: &[usize]) {
             n => format!("the plan looks at none of these {n} fault modes"),
         };
         let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not planned against");
-        cx.report(warning.help(format!("add it to `against`, as in `[{}]`, or take it out", mode.name)));
+        // What is chosen stays: a list of this mode alone would leave the others out.
+        let chosen = looked_at.iter().map(|&k| modes.modes[k].name.as_str());
+        let all: Vec<&str> = chosen.chain([mode.name.as_str()]).collect();
+        let (some, them) = if count == 1 { ("it", "it") } else { ("some", "them") };
+        cx.report(warning.help(format!("add {some} to `against`, as in `[{}]`, or take {them} out", all.join(", "))));
     }
 }
 

@@ -96,12 +96,13 @@ impl Transcription<'_> {
         }
     }
 
-    /// The first and the last node, where the mission neither rests nor is struck by a fault there.
+    /// The first and the last node, where the mission does not rest there; of a stop after a fault neither.
     pub(super) fn free_ends(&self) -> impl Iterator<Item = usize> {
         let Mission { waypoints, start_at_rest, end_at_rest, .. } = self.mission;
         let holds = |w: Option<&Waypoint>| w.is_some_and(|w| w.hold > 0.0);
-        let start = !start_at_rest && self.struck.is_none() && !holds(waypoints.first());
-        let end = !end_at_rest && !holds(waypoints.last());
+        let stops = self.struck.is_some();
+        let start = !stops && !start_at_rest && !holds(waypoints.first());
+        let end = !stops && !end_at_rest && !holds(waypoints.last());
         start.then_some(0).into_iter().chain(end.then(|| self.nodes() - 1))
     }
 

@@ -4,6 +4,7 @@ use super::super::limits::Widening;
 use super::super::profile::{determined, earliest, has_fixed_times, profile};
 use super::super::rows::{Decision, Planned};
 use super::super::search::{GRID, NoTime, Shortest};
+use super::super::transcribe::Purpose;
 use super::relaxation::Verdict;
 use super::sequence::{CLOSELY, CLOSER, Care, NOT_AT_ALL, ROUGHLY};
 use super::*;
@@ -79,7 +80,10 @@ impl Successive<'_, '_> {
     pub(super) fn smooth(&mut self, profile: &Profile) -> Option<Motion> {
         let form = self.transcription(profile, &[]);
         let places: Vec<RowAt> = self.places(profile).into_iter().collect();
-        let program = form.smooth_program(&places);
+        let program = match form.free_ends().next().is_some() {
+            true => form.smooth_program(&places),
+            false => form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY),
+        };
         let (outcome, effort) = solve(&program);
         self.engine.effort += effort;
         let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = outcome else {
