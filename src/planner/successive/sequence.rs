@@ -61,6 +61,7 @@ pub(super) const ROUGHLY: Care = Care { steps: 2, small: 0.03 };
 pub(super) const CLOSER: Care = Care { steps: 6, small: 0.01 };
 /// For a plan that is kept.
 pub(super) const CLOSELY: Care = Care { steps: 12, small: 2e-3 };
+
 impl Successive<'_, '_> {
     pub(super) fn durations_stand(&self) -> Durations {
         Durations { legs: vec![None; self.engine.mission.legs.len()], range: (0.0, 0.0) }
@@ -197,10 +198,17 @@ impl Successive<'_, '_> {
         best.1
     }
 
-    /// Settles, and looks between the instants: rows that are passed there by more than [`BETWEEN`] keep that much more free
-    /// at the instants beside from then on, and the motion is restored. `None` where that does not end.
+    /// Settles, and looks between the instants until no row is passed there by more than [`BETWEEN`]. `None` where that does
+    /// not end. What rows keep free for it is this motion's own: other times and other grids have instants of theirs.
     pub(super) fn settle_between(&mut self, motion: Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        let kept = self.bend_until_inside(motion, care, pool);
         self.bends.clear();
+        self.lag.iter_mut().for_each(|lag| lag.bends.fill(0.0));
+        kept
+    }
+
+    /// Rows that are passed between the instants keep that much more free at the instants beside, and the motion is restored.
+    fn bend_until_inside(&mut self, motion: Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
         let mut motion = self.settle(motion, care, pool);
         for _ in 0..MOST_BENDS {
             let over = self.between_instants(&motion);
