@@ -22,7 +22,7 @@ pub use search::NOT_FOUND;
 use super::hover_model::{WrenchMap, X, Y, YAW, Z};
 use super::limits::place;
 use super::profile::Profile;
-use super::rows::{ACCEPTED, Engine};
+use super::rows::{ACCEPTED, Engine, MOST_STIFFNESS};
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
 use super::transcribe::{NodeState, Row, RowAt, Transcription, splines};
@@ -239,7 +239,7 @@ impl<'e, 'a> Successive<'e, 'a> {
     ) -> Option<Stepped> {
         pool.extend(self.rows_at_nodes(motion, -NEAR));
         pool.extend(self.places(&motion.profile));
-        // Splines cannot bend where legs change by different shares.
+        // Splines cannot bend where legs change by different shares, and stiff ones leave the solver no digits.
         let together = legs.iter().all(|leg| *leg == legs[0]);
         let known = together.then(|| self.splines(&motion.profile));
         let lines = self.lines(motion, pool);
@@ -264,6 +264,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         };
         let stages = self.transcription(&motion.profile, &lines.maps);
         let splines = known.map(|known| self.transcription(&motion.profile, &lines.maps).in_these(known));
+        let splines = splines.filter(|form| form.stiffness() <= MOST_STIFFNESS);
         let mut found = None;
         for form in splines.iter().chain([&stages]) {
             let (program, places) = form.step_program(&step, &chosen);

@@ -210,12 +210,13 @@ impl Successive<'_, '_> {
         self.restore_slower(&timed, &mut BTreeSet::new())
     }
 
-    /// A first motion inside the set: made from other plans, the first that will do flown least slower, or from nothing for
-    /// the mission about as fast as `near` s of flight.
+    /// A first motion inside the set: made from other plans, or from nothing for the mission about as fast as `near` s of flight.
     fn first_of(&mut self, begins: &[&Planned], near: f64, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
-        if begins.is_empty() {
-            return self.first(near);
-        }
+        self.slowed(begins, pool).or_else(|| self.first(near))
+    }
+
+    /// A motion inside the set made from other plans, the first that will do flown least slower.
+    fn slowed(&mut self, begins: &[&Planned], pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
         let motions: Vec<Motion> = begins.iter().map(|planned| self.motion_of(planned)).collect();
         SLOWER.into_iter().find_map(|factor| motions.iter().find_map(|motion| self.restore_at(motion, factor, pool)))
     }
@@ -279,13 +280,20 @@ impl Successive<'_, '_> {
         if fixed {
             return None;
         }
-        let first = self.first_of(begins, flown, &mut pool)?;
+        let from_plans = self.slowed(begins, &mut pool).and_then(|first| self.brought_to(first, full.total));
+        from_plans.or_else(|| self.first(flown).and_then(|first| self.brought_to(first, full.total)))
+    }
+
+    /// The plan of least cost at a mission time about a motion inside the set at another.
+    fn brought_to(&mut self, first: Motion, total: f64) -> Option<Planned> {
+        let flown = total - self.held();
+        let mut pool = BTreeSet::new();
         let motion = match first.profile.total <= flown {
             true => self.restore(first.slower(flown / first.profile.total), &mut pool)?,
             false => self.descend(first, (FINE_STEP, LEAST_FINE), flown, &mut pool),
         };
         let there = (motion.profile.total - flown).abs() <= 1e-9 * flown;
-        there.then(|| self.kept(motion, full.total, CLOSELY, &mut pool)).flatten()
+        there.then(|| self.kept(motion, total, CLOSELY, &mut pool)).flatten()
     }
 
     /// A motion made to fit, and the plan of least cost about it.

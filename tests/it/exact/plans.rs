@@ -363,6 +363,30 @@ fn fewer_rows_do_not_make_a_plan_dearer() {
     assert!(rip.0 <= 1.01 * rsp.0 && rsp.0 <= 1.01 * rcp.0, "{rip:?} {rsp:?} {rcp:?}");
 }
 
+/// Few waypoints and many samples make stiff splines: a fine grid must still give what a coarse one gives, or better.
+#[test]
+fn fine_grids_are_no_dearer_than_coarse_ones() {
+    let hop = || {
+        let mut hop = mission(vec![
+            waypoint([0.0, 0.0, 1.0], 0.0),
+            waypoint([3.0, 2.0, 2.0], 0.0),
+            waypoint([6.0, 0.0, 1.0], 0.0),
+            waypoint([6.0, 4.0, 1.0], 0.0),
+        ]);
+        hop.waypoints[1..=2].iter_mut().for_each(|w| w.within = 0.2);
+        hop
+    };
+    let objective = |time: f64, samples: usize| {
+        let mut model = planning(hop(), PlannerKind::Rsp, &[0], MissionTime::Fixed(time));
+        model.plan.samples = samples;
+        solved(last(&super::compared(&model))).objective
+    };
+    for time in [3.6, 4.0, 4.5] {
+        let (coarse, fine) = (objective(time, 48), objective(time, 200));
+        assert!(fine <= 1.01 * coarse, "{fine} with 200 samples and {coarse} with 48 in {time} s");
+    }
+}
+
 /// Where steps begin should matter little for the cost at which they end.
 #[test]
 fn plans_cost_the_same_wherever_steps_begin() {
