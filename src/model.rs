@@ -254,6 +254,13 @@ pub struct Limit {
     pub span: Span,
 }
 
+impl Limit {
+    /// What an excess is measured against, in its SI unit: the larger bound, and 1 if that is more.
+    pub fn size(&self) -> f64 {
+        self.upper.unwrap_or(0.0).abs().max(self.lower.unwrap_or(0.0).abs()).max(1.0)
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlannerKind {
     /// Risk-insensitive: the healthy set.

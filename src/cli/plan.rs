@@ -42,13 +42,11 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         (target, certificate)
     });
     let begin = Instant::now();
-    let between = match comparison.runs.last() {
-        Some(run) => match &run.ending {
-            Ending::Solved(solved) => Some(between::between(&model, &mission, run, solved)),
-            _ => None,
-        },
-        None => None,
-    };
+    let plan = comparison.runs.last().and_then(|run| match &run.ending {
+        Ending::Solved(solved) => Some((run, solved)),
+        _ => None,
+    });
+    let between = plan.map(|(run, solved)| between::between(&model, &mission, run, solved));
     timing(options, "prove", begin);
     let begin = Instant::now();
     let mut results = Vec::new();
@@ -78,7 +76,9 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let stdout = !results.iter().any(|(target, _)| target.is_stdout());
     let color = if stdout { spec::colored(&std::io::stdout()) } else { spec::colored(&std::io::stderr()) };
     let mut text = terminal::plan(&model, &mission, &comparison, color);
-    text.push_str(&report::between::between(&mission, between.as_deref().unwrap_or_default()));
+    if let (Some((_, solved)), Some(found)) = (plan, &between) {
+        text.push_str(&report::between::between(&model, solved, found));
+    }
     let told = stdout;
     if told {
         files::print(&text)?;
