@@ -32,7 +32,7 @@ pub use flight::{
 pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
 pub use mission::MAX_WAYPOINTS;
-pub use overrides::{OVERRIDE, Override, parse_override};
+pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 

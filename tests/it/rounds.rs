@@ -64,7 +64,7 @@ fn rounds_side_by_side() {
     model.plan.time = MissionTime::Minimum;
     let mut comparison = run(&model, Scope::Everything);
     let at = comparison.common_time.unwrap();
-    let found = rounds(&model, &viviani(), &mut comparison, 0, 3);
+    let found = rounds(&model, &viviani(), &mut comparison, (0, 3), None);
     let solved = |ending: &Ending| match ending {
         Ending::Solved(s) => Some(s.clone()),
         _ => None,

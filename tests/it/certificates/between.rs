@@ -64,8 +64,8 @@ fn plans_say_what_is_proved() {
     let found = told(&model, &comparison);
     assert_true(&model, &comparison, &found);
     assert_eq!(found[0].shown, Shown::Proved);
-    let text = words::between(model.mission.as_ref().unwrap(), &found);
-    assert!(text.starts_with("\n  Proved for every instant: the wrench keeps to every facet imposed"), "{text}");
+    let text = words::between(&model, solved(&comparison), &found);
+    assert!(text.starts_with("\n  Proved for every instant: the linear model's wrench keeps to every facet imposed"), "{text}");
 
     let mut exact = hop(PlannerKind::Rip, 10.0);
     exact.plan.model = PlanModel::Exact;
@@ -91,6 +91,6 @@ fn what_does_not_hold_is_not_proved() {
     assert_true(&model, &comparison, &found);
     let passed: Vec<&str> = found.iter().filter(|b| b.shown == Shown::Checked).map(|b| b.rows).collect();
     assert!(passed.contains(&WRENCH) && passed.contains(&"speed"), "{found:?}");
-    let text = words::between(model.mission.as_ref().unwrap(), &found);
+    let text = words::between(&model, solved(&comparison), &found);
     assert!(text.contains("Checked on a grid of 64 points an interval") && text.contains("speed, passed by"), "{text}");
 }
