@@ -16,8 +16,12 @@ use crate::trajectory::risk::rated_risk;
 /// `color`: whether strips are coloured.
 pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
-    out.push_str(&format!("\n{}\n", own_title(model, mission, comparison)));
+    out.push_str(match determined(mission) {
+        Some(_) => "\nEach planner alone, at the only time that the mission's fixed times allow\n",
+        None => "\nEach planner alone, at the shortest time it was found to need\n",
+    });
     out.push_str(&run_table(mission, comparison, Run::Own).render(2));
+    out.push_str(&own_note(model, mission, comparison));
     out.push_str(&match comparison.common_time {
         Some(t) => format!("\nAll planners at T_d = {} s, {}\n", number(t), common_time(model, mission, comparison)),
         None if comparison.modes.is_empty() => "\nWithout fault modes there is no common time T_d.\n".into(),
@@ -83,24 +87,23 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
     }
 }
 
-/// Over the first table of `mavc compare`: what its times are, and with which facets RSP is planned.
-fn own_title(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
-    let times = match determined(mission) {
-        Some(_) => "Each planner alone, at the only time that the mission's fixed times allow",
-        None => "Each planner alone, at the shortest time it was found to need",
-    };
-    let Some(at) = comparison.common_time.map(number) else { return times.into() };
-    let asked = match model.plan.time {
+/// Under the first table: that its times were looked for beside the one that the spec fixes, and with which facets RSP's was.
+fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+    let Some(at) = comparison.common_time.map(number) else { return String::new() };
+    let beside = match model.plan.time {
         MissionTime::Fixed(_) if determined(mission).is_none() => {
-            format!(". The spec asks for {at} s, as in the next table; these times were looked for beside it")
+            Some(format!("The spec asks for {at} s; these times were looked for beside it, for comparison."))
         }
-        _ => String::new(),
+        _ => None,
     };
-    let selected = match comparison.modes.is_empty() {
-        true => String::new(),
-        false => format!(". RSP has the facets selected at T_d = {at} s here too"),
-    };
-    textwrap::fill(&format!("{times}{asked}{selected}"), WIDTH)
+    let selected = (!comparison.modes.is_empty())
+        .then(|| format!("RSP has the facets that are selected at T_d = {at} s, at its own time too."));
+    let text: Vec<String> = beside.into_iter().chain(selected).collect();
+    if text.is_empty() {
+        return String::new();
+    }
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    format!("{}\n", textwrap::fill(&text.join(" "), options))
 }
 
 /// Where T_d comes from.
