@@ -57,9 +57,10 @@ impl<'a> Checker<'a> {
         &self.dynamics
     }
 
-    /// So many evaluations from now on.
+    /// So many evaluations from now on, and as many sets as at first.
     pub fn allow(&mut self, evaluations: usize) {
         self.budget = Budget(evaluations);
+        self.triples = 0;
     }
 
     /// Evaluations that are left.
