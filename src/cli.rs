@@ -45,7 +45,7 @@ pub const LOST: u8 = 6;
 struct Cli {
     #[command(subcommand)]
     command: Command,
-    /// Print results and errors only: no progress, no notes
+    /// Keep results and errors only: no warnings or advice (but of `check`), no progress, no notes such as where a file went
     #[arg(long, global = true)]
     quiet: bool,
     /// Print what each stage took, on standard error

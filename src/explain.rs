@@ -6,6 +6,7 @@
 pub mod diagnose;
 mod filter;
 mod grid;
+mod instruction;
 pub mod oracle;
 pub mod planners;
 mod question;

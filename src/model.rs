@@ -32,7 +32,7 @@ pub use flight::{
 pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
 pub use mission::MAX_WAYPOINTS;
-pub use overrides::{OVERRIDE, Override, parse_override};
+pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 
@@ -252,6 +252,13 @@ pub struct Limit {
     pub lower: Option<f64>,
     pub upper: Option<f64>,
     pub span: Span,
+}
+
+impl Limit {
+    /// What an excess is measured against, in its SI unit: the larger bound, and 1 if that is more.
+    pub fn size(&self) -> f64 {
+        self.upper.unwrap_or(0.0).abs().max(self.lower.unwrap_or(0.0).abs()).max(1.0)
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,6 +5,7 @@ pub mod between;
 pub mod campaign_record;
 pub mod campaign_text;
 pub mod caveats;
+pub mod comparison_text;
 pub mod conflict_record;
 pub mod flight;
 pub mod heat;

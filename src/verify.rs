@@ -127,6 +127,8 @@ fn faults_may_add(model: &Model) -> bool {
 pub struct Verdict {
     /// Every claim, in order.
     pub shown: Vec<Shown>,
+    /// The modes that the spec's plan is against and of which a plan's certificate claims nothing.
+    pub unclaimed: Vec<String>,
 }
 
 /// Reads a certificate and decides it for a checked spec with the given hash.
@@ -174,12 +176,12 @@ pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejec
     }
     match &certificate.claim {
         Claim::Plan(claim) => {
-            let shown = Checker::new(model, mission, certificate.model, &claim.motion)?.decide(claim)?;
-            Ok(Verdict { shown })
+            let mut checker = Checker::new(model, mission, certificate.model, &claim.motion)?;
+            Ok(Verdict { shown: checker.decide(claim)?, unclaimed: checker.unclaimed(claim) })
         }
         Claim::Infeasible(claim) => {
             let shown = infeasible::decide(model, mission, certificate.model, claim)?;
-            Ok(Verdict { shown })
+            Ok(Verdict { shown, unclaimed: Vec::new() })
         }
     }
 }

@@ -2,28 +2,35 @@
 
 use super::plan::{limit_excess, model_of, motion};
 use super::{Bound, Scope};
-use crate::model::{Mission, Model};
+use crate::model::{Limit, Mission, Model};
 use crate::planner::compare::{PlannerRun, Solved};
 use crate::planner::lead::with_slopes;
-use crate::planner::select::{SetRow, VIOLATED};
+use crate::planner::select::SetRow;
 use crate::planner::transcribe::NodeState;
 use crate::report::caveats::limit_words;
 use crate::trajectory::Trajectory;
 use crate::verify::interval::Interval;
 use crate::verify::limits;
-use crate::verify::plan::{Checker, wrench_family};
-use crate::verify::proof::Family;
+use crate::verify::plan::{Checker, MOST_OUTSIDE, MOST_PAST_LIMIT, wrench_family};
 use crate::verify::sets::Plane;
 use serde::Serialize;
 
-/// Points of each interval where nothing is proved: those on which plans of the exact model are settled.
+/// Points of each interval, one of its ends included, where nothing is proved: those on which plans of the exact model are
+/// settled.
 pub const GRID: usize = 64;
 
 /// Evaluations of single rows that one proof may take: a small part of what planning takes.
 const EVALUATIONS: usize = 3_000_000;
 
-/// By how much a limit may be passed, in shares of itself or in its SI unit if that is more: tried in turn.
-const PAST: [f64; 2] = [1e-6, 1e-4];
+/// The same for each row and piece, where that is more.
+const EVALUATIONS_EACH: usize = 20;
+
+/// By how much a limit may be passed, in shares of itself or in its SI unit if that is more: tried in turn. Up to the
+/// second it counts as kept.
+const PAST: [f64; 3] = [1e-6, MOST_PAST_LIMIT, MOST_CLAIMED_PAST];
+
+/// The most that is claimed of a limit passed, in the same shares.
+pub(super) const MOST_CLAIMED_PAST: f64 = 1e-4;
 
 /// The rows of one kind, and how far they are shown to hold.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -34,6 +41,10 @@ pub struct Between {
     pub shown: Shown,
     /// Points of each interval, where a grid was looked at.
     pub points: Option<usize>,
+    /// Of so many rows, for the wrench and commands the facets imposed; 1 for a limit.
+    pub imposed: usize,
+    /// So many are proved.
+    pub proved: usize,
     /// No row is passed by more: a share of the healthy set's width for the wrench and commands, the limit's SI unit for limits.
     pub excess: f64,
 }
@@ -41,9 +52,9 @@ pub struct Between {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Shown {
-    /// For every instant.
+    /// All of them for every instant.
     Proved,
-    /// On a grid.
+    /// On a grid, where not all are proved.
     Checked,
 }
 
@@ -53,8 +64,9 @@ pub const WRENCH: &str = "wrench";
 /// The name of the rows on what lagging rotors are commanded.
 pub const COMMANDS: &str = "commands";
 
-/// The wrench first, then each limit in the spec's order, then the commands of lagging rotors. With rows linear over each piece (the hover model with one yaw)
-/// the nodes decide; all else is proved in intervals or looked at on a grid.
+/// The wrench first, then each limit in the spec's order, then the commands of lagging rotors. With rows linear over each
+/// piece (the hover model with one yaw) the nodes decide; all else is proved in intervals or looked at on a grid. The rows
+/// count as kept within what `mavc verify` accepts, so that both say the same.
 pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> Vec<Between> {
     let trajectory = &solved.trajectory;
     let kind = model_of(trajectory);
@@ -72,55 +84,59 @@ pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solv
         rows.iter().map(|row| row.excess(&wrench)).fold(f64::NEG_INFINITY, f64::max)
     };
     let family = wrench_family(checker.dynamics(), &planes);
-    let mut found = vec![shown(&mut checker, WRENCH, &family, &[VIOLATED], trajectory, excess)];
-    for limit in &mission.limits {
-        let size = limit.upper.unwrap_or(0.0).abs().max(limit.lower.unwrap_or(0.0).abs()).max(1.0);
-        let family = limits::family(limit, model.gravity);
-        let excess = |state: &NodeState| limit_excess(limit, state, model.gravity);
-        let bounds = PAST.map(|share| share * size);
-        found.push(shown(&mut checker, limit_words(limit.kind).0, &family, &bounds, trajectory, excess));
-    }
+    let enough = EVALUATIONS.max(EVALUATIONS_EACH * planes.len() * trajectory.intervals());
+    checker.allow(enough);
+    let proved = checker.kept(&family, &Bound { scope: Scope::EveryInstant, excess: MOST_OUTSIDE }).len();
+    let wrench = match proved == planes.len() {
+        true => (Shown::Proved, None, MOST_OUTSIDE),
+        false => (Shown::Checked, Some(GRID), seen(trajectory, excess)),
+    };
+    let (shown, points, excess) = wrench;
+    let mut found = vec![Between { rows: WRENCH, shown, points, imposed: planes.len(), proved, excess }];
+    found.extend(mission.limits.iter().map(|limit| kept_limit(&mut checker, limit, trajectory, model.gravity)));
     found.extend(model.thrust_lag().map(|tau| commands(model, rows, trajectory, tau)));
     found
 }
 
-/// The rows on the lead wrench w + tau w' of rotors that lag by `tau` s, both ends of each interval included.
-fn commands(model: &Model, rows: &[SetRow], trajectory: &Trajectory, tau: f64) -> Between {
-    let orders = trajectory.model.orders();
-    let at = |k: usize, i: usize| {
-        let h = trajectory.times[k + 1] - trajectory.times[k];
-        let state = trajectory.within(k, h * i as f64 / GRID as f64);
-        let sloped = with_slopes(&state, [&trajectory.nodes[k], &trajectory.nodes[k + 1]], h, orders);
-        let lead = trajectory.model.lead(&model.vehicle, model.gravity, tau, &sloped);
-        rows.iter().filter(|r| !r.equality).map(|row| row.excess(&lead)).fold(f64::NEG_INFINITY, f64::max)
-    };
-    let looks = (0..trajectory.intervals()).flat_map(|k| (0..=GRID).map(move |i| (k, i)));
-    let excess = looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max);
-    Between { rows: COMMANDS, shown: Shown::Checked, points: Some(GRID), excess }
+/// Of the bounds that may be claimed the first that is proved, else what a grid shows.
+fn kept_limit(checker: &mut Checker, limit: &Limit, trajectory: &Trajectory, gravity: f64) -> Between {
+    let rows = limit_words(limit.kind).0;
+    let family = limits::family(limit, gravity);
+    let seen = seen(trajectory, |state| limit_excess(limit, state, gravity));
+    // What is seen to be false is not tried.
+    let proved = PAST.map(|share| share * limit.size()).into_iter().filter(|bound| seen <= *bound).find(|&excess| {
+        checker.allow(EVALUATIONS);
+        checker.keeps(&family, &Bound { scope: Scope::EveryInstant, excess })
+    });
+    match proved {
+        Some(excess) => Between { rows, shown: Shown::Proved, points: None, imposed: 1, proved: 1, excess },
+        None => Between { rows, shown: Shown::Checked, points: Some(GRID), imposed: 1, proved: 0, excess: seen },
+    }
 }
 
-/// The first of the bounds that is proved, else what a grid shows.
-fn shown(
-    checker: &mut Checker,
-    rows: &'static str,
-    family: &Family,
-    bounds: &[f64],
-    trajectory: &Trajectory,
-    excess: impl Fn(&NodeState) -> f64,
-) -> Between {
+/// The largest value on the grid, both ends of each interval included.
+fn seen(trajectory: &Trajectory, excess: impl Fn(&NodeState) -> f64) -> f64 {
     let at = |k: usize, i: usize| {
         let h = trajectory.times[k + 1] - trajectory.times[k];
         excess(&trajectory.within(k, h * i as f64 / GRID as f64))
     };
     let looks = (0..trajectory.intervals()).flat_map(|k| (0..=GRID).map(move |i| (k, i)));
-    let seen = looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max);
-    // What is seen to be false is not tried.
-    let proved = bounds.iter().filter(|bound| seen <= **bound).find(|&&excess| {
-        checker.allow(EVALUATIONS);
-        checker.keeps(family, &Bound { scope: Scope::EveryInstant, excess })
-    });
-    match proved {
-        Some(&excess) => Between { rows, shown: Shown::Proved, points: None, excess },
-        None => Between { rows, shown: Shown::Checked, points: Some(GRID), excess: seen },
-    }
+    looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The rows on the lead wrench w + tau w' of rotors that lag by `tau` s, both ends of each interval included.
+fn commands(model: &Model, rows: &[SetRow], trajectory: &Trajectory, tau: f64) -> Between {
+    let orders = trajectory.model.orders();
+    let commanded = || rows.iter().filter(|r| !r.equality);
+    let at = |k: usize, i: usize| {
+        let h = trajectory.times[k + 1] - trajectory.times[k];
+        let state = trajectory.within(k, h * i as f64 / GRID as f64);
+        let sloped = with_slopes(&state, [&trajectory.nodes[k], &trajectory.nodes[k + 1]], h, orders);
+        let lead = trajectory.model.lead(&model.vehicle, model.gravity, tau, &sloped);
+        commanded().map(|row| row.excess(&lead)).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let looks = (0..trajectory.intervals()).flat_map(|k| (0..=GRID).map(move |i| (k, i)));
+    let excess = looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max);
+    let imposed = commanded().count();
+    Between { rows: COMMANDS, shown: Shown::Checked, points: Some(GRID), imposed, proved: 0, excess }
 }

@@ -1,6 +1,7 @@
 //! A certificate for a plan, from what the planner found. Bounds are the planner's own figures, rounded up; how far
 //! they reach between the nodes is asked of the checker.
 
+use super::between::{GRID, MOST_CLAIMED_PAST};
 use super::{
     Bound, Certificate, Claim, DynamicModel, FacetClaim, FacetRecord, LimitClaim, MotionRecord, PlanClaim, SCHEMA,
     Scope, SetClaim,
@@ -16,17 +17,24 @@ use crate::planner::wrench_model::WrenchModel;
 use crate::report::caveats::limit_words;
 use crate::trajectory::Trajectory;
 use crate::trajectory::checks::past;
-use crate::verify::plan::Checker;
+use crate::verify::plan::{Checker, EVALUATIONS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use nalgebra::Matrix4;
 
-/// Points of each piece at which the planner's figures are taken between nodes.
-const LOOKS: usize = 10;
+/// Points of each piece at which the planner's figures are taken between nodes: with an end of the piece, the grid of reports.
+const LOOKS: usize = GRID - 1;
 
 /// Added to every figure, and that share of it: what rounding may hide.
 const ROUNDING: f64 = 1e-9;
 
-/// Tried in turn as bounds for every instant: what the looks at the motion may have missed, as a share of the size.
+/// Tried as bounds for every instant: what the looks at the motion may have missed, as a share of the size.
 const MISSED: [f64; 2] = [1e-6, 1e-3];
+
+/// Evaluations that one attempt to show a bound may take: of a single limit or facet, and of a whole set.
+const OF_ONE: usize = 3_000_000;
+const OF_A_SET: usize = 40_000_000;
+
+/// Of the evaluations that all bounds of a certificate may take together, what is left to those at nodes alone.
+const OF_NODES: usize = EVALUATIONS / 10;
 
 /// The certificate of a run's plan.
 ///
@@ -63,48 +71,65 @@ pub fn certificate(
     claim.position_excess_m = up(if claim.position_excess_m.is_finite() { claim.position_excess_m } else { 0.0 });
     claim.yaw_excess_rad = up(claim.yaw_excess_rad);
     let mut checker = Checker::new(model, mission, kind, &claim.motion).map_err(|r| r.detail)?;
+    let mut left = EVALUATIONS - OF_NODES;
     let healthy = AdmissibleSet::healthy(model);
-    let wrench = |state: &NodeState| trajectory.wrench(&model.vehicle, model.gravity, state);
+    let states = Looks::at(trajectory, kind);
     for (index, limit) in mission.limits.iter().enumerate() {
-        let (nodes, between) = largest(trajectory, kind, |state| limit_excess(limit, state, model.gravity));
         let told = LimitClaim {
             limit: limit_words(limit.kind).0.into(),
             lower: limit.lower,
             upper: limit.upper,
             bounds: Vec::new(),
         };
-        let size = limit.upper.or(limit.lower).unwrap_or(0.0).abs().max(1.0);
-        let bounds = strongest(up(nodes), between, size, |bounds| {
-            checker.limit(index, &LimitClaim { bounds, ..told.clone() }).is_ok()
+        let seen = states.largest(|state| limit_excess(limit, state, model.gravity));
+        let size = limit.size();
+        let most = [MOST_PAST_LIMIT, MOST_CLAIMED_PAST].map(|share| share * size);
+        let bounds = strongest(seen, size, &most, |bounds| {
+            let claimed = LimitClaim { bounds, ..told.clone() };
+            spent(&mut checker, OF_ONE.min(left), |checker| checker.limit(index, &claimed).is_ok())
         });
-        claim.limits.push(LimitClaim { bounds, ..told });
+        claim.limits.push(LimitClaim { bounds: paid(bounds, &mut left), ..told });
     }
+    let wrenches = states.map(|state| trajectory.wrench(&model.vehicle, model.gravity, state));
     for mode in stood(model) {
         let set = set_of(model, mode).guaranteed(model);
         let rows = PlanningSet::of(&[&set.with_reserve(model.plan.reserve)], &healthy).rows;
         // A wrench that passes the facets by a share leaves the set, seen from hover, by that share over hover's
         // margin.
         let margin = rows.iter().filter(|r| !r.equality).map(|r| -r.excess(&set.hover)).fold(1.0, f64::min);
-        let (nodes, between) = largest(trajectory, kind, |state| {
-            let wrench = wrench(state);
-            let excess = rows.iter().map(|row| row.excess(&wrench)).fold(f64::NEG_INFINITY, f64::max);
+        let seen = wrenches.largest(|wrench| {
+            let excess = rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, f64::max);
             excess.max(0.0) / margin
         });
-        let name = set.name.clone();
-        let bounds =
-            strongest(up(nodes), between, 1.0, |bounds| checker.set(&SetClaim { mode: name.clone(), bounds }).is_ok());
-        claim.sets.push(SetClaim { mode: set.name, bounds });
+        let bounds = strongest(seen, 1.0, &[MOST_OUTSIDE], |bounds| {
+            let claimed = SetClaim { mode: set.name.clone(), bounds };
+            spent(&mut checker, OF_A_SET.min(left), |checker| checker.set(&claimed).is_ok())
+        });
+        claim.sets.push(SetClaim { mode: set.name.clone(), bounds: paid(bounds, &mut left) });
     }
     for row in run.set.rows.iter().filter(|r| !r.equality) {
         let Some(facet) = facet_of(model, row) else { continue };
-        let (nodes, between) = largest(trajectory, kind, |state| row.excess(&wrench(state)));
+        let seen = wrenches.largest(|wrench| row.excess(wrench));
         let index = claim.facets.len();
-        let bounds = strongest(up(nodes), between, 1.0, |bounds| {
-            checker.facet(index, &FacetClaim { facet: facet.clone(), bounds }).is_ok()
+        let bounds = strongest(seen, 1.0, &[MOST_OUTSIDE], |bounds| {
+            let claimed = FacetClaim { facet: facet.clone(), bounds };
+            spent(&mut checker, OF_ONE.min(left), |checker| checker.facet(index, &claimed).is_ok())
         });
-        claim.facets.push(FacetClaim { facet, bounds });
+        claim.facets.push(FacetClaim { facet, bounds: paid(bounds, &mut left) });
     }
     Ok(Certificate { schema: SCHEMA, spec_sha256: sha256, model: kind, claim: Claim::Plan(claim) })
+}
+
+/// The evaluations that a successful check takes, of those it may; `None` where it fails.
+fn spent(checker: &mut Checker, allowed: usize, check: impl FnOnce(&mut Checker) -> bool) -> Option<usize> {
+    checker.allow(allowed);
+    check(checker).then(|| allowed - checker.left())
+}
+
+/// Takes what bounds cost off what is left.
+fn paid((bounds, evaluations): (Vec<Bound>, usize), left: &mut usize) -> Vec<Bound> {
+    *left = left.saturating_sub(evaluations);
+    bounds
 }
 
 fn up(x: f64) -> f64 {
@@ -154,32 +179,77 @@ fn joins(trajectory: &Trajectory, kind: DynamicModel) -> f64 {
     widest
 }
 
-/// The largest value at the nodes, as either piece beside them has it, and between.
-fn largest(trajectory: &Trajectory, kind: DynamicModel, quantity: impl Fn(&NodeState) -> f64) -> (f64, f64) {
-    let (mut nodes, mut between) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    for k in 0..trajectory.intervals() {
-        let h = trajectory.times[k + 1] - trajectory.times[k];
-        let mut last = trajectory.nodes[k + 1];
-        if kind == DynamicModel::Hover {
-            // z''' is constant over a piece, and jumps at nodes.
-            last[Z][3] = trajectory.within(k, h)[Z][3];
-        }
-        nodes = nodes.max(quantity(&trajectory.within(k, 0.0))).max(quantity(&last));
-        for i in 1..=LOOKS {
-            between = between.max(quantity(&trajectory.within(k, h * i as f64 / (LOOKS + 1) as f64)));
-        }
-    }
-    (nodes, nodes.max(between))
+/// Something along a motion: at the nodes, as either piece beside them has it, and between.
+struct Looks<T> {
+    nodes: Vec<T>,
+    between: Vec<T>,
 }
 
-/// A bound at the nodes, and the best found beyond them.
-fn strongest(nodes: f64, between: f64, size: f64, mut stands: impl FnMut(Vec<Bound>) -> bool) -> Vec<Bound> {
-    let at_nodes = Bound { scope: Scope::Nodes, excess: nodes };
-    let wider = std::iter::once(Bound { scope: Scope::EveryInstant, excess: nodes })
-        .chain(MISSED.iter().map(|m| Bound { scope: Scope::EveryInstant, excess: up(between + m * size) }))
-        .chain([Bound { scope: Scope::Grid(LOOKS), excess: up(between + MISSED[0] * size) }]);
-    let found = wider.into_iter().find(|&bound| stands(vec![at_nodes, bound]));
-    std::iter::once(at_nodes).chain(found).collect()
+/// The largest value at the nodes, and at those and between.
+#[derive(Clone, Copy)]
+struct Seen {
+    nodes: f64,
+    all: f64,
+}
+
+impl Looks<NodeState> {
+    fn at(trajectory: &Trajectory, kind: DynamicModel) -> Self {
+        let mut looks = Looks { nodes: Vec::new(), between: Vec::new() };
+        for k in 0..trajectory.intervals() {
+            let h = trajectory.times[k + 1] - trajectory.times[k];
+            let mut last = trajectory.nodes[k + 1];
+            if kind == DynamicModel::Hover {
+                // z''' is constant over a piece, and jumps at nodes.
+                last[Z][3] = trajectory.within(k, h)[Z][3];
+            }
+            looks.nodes.extend([trajectory.within(k, 0.0), last]);
+            looks.between.extend((1..=LOOKS).map(|i| trajectory.within(k, h * i as f64 / (LOOKS + 1) as f64)));
+        }
+        looks
+    }
+}
+
+impl<T> Looks<T> {
+    fn map<U>(&self, of: impl Fn(&T) -> U) -> Looks<U> {
+        Looks { nodes: self.nodes.iter().map(&of).collect(), between: self.between.iter().map(&of).collect() }
+    }
+
+    fn largest(&self, quantity: impl Fn(&T) -> f64) -> Seen {
+        let nodes = self.nodes.iter().map(&quantity).fold(f64::NEG_INFINITY, f64::max);
+        Seen { nodes, all: self.between.iter().map(&quantity).fold(nodes, f64::max) }
+    }
+}
+
+/// A bound at the nodes and the best found beyond them, with the evaluations that they cost together: for every instant if
+/// the first of `most` can be shown, which is what means that the rows are kept; else on the grid if that shows as much,
+/// with whatever can be shown for every instant. `stands` gives the evaluations that a check takes, or `None`.
+fn strongest(
+    seen: Seen,
+    size: f64,
+    most: &[f64],
+    mut stands: impl FnMut(Vec<Bound>) -> Option<usize>,
+) -> (Vec<Bound>, usize) {
+    let at_nodes = Bound { scope: Scope::Nodes, excess: up(seen.nodes) };
+    let missed = MISSED.map(|share| up(seen.all + share * size));
+    let mut tried: Vec<f64> = [at_nodes.excess].iter().chain(&missed).chain(most).copied().collect();
+    // What is seen to be false is not tried.
+    tried.retain(|&excess| seen.all <= excess);
+    tried.sort_by(f64::total_cmp);
+    let mut first = |scope: Scope, excesses: &[f64]| {
+        let mut bounds = excesses.iter().map(|&excess| Bound { scope, excess });
+        bounds.find_map(|bound| Some((bound, stands(vec![at_nodes, bound])?)))
+    };
+    let throughout = first(Scope::EveryInstant, &tried);
+    let kept = |found: &Option<(Bound, usize)>| found.is_some_and(|(bound, _)| bound.excess <= most[0]);
+    let on_grid = match kept(&throughout) {
+        true => None,
+        false => {
+            first(Scope::Grid(LOOKS), &[up(seen.all), missed[0]]).filter(|f| throughout.is_none() || kept(&Some(*f)))
+        }
+    };
+    let found: Vec<(Bound, usize)> = on_grid.into_iter().chain(throughout).collect();
+    let cost = found.iter().map(|(_, evaluations)| evaluations).sum();
+    (std::iter::once(at_nodes).chain(found.into_iter().map(|(bound, _)| bound)).collect(), cost)
 }
 
 /// How far a state passes a limit, as certificates measure it.

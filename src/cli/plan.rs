@@ -9,12 +9,12 @@ use crate::admissible::diagnose::diagnose;
 use crate::certificate::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
-use crate::model::{MAX_ROUNDS, Mission, MissionTime, Model};
+use crate::model::{MAX_ROUNDS, Mission, Model};
 use crate::planner::compare::rounds;
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::record::{Record, RoundRecord};
-use crate::report::{self, terminal, trajectory_csv};
+use crate::report::{self, comparison_text, terminal, trajectory_csv};
 use std::path::Path;
 use std::time::Instant;
 
@@ -42,13 +42,11 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         (target, certificate)
     });
     let begin = Instant::now();
-    let between = match comparison.runs.last() {
-        Some(run) => match &run.ending {
-            Ending::Solved(solved) => Some(between::between(&model, &mission, run, solved)),
-            _ => None,
-        },
-        None => None,
-    };
+    let plan = comparison.runs.last().and_then(|run| match &run.ending {
+        Ending::Solved(solved) => Some((run, solved)),
+        _ => None,
+    });
+    let between = plan.map(|(run, solved)| between::between(&model, &mission, run, solved));
     timing(options, "prove", begin);
     let begin = Instant::now();
     let mut results = Vec::new();
@@ -78,7 +76,9 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let stdout = !results.iter().any(|(target, _)| target.is_stdout());
     let color = if stdout { spec::colored(&std::io::stdout()) } else { spec::colored(&std::io::stderr()) };
     let mut text = terminal::plan(&model, &mission, &comparison, color);
-    text.push_str(&report::between::between(&mission, between.as_deref().unwrap_or_default()));
+    if let (Some((_, solved)), Some(found)) = (plan, &between) {
+        text.push_str(&report::between::between(&model, solved, found));
+    }
     let told = stdout;
     if told {
         files::print(&text)?;
@@ -88,7 +88,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         files::tell(&text);
     }
     if let Some(explanation) = &explanation {
-        loaded.tell_also(&explain::diagnose::diagnose(explanation, &model, &mission));
+        loaded.tell_also(&explain::diagnose::diagnose(explanation, &model, &mission, &loaded.files.sources));
     }
     if told && code == FINE && !options.quiet {
         files::print(&match args.output.as_deref() {
@@ -109,11 +109,17 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let Some(mut comparison) = plan_for(&loaded, &model, &mission, Scope::Everything, options) else {
         return refused(&loaded, &model, report.as_ref());
     };
-    let rounds = wanted.map(|(first, last)| rounds::rounds(&model, &mission, &mut comparison, first, last));
+    let rounds = wanted.map(|wanted| {
+        let progress = Progress::new(options);
+        let tell = |round: &str, time: f64| progress.tell(round, time);
+        let rounds = rounds::rounds(&model, &mission, &mut comparison, wanted, Some(&tell));
+        progress.done();
+        rounds
+    });
     if !report.as_ref().is_some_and(Target::is_stdout) {
-        files::print(&terminal::compare(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
+        files::print(&comparison_text::compare(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
         if let Some(rounds) = &rounds {
-            files::print(&terminal::rounds(&mission, &comparison, rounds, model.plan.time == MissionTime::Minimum))?;
+            files::print(&comparison_text::rounds(&model, &mission, &comparison, rounds))?;
         }
     }
     if let Some(target) = &report {

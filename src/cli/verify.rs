@@ -5,7 +5,8 @@ use super::{FINE, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, files};
 use crate::certificate::{MAX_BYTES, Scope};
 use crate::report::number::number;
 use crate::report::table::Table;
-use crate::verify::{Reach, verify};
+use crate::report::terminal::WIDTH;
+use crate::verify::{Reach, Verdict, verify};
 use std::time::Instant;
 
 pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
@@ -27,14 +28,7 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     timing(options, "verify", begin);
     match verdict {
         Ok(verdict) => {
-            let mut table = Table::new(&["shown", "where"]);
-            for shown in &verdict.shown {
-                let count = if shown.count > 1 { format!("{} ", shown.count) } else { String::new() };
-                table.row(vec![count + &shown.statement, words(shown.reach)]);
-            }
-            if !options.quiet {
-                files::print(&table.render_left(0))?;
-            }
+            files::print(&table(&verdict))?;
             files::print(&format!("{name}: every claim holds\n"))?;
             Ok(FINE)
         }
@@ -46,11 +40,27 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     }
 }
 
+/// Every claim and how far it is shown, then what is not claimed.
+fn table(verdict: &Verdict) -> String {
+    let mut table = Table::new(&["shown", "where"]);
+    for shown in &verdict.shown {
+        let count = if shown.count > 1 { format!("{} ", shown.count) } else { String::new() };
+        table.row(vec![count + &shown.statement, words(shown.reach)]);
+    }
+    let mut out = table.render_left(0);
+    if !verdict.unclaimed.is_empty() {
+        let text = format!("Not shown: no facet of {} is claimed.", verdict.unclaimed.join(", "));
+        out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
+    }
+    out
+}
+
 fn words(reach: Reach) -> String {
     let shown = match reach.scope {
         None => "proved".into(),
         Some(Scope::Nodes) => "checked at nodes".into(),
-        Some(Scope::Grid(points)) => format!("checked on a grid of {points} points an interval"),
+        // With one of the nodes beside them.
+        Some(Scope::Grid(points)) => format!("checked on a grid of {} points an interval", points + 1),
         Some(Scope::EveryInstant) => "proved for every instant".into(),
     };
     let Some(beyond) = reach.beyond else { return shown };

@@ -2,15 +2,16 @@
 
 use super::{Explanation, Statement};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Model, is_override};
 use crate::report::number::number;
-use crate::source::Span;
+use crate::source::{SourceMap, Span};
 
 /// Statements that are not met together.
 pub const CONFLICT: &str = "mavc::plan::conflict";
 
-/// The conflict, each of its statements labelled in place, with the changes that give a plan.
-pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission) -> Diagnostic {
+/// The conflict, each of its statements labelled in place, with the changes that give a plan. What is said at one place counts
+/// as one statement there, so that the headline's number is that of the labels.
+pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission, sources: &SourceMap) -> Diagnostic {
     let conflict = &explanation.conflict;
     // What one would rather change comes first.
     let rank = |s: &Statement| match s {
@@ -27,25 +28,33 @@ pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission) -> 
     let mut ranked = conflict.statements.clone();
     ranked.sort_by_key(rank);
     for statement in &ranked {
-        let (span, label) = (statement.span(model, mission), statement.label(model, mission));
+        let (span, mut label) = (statement.span(model, mission), statement.label(model, mission));
+        let asked = matches!(statement, Statement::Mode(_)) && is_override(sources, model.plan.against_span);
+        if asked || is_override(sources, span) {
+            label.push_str(", says `--set`");
+        }
         match labels.iter_mut().find(|(other, _)| *other == span) {
             Some((_, text)) => *text = format!("{text}, {label}"),
             None => labels.push((span, label)),
         }
     }
+    // The spec's own text first, so that its labels stand in one excerpt.
+    labels.sort_by_key(|(span, _)| is_override(sources, *span));
+    let headline = headline(explanation, labels.len());
     let mut labels = labels.into_iter();
     let (span, label) = labels.next().unwrap_or((mission.span, String::new()));
-    let error = Diagnostic::error(CONFLICT, span, headline(explanation)).here(label);
-    labels.fold(error, |error, (span, label)| error.also(span, label)).help(help(explanation, model, mission))
+    let error = Diagnostic::error(CONFLICT, span, headline).here(label);
+    labels.fold(error, |error, (span, label)| error.also(span, label)).help(help(explanation, model, mission, sources))
 }
 
-fn headline(explanation: &Explanation) -> String {
+/// `places`: the labels.
+fn headline(explanation: &Explanation, places: usize) -> String {
     let conflict = &explanation.conflict;
     let time = match conflict.any_time {
         true => format!(", even in {} s", number(conflict.time)),
         false => String::new(),
     };
-    match (conflict.proved, conflict.statements.len()) {
+    match (conflict.proved, places) {
         (true, 1) => format!("a statement of the spec cannot be met{time}"),
         (true, n) => format!("{n} statements of the spec cannot hold together{time}"),
         (false, 1) => format!("a statement of the spec was not satisfied in our attempts{time}"),
@@ -53,8 +62,8 @@ fn headline(explanation: &Explanation) -> String {
     }
 }
 
-fn help(explanation: &Explanation, model: &Model, mission: &Mission) -> String {
-    let mut fixes = explanation.fixes.iter().map(|fix| fix.change.instruction(model, mission));
+fn help(explanation: &Explanation, model: &Model, mission: &Mission, sources: &SourceMap) -> String {
+    let mut fixes = explanation.fixes.iter().map(|fix| fix.change.instruction(model, mission, sources));
     let changes = match (fixes.next(), fixes.next()) {
         (None, _) => "change one of these statements; none of the single changes that were tried is enough".into(),
         (Some(one), None) => format!("{one}; this was tried and gives a plan"),

@@ -4,11 +4,10 @@ use super::Conflict;
 use super::grid::between;
 use super::oracle::Answer;
 use super::question::Questions;
-use super::statement::{Statement, length, written};
+use super::statement::Statement;
 use crate::admissible::diagnose::diagnose;
 use crate::diagnostic::Severity;
 use crate::model::{Limit, LimitKind, Mission, MissionTime, Model};
-use crate::report::number::number;
 
 /// A change to a spec. Numbers are SI; each is one of two digits in the unit that it is written in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,8 +42,10 @@ pub struct Fix {
     pub time: f64,
 }
 
-/// Waypoints are widened up to this share of the way to the nearest one beside them.
-const WIDEST: f64 = 0.5;
+/// Tolerances are widened up to this share of the way to the nearest waypoint beside, and up to this many times: beyond, the
+/// mission would be another one.
+const WIDEST: f64 = 0.25;
+const WIDER_WITHIN: f64 = 10.0;
 /// Bounds are widened up to this many times.
 const WIDER: f64 = 10.0;
 /// The lightest vehicle looked at, as a share of the spec's.
@@ -121,7 +122,7 @@ fn wider(questions: &mut Questions, statement: Statement) -> Option<Fix> {
     let nearest = beside.map(apart).fold(f64::INFINITY, f64::min);
     let within = points[first..=last].iter().map(|w| w.within).fold(0.0, f64::max);
     // Two digits in centimetres are two digits in metres.
-    let centimetres = between(100.0 * within, 100.0 * WIDEST * nearest);
+    let centimetres = between(100.0 * within, 100.0 * (WIDEST * nearest).min(WIDER_WITHIN * within));
     seek(questions, &centimetres, |cm| Change::Within { first, last, within: cm / 100.0 })
 }
 
@@ -271,41 +272,6 @@ impl Change {
             Change::Reserve(_) => Some(Statement::Reserve),
             Change::NoHold(waypoint) => Some(Statement::Hold(waypoint)),
             Change::NoMode(mode) => Some(Statement::Mode(mode)),
-        }
-    }
-
-    /// What to do, in the words of the language.
-    pub fn instruction(self, model: &Model, mission: &Mission) -> String {
-        let at = |i: usize| match &mission.waypoints[i].name {
-            Some(name) => format!("waypoint `{name}`"),
-            None => format!("waypoint {}", i + 1),
-        };
-        match self {
-            Change::Samples(samples) => format!("write `samples = {samples}`"),
-            Change::Time(time) => format!("write `time = {} s`", number(time)),
-            Change::Arrival { waypoint, time } => {
-                let last = waypoint + 1 == mission.waypoints.len();
-                let both = match model.plan.time {
-                    MissionTime::Fixed(_) if last => {
-                        format!(", and `time = {} s` in `plan`", number(time + mission.waypoints[waypoint].hold))
-                    }
-                    _ => String::new(),
-                };
-                format!("write `time {} s` at {}{both}", number(time), at(waypoint))
-            }
-            Change::Within { first, last, within } if first == last => {
-                format!("write `within {}` at {}", length(within), at(first))
-            }
-            Change::Within { within, .. } => format!("write `within = {}` in the curve", length(within)),
-            Change::Bound { limit, upper } => {
-                let (name, unit, scale) = mission.limits[limit].kind.words();
-                format!("write `{name} <= {} {unit}`", number(upper / scale))
-            }
-            Change::Reserve(reserve) => format!("write `reserve = {} %`", number(100.0 * reserve)),
-            Change::NoLimit(limit) => format!("take `{}` out", written(&mission.limits[limit])),
-            Change::NoHold(waypoint) => format!("take the `hold` at {} out", at(waypoint)),
-            Change::NoMode(mode) => format!("leave `{}` out of `against`", model.modes[mode].name),
-            Change::Mass(mass) => format!("make the vehicle lighter: `mass = {} kg`", number(mass)),
         }
     }
 }

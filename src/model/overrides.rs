@@ -10,6 +10,11 @@ const CODE: &str = "mavc::name::override";
 /// The name of an override's text among the sources.
 pub const OVERRIDE: &str = "--set";
 
+/// Whether a place is in the text of a `--set`.
+pub fn is_override(sources: &SourceMap, span: Span) -> bool {
+    sources.iter().any(|(file, source)| file == span.file && source.name == OVERRIDE)
+}
+
 /// One `--set`: where it goes and the field to put there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Override {

@@ -196,7 +196,10 @@ impl<'a> Setting<'a> {
     /// The plan at one time; `begins` may be plans of any set.
     fn at(&self, what: &str, set: &PlanningSet, time: f64, mut pool: Pool, begins: &[&Planned]) -> (Decision, Effort) {
         match self.model.plan.model {
-            PlanModel::Hover => self.with_engine(what, |e| e.decide(time, self.model.plan.samples, set, &mut pool)),
+            PlanModel::Hover => self.with_engine(what, |e| {
+                e.progress(time);
+                e.decide(time, self.model.plan.samples, set, &mut pool)
+            }),
             PlanModel::Exact => {
                 self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).decide(time, begins))
             }

@@ -11,7 +11,17 @@ use crate::model::{Allocation, Model};
 pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     let mut out = format!("{}\n\n", vehicle_line(model));
     let mut headings = vec![
-        "mode", "verdict", "hover", "margin", "yaw-free", "heaviest", "yaw-free", "facets", "rank", "|e_p|", "yaw-free",
+        "mode",
+        "verdict",
+        "hover",
+        "margin",
+        "yaw-free margin",
+        "heaviest",
+        "yaw-free heaviest",
+        "facets",
+        "rank",
+        "|e_p|",
+        "yaw-free |e_p|",
     ];
     let gives_away = model.vehicle.allocation == Allocation::PseudoInverse;
     if gives_away {

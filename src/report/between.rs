@@ -1,55 +1,67 @@
 //! What is shown of a plan between its nodes, in words.
 
-use super::caveats::limit_words;
-use super::number::{percent, significant};
+use super::caveats::passed;
+use super::number::percent;
 use super::terminal::WIDTH;
 use crate::certificate::between::{Between, COMMANDS, GRID, Shown, WRENCH};
-use crate::model::{Limit, LimitKind, Mission};
+use crate::model::Model;
+use crate::planner::compare::Solved;
 use crate::planner::select::VIOLATED;
+use crate::planner::wrench_model::WrenchModel;
 
 /// Proved for every instant, or checked on a grid; `found` is of the wrench, of each limit in the mission's order, and of what
-/// lagging rotors are commanded.
-pub fn between(mission: &Mission, found: &[Between]) -> String {
-    let limits = std::iter::once(None).chain(mission.limits.iter().map(Some)).chain([None]);
-    let named: Vec<(&Between, String)> =
-        found.iter().zip(limits).map(|(b, limit)| (b, limit.map_or_else(|| wrench(b), |l| limited(b, l)))).collect();
-    let heads = [
-        (Shown::Proved, "Proved for every instant:".to_string()),
-        (Shown::Checked, format!("Checked on a grid of {GRID} points an interval:")),
-    ];
-    let mut out = String::new();
-    for (shown, head) in heads {
-        let (wrench, limits): (Vec<_>, Vec<_>) =
-            named.iter().filter(|(b, _)| b.shown == shown).partition(|(b, _)| b.rows == WRENCH || b.rows == COMMANDS);
-        let limits: Vec<&str> = limits.iter().map(|(_, words)| words.as_str()).collect();
-        let limits = match limits[..] {
+/// lagging rotors are commanded. Limits that the plan passes are left to the caveats, which say by how much and when.
+pub fn between(model: &Model, solved: &Solved, found: &[Between]) -> String {
+    let (facets, limits): (Vec<&Between>, Vec<&Between>) =
+        found.iter().partition(|b| b.rows == WRENCH || b.rows == COMMANDS);
+    let linear = solved.trajectory.model != WrenchModel::Exact;
+    let (mut proved, mut checked) = (Vec::new(), Vec::new());
+    for b in facets {
+        let told = on_facets(b, linear);
+        proved.extend(told.0);
+        checked.extend(told.1);
+    }
+    let passed: Vec<usize> = passed(model, solved).iter().map(|excess| excess.limit).collect();
+    let kept = |shown: Shown| {
+        let kept = limits.iter().enumerate().filter(|(i, b)| b.shown == shown && !passed.contains(i));
+        let names: Vec<&str> = kept.map(|(_, b)| b.rows).collect();
+        match names[..] {
             [] => None,
             [one] => Some(format!("the limit on {one}")),
-            _ => Some(format!("the limits on {}", limits.join("; "))),
-        };
-        let told: Vec<String> = wrench.iter().map(|(_, words)| words.clone()).chain(limits).collect();
-        if !told.is_empty() {
-            let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
-            out.push_str(&format!("\n{}\n", textwrap::fill(&format!("{head} {}.", told.join("; ")), options)));
+            _ => Some(format!("the limits on {}", names.join("; "))),
         }
-    }
-    out
+    };
+    proved.extend(kept(Shown::Proved));
+    checked.extend(kept(Shown::Checked));
+    let heads = [
+        ("Proved for every instant:".to_string(), proved),
+        (format!("Checked on a grid of {GRID} points an interval:"), checked),
+    ];
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    let told = heads.into_iter().filter(|(_, told)| !told.is_empty());
+    told.map(|(head, told)| format!("\n{}\n", textwrap::fill(&format!("{head} {}.", told.join("; ")), &options)))
+        .collect()
 }
 
-fn wrench(b: &Between) -> String {
-    let what = if b.rows == COMMANDS { "what the rotors are commanded" } else { "the wrench" };
-    match b.excess > VIOLATED {
-        true => format!("{what} passes a facet imposed by {} of its width", percent(b.excess)),
-        false => format!("{what} keeps to every facet imposed"),
+/// What is proved of the facets imposed, and what is only checked. In the `linear` model it is about that model's wrench, which
+/// is not the vehicle's.
+fn on_facets(b: &Between, linear: bool) -> (Option<String>, Option<String>) {
+    let what = match (b.rows == COMMANDS, linear) {
+        (true, false) => "what the rotors are commanded",
+        (true, true) => "what the rotors are commanded in the linear model",
+        (false, false) => "the wrench",
+        (false, true) => "the linear model's wrench",
+    };
+    let all = format!("{what} keeps to every facet imposed");
+    if b.shown == Shown::Proved {
+        return (Some(all), None);
     }
-}
-
-fn limited(b: &Between, limit: &Limit) -> String {
-    let (name, unit, factor) = limit_words(limit.kind);
-    // Of tilt it is the acceleration's way out of the cone.
-    let (excess, unit) = if limit.kind == LimitKind::Tilt { (b.excess, "g") } else { (b.excess * factor, unit) };
-    match b.shown == Shown::Checked && b.excess > 0.0 {
-        true => format!("{name}, passed by {} {unit}", significant(excess, 3)),
-        false => name.to_string(),
-    }
+    let some = (b.proved > 0).then(|| format!("{what} keeps to {} of the {} facets imposed", b.proved, b.imposed));
+    let rest = match (b.excess > VIOLATED, b.imposed - b.proved) {
+        (true, _) => format!("{what} passes a facet imposed by {} of its width", percent(b.excess)),
+        (false, 1) if b.proved > 0 => "it keeps to the other one".into(),
+        (false, others) if b.proved > 0 => format!("it keeps to the other {others}"),
+        (false, _) => all,
+    };
+    (some, Some(rest))
 }

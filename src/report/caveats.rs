@@ -4,7 +4,7 @@ use super::number::{fixed, percent, significant};
 use crate::model::{LimitKind, Model};
 use crate::planner::compare::Solved;
 use crate::planner::wrench_model::WrenchModel;
-use crate::trajectory::checks::{limit_excesses, stretch};
+use crate::trajectory::checks::{Excess, limit_excesses, stretch};
 use serde::Serialize;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -30,10 +30,15 @@ pub enum CaveatKind {
     Thrust,
 }
 
+/// The limits that a plan passes between its samples by more than rounding, in the spec's order.
+pub fn passed(model: &Model, solved: &Solved) -> Vec<Excess> {
+    limit_excesses(&solved.trajectory, model, 1e-6)
+}
+
 /// Passed limits first, in the spec's order.
 pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
-    let passed = limit_excesses(&solved.trajectory, model, 1e-6).into_iter().map(|e| {
+    let passed = passed(model, solved).into_iter().map(|e| {
         let (name, unit, factor) = limit_words(limits[e.limit].kind);
         Caveat {
             kind: CaveatKind::LimitBetweenSamples,

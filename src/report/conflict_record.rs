@@ -68,7 +68,7 @@ impl ConflictRecord {
             kind: fix.change.kind(),
             statement: fix.change.of().and_then(|of| conflict.statements.iter().position(|s| *s == of)),
             value: fix.change.value(),
-            message: fix.change.instruction(model, mission),
+            message: fix.change.instruction(model, mission, sources),
             time_s: fix.time,
         };
         ConflictRecord {

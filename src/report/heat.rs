@@ -31,7 +31,7 @@ fn painted(character: char, background: u8) -> String {
 }
 
 /// One line a mode, those that come nearest to their edges where there are many, in the order of the comparison; then
-/// the time axis and the legend. Empty without modes.
+/// the time axis. Empty without modes. What it means says [`legend`].
 pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, color: bool) -> String {
     let margins =
         comparison.sets.iter().map(|set| nearness(trajectory, &model.vehicle, model.gravity, &set.rows, COLUMNS));
@@ -56,6 +56,14 @@ pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, co
     }
     let end = format!("{} s", number(trajectory.duration()));
     out.push_str(&format!("  {:<width$} 0{end:>COLUMNS$}\n", ""));
+    if shown.len() < lines.len() {
+        out.push_str(&format!("  {} more modes whose edges the plan keeps farther from\n", lines.len() - shown.len()));
+    }
+    out
+}
+
+/// What the characters or colours of strips mean, on one line.
+pub fn legend(color: bool) -> String {
     let legend: Vec<String> = CLASSES
         .into_iter()
         .zip(LEGEND)
@@ -65,11 +73,7 @@ pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, co
             false => format!("{character} {meaning}"),
         })
         .collect();
-    out.push_str(&format!("  {:<width$}  {}\n", "", legend.join("  ")));
-    if shown.len() < lines.len() {
-        out.push_str(&format!("  {} more modes whose edges the plan keeps farther from\n", lines.len() - shown.len()));
-    }
-    out
+    format!("        {}\n", legend.join("  "))
 }
 
 #[cfg(test)]

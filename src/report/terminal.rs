@@ -7,7 +7,6 @@ use super::record::{errors, rates};
 use super::table::Table;
 use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::{Protection, UNMET};
-use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
@@ -23,7 +22,8 @@ pub fn vehicle_line(model: &Model) -> String {
     format!("{} ({layout}{} rotors, {} kg)", v.name, v.rotors.len(), number(v.mass))
 }
 
-fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+/// Who flies what, against which modes, in which model.
+pub(super) fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     let against = match comparison.modes.as_slice() {
         [] => "no fault modes".to_string(),
         modes => format!("fault modes {}", modes.join(", ")),
@@ -162,6 +162,7 @@ fn solved_run(
         out.push_str(&risk_lines(model, solved));
         out.push_str("\n  How near the plan comes to the edge of what is left, in shares of the healthy set's width\n");
         out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
+        out.push_str(&heat::legend(color));
     }
     if !solved.infeasible_above.is_empty() {
         let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();
@@ -178,7 +179,7 @@ fn solved_run(
 }
 
 /// Whether after some fault the mission holds.
-fn holds(model: &Model) -> bool {
+pub(super) fn holds(model: &Model) -> bool {
     model.plan.against.iter().any(|&mode| model.after_fault(mode) == AfterFault::Hold)
 }
 
@@ -192,69 +193,22 @@ fn risk_lines(model: &Model, solved: &Solved) -> String {
         1 => " 1 mode has no rate and does not count.".to_string(),
         n => format!(" {n} modes have no rate and do not count."),
     };
-    let meaning = match holds(model) {
-        false => {
-            "that some mode strikes before its last instant outside, and so meets that excursion if the mission goes on."
+    let meaning = match (risk == 0.0, holds(model)) {
+        (true, false) => "no mode with a rate has an instant outside.",
+        (true, true) => "no mode with a rate has an instant outside, or one without a stop where the mission holds.",
+        (false, false) => {
+            "that some mode strikes before its last instant outside, and so meets that excursion if the mission goes on. \
+             Modes are taken as independent."
         }
-        true => {
+        (false, true) => {
             "that some mode strikes while the mission is committed to it: before its last instant outside where the \
              mission continues, before the last one from which no stop inside its set was found where it holds. Stops are \
-             sought at the nodes; one that is not found may exist, and counts as none."
+             sought at the nodes; one that is not found may exist, and counts as none. Modes are taken as independent."
         }
     };
-    let text = format!("Risk {}: {meaning} Modes are taken as independent.{unrated}", significant(risk, 3));
+    let text = format!("Risk {}: {meaning}{unrated}", significant(risk, 3));
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     format!("\n{}\n", textwrap::fill(&text, options))
-}
-
-/// What `mavc compare --rounds` adds: each number of rounds at T_d, and its own shortest time where one was `sought`.
-pub fn rounds(mission: &Mission, comparison: &Comparison, rounds: &[Round], sought: bool) -> String {
-    let Some(common) = comparison.common_time else {
-        return "\nNo mode has a plan at any time, so there is no time to select facets at.\n".into();
-    };
-    let mut out = format!("\nRounds of selection, at T_d = {} s; 0 is RIP, 1 the paper's RSP\n", number(common));
-    let mut table = Table::new(&[
-        "rounds",
-        "facets",
-        "e_R [m]",
-        "e_psi [rad]",
-        "largest [cm]",
-        "objective",
-        "margin",
-        "outside [s]",
-        "own T [s]",
-    ]);
-    for round in rounds {
-        let mut cells = vec![round.rounds.to_string(), round.selected.to_string()];
-        match &round.common {
-            Ending::Solved(s) => {
-                let e = errors(mission, s);
-                cells.extend([significant(e.position, 4), significant(e.yaw, 3), significant(100.0 * e.largest, 3)]);
-                cells.push(number(s.objective));
-                cells.push(s.smallest_margin().map_or("-".into(), percent));
-                cells.push(fixed(s.outside.iter().map(|o| o.seconds).fold(0.0, f64::max), 2));
-            }
-            Ending::Infeasible { .. } => cells.extend(["infeasible", "", "", "", "", ""].map(String::from)),
-            Ending::Inconclusive { .. } => cells.extend(["no verdict", "", "", "", "", ""].map(String::from)),
-        }
-        cells.push(match &round.own {
-            Ending::Solved(s) => number(s.time),
-            Ending::Infeasible { .. } => "infeasible".into(),
-            Ending::Inconclusive { .. } => "none found".into(),
-        });
-        table.row(cells);
-    }
-    out.push_str(&table.render(2));
-    out.push_str(
-        "  margin: the smallest over all modes, in shares of the healthy set's width; outside: the longest over the modes.\n",
-    );
-    // At a time that the spec gives no other is looked for.
-    if sought {
-        out.push_str(
-            "  Each own time was found with the selection redone there; 0.05 s below it no such plan was found.\n",
-        );
-    }
-    out
 }
 
 fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table {
@@ -284,134 +238,6 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table 
             let until = solved.committed.get(i).copied().unwrap_or(0.0);
             cells.push(if until > 0.0 { format!("{} s", fixed(until, 2)) } else { "never".into() });
         }
-        table.row(cells);
-    }
-    table
-}
-
-/// The tables of section 5.4 for any spec.
-///
-/// `color`: whether strips are coloured.
-pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
-    let mut out = head(model, mission, comparison);
-    out.push_str("\nEach planner at its own shortest time (as Tables 8, 10, 12)\n");
-    out.push_str(&run_table(mission, comparison, Run::Own).render(2));
-    match comparison.common_time {
-        Some(t) => out.push_str(&format!("\nAll planners at T_d = {} s (as Tables 9, 11, 13)\n", number(t))),
-        None => out.push_str("\nNo mode has a plan at any time, so there is no common time T_d.\n"),
-    }
-    out.push_str(&run_table(mission, comparison, Run::Common).render(2));
-    if !comparison.modes.is_empty() {
-        let holds = holds(model);
-        for (run, title) in [(Run::Own, "at its own shortest time"), (Run::Common, "at T_d")] {
-            let held = if holds { "; where the mission holds, the last one without a stop after it" } else { "" };
-            out.push_str(&format!("\nSeconds outside each mode's set, and the last instant outside{held}, {title}\n"));
-            out.push_str(&outside_table(model, comparison, run).render(2));
-        }
-        if rates(model).iter().any(Option::is_some) {
-            out.push_str(match holds {
-                false => {
-                    "  risk: that some mode with a rate strikes before its last instant outside, if the mission goes on; modes are\n  \
-                     taken as independent.\n"
-                }
-                true => {
-                    "  risk: that some mode with a rate strikes before its last instant outside, or where the mission holds before the\n  \
-                     last one from which no stop was found (sought at the nodes); modes are taken as independent.\n"
-                }
-            });
-        }
-        out.push_str(
-            "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
-        );
-        for run in comparison.runs.iter().filter(|r| r.run == Run::Common) {
-            if let Ending::Solved(solved) = &run.ending {
-                out.push_str(&format!("  {}\n", name_of(run)));
-                out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
-            }
-        }
-    }
-    if !comparison.modes.is_empty() {
-        let n = comparison.selected.len();
-        let plural = if n == 1 { "" } else { "s" };
-        out.push_str(&format!("\nRSP guards {n} facet{plural} of the fault sets beside the healthy set's.\n"));
-    }
-    for run in comparison.runs.iter().filter(|r| r.planner == PlannerKind::Rsp && r.run == Run::Common) {
-        if let Ending::Infeasible { at } = run.ending {
-            out.push_str(&format!(
-                "RSP has no plan in {} s; its own shortest time is in the first table.\n",
-                number(at)
-            ));
-        }
-    }
-    out
-}
-
-/// `RIP`, `RCP M1`, `RCP jointly`, `RSP`.
-fn name_of(run: &PlannerRun) -> String {
-    match (run.planner, run.against.len()) {
-        (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
-        _ => label(run.planner, &run.against),
-    }
-}
-
-fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
-    let mut table = Table::new(&[
-        "planner",
-        "T [s]",
-        "e_R [m]",
-        "e_R/N [m]",
-        "e_psi [rad]",
-        "largest [cm]",
-        "objective",
-        "rows/node",
-    ]);
-    let n = mission.waypoints.len() as f64;
-    for run in comparison.runs.iter().filter(|r| r.run == which) {
-        let name = name_of(run);
-        let rows = run.set.rows.len().to_string();
-        match &run.ending {
-            Ending::Solved(s) => {
-                let e = errors(mission, s);
-                table.row(vec![
-                    name,
-                    number(s.time),
-                    significant(e.position, 4),
-                    significant(e.position / n, 3),
-                    significant(e.yaw, 3),
-                    significant(100.0 * e.largest, 3),
-                    number(s.objective),
-                    rows,
-                ]);
-            }
-            Ending::Infeasible { .. } => table.row(vec![name, "infeasible".into()]),
-            Ending::Inconclusive { .. } => table.row(vec![name, "no verdict".into()]),
-        }
-    }
-    table
-}
-
-fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
-    let mut headings = vec!["planner"];
-    headings.extend(comparison.modes.iter().map(String::as_str));
-    let rates = rates(model);
-    if rates.iter().any(Option::is_some) {
-        headings.push("risk");
-    }
-    let mut table = Table::new(&headings);
-    for run in comparison.runs.iter().filter(|r| r.run == which) {
-        let Ending::Solved(s) = &run.ending else { continue };
-        let name = name_of(run);
-        let mut cells = vec![name];
-        let modes = s.outside.iter().zip(&s.committed).zip(&model.plan.against);
-        cells.extend(modes.map(|((o, committed), &mode)| match (o.last, model.after_fault(mode)) {
-            (None, _) if *committed == 0.0 => "0".to_string(),
-            (last, AfterFault::Hold) => {
-                let last = fixed(last.unwrap_or(0.0), 2);
-                format!("{} ({last}; {})", fixed(o.seconds, 2), fixed(*committed, 2))
-            }
-            (last, _) => format!("{} ({})", fixed(o.seconds, 2), fixed(last.unwrap_or(0.0), 2)),
-        }));
-        cells.extend(rated_risk(&rates, &s.committed).map(|r| significant(r, 3)));
         table.row(cells);
     }
     table

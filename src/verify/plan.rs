@@ -4,7 +4,7 @@ use super::facets::{few, named};
 use super::interval::{Interval, exceeds};
 use super::limits;
 use super::motion::{Motion, State, X, Y, YAW, Z};
-use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds};
+use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds, kept};
 use super::sets::{Generators, MAX_TRIPLES, Plane, along};
 use super::wrench::Dynamics;
 use super::{Reach, Rejection, Shown, mode_named, required};
@@ -25,7 +25,7 @@ pub const MOST_OUTSIDE: f64 = 1e-4;
 /// Two instants are one, s.
 const SAME_TIME: f64 = 1e-9;
 /// Evaluations that one certificate may cost.
-const EVALUATIONS: usize = 200_000_000;
+pub const EVALUATIONS: usize = 200_000_000;
 
 /// Decides claims about one motion.
 pub struct Checker<'a> {
@@ -57,9 +57,20 @@ impl<'a> Checker<'a> {
         &self.dynamics
     }
 
-    /// So many evaluations from now on.
+    /// So many evaluations from now on, and as many sets as at first.
     pub fn allow(&mut self, evaluations: usize) {
         self.budget = Budget(evaluations);
+        self.triples = 0;
+    }
+
+    /// Evaluations that are left.
+    pub fn left(&self) -> usize {
+        self.budget.0
+    }
+
+    /// The quantities of a family that are shown to keep to a bound along the motion.
+    pub fn kept(&mut self, family: &Family, bound: &Bound) -> Vec<usize> {
+        kept(family, &self.motion, bound, &mut self.budget)
     }
 
     /// Whether all quantities of a family are shown to keep to a bound along the motion.
@@ -101,16 +112,30 @@ impl<'a> Checker<'a> {
                 });
             }
         }
+        // What is shown of the linear model's wrench is not shown of the vehicle's.
+        let (wrench, by) = match self.dynamics.model {
+            DynamicModel::Hover => ("linear model's wrench", " by the linear model's wrench"),
+            DynamicModel::Exact => ("wrench", ""),
+        };
         for set in &claim.sets {
             let reach = self.set(set)?;
-            shown.push(Shown::new(format!("wrench inside the set of {}", set.mode), reach));
+            shown.push(Shown::new(format!("{wrench} inside the set of {}", set.mode), reach));
         }
         few(&claim.facets)?;
         for (index, facet) in claim.facets.iter().enumerate() {
             let reach = self.facet(index, facet)?;
-            Shown::count(&mut shown, &format!("facets of {} kept", facet.facet.mode), reach);
+            Shown::count(&mut shown, &format!("facets of {} kept{by}", facet.facet.mode), reach);
         }
         Ok(shown)
+    }
+
+    /// The modes of the plan of which nothing is claimed: neither their set nor a facet of it.
+    pub fn unclaimed(&self, claim: &PlanClaim) -> Vec<String> {
+        let modes = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i)).map(|mode| &mode.name);
+        let is_claimed = |name: &String| {
+            claim.sets.iter().any(|set| set.mode == *name) || claim.facets.iter().any(|f| f.facet.mode == *name)
+        };
+        modes.filter(|name| !is_claimed(name)).cloned().collect()
     }
 
     fn span_of(&self, mode: &str) -> Option<Span> {
@@ -258,7 +283,6 @@ impl<'a> Checker<'a> {
     /// One limit, and how far it is shown.
     pub fn limit(&mut self, index: usize, claim: &LimitClaim) -> Result<Reach, Rejection> {
         let limit = &self.mission.limits[index];
-        let size = limit.upper.unwrap_or(0.0).abs().max(limit.lower.unwrap_or(0.0).abs()).max(1.0);
         let family = limits::family(limit, self.model.gravity);
         let what = format!("limit {} ({})", index + 1, claim.limit);
         let named = limit_words(limit.kind).0 == claim.limit;
@@ -266,7 +290,7 @@ impl<'a> Checker<'a> {
             let why = "the certificate names another limit than the spec";
             return Err(Rejection { span: Some(limit.span), ..Rejection::new(what, why) });
         }
-        self.bounds(&family, &claim.bounds, MOST_PAST_LIMIT * size, |_| String::new()).map_err(|r| Rejection {
+        self.bounds(&family, &claim.bounds, MOST_PAST_LIMIT * limit.size(), |_| String::new()).map_err(|r| Rejection {
             claim: what,
             span: Some(limit.span),
             ..r

@@ -53,38 +53,62 @@ impl Budget {
 
 /// Shows that every member stays at or below the bound, or says where it does not.
 pub fn holds(family: &Family, motion: &Motion, bound: &Bound, budget: &mut Budget) -> Result<(), Failure> {
-    for piece in 0..motion.pieces() {
-        // What is linear does not depend on the piece that a node is seen from.
-        let once = family.linear && piece + 1 < motion.pieces();
-        for node in piece..=piece + usize::from(!once) {
-            at_instant(family, &motion.node_in(node, piece), motion.times[node], bound.excess, budget)?;
-        }
-        let whole = motion.duration(piece);
-        match bound.scope {
-            Scope::Nodes => {}
-            Scope::Grid(points) => {
-                for i in 1..=points.min(MAX_GRID) {
-                    let share = Interval::point(i as f64) / Interval::point((points + 1) as f64);
-                    let at = share * whole;
-                    let state = motion.over(piece, at);
-                    at_instant(family, &state, motion.times[piece] + at.middle(), bound.excess, budget)?;
-                }
-            }
-            Scope::EveryInstant if family.linear => {}
-            Scope::EveryInstant => {
-                let everything: Vec<usize> = (0..family.members).collect();
-                let stretch = Interval::new(0.0, whole.high);
-                throughout(family, motion, piece, stretch, &everything, bound.excess, DEEPEST, budget)?;
-            }
-        }
-    }
-    Ok(())
+    let everything: Vec<usize> = (0..family.members).collect();
+    (0..motion.pieces()).try_for_each(|piece| over_piece(family, motion, piece, &everything, bound, budget))
 }
 
-fn at_instant(family: &Family, state: &State, at: f64, most: f64, budget: &mut Budget) -> Result<(), Failure> {
-    let everything: Vec<usize> = (0..family.members).collect();
-    let enough = budget.spend(family.members);
-    for (member, found) in (family.evaluate)(state, &everything).iter().enumerate() {
+/// The members that are shown to stay at or below the bound, in order; none once the budget is spent.
+pub fn kept(family: &Family, motion: &Motion, bound: &Bound, budget: &mut Budget) -> Vec<usize> {
+    let mut members: Vec<usize> = (0..family.members).collect();
+    for piece in 0..motion.pieces() {
+        while let Err(failure) = over_piece(family, motion, piece, &members, bound, budget) {
+            members.retain(|&member| member != failure.member);
+        }
+    }
+    members
+}
+
+/// Shows it over one piece of the motion.
+fn over_piece(
+    family: &Family,
+    motion: &Motion,
+    piece: usize,
+    members: &[usize],
+    bound: &Bound,
+    budget: &mut Budget,
+) -> Result<(), Failure> {
+    // What is linear does not depend on the piece that a node is seen from.
+    let once = family.linear && piece + 1 < motion.pieces();
+    for node in piece..=piece + usize::from(!once) {
+        at_instant(family, &motion.node_in(node, piece), motion.times[node], members, bound.excess, budget)?;
+    }
+    let whole = motion.duration(piece);
+    match bound.scope {
+        Scope::Nodes => Ok(()),
+        Scope::Grid(points) => (1..=points.min(MAX_GRID)).try_for_each(|i| {
+            let share = Interval::point(i as f64) / Interval::point((points + 1) as f64);
+            let at = share * whole;
+            let state = motion.over(piece, at);
+            at_instant(family, &state, motion.times[piece] + at.middle(), members, bound.excess, budget)
+        }),
+        Scope::EveryInstant if family.linear => Ok(()),
+        Scope::EveryInstant => {
+            let stretch = Interval::new(0.0, whole.high);
+            throughout(family, motion, piece, stretch, members, bound.excess, DEEPEST, budget)
+        }
+    }
+}
+
+fn at_instant(
+    family: &Family,
+    state: &State,
+    at: f64,
+    members: &[usize],
+    most: f64,
+    budget: &mut Budget,
+) -> Result<(), Failure> {
+    let enough = budget.spend(members.len());
+    for (&member, found) in members.iter().zip(&(family.evaluate)(state, members)) {
         if !enough || exceeds(found.value.high, most) {
             return Err(Failure { member, at, excess: found.value.high, refuted: found.value.low > most });
         }

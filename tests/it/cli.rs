@@ -1,5 +1,6 @@
 //! The command as scripts use it: exit codes, files whole or absent, streams, equal bytes.
 
+mod reports;
 mod results;
 
 use serde_json::Value;

@@ -149,7 +149,7 @@ impl Text {
     fn change(&mut self, change: Change) {
         let (files, model) = self.model();
         let mission = model.mission.as_ref().unwrap();
-        let words = change.instruction(&model, mission);
+        let words = change.instruction(&model, mission, &files.sources);
         // What stands between the first two backticks is to be written.
         let written = words.split('`').nth(1).unwrap_or_else(|| panic!("{words}")).to_string();
         let value = || written.split_once('=').unwrap().1.trim().to_string();
@@ -248,7 +248,7 @@ fn every_spec_names_its_conflict() {
         let wanted: Vec<&str> = first.strip_prefix("// conflict: ").unwrap().split(", ").collect();
         assert_eq!(named(explanation, files, model, mission, &text.name), wanted, "{}", text.name);
         assert!(explanation.conflict.proved && explanation.conflict.irreducible, "{}", text.name);
-        let told = diagnose(explanation, model, mission);
+        let told = diagnose(explanation, model, mission, &files.sources);
         let mut settings = insta::Settings::clone_current();
         settings.set_snapshot_path(path.parent().unwrap());
         settings.set_snapshot_suffix("");
@@ -257,6 +257,79 @@ fn every_spec_names_its_conflict() {
         let rendered = render_human(&[told], &files.sources, 100, false);
         settings.bind(|| insta::assert_snapshot!(path.file_stem().unwrap().to_str().unwrap(), rendered));
     }
+}
+
+/// The number in the headline is that of the labels that follow, and each statement stands under one of them.
+#[test]
+fn as_many_statements_are_counted_as_labelled() {
+    let mut shared = 0;
+    for Case { text, files, model, explanation, .. } in CASES.iter() {
+        let mission = model.mission.as_ref().unwrap();
+        let told = diagnose(explanation, model, mission, &files.sources);
+        let labels: Vec<(Span, &str)> = std::iter::once((told.span, told.label.as_str()))
+            .chain(told.labels.iter().map(|label| (label.span, label.message.as_str())))
+            .collect();
+        let counted = told.message.split(' ').next().unwrap();
+        assert_eq!(counted.parse().unwrap_or(1), labels.len(), "{}: {}", text.name, told.message);
+        for statement in &explanation.conflict.statements {
+            let at = statement.span(model, mission);
+            let (_, label) = labels.iter().find(|(span, _)| *span == at).unwrap();
+            assert!(label.contains(&statement.label(model, mission)), "{}: {label}", text.name);
+        }
+        shared += usize::from(labels.len() < explanation.conflict.statements.len());
+    }
+    assert!(shared > 0, "no place says two things");
+}
+
+/// A tolerance that would make another mission is not offered: none beyond ten times the spec's, nor beyond a quarter of the
+/// way to the next waypoint.
+#[test]
+fn tolerances_offered_leave_the_mission_what_it_is() {
+    for Case { text, model, explanation, .. } in CASES.iter() {
+        let points = &model.mission.as_ref().unwrap().waypoints;
+        for fix in &explanation.fixes {
+            let Change::Within { first, last, within } = fix.change else { continue };
+            for i in first..=last {
+                let beside = [i.checked_sub(1), Some(i + 1).filter(|k| *k < points.len())];
+                let way = |k: usize| {
+                    let (a, b) = (points[i].position, points[k].position);
+                    (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>().sqrt()
+                };
+                let nearest = beside.into_iter().flatten().map(way).fold(f64::INFINITY, f64::min);
+                assert!(within <= nearest / 4.0 + 1e-9, "{}: {within} m of {nearest} m", text.name);
+                assert!(within <= 10.0 * points[i].within + 1e-9, "{}: {within} m", text.name);
+            }
+        }
+    }
+}
+
+/// What `--set` says is told so, and the change is one of the command line.
+#[test]
+fn what_the_command_line_says_is_changed_there() {
+    let path = corpus().into_iter().find(|path| path.ends_with("slow_in_time.mav")).unwrap();
+    let mut text = Text::read(&path);
+    text.set("plan.time", "9s");
+    text.set("mission.limits.speed", "5.5m/s");
+    let (files, model, explanation) = explained(&text);
+    let told = diagnose(&explanation, &model, model.mission.as_ref().unwrap(), &files.sources);
+    let labels: Vec<&str> = told.labels.iter().map(|label| label.message.as_str()).collect();
+    assert!(labels.contains(&"in 9 s, says `--set`"), "{labels:?}");
+    assert!(labels.contains(&"`speed <= 5.5 m/s` kept, says `--set`"), "{labels:?}");
+    // Labels of the spec's own text come first.
+    assert_eq!(file_name(&files.sources.get(told.span.file).name), text.name);
+    let mut offered = 0;
+    for fix in &explanation.fixes {
+        let words = fix.change.instruction(&model, model.mission.as_ref().unwrap(), &files.sources);
+        if let Some((_, set)) = words.split_once("`--set ") {
+            let (field, value) = set.trim_end_matches('`').split_once('=').unwrap();
+            let mut changed = text.clone();
+            changed.set(field, value);
+            assert!(changed.plans(), "{words}");
+            offered += 1;
+        }
+        assert!(!words.contains("`time =") && !words.contains("`speed <="), "{words}");
+    }
+    assert_eq!(offered, 2, "{:?}", explanation.fixes);
 }
 
 #[test]

@@ -63,8 +63,15 @@ fn rounds_side_by_side() {
     model.plan.samples = 60;
     model.plan.time = MissionTime::Minimum;
     let mut comparison = run(&model, Scope::Everything);
+    let told = std::sync::Mutex::new(Vec::new());
+    let tell = |round: &str, time: f64| told.lock().unwrap().push((round.to_string(), time));
+    let found = rounds(&model, &viviani(), &mut comparison, (0, 3), Some(&tell));
+    // Progress names the rounds and the times tried.
+    let told = told.into_inner().unwrap();
     let at = comparison.common_time.unwrap();
-    let found = rounds(&model, &viviani(), &mut comparison, 0, 3);
+    for round in ["round 0", "round 1"] {
+        assert!(told.iter().any(|(name, time)| name == round && (time - at).abs() < 1e-9), "{told:?}");
+    }
     let solved = |ending: &Ending| match ending {
         Ending::Solved(s) => Some(s.clone()),
         _ => None,

@@ -3,7 +3,7 @@
 //! RIP is no round, RSP one. Facets are selected at all nodes. In the hover model, at a time at which RCP has a plan,
 //! rounds end at RCP's plan: each program is a relaxation of RCP's, and a plan that passes no facet solves it.
 
-use super::{Comparison, Ending, Setting};
+use super::{Comparison, Ending, Progress, Setting};
 use crate::model::{Mission, Model};
 use crate::planner::pool::Pool;
 use crate::planner::rows::{Decision, Planned};
@@ -33,9 +33,15 @@ pub struct Round {
 type Chain = Vec<(Vec<SetRow>, Decision)>;
 
 /// Rounds `first..=last` at T_d, and each at its own shortest time with the selection redone there. `common_time` is
-/// T_d; none where no mode has a plan at any time.
-pub fn rounds(model: &Model, mission: &Mission, comparison: &mut Comparison, first: usize, last: usize) -> Vec<Round> {
-    let setting = Setting::new(model, mission, None);
+/// T_d; none where no mode has a plan at any time. `progress` is told the round and each mission time tried.
+pub fn rounds(
+    model: &Model,
+    mission: &Mission,
+    comparison: &mut Comparison,
+    (first, last): (usize, usize),
+    progress: Progress,
+) -> Vec<Round> {
+    let setting = Setting::new(model, mission, progress);
     let Some(common) = comparison.common_time else { return Vec::new() };
     let mut search = Search { setting: &setting, last, chains: BTreeMap::new(), effort: Effort::default() };
     let at_common = setting.chain(common, last, &mut search.effort);
@@ -143,8 +149,8 @@ impl Setting<'_> {
         let mut before: Option<Planned> = None;
         for _ in 0..=last {
             let set = self.sets.rip.with(selected.clone());
-            let name = if chain.is_empty() { "RIP" } else { "RSP" };
-            let (decision, spent) = self.at(name, &set, time, Pool::default(), before.as_ref().as_slice());
+            let name = format!("round {}", chain.len());
+            let (decision, spent) = self.at(&name, &set, time, Pool::default(), before.as_ref().as_slice());
             *effort += spent;
             before = super::planned_of(&decision).cloned();
             chain.push((selected.clone(), decision));

@@ -2,12 +2,17 @@
 
 use super::{hop, planned};
 use mavc::certificate::between::{Between, Shown, WRENCH, between};
+use mavc::certificate::plan::certificate;
+use mavc::certificate::{Claim, Scope};
 use mavc::model::{LimitKind, Model, PlanModel, PlannerKind};
 use mavc::planner::compare::{Comparison, Ending, Solved};
 use mavc::planner::transcribe::NodeState;
 use mavc::report::between as words;
+use mavc::report::caveats::caveats;
 use mavc::trajectory::checks::past;
 use mavc::trajectory::tilt;
+use mavc::verify::Reach;
+use mavc::verify::plan::{Checker, MOST_PAST_LIMIT};
 
 fn solved(comparison: &Comparison) -> &Solved {
     match &comparison.runs.last().unwrap().ending {
@@ -64,8 +69,11 @@ fn plans_say_what_is_proved() {
     let found = told(&model, &comparison);
     assert_true(&model, &comparison, &found);
     assert_eq!(found[0].shown, Shown::Proved);
-    let text = words::between(model.mission.as_ref().unwrap(), &found);
-    assert!(text.starts_with("\n  Proved for every instant: the wrench keeps to every facet imposed"), "{text}");
+    let text = words::between(&model, solved(&comparison), &found);
+    assert!(
+        text.starts_with("\n  Proved for every instant: the linear model's wrench keeps to every facet imposed"),
+        "{text}"
+    );
 
     let mut exact = hop(PlannerKind::Rip, 10.0);
     exact.plan.model = PlanModel::Exact;
@@ -73,6 +81,51 @@ fn plans_say_what_is_proved() {
     let found = told(&exact, &comparison);
     assert_true(&exact, &comparison, &found);
     assert!(found.iter().all(|b| b.shown == Shown::Proved), "{found:?}");
+    // In the exact model it is the vehicle's wrench.
+    let text = words::between(&exact, solved(&comparison), &found);
+    assert!(text.starts_with("\n  Proved for every instant: the wrench keeps to every facet imposed"), "{text}");
+}
+
+/// The same motion in a part of the time.
+fn hurry(plan: &mut Solved, factor: f64) {
+    plan.trajectory.times.iter_mut().for_each(|t| *t *= factor);
+    for axis in plan.trajectory.nodes.iter_mut().flatten() {
+        axis.iter_mut().enumerate().for_each(|(order, d)| *d /= factor.powi(order as i32));
+    }
+}
+
+/// What the report says of a plan is what the checker says of its certificate: of so many facets, and of the same limits.
+#[test]
+fn reports_and_certificates_say_the_same() {
+    let mut partly = 0;
+    for (planner, time, factor) in
+        [(PlannerKind::Rsp, 8.0, 1.0), (PlannerKind::Rcp, 8.0, 0.6), (PlannerKind::Rip, 8.0, 0.45)]
+    {
+        let mut model = hop(planner, time);
+        model.plan.model = PlanModel::Exact;
+        let mut comparison = planned(&model);
+        let Ending::Solved(plan) = &mut comparison.runs.last_mut().unwrap().ending else { panic!("no plan") };
+        hurry(plan, factor);
+        let found = told(&model, &comparison);
+        let mission = model.mission.as_ref().unwrap();
+        let run = comparison.runs.last().unwrap();
+        let certificate = certificate(&model, mission, run, solved(&comparison), String::new()).unwrap();
+        let Claim::Plan(claim) = &certificate.claim else { panic!("no plan") };
+        let mut checker = Checker::new(&model, mission, certificate.model, &claim.motion).unwrap();
+        let throughout = |reach: Result<Reach, _>| reach.is_ok_and(|r| r.scope == Some(Scope::EveryInstant));
+        let kept = claim.facets.iter().enumerate().filter(|(i, facet)| throughout(checker.facet(*i, facet))).count();
+        assert_eq!((found[0].proved, found[0].imposed), (kept, claim.facets.len()), "{planner:?} {factor}");
+        assert_eq!(found[0].shown == Shown::Proved, kept == claim.facets.len());
+        partly += usize::from(0 < kept && kept < claim.facets.len());
+        for (i, (b, limit)) in found[1..].iter().zip(&claim.limits).enumerate() {
+            let told = b.shown == Shown::Proved && b.excess <= MOST_PAST_LIMIT * mission.limits[i].size();
+            assert_eq!(told, throughout(checker.limit(i, limit)), "{planner:?} {factor} {b:?}");
+        }
+        let text = words::between(&model, solved(&comparison), &found);
+        let some = format!("the wrench keeps to {kept} of the {} facets imposed", claim.facets.len());
+        assert_eq!(text.contains(&some), 0 < kept && kept < claim.facets.len(), "{text}");
+    }
+    assert!(partly > 0, "all or none are proved");
 }
 
 /// A plan flown faster than its set and limits allow: nothing false is said, and how far rows are passed is.
@@ -82,15 +135,16 @@ fn what_does_not_hold_is_not_proved() {
     let mut comparison = planned(&model);
     let run = comparison.runs.last_mut().unwrap();
     let Ending::Solved(plan) = &mut run.ending else { panic!("no plan") };
-    let factor: f64 = 0.3;
-    plan.trajectory.times.iter_mut().for_each(|t| *t *= factor);
-    for axis in plan.trajectory.nodes.iter_mut().flatten() {
-        axis.iter_mut().enumerate().for_each(|(order, d)| *d /= factor.powi(order as i32));
-    }
+    hurry(plan, 0.3);
     let found = told(&model, &comparison);
     assert_true(&model, &comparison, &found);
     let passed: Vec<&str> = found.iter().filter(|b| b.shown == Shown::Checked).map(|b| b.rows).collect();
     assert!(passed.contains(&WRENCH) && passed.contains(&"speed"), "{found:?}");
-    let text = words::between(model.mission.as_ref().unwrap(), &found);
-    assert!(text.contains("Checked on a grid of 64 points an interval") && text.contains("speed, passed by"), "{text}");
+    let text = words::between(&model, solved(&comparison), &found);
+    assert!(text.contains("Checked on a grid of 64 points an interval"), "{text}");
+    // That a limit is passed is said once, by the caveat that knows the instant.
+    let caveats: Vec<String> = caveats(&model, solved(&comparison)).into_iter().map(|c| c.message).collect();
+    let whole = format!("{}\n{text}", caveats.join("\n"));
+    assert!(whole.contains("the speed limit is passed by"), "{whole}");
+    assert_eq!(whole.matches("speed").count(), 1, "{whole}");
 }

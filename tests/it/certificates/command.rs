@@ -91,6 +91,39 @@ fn a_plan_is_certified_and_verified() {
     }
 }
 
+/// What a certificate does not claim is no lie, but the reader is told of it.
+#[test]
+fn modes_of_which_nothing_is_claimed_are_named() {
+    let folder = Folder::new(&SPEC.replace("time = 9 s", "time = 5 s"));
+    let (spec, proof) = (folder.spec(), folder.at("cert.json"));
+    assert_eq!(code(&mavc(&["plan", &spec, "--quiet", "--certificate", &proof])), 0);
+    let verified = || {
+        let ran = mavc(&["verify", &proof, &spec]);
+        assert_eq!(code(&ran), 0, "{}", said(&ran));
+        String::from_utf8(ran.stdout).unwrap()
+    };
+    let whole = verified();
+    assert!(whole.contains("facets of M1 kept") && whole.contains("facets of M2 kept"), "{whole}");
+    assert!(!whole.contains("Not shown"), "{whole}");
+    let without = |modes: &[&str]| {
+        let mut value: serde_json::Value = serde_json::from_slice(&std::fs::read(&proof).unwrap()).unwrap();
+        let facets = value["claim"]["plan"]["facets"].as_array_mut().unwrap();
+        facets.retain(|facet| !modes.contains(&facet["facet"]["mode"].as_str().unwrap()));
+        std::fs::write(&proof, value.to_string()).unwrap();
+    };
+    without(&["M1"]);
+    let fewer = verified();
+    assert!(fewer.contains("Not shown: no facet of M1 is claimed.") && fewer.contains("of M2 kept"), "{fewer}");
+    without(&["M1", "M2"]);
+    assert!(verified().contains("Not shown: no facet of M1, M2 is claimed."));
+    // Under RCP whole sets are claimed.
+    let ran = mavc(&["plan", &spec, "--set", "plan.planner=rcp", "--set", "plan.time=9s", "--certificate", &proof]);
+    assert_eq!(code(&ran), 0, "{}", said(&ran));
+    let ran = mavc(&["verify", &proof, &spec, "--set", "plan.planner=rcp", "--set", "plan.time=9s"]);
+    let told = String::from_utf8(ran.stdout).unwrap();
+    assert!(told.contains("inside the set of M1") && !told.contains("Not shown"), "{told}");
+}
+
 #[test]
 fn a_mission_without_a_plan_is_certified() {
     let spec = SPEC.replace("yaw 40 deg", "").replace("yaw 90 deg", "").replace("time = 9 s", "time = 4 s");

@@ -46,7 +46,7 @@ fn every_spec_names_its_conflict() {
         assert_eq!(explanation.conflict.proved, proved, "{}", text.name);
         assert!(explanation.questions <= MOST_ATTEMPTS.iter().sum(), "{}", text.name);
         // What is proved and what was only tried are told apart.
-        let told = diagnose(explanation, model, mission);
+        let told = diagnose(explanation, model, mission, &files.sources);
         let words = if proved { "cannot hold together" } else { "were not satisfied together in our attempts" };
         assert!(told.message.contains(words), "{}: {}", text.name, told.message);
         // The short tries miss a plan now and then; then that is said.

@@ -5,6 +5,7 @@ use mavc::explain::statement::statements;
 use mavc::explain::{Answer, MOST_QUESTIONS, MOST_TRIES, Oracle, Part, Statement, explain};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::planner::transcribe::UNBOUNDED;
+use mavc::source::SourceMap;
 use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64Mcg;
 use std::collections::BTreeSet;
@@ -71,6 +72,10 @@ fn spec() -> Model {
     points[3].hold = 2.0;
     let mut flown = mission(points);
     flown.limits = [LimitKind::Speed, LimitKind::Tilt, LimitKind::Climb].map(|kind| limit(kind, 0.5)).to_vec();
+    for (i, limit) in flown.limits.iter_mut().enumerate() {
+        limit.span.start = 10 + i as u32;
+    }
+    model.plan.time_span.start = 20;
     model.mission = Some(flown);
     model.plan.planner = PlannerKind::Rip;
     model.plan.reserve = 0.1;
@@ -197,7 +202,7 @@ fn what_was_not_proved_is_not_called_so() {
         let mut known = Known { conflicts, proves, weighs: true, asked: 0 };
         let mut oracle = Asked { known: &mut known, whole: model.clone() };
         let found = explain(&model, mission, &mut oracle).unwrap();
-        let told = mavc::explain::diagnose::diagnose(&found, &model, mission);
+        let told = mavc::explain::diagnose::diagnose(&found, &model, mission, &SourceMap::default());
         assert_eq!((told.code, told.message.as_str()), ("mavc::plan::conflict", wanted));
         // Both of them, changed, and nothing else: every number of two digits above 30 s is another time.
         let kinds: Vec<&str> = found.fixes.iter().map(|fix| fix.change.kind()).collect();
@@ -228,6 +233,6 @@ fn what_was_proved_is_not_given_up_for_what_was_not_found() {
     let found = explain(&model, mission, &mut oracle).unwrap();
     assert_eq!(found.conflict.statements, [Statement::RestAtStart, Statement::Limit(1), Statement::Limit(2)]);
     assert!(found.conflict.proved && !found.conflict.irreducible);
-    let told = mavc::explain::diagnose::diagnose(&found, &model, mission);
+    let told = mavc::explain::diagnose::diagnose(&found, &model, mission, &SourceMap::default());
     assert!(told.help.unwrap().contains("not shown"));
 }

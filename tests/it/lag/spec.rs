@@ -38,7 +38,7 @@ fn reports_say_with_which_constant() {
     let said = text(&ran.stdout);
     assert!(said.contains("Rotors lag: thrusts are taken to follow their commands in 60 ms"), "{said}");
     let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("what the rotors are commanded keeps to every facet imposed"), "{said}");
+    assert!(said.contains("what the rotors are commanded in the linear model keeps to every facet imposed"), "{said}");
     let report: Value = serde_json::from_slice(&std::fs::read(folder.path().join("report.json")).unwrap()).unwrap();
     let constant = report["thrust_time_constant_s"].as_f64().unwrap();
     assert!((constant - 0.06).abs() < 1e-12, "{constant}");

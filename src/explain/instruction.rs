@@ -1,0 +1,68 @@
+//! Changes in words: what to write in the spec, or on the command line where that is where it was said.
+
+use super::remedy::Change;
+use super::statement::{length, written};
+use crate::model::{Mission, MissionTime, Model, is_override};
+use crate::report::number::number;
+use crate::source::{SourceMap, Span};
+
+impl Change {
+    /// What to do, in the words of the language. What came from `--set` is changed there.
+    pub fn instruction(self, model: &Model, mission: &Mission, sources: &SourceMap) -> String {
+        let at = |i: usize| match &mission.waypoints[i].name {
+            Some(name) => format!("waypoint `{name}`"),
+            None => format!("waypoint {}", i + 1),
+        };
+        let set = |span: Span| is_override(sources, span);
+        let plan = &model.plan;
+        match self {
+            Change::Samples(samples) if set(plan.samples_span) => format!("say `--set plan.samples={samples}`"),
+            Change::Samples(samples) => format!("write `samples = {samples}`"),
+            Change::Time(time) if set(plan.time_span) => format!("say `--set plan.time={}s`", number(time)),
+            Change::Time(time) => format!("write `time = {} s`", number(time)),
+            Change::Arrival { waypoint, time } => {
+                let last = waypoint + 1 == mission.waypoints.len();
+                let total = number(time + mission.waypoints[waypoint].hold);
+                let both = match plan.time {
+                    MissionTime::Fixed(_) if last && set(plan.time_span) => {
+                        format!(", and say `--set plan.time={total}s`")
+                    }
+                    MissionTime::Fixed(_) if last => format!(", and `time = {total} s` in `plan`"),
+                    _ => String::new(),
+                };
+                format!("write `time {} s` at {}{both}", number(time), at(waypoint))
+            }
+            Change::Within { first, last, within } if first == last => {
+                format!("write `within {}` at {}", length(within), at(first))
+            }
+            Change::Within { within, .. } => format!("write `within = {}` in the curve", length(within)),
+            Change::Bound { limit, upper } => {
+                let limit = &mission.limits[limit];
+                let (name, unit, scale) = limit.kind.words();
+                let value = number(upper / scale);
+                match set(limit.span) {
+                    true => format!("say `--set mission.limits.{name}={value}{unit}`"),
+                    false => format!("write `{name} <= {value} {unit}`"),
+                }
+            }
+            Change::Reserve(reserve) if set(plan.reserve_span) => {
+                format!("say `--set plan.reserve={}%`", number(100.0 * reserve))
+            }
+            Change::Reserve(reserve) => format!("write `reserve = {} %`", number(100.0 * reserve)),
+            Change::NoLimit(limit) => {
+                let limit = &mission.limits[limit];
+                let also = if set(limit.span) { ", of the `--set` and of the spec if it is there too" } else { "" };
+                format!("take `{}` out{also}", written(limit))
+            }
+            Change::NoHold(waypoint) => format!("take the `hold` at {} out", at(waypoint)),
+            Change::NoMode(mode) => {
+                let list = if set(plan.against_span) { "--set plan.against" } else { "against" };
+                format!("leave `{}` out of `{list}`", model.modes[mode].name)
+            }
+            Change::Mass(mass) if set(model.vehicle.mass_span) => {
+                format!("make the vehicle lighter: `--set vehicle.mass={}kg`", number(mass))
+            }
+            Change::Mass(mass) => format!("make the vehicle lighter: `mass = {} kg`", number(mass)),
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! What `mavc compare` says to people.
+
+use super::heat;
+use super::number::{fixed, number, percent, significant};
+use super::record::{errors, rates};
+use super::table::Table;
+use super::terminal::{WIDTH, head, holds};
+use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind};
+use crate::planner::compare::rounds::Round;
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, label};
+use crate::planner::profile::determined;
+use crate::trajectory::risk::rated_risk;
+
+/// The tables of section 5.4 for any spec.
+///
+/// `color`: whether strips are coloured.
+pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
+    let mut out = head(model, mission, comparison);
+    out.push_str(match determined(mission) {
+        Some(_) => "\nEach planner alone, at the only time that the mission's fixed times allow\n",
+        None => "\nEach planner alone, at the shortest time it was found to need\n",
+    });
+    out.push_str(&run_table(mission, comparison, Run::Own).render(2));
+    out.push_str(&own_note(model, mission, comparison));
+    out.push_str(&match comparison.common_time {
+        Some(t) => format!("\nAll planners at T_d = {} s, {}\n", number(t), common_time(model, mission, comparison)),
+        None if comparison.modes.is_empty() => "\nWithout fault modes there is no common time T_d.\n".into(),
+        None => "\nNo mode has a plan at any time, so there is no common time T_d.\n".into(),
+    });
+    out.push_str(&run_table(mission, comparison, Run::Common).render(2));
+    if !comparison.modes.is_empty() {
+        let holds = holds(model);
+        let own =
+            if determined(mission).is_some() { "each planner alone" } else { "each planner at its shortest time" };
+        for (run, title) in [(Run::Own, own), (Run::Common, "all planners at T_d")] {
+            let held = if holds { "; where the mission holds, the last one without a stop after it" } else { "" };
+            let text = format!("Seconds outside each mode's set, and the last instant outside{held}: {title}");
+            out.push_str(&format!("\n{}\n", textwrap::fill(&text, WIDTH)));
+            out.push_str(&outside_table(model, comparison, run).render(2));
+        }
+        out.push_str(risk_note(model, comparison));
+        out.push_str(
+            "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
+        );
+        for run in comparison.runs.iter().filter(|r| r.run == Run::Common) {
+            if let Ending::Solved(solved) = &run.ending {
+                out.push_str(&format!("  {}\n", name_of(run)));
+                out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
+            }
+        }
+        out.push_str(&heat::legend(color));
+    }
+    if !comparison.modes.is_empty() {
+        let n = comparison.selected.len();
+        let plural = if n == 1 { "" } else { "s" };
+        out.push_str(&format!("\nRSP guards {n} facet{plural} of the fault sets beside the healthy set's.\n"));
+    }
+    for run in comparison.runs.iter().filter(|r| r.planner == PlannerKind::Rsp && r.run == Run::Common) {
+        if let Ending::Infeasible { at } = run.ending {
+            out.push_str(&format!(
+                "RSP has no plan in {} s; its own shortest time is in the first table.\n",
+                number(at)
+            ));
+        }
+    }
+    out
+}
+
+/// What the column of risks means, in one line where all of them are zero; nothing where no mode has a rate.
+fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
+    let rates = rates(model);
+    let risks = comparison.runs.iter().filter_map(|run| match &run.ending {
+        Ending::Solved(solved) => rated_risk(&rates, &solved.committed),
+        _ => None,
+    });
+    match (rates.iter().any(Option::is_some), holds(model)) {
+        (false, _) => "",
+        (true, _) if risks.fold(0.0, f64::max) == 0.0 => "  risk 0: no mode with a rate commits any of these plans.\n",
+        (true, false) => {
+            "  risk: that some mode with a rate strikes before its last instant outside, if the mission goes on; modes are\n  \
+             taken as independent.\n"
+        }
+        (true, true) => {
+            "  risk: that some mode with a rate strikes before its last instant outside, or where the mission holds before the\n  \
+             last one from which no stop was found (sought at the nodes); modes are taken as independent.\n"
+        }
+    }
+}
+
+/// Under the first table: that its times were looked for beside the one that the spec fixes, and with which facets RSP's was.
+fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
+    let Some(at) = comparison.common_time.map(number) else { return String::new() };
+    let beside = match model.plan.time {
+        MissionTime::Fixed(_) if determined(mission).is_none() => {
+            Some(format!("The spec asks for {at} s; these times were looked for beside it, for comparison."))
+        }
+        _ => None,
+    };
+    let selected = (!comparison.modes.is_empty())
+        .then(|| format!("RSP has the facets that are selected at T_d = {at} s, at its own time too."));
+    let text: Vec<String> = beside.into_iter().chain(selected).collect();
+    if text.is_empty() {
+        return String::new();
+    }
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    format!("{}\n", textwrap::fill(&text.join(" "), options))
+}
+
+/// Where T_d comes from.
+fn common_time(model: &Model, mission: &Mission, comparison: &Comparison) -> &'static str {
+    let jointly = |run: &&PlannerRun| run.planner == PlannerKind::Rcp && run.against.len() == comparison.modes.len();
+    let joint = comparison.runs.iter().filter(|run| run.run == Run::Own).find(jointly);
+    match (model.plan.time, joint.map(|run| &run.ending)) {
+        _ if determined(mission).is_some() => "the time that the mission's fixed times give",
+        (MissionTime::Fixed(_), _) => "the time that the spec asks for",
+        (_, Some(Ending::Solved(_))) if comparison.modes.len() == 1 => "RCP's shortest time",
+        (_, Some(Ending::Solved(_))) => "the shortest time of RCP against all modes jointly",
+        _ => "the largest of RCP's shortest times against single modes",
+    }
+}
+
+/// `RIP`, `RCP M1`, `RCP jointly`, `RSP`.
+fn name_of(run: &PlannerRun) -> String {
+    match (run.planner, run.against.len()) {
+        (PlannerKind::Rcp, k) if k > 1 => "RCP jointly".to_string(),
+        _ => label(run.planner, &run.against),
+    }
+}
+
+fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
+    let mut table = Table::new(&[
+        "planner",
+        "T [s]",
+        "e_R [m]",
+        "e_R/N [m]",
+        "e_psi [rad]",
+        "largest [cm]",
+        "objective",
+        "rows/node",
+    ]);
+    let n = mission.waypoints.len() as f64;
+    for run in comparison.runs.iter().filter(|r| r.run == which) {
+        let name = name_of(run);
+        let rows = run.set.rows.len().to_string();
+        match &run.ending {
+            Ending::Solved(s) => {
+                let e = errors(mission, s);
+                table.row(vec![
+                    name,
+                    number(s.time),
+                    significant(e.position, 4),
+                    significant(e.position / n, 3),
+                    significant(e.yaw, 3),
+                    significant(100.0 * e.largest, 3),
+                    number(s.objective),
+                    rows,
+                ]);
+            }
+            Ending::Infeasible { .. } => table.row(vec![name, "infeasible".into()]),
+            Ending::Inconclusive { .. } => table.row(vec![name, "no verdict".into()]),
+        }
+    }
+    table
+}
+
+fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
+    let mut headings = vec!["planner"];
+    headings.extend(comparison.modes.iter().map(String::as_str));
+    let rates = rates(model);
+    if rates.iter().any(Option::is_some) {
+        headings.push("risk");
+    }
+    let mut table = Table::new(&headings);
+    for run in comparison.runs.iter().filter(|r| r.run == which) {
+        let Ending::Solved(s) = &run.ending else { continue };
+        let name = name_of(run);
+        let mut cells = vec![name];
+        let modes = s.outside.iter().zip(&s.committed).zip(&model.plan.against);
+        cells.extend(modes.map(|((o, committed), &mode)| match (o.last, model.after_fault(mode)) {
+            (None, _) if *committed == 0.0 => "0".to_string(),
+            (last, AfterFault::Hold) => {
+                let last = fixed(last.unwrap_or(0.0), 2);
+                format!("{} ({last}; {})", fixed(o.seconds, 2), fixed(*committed, 2))
+            }
+            (last, _) => format!("{} ({})", fixed(o.seconds, 2), fixed(last.unwrap_or(0.0), 2)),
+        }));
+        cells.extend(rated_risk(&rates, &s.committed).map(|r| significant(r, 3)));
+        table.row(cells);
+    }
+    table
+}
+
+/// What `mavc compare --rounds` adds: each number of rounds at T_d, and its own shortest time where time is free.
+pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds: &[Round]) -> String {
+    let Some(common) = comparison.common_time else {
+        return "\nNo mode has a plan at any time, so there is no time to select facets at.\n".into();
+    };
+    let mut out = format!("\nRounds of selection, at T_d = {} s; 0 is RIP, 1 the paper's RSP\n", number(common));
+    let mut table = Table::new(&[
+        "rounds",
+        "facets",
+        "e_R [m]",
+        "e_psi [rad]",
+        "largest [cm]",
+        "objective",
+        "margin",
+        "outside [s]",
+        "own T [s]",
+    ]);
+    for round in rounds {
+        let mut cells = vec![round.rounds.to_string(), round.selected.to_string()];
+        match &round.common {
+            Ending::Solved(s) => {
+                let e = errors(mission, s);
+                cells.extend([significant(e.position, 4), significant(e.yaw, 3), significant(100.0 * e.largest, 3)]);
+                cells.push(number(s.objective));
+                cells.push(s.smallest_margin().map_or("-".into(), percent));
+                cells.push(fixed(s.outside.iter().map(|o| o.seconds).fold(0.0, f64::max), 2));
+            }
+            Ending::Infeasible { .. } => cells.extend(["infeasible", "", "", "", "", ""].map(String::from)),
+            Ending::Inconclusive { .. } => cells.extend(["no verdict", "", "", "", "", ""].map(String::from)),
+        }
+        cells.push(match &round.own {
+            Ending::Solved(s) => number(s.time),
+            Ending::Infeasible { .. } => "infeasible".into(),
+            Ending::Inconclusive { .. } => "none found".into(),
+        });
+        table.row(cells);
+    }
+    out.push_str(&table.render(2));
+    out.push_str(
+        "  margin: the smallest over all modes, in shares of the healthy set's width; outside: the longest over the modes.\n",
+    );
+    out.push_str(match model.plan.time {
+        MissionTime::Minimum if determined(mission).is_none() => {
+            "  Each own time was found with the selection redone there; 0.05 s below it no such plan was found.\n"
+        }
+        _ => "  The time is fixed: no own time was looked for.\n",
+    });
+    out
+}

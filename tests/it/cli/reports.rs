@@ -1,0 +1,136 @@
+//! What reports say to people: what times are, what is said once, what `--quiet` keeps.
+
+use super::*;
+
+/// An octocopter on a short way against two losses.
+const TURN: &str = r#"
+vehicle octo {
+    layout  = "PPNNPPNN"
+    arm     = 0.211 m
+    mass    = 1.8 kg
+    inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { thrust_coefficient = 8.5485e-6 N*s^2/rad^2; drag_coefficient = 1.3678e-7 N*m*s^2/rad^2; max_speed = 874 rad/s }
+}
+faults { every 1 rotor lost as M { rate = 1e-5 1/h } }
+mission turn {
+    start at [0, 0, 2] m
+    waypoint at [3, 1, 3] m
+    waypoint at [5, 0, 2] m
+}
+plan { model = hover; planner = rsp; against = [M1, M2]; time = 9 s; samples = 40; reserve = 0 % }
+"#;
+
+fn flat(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn compared(set: &[&str]) -> String {
+    let mut args = vec!["compare", "-"];
+    set.iter().for_each(|set| args.extend(["--set", set]));
+    let ran = mavc_with(&args, TURN);
+    assert_eq!(code(&ran), 0, "{}", err(&ran));
+    out(&ran)
+}
+
+#[test]
+fn comparisons_say_what_their_times_are() {
+    let text = compared(&[]);
+    let said = flat(&text);
+    assert!(said.contains("The spec asks for 9 s; these times were looked for beside it"), "{text}");
+    assert!(said.contains("RSP has the facets that are selected at T_d = 9 s"), "{text}");
+    assert!(said.contains("All planners at T_d = 9 s, the time that the spec asks for"), "{text}");
+    // No table of the paper's is one of this mission.
+    assert!(!said.contains("Table"), "{text}");
+
+    let free = flat(&compared(&["plan.time=minimum"]));
+    assert!(!free.contains("The spec asks for"), "{free}");
+    assert!(free.contains("the shortest time of RCP against all modes jointly"), "{free}");
+    let alone = flat(&compared(&["plan.time=minimum", "plan.against=[M1]"]));
+    assert!(alone.contains(", RCP's shortest time planner"), "{alone}");
+
+    let due = TURN.replace("[5, 0, 2] m", "[5, 0, 2] m  time 9 s").replace("time = 9 s;", "");
+    let ran = mavc_with(&["compare", "-", "--rounds", "0..1"], &due);
+    let said = flat(&out(&ran));
+    assert!(said.contains("at the only time that the mission's fixed times allow"), "{said}");
+    assert!(said.contains("T_d = 9 s, the time that the mission's fixed times give"), "{said}");
+    assert!(said.contains("The time is fixed: no own time was looked for") && !said.contains("asks for"), "{said}");
+}
+
+#[test]
+fn the_legend_of_strips_is_printed_once() {
+    let text = compared(&[]);
+    assert!(text.matches("  M1   |").count() > 1, "{text}");
+    assert_eq!(text.matches("# outside").count(), 1, "{text}");
+    let plan = out(&mavc_with(&["plan", "-"], TURN));
+    assert_eq!(plan.matches("# outside").count(), 1, "{plan}");
+}
+
+/// One line where there is nothing to explain.
+#[test]
+fn no_risk_takes_one_line() {
+    for (hold, meaning) in
+        [("continue", "no mode with a rate has an instant outside."), ("hold", "or one without a stop")]
+    {
+        let ran = mavc_with(&["plan", "-", "--set", &format!("plan.after_fault={hold}")], TURN);
+        let text = out(&ran);
+        let line = text.lines().find(|line| line.trim_start().starts_with("Risk ")).unwrap();
+        assert!(line.starts_with("  Risk 0: ") && line.contains(meaning), "{text}");
+        assert!(!text.contains("taken as independent"), "{text}");
+    }
+    let text = flat(&out(&mavc_with(&["plan", "-", "--set", "plan.time=minimum", "--set", "plan.planner=rip"], TURN)));
+    assert!(text.contains("Modes are taken as independent"), "{text}");
+    let apart = compared(&["plan.reserve=30%", "plan.time=20s", "plan.planner=rip"]);
+    assert_eq!(apart.matches("risk 0: no mode").count() + apart.matches("risk: that some").count(), 1, "{apart}");
+}
+
+#[test]
+fn no_two_columns_of_the_analysis_have_one_heading() {
+    let text = out(&mavc_with(&["analyze", "-"], TURN));
+    let headings: Vec<&str> =
+        text.lines().nth(2).unwrap().split("  ").map(str::trim).filter(|h| !h.is_empty()).collect();
+    assert!(headings.len() >= 11 && headings[0] == "mode", "{headings:?}");
+    let mut once = headings.clone();
+    once.sort_unstable();
+    once.dedup();
+    assert_eq!(once.len(), headings.len(), "{headings:?}");
+}
+
+/// Results and errors stay; warnings, progress and notes go.
+#[test]
+fn quiet_keeps_results_and_errors() {
+    // Eight modes, two of them planned against: the others are warned of.
+    let dir = folder();
+    let at = |name: &str| dir.path().join(name);
+    std::fs::write(at("turn.mav"), TURN.replace("vehicle octo", "let spare = 3 m\nvehicle octo")).unwrap();
+    let (spec, table, proof) = (at("turn.mav"), at("t.csv"), at("cert.json"));
+    let plan = |quiet: &[&str]| {
+        let args = ["plan", text(&spec), "-o", text(&table), "--certificate", text(&proof)];
+        mavc(&[&args, quiet].concat())
+    };
+    let (loud, quiet) = (plan(&[]), plan(&["--quiet"]));
+    assert!(
+        err(&loud).contains("mavc::name::unused") && out(&loud).contains("Trajectory written to"),
+        "{}",
+        err(&loud)
+    );
+    assert_eq!(err(&quiet), "");
+    let report = out(&loud);
+    assert_eq!(out(&quiet), report[..report.find("\nTrajectory written").unwrap()]);
+    assert!(table.exists() && proof.exists());
+
+    let verify = |quiet: &[&str]| out(&mavc(&[&["verify", text(&proof), text(&spec)], quiet].concat()));
+    assert_eq!(verify(&["--quiet"]), verify(&[]));
+
+    // What `check` is asked for it tells.
+    let check = |quiet: &[&str]| out(&mavc(&[&["check", text(&spec)], quiet].concat()));
+    assert!(check(&[]).contains("1 warning"), "{}", check(&[]));
+    let told = check(&["--quiet"]);
+    assert!(told.contains("mavc::name::unused") && !told.contains("1 warning"), "{told}");
+
+    let new = mavc(&["new", text(&at("new.mav")), "--quiet"]);
+    assert_eq!((code(&new), out(&new), err(&new)), (0, String::new(), String::new()));
+    // Why there is no plan is an error.
+    let none = mavc(&["plan", text(&spec), "--quiet", "--set", "plan.time=1s"]);
+    assert_eq!(code(&none), 3);
+    assert!(err(&none).contains("mavc::plan::conflict"), "{}", err(&none));
+}
