@@ -1,7 +1,7 @@
 //! From a file name to a model, with every diagnostic on the way.
 
-use super::{Options, Problem, SpecArgs, files};
-use crate::diagnostic::{Diagnostic, Severity, render_human, render_short, sort, to_json_line};
+use super::{Options, Problem, SpecArgs, files, links};
+use crate::diagnostic::{Diagnostic, Severity, render_linked, render_short, sort, to_json_line};
 use crate::model::{FileSet, MAX_TABLE_BYTES, Model, OVERRIDE, Override, elaborate, load, parse_override};
 use crate::source::SourceMap;
 use sha2::{Digest, Sha256};
@@ -113,7 +113,7 @@ impl Loaded {
 /// Diagnostics for people who read them on `stream`.
 pub fn human(diagnostics: &[Diagnostic], sources: &SourceMap, stream: &impl IsTerminal) -> String {
     let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100);
-    render_human(diagnostics, sources, width, colored(stream))
+    render_linked(diagnostics, sources, width, colored(stream), links::docs(stream).as_deref())
 }
 
 /// Colour where the stream is a terminal and NO_COLOR is not set.
