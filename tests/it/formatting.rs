@@ -341,4 +341,50 @@ proptest! {
         prop_assert!(!parse(&text).has_errors(), "{:#?}\n{}", parse(&text).diagnostics, text);
         faithful(&text);
     }
+
+    /// Whatever is no spec is refused; whatever is one, however odd, keeps its substance.
+    #[test]
+    fn odd_texts_are_refused_or_keep_their_substance(pieces in prop::collection::vec(prop::sample::select(PIECES), 0..12)) {
+        let text = pieces.concat();
+        match checked(&text).value {
+            Some(_) => drop(faithful(&text)),
+            None => prop_assert!(parse(&text).has_errors()),
+        }
+    }
 }
+
+const PIECES: &[&str] = &[
+    "let a",
+    "=",
+    "=1",
+    "[1,2\n]",
+    " m",
+    "*",
+    "^",
+    "/",
+    "-",
+    " ",
+    "\t",
+    "\n",
+    "\r\n",
+    ";",
+    "{",
+    "}",
+    "//c\n",
+    "///d\n",
+    "\"t\"",
+    "plan{",
+    "plan {}",
+    "faults{",
+    "mode A{",
+    "a=1",
+    "b = (1 // c\n)",
+    ",",
+    "%",
+    "+-",
+    "..",
+    "α",
+    "// β",
+    "\u{feff}",
+    "a",
+];

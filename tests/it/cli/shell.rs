@@ -38,7 +38,7 @@ fn bash_completes_commands_and_options() {
     let complete = |words: &str, current: &str| {
         let run = format!(
             "source {}; COMP_WORDS=({words} '{current}'); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); \
-             _mavc mavc '{current}' x; echo ${{COMPREPLY[@]}}",
+             _mavc mavc '{current}' "${{COMP_WORDS[-2]}}"; echo ${{COMPREPLY[@]}}",
             text(&script)
         );
         let ran = Command::new("bash").args(["--norc", "-c", &run]).output().unwrap();
