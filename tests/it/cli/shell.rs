@@ -36,12 +36,10 @@ fn bash_completes_commands_and_options() {
     let script = dir.path().join("mavc.bash");
     std::fs::write(&script, mavc(&["completions", "bash"]).stdout).unwrap();
     let complete = |words: &str, current: &str| {
-        let run = format!(
-            "source {}; COMP_WORDS=({words} '{current}'); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); \
-             _mavc mavc '{current}' "${{COMP_WORDS[-2]}}"; echo ${{COMPREPLY[@]}}",
-            text(&script)
-        );
-        let ran = Command::new("bash").args(["--norc", "-c", &run]).output().unwrap();
+        let call =
+            r#"COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _mavc mavc "$1" "${COMP_WORDS[-2]}"; echo ${COMPREPLY[@]}"#;
+        let run = format!("source {}; COMP_WORDS=({words} '{current}'); {call}", text(&script));
+        let ran = Command::new("bash").args(["--norc", "-c", &run, "bash", current]).output().unwrap();
         assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
         String::from_utf8(ran.stdout).unwrap().split_whitespace().map(str::to_string).collect::<Vec<_>>()
     };
