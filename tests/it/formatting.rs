@@ -28,10 +28,10 @@ fn specs_in(folder: &str) -> Vec<PathBuf> {
 
 /// What a text holds whatever its layout: its words and marks, and its comments, each with how many bytes of these
 /// stand before it and whether it has its line to itself. Separators and commas may come and go. A `///` that describes
-/// what follows goes to a line of its own.
+/// what follows goes to a line of its own, and a byte order mark goes.
 fn substance(text: &str) -> (String, Vec<(usize, String, bool)>) {
     let (mut words, mut comments) = (String::new(), Vec::new());
-    for line in text.lines() {
+    for line in text.trim_start_matches('\u{feff}').lines() {
         let (mut rest, mut alone) = (line, true);
         while let Some(c) = rest.chars().next() {
             let length = match c {
