@@ -6,14 +6,19 @@ mod check;
 mod emit;
 mod explain;
 mod files;
+mod fmt;
+mod links;
 mod new;
 mod plan;
 mod progress;
+mod shell;
 mod simulate;
 mod spec;
+mod specs;
 mod sweep;
 mod target;
 mod verify;
+mod watch;
 mod why;
 
 use clap::error::{ContextKind, ContextValue};
@@ -39,6 +44,7 @@ pub const LOST: u8 = 6;
 #[command(
     name = "mavc",
     version,
+    long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
     about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
     after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict; 5 the certificate is rejected; 6 the simulated vehicle is lost. SPEC may be `-` for standard input."
 )]
@@ -55,7 +61,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Find every mistake in a spec, and the fault modes that the plan must stand but cannot
+    /// Find every mistake in specs, and the fault modes that the plan must stand but cannot
     Check(CheckArgs),
     /// Say for every fault mode what is left: verdict, margins, critical mass, headroom
     Analyze(AnalyzeArgs),
@@ -69,6 +75,8 @@ enum Command {
     Simulate(SimulateArgs),
     /// Fly every planner's plan with every fault mode, at many instants and with many noise seeds
     Campaign(campaign::CampaignArgs),
+    /// Lay specs out in the one way: indentation, blanks, columns
+    Fmt(FmtArgs),
     /// Print what one stage of the compiler makes of the spec
     Emit(EmitArgs),
     /// Write a commented spec that plans as it stands
@@ -80,6 +88,13 @@ enum Command {
     Explain {
         /// Such as mavc::unit::mismatch; without one, all codes are listed
         code: Option<String>,
+    },
+    /// Print what a shell needs to complete mavc's commands and options
+    Completions { shell: clap_complete::Shell },
+    /// Print mavc's manual page, or write a page for each command into a folder
+    Man {
+        /// A folder that exists, such as ~/.local/share/man/man1
+        folder: Option<PathBuf>,
     },
 }
 
@@ -94,8 +109,12 @@ pub(crate) struct SpecArgs {
 
 #[derive(Args)]
 pub(crate) struct CheckArgs {
-    #[command(flatten)]
-    spec: SpecArgs,
+    /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input
+    #[arg(required = true, value_name = "SPEC")]
+    specs: Vec<String>,
+    /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
+    #[arg(long = "set", value_name = "FIELD=VALUE")]
+    set: Vec<String>,
     /// How problems are printed
     #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
     format: CheckFormat,
@@ -105,6 +124,9 @@ pub(crate) struct CheckArgs {
     /// Print every default that filled in for something not written
     #[arg(long)]
     explain_defaults: bool,
+    /// Check again whenever a file that was read changes, until Ctrl-C
+    #[arg(long)]
+    watch: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -191,6 +213,16 @@ pub(crate) struct SimulateArgs {
 }
 
 #[derive(Args)]
+pub(crate) struct FmtArgs {
+    /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input to standard output
+    #[arg(required = true, value_name = "SPEC")]
+    specs: Vec<String>,
+    /// Write nothing: list the files that would change and end with 1 if there are any
+    #[arg(long)]
+    check: bool,
+}
+
+#[derive(Args)]
 pub(crate) struct EmitArgs {
     #[arg(value_enum)]
     stage: Stage,
@@ -252,9 +284,12 @@ pub fn run() -> u8 {
         Command::Verify(args) => verify::run(args, &options),
         Command::Simulate(args) => simulate::run(args, &options),
         Command::Campaign(args) => campaign::run(args, &options),
+        Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::New { file } => new::run(file, &options),
         Command::Explain { code } => explain::run(code.as_deref()),
+        Command::Completions { shell } => shell::completions(*shell),
+        Command::Man { folder } => shell::man(folder.as_deref()),
     };
     result.unwrap_or_else(|problem| usage(&problem))
 }

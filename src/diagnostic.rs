@@ -11,7 +11,7 @@ mod terminal;
 pub use json::to_json_line;
 pub use nearest::nearest;
 pub use short::render_short;
-pub use terminal::render_human;
+pub use terminal::{render_human, render_linked};
 
 use crate::source::{FileId, Span};
 

@@ -1,16 +1,96 @@
-use super::spec::{self, colored};
-use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, files};
+use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs};
+use super::{files, spec, specs, usage, watch};
 use crate::admissible::diagnose::diagnose;
-use crate::diagnostic::{Severity, sort};
+use crate::diagnostic::{Diagnostic, Severity, sort, to_json_line};
 use crate::flight::twins;
 use crate::report::table::Table;
+use std::collections::HashSet;
+use std::path::Path;
 
 /// `mavc check`
 pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
     if args.explain_defaults && args.format != CheckFormat::Human {
         return Err("--explain-defaults prints a table for people: leave --format out".into());
     }
-    let mut loaded = spec::read(&args.spec, options)?;
+    if args.watch {
+        return watch::run(args, options);
+    }
+    Ok(round(args, options)?.code)
+}
+
+/// What one look at all specs came to.
+pub struct Round {
+    /// The worst of all.
+    pub code: u8,
+    /// The specs and what they use, as named.
+    pub files: Vec<String>,
+}
+
+/// Checks every spec once and prints what it finds. What is wrong with a file that several specs use is told once.
+pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, Problem> {
+    let found = specs::find(&args.specs)?;
+    let mut tally = Tally::default();
+    let mut round = Round { code: FINE, files: found.clone() };
+    for name in &found {
+        let outcome = one(name, args, options, &mut tally, &mut round.files);
+        let code = outcome.unwrap_or_else(|problem| {
+            tally.unreadable += 1;
+            usage(&problem)
+        });
+        round.code = specs::worst([round.code, code]);
+    }
+    let is_alone = found.len() == 1 && !args.specs.iter().any(|name| Path::new(name).is_dir());
+    if !is_alone && !options.quiet && args.format == CheckFormat::Human {
+        files::print(&tally.summary(found.len()))?;
+    }
+    Ok(round)
+}
+
+/// Over several specs, what several share counted once.
+#[derive(Default)]
+struct Tally {
+    told: HashSet<String>,
+    errors: usize,
+    warnings: usize,
+    with_problems: usize,
+    unreadable: usize,
+}
+
+impl Tally {
+    /// Counts the diagnostics of one spec and takes out those told before; how many these were.
+    fn take(&mut self, loaded: &mut spec::Loaded) -> usize {
+        let (errors, warnings) = count(&loaded.diagnostics);
+        self.with_problems += usize::from(errors + warnings > 0);
+        let before = loaded.diagnostics.len();
+        loaded.diagnostics.retain(|d| self.told.insert(to_json_line(d, &loaded.files.sources)));
+        let (errors, warnings) = count(&loaded.diagnostics);
+        self.errors += errors;
+        self.warnings += warnings;
+        before - loaded.diagnostics.len()
+    }
+
+    fn summary(&self, specs: usize) -> String {
+        let mut text = plural(specs, "spec");
+        if self.with_problems > 0 {
+            text += &format!(", {} with problems", self.with_problems);
+        }
+        if self.unreadable > 0 {
+            text += &format!(", {} could not be read", self.unreadable);
+        }
+        let all_unreadable = self.unreadable == specs;
+        if all_unreadable { text + "\n" } else { text + &format!(": {}\n", verdict(self.errors, self.warnings)) }
+    }
+}
+
+fn one(
+    name: &str,
+    args: &CheckArgs,
+    options: &Options,
+    tally: &mut Tally,
+    used: &mut Vec<String>,
+) -> Result<u8, Problem> {
+    let mut loaded = spec::read(&SpecArgs { spec: name.into(), set: args.set.clone() }, options)?;
+    used.extend(loaded.files.names());
     let mut code = if loaded.has_errors() { SPEC_ERRORS } else { FINE };
     if let Some(model) = &loaded.model {
         let answers = diagnose(model);
@@ -21,19 +101,19 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
         loaded.diagnostics.extend(twins::diagnose(model));
         sort(&mut loaded.diagnostics);
     }
-    let count = |s: Severity| loaded.diagnostics.iter().filter(|d| d.severity == s).count();
-    let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+    let (errors, warnings) = count(&loaded.diagnostics);
     if args.deny == Some(Deny::Warnings) && warnings > 0 && code == FINE {
         code = SPEC_ERRORS;
     }
+    let repeated = tally.take(&mut loaded);
     match args.format {
         CheckFormat::Json => files::print(&loaded.json())?,
         CheckFormat::Short => files::print(&loaded.short())?,
         CheckFormat::Human => {
-            files::print(&loaded.human(colored(&std::io::stdout())))?;
+            files::print(&loaded.human(&std::io::stdout()))?;
             if !options.quiet {
-                let name = spec::name(&args.spec.spec);
-                files::print(&format!("{name}: {}\n", verdict(errors, warnings)))?;
+                let above = if repeated > 0 { format!(" ({repeated} told above)") } else { String::new() };
+                files::print(&format!("{}: {}{above}\n", spec::name(name), verdict(errors, warnings)))?;
             }
         }
     }
@@ -47,8 +127,17 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
     Ok(code)
 }
 
+/// Errors and warnings.
+fn count(diagnostics: &[Diagnostic]) -> (usize, usize) {
+    let of = |severity: Severity| diagnostics.iter().filter(|d| d.severity == severity).count();
+    (of(Severity::Error), of(Severity::Warning))
+}
+
+fn plural(n: usize, word: &str) -> String {
+    format!("{n} {word}{}", if n == 1 { "" } else { "s" })
+}
+
 fn verdict(errors: usize, warnings: usize) -> String {
-    let plural = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
     match (errors, warnings) {
         (0, 0) => "no problems".into(),
         (0, w) => plural(w, "warning"),

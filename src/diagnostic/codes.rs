@@ -9,14 +9,16 @@ pub struct CodePage {
     pub code: &'static str,
     /// One sentence.
     pub title: &'static str,
+    /// The book that holds its page: `syntax`, `model` or `analysis`.
+    pub book: &'static str,
     /// What it means, an example, how to mend it; Markdown, the title included, the heading not.
     pub page: &'static str,
 }
 
-const BOOKS: [&str; 3] = [
-    include_str!("../../docs/diagnostics/syntax.md"),
-    include_str!("../../docs/diagnostics/model.md"),
-    include_str!("../../docs/diagnostics/analysis.md"),
+const BOOKS: [(&str, &str); 3] = [
+    ("syntax", include_str!("../../docs/diagnostics/syntax.md")),
+    ("model", include_str!("../../docs/diagnostics/model.md")),
+    ("analysis", include_str!("../../docs/diagnostics/analysis.md")),
 ];
 
 static PAGES: LazyLock<Vec<CodePage>> = LazyLock::new(|| BOOKS.into_iter().flat_map(pages).collect());
@@ -32,13 +34,21 @@ pub fn lookup(code: &str) -> Option<&'static CodePage> {
     PAGES.iter().find(|p| p.code.strip_prefix("mavc::") == Some(wanted))
 }
 
+impl CodePage {
+    /// Where the page stands; `docs` is the address of the documentation's folder, without a slash at the end. Headings
+    /// are named as forges name them, without their punctuation.
+    pub fn url(&self, docs: &str) -> String {
+        format!("{docs}/diagnostics/{}.md#{}", self.book, self.code.replace(':', ""))
+    }
+}
+
 /// The sections of one book that begin with `## mavc::..`.
-fn pages(book: &'static str) -> impl Iterator<Item = CodePage> {
-    book.split("\n## ").skip(1).filter_map(|section| {
+fn pages((book, text): (&'static str, &'static str)) -> impl Iterator<Item = CodePage> {
+    text.split("\n## ").skip(1).filter_map(move |section| {
         let (code, page) = section.split_once('\n')?;
         let page = page.trim();
         let title = page.lines().next()?;
-        code.starts_with("mavc::").then_some(CodePage { code: code.trim(), title, page })
+        code.starts_with("mavc::").then_some(CodePage { code: code.trim(), title, book, page })
     })
 }
 

@@ -1,6 +1,6 @@
 //! Diagnostics for people: the headline, the lines it speaks of, one action.
 
-use super::{Diagnostic, Label, Severity};
+use super::{Diagnostic, Label, Severity, codes};
 use crate::source::{Source, SourceMap, Span};
 use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan,
@@ -10,16 +10,28 @@ use std::fmt;
 
 /// One report a problem, in the order given, a blank line between two. `width` is in columns.
 pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usize, color: bool) -> String {
+    render_linked(diagnostics, sources, width, color, None)
+}
+
+/// The same, where each code leads to its page (OSC 8) under `docs`, the address of the documentation's folder.
+pub fn render_linked(
+    diagnostics: &[Diagnostic],
+    sources: &SourceMap,
+    width: usize,
+    color: bool,
+    docs: Option<&str>,
+) -> String {
     let theme = if color { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
     let handler = GraphicalReportHandler::new_themed(theme)
         .with_width(width)
-        .with_links(false)
+        .with_links(docs.is_some())
+        .with_link_display_text("")
         .with_cause_chain()
         .with_context_lines(1)
         .tab_width(4);
     let mut text = String::new();
     for diagnostic in diagnostics {
-        let report = Report::new(diagnostic, sources);
+        let report = Report::new(diagnostic, sources, docs);
         if handler.render_report(&mut text, &report).is_err() {
             // Only a span outside its file leads here; the facts still reach the reader.
             text.push_str(&super::render_short(std::slice::from_ref(diagnostic), sources));
@@ -37,13 +49,15 @@ pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usiz
 /// reports beside it.
 struct Report<'a> {
     diagnostic: &'a Diagnostic,
+    /// The page of its code.
+    url: Option<String>,
     excerpt: Excerpt<'a>,
     labels: Vec<LabeledSpan>,
     elsewhere: Vec<Elsewhere<'a>>,
 }
 
 impl<'a> Report<'a> {
-    fn new(diagnostic: &'a Diagnostic, sources: &'a SourceMap) -> Self {
+    fn new(diagnostic: &'a Diagnostic, sources: &'a SourceMap, docs: Option<&str>) -> Self {
         let own = diagnostic.span;
         let source = sources.get(own.file);
         let near = |span: Span| {
@@ -62,7 +76,8 @@ impl<'a> Report<'a> {
                 help: diagnostic.help.as_deref().filter(|_| k == last),
             })
             .collect();
-        Report { diagnostic, excerpt: Excerpt(source), labels, elsewhere }
+        let url = docs.and_then(|docs| Some(codes::lookup(diagnostic.code)?.url(docs)));
+        Report { diagnostic, url, excerpt: Excerpt(source), labels, elsewhere }
     }
 }
 
@@ -94,6 +109,10 @@ impl std::error::Error for Report<'_> {}
 impl miette::Diagnostic for Report<'_> {
     fn code<'b>(&'b self) -> Option<Box<dyn fmt::Display + 'b>> {
         Some(Box::new(self.diagnostic.code))
+    }
+
+    fn url<'b>(&'b self) -> Option<Box<dyn fmt::Display + 'b>> {
+        self.url.as_ref().map(|url| Box::new(url) as Box<dyn fmt::Display>)
     }
 
     fn severity(&self) -> Option<miette::Severity> {

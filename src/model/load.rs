@@ -37,6 +37,17 @@ pub struct Table {
 }
 
 impl FileSet {
+    /// The files that were read, and those that `use` names though they could not be.
+    pub fn names(&self) -> Vec<String> {
+        let read = self.sources.iter().map(|(_, source)| source.name.clone());
+        let asked = self.files.iter().flat_map(|file| {
+            let name = &self.sources.get(file.file).name;
+            let used = file.items.iter().filter_map(|item| if let Item::Use(path) = item { Some(path) } else { None });
+            used.map(|path| resolve(name, &path.value).display().to_string())
+        });
+        read.chain(asked).filter(|name| !name.starts_with(['<', '-'])).collect()
+    }
+
     /// The table that `path`, written in `file`, leads to.
     pub fn table(&self, file: FileId, path: &str) -> Option<&Table> {
         let name = resolve(&self.sources.get(file).name, path).display().to_string();

@@ -1,7 +1,10 @@
 //! The command as scripts use it: exit codes, files whole or absent, streams, equal bytes.
 
+mod many;
 mod reports;
 mod results;
+mod shell;
+mod watching;
 
 use serde_json::Value;
 use std::io::Write;

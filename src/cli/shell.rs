@@ -1,0 +1,39 @@
+//! What shells and `man` want to know of the command line; clap knows it.
+
+use super::target::{Target, write};
+use super::{Cli, FINE, Problem, files};
+use clap::CommandFactory;
+use clap_complete::Shell;
+use clap_mangen::Man;
+use std::path::Path;
+
+/// `mavc completions`
+pub fn completions(shell: Shell) -> Result<u8, Problem> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "mavc", &mut script);
+    files::print(&String::from_utf8_lossy(&script))?;
+    Ok(FINE)
+}
+
+/// `mavc man`: the page of the whole on standard output, or that and one for each command in a folder.
+pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
+    let mut command = Cli::command().disable_help_subcommand(true);
+    command.build();
+    let Some(folder) = folder else {
+        files::print(&page(&command)?.1)?;
+        return Ok(FINE);
+    };
+    let commands = std::iter::once(&command).chain(command.get_subcommands());
+    let pages = commands.map(page).collect::<Result<Vec<_>, _>>()?;
+    let targets = pages.iter().map(|(name, _)| Target::new(&folder.join(name))).collect::<Result<Vec<_>, _>>()?;
+    write(&targets.iter().zip(pages).map(|(target, (_, text))| (target, text)).collect::<Vec<_>>())?;
+    Ok(FINE)
+}
+
+/// File name and text.
+fn page(command: &clap::Command) -> Result<(String, String), Problem> {
+    let man = Man::new(command.clone());
+    let mut text = Vec::new();
+    man.render(&mut text).map_err(|e| format!("cannot write a manual page: {}", files::reason(&e)))?;
+    Ok((man.get_filename(), String::from_utf8_lossy(&text).into_owned()))
+}
