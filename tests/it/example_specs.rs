@@ -1,0 +1,88 @@
+//! The specs in `examples/` show what their comments say.
+
+use crate::cli::mavc;
+use serde_json::Value;
+
+const SPECS: [&str; 3] = ["examples/parcel_quad.mav", "examples/survey_hexa.mav", "examples/tower_octo.mav"];
+
+/// What a command prints, which ends with 0.
+fn printed(args: &[&str]) -> String {
+    let ran = mavc(args);
+    assert_eq!(ran.status.code(), Some(0), "{args:?}\n{}", String::from_utf8_lossy(&ran.stderr));
+    String::from_utf8(ran.stdout).unwrap()
+}
+
+/// The modes of a spec, the healthy one first, as `analyze` records them.
+fn modes(spec: &str, more: &[&str]) -> Vec<Value> {
+    let args = [&["analyze", spec, "--format", "json"], more].concat();
+    let record: Value = serde_json::from_str(&printed(&args)).unwrap();
+    record["modes"].as_array().unwrap().clone()
+}
+
+/// Each mode's verdict, and whether hover lies inside of what is left.
+fn verdicts(modes: &[Value]) -> Vec<(&str, bool)> {
+    modes.iter().map(|mode| (mode["verdict"].as_str().unwrap(), mode["interior"].as_bool().unwrap())).collect()
+}
+
+fn planned(spec: &str, more: &[&str]) -> Value {
+    serde_json::from_str(&printed(&[&["plan", spec, "--report", "-"], more].concat())).unwrap()
+}
+
+/// Modes whose set the plan leaves at some instant.
+fn left(report: &Value) -> usize {
+    let modes = report["planners"][0]["modes"].as_array().unwrap();
+    modes.iter().filter(|mode| mode["outside_s"].as_f64().unwrap() > 0.0).count()
+}
+
+#[test]
+fn examples_have_no_problems_and_plans_inside_every_set() {
+    let mut found: Vec<String> = std::fs::read_dir("examples")
+        .unwrap()
+        .map(|entry| entry.unwrap().path().display().to_string())
+        .filter(|path| path.ends_with(".mav"))
+        .collect();
+    found.sort();
+    assert_eq!(found, SPECS);
+    for spec in SPECS {
+        printed(&["check", spec, "--deny", "warnings"]);
+        assert_eq!(left(&planned(spec, &[])), 0, "{spec}");
+    }
+}
+
+#[test]
+fn examples_have_something_to_guard_against() {
+    for spec in &SPECS[..2] {
+        assert!(left(&planned(spec, &["--set", "plan.planner=rip"])) > 0, "{spec}");
+    }
+}
+
+#[test]
+fn a_quadcopter_stands_weak_rotors_and_no_lost_one() {
+    let modes = modes(SPECS[0], &[]);
+    let verdicts = verdicts(&modes);
+    assert_eq!(verdicts.len(), 9);
+    assert!(verdicts[1..5].iter().all(|verdict| *verdict == ("stabilizable", false)));
+    assert!(verdicts[5..].iter().all(|verdict| *verdict == ("controllable", true)));
+    let flight = mavc(&["simulate", SPECS[0]]);
+    assert_eq!(flight.status.code(), Some(6));
+}
+
+#[test]
+fn a_hexacopter_s_layout_decides() {
+    let (inside, lost) = (("controllable", true), ("stabilizable", true));
+    let mixed = modes(SPECS[1], &[]);
+    assert_eq!(verdicts(&mixed), [inside, inside, inside, inside, inside, lost, lost]);
+    let usual = modes(SPECS[1], &["--set", "vehicle.layout=\"PNPNPN\""]);
+    let edge = ("controllable", false);
+    assert_eq!(verdicts(&usual), [inside, edge, edge, edge, edge, edge, edge]);
+}
+
+#[test]
+fn an_octocopter_keeps_to_a_bound_on_the_risk() {
+    let report = planned(SPECS[2], &[]);
+    let steps = report["trade_off"].as_array().unwrap();
+    let risks: Vec<f64> = steps.iter().map(|step| step["risk"].as_f64().unwrap()).collect();
+    // Without protection it would not be kept.
+    assert!(risks[0] > 1e-8 && *risks.last().unwrap() <= 1e-8, "{risks:?}");
+    assert!(report["planners"][0]["risk"].as_f64().unwrap() <= 1e-8);
+}

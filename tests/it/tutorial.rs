@@ -1,0 +1,125 @@
+//! The tutorial's commands do what the page says, in its order: one folder, one shell line after the other.
+//!
+//! - ` ```sh `: each line is run. It ends with 0, or with what its comment `# exit code N` says.
+//! - ` ```diff `: an edit of the spec. What the lines with ` ` and `-` say stands in it exactly once.
+//! - ` ```text `: what the commands of the block before print. A line `...` stands for any lines, a line that ends
+//!   with ` ...` for any end of it; all else is compared letter by letter.
+
+use std::path::Path;
+use std::process::Command;
+
+const PAGE: &str = include_str!("../../docs/tutorial.md");
+const SPEC: &str = "roof.mav";
+
+/// The blocks of a page in order: language, text, and the line of the page where the text begins.
+fn blocks(page: &str) -> Vec<(&str, &str, usize)> {
+    let mut line = 1;
+    let pieces = page.split("```").enumerate().filter_map(|(k, piece)| {
+        let begun = line;
+        line += piece.matches('\n').count();
+        let (language, text) = piece.split_once('\n')?;
+        (k % 2 == 1).then_some((language, text, begun + 1))
+    });
+    pieces.collect()
+}
+
+/// Runs a line of shell in a folder where `mavc` is the one built here. Exit code, and what a terminal would show.
+fn run(folder: &Path, line: &str) -> (Option<i32>, String) {
+    let built = Path::new(env!("CARGO_BIN_EXE_mavc")).parent().unwrap();
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths([built.to_path_buf()].into_iter().chain(std::env::split_paths(&path))).unwrap();
+    let output = Command::new("sh")
+        .args(["-c", &format!("exec 2>&1\n{line}")])
+        .current_dir(folder)
+        .env("PATH", path)
+        .env("NO_COLOR", "1")
+        .env_remove("COLUMNS")
+        .output()
+        .unwrap();
+    (output.status.code(), String::from_utf8(output.stdout).unwrap())
+}
+
+/// A spec with a `diff` block's edit made.
+fn edited(spec: &str, diff: &str) -> String {
+    let side = |left_out: char| -> String {
+        let kept = diff.lines().filter(|line| !line.starts_with(left_out));
+        kept.map(|line| format!("{}\n", line.get(1..).unwrap_or_default())).collect()
+    };
+    let (old, new) = (side('+'), side('-'));
+    assert_eq!(spec.matches(&old).count(), 1, "stands once:\n{old}\nin:\n{spec}");
+    spec.replace(&old, &new)
+}
+
+/// Whether a line of the page stands for a printed one.
+fn same(told: &str, printed: &str) -> bool {
+    match told.strip_suffix(" ...") {
+        Some(beginning) if !beginning.trim().is_empty() => printed.starts_with(beginning),
+        _ => told == printed.trim_end(),
+    }
+}
+
+/// Whether the lines of the page stand for the printed ones.
+fn matches(told: &[&str], printed: &[&str]) -> bool {
+    match told.split_first() {
+        None => printed.is_empty(),
+        Some((first, rest)) if first.trim() == "..." => (0..=printed.len()).any(|k| matches(rest, &printed[k..])),
+        Some((first, rest)) => printed.split_first().is_some_and(|(p, more)| same(first, p) && matches(rest, more)),
+    }
+}
+
+#[test]
+fn the_tutorial_tells_the_truth() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = folder.path().join(SPEC);
+    let mut printed = String::new();
+    let (mut commands, mut pictures) = (0, 0);
+    for (language, text, line) in blocks(PAGE) {
+        let place = format!("docs/tutorial.md:{line}");
+        match language {
+            "sh" => {
+                printed.clear();
+                for command in text.lines() {
+                    let (code, shown) = run(folder.path(), command);
+                    let due = command.split_once("# exit code ").map_or(0, |(_, code)| code.parse().unwrap());
+                    assert_eq!(code, Some(due), "{place}: {command}\n{shown}");
+                    // On a slow machine the command says that it is still at work.
+                    let kept = shown.lines().filter(|l| !(l.starts_with("mavc: ") && l.contains(" s so far; ")));
+                    kept.for_each(|l| printed.push_str(&format!("{l}\n")));
+                    commands += 1;
+                }
+            }
+            "diff" => {
+                let before = std::fs::read_to_string(&spec).unwrap();
+                std::fs::write(&spec, edited(&before, text)).unwrap();
+            }
+            "text" => {
+                let lines: Vec<&str> = printed.trim_matches('\n').lines().collect();
+                let told: Vec<&str> = text.lines().collect();
+                assert!(matches(&told, &lines), "{place} says\n{text}\nand mavc\n{printed}");
+                pictures += 1;
+            }
+            other => panic!("{place}: {other} is no kind of block of this page"),
+        }
+    }
+    assert!(commands > 10 && pictures > 10, "{commands} {pictures}");
+}
+
+#[test]
+fn dots_stand_for_what_is_left_out_and_nothing_else_does() {
+    let printed = ["a 1.5 s", "", "b", "c"];
+    let told = |lines: &[&str]| matches(lines, &printed);
+    assert!(told(&["a 1.5 s", "", "b", "c"]));
+    assert!(told(&["a 1.5 ...", "...", "c"]));
+    assert!(told(&["...", "", "b", "  ...", "c", "..."]));
+    assert!(!told(&["a 1.5 s", "", "b"]));
+    assert!(!told(&["a 1.6 ...", "", "b", "c"]));
+    assert!(!told(&["a 1.5 s", "b", "c"]));
+    assert!(!told(&["...", "b"]));
+    assert!(!told(&["a 1.5 s", "", "b", "c", "d"]));
+}
+
+#[test]
+#[should_panic(expected = "stands once")]
+fn an_edit_of_what_is_not_there_is_refused() {
+    edited("mass = 1.8 kg\n", "-mass = 1.9 kg\n+mass = 2 kg\n");
+}
