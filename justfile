@@ -1,0 +1,44 @@
+# Shorter names. Nothing here is needed: `.ci/run` is the one command that decides, here and in CI.
+
+# List the recipes.
+default:
+    @just --list
+
+# Everything that CI runs.
+ci:
+    bash .ci/run
+
+# The tests, or those with NAME in their name.
+test NAME="":
+    cargo test {{ if NAME == "" { "" } else { "--test it " + NAME } }}
+
+# Accept what the stages print now, and show what changed.
+snapshots:
+    INSTA_UPDATE=always cargo test
+    git diff --stat -- tests
+
+# Lay out the code and the specs.
+fmt:
+    cargo fmt
+    cargo run --quiet -- fmt specs examples src
+
+# Look for mistakes without running anything.
+lint:
+    cargo fmt --check
+    cargo clippy --all-targets -- -D warnings
+
+# The documentation of the code, private items included.
+docs:
+    RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --document-private-items
+
+# Measure; see docs/performance.md.
+bench *ARGS:
+    cargo bench {{ ARGS }}
+
+# Write docs/reproduction.md anew. Takes minutes.
+reproduce:
+    cargo run --release --example reproduce -- --write
+
+# Build the package as a user would get it.
+package:
+    cargo package
