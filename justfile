@@ -2,7 +2,7 @@
 
 # List the recipes.
 default:
-    @just --list
+    @{{ just_executable() }} --list
 
 # Everything that CI runs.
 ci:
