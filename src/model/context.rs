@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::expression::Value;
+use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
 use crate::syntax::ast::{Field, FieldValue, Name};
@@ -31,6 +32,8 @@ pub(super) struct Context<'a> {
     lost_words: BTreeSet<&'a str>,
     /// Diagnostics past the limit.
     pub dropped: usize,
+    /// What was read where, for whoever shows the spec.
+    pub readings: Vec<Reading>,
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
     /// The curve parameter and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
@@ -63,6 +66,7 @@ impl<'a> Context<'a> {
             incomplete,
             lost_words: words.collect(),
             dropped: 0,
+            readings: Vec::new(),
             lets: BTreeMap::new(),
             parameter: None,
             depth: 0,
@@ -142,6 +146,9 @@ impl<'a> Context<'a> {
                         None
                     }
                 };
+                if let (FieldValue::Expr(expr), Some(value)) = (&field.value, &value) {
+                    self.note_value(expr.span, value);
+                }
                 let entry = self.lets.get_mut(name)?;
                 // A cycle found on the way has settled this one already.
                 let value = if matches!(entry.state, State::Busy) { value } else { None };

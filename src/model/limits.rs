@@ -39,6 +39,11 @@ const LIMITS: [(&str, LimitKind, &str, Form); 15] = [
     ("tilt", LimitKind::Tilt, "deg", Form::Norm),
 ];
 
+/// The name of every limit.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    LIMITS.iter().map(|row| row.0)
+}
+
 const FORM: &str = "mavc::mission::limit_form";
 const VALUE: &str = "mavc::mission::limit_value";
 

@@ -23,7 +23,7 @@ pub const MAX_ROUNDS: usize = 100;
 pub const MAX_SAMPLES: usize = 100_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-const FIELDS: [&str; 17] = [
+pub(super) const FIELDS: [&str; 17] = [
     "model",
     "rotors",
     "planner",
@@ -42,6 +42,9 @@ const FIELDS: [&str; 17] = [
     "vehicle",
     "mission",
 ];
+
+/// The numbers of a fault mode that `where` looks at.
+pub(super) const MODE_NUMBERS: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
 
 /// Defaults: value in SI, as written, why.
 const RESERVE: (f64, &str, &str) = (0.1, "10 %", "a share of each set stays free for feedback");
