@@ -6,6 +6,7 @@ mod check;
 mod emit;
 mod explain;
 mod files;
+mod lsp;
 mod new;
 mod plan;
 mod progress;
@@ -75,6 +76,12 @@ enum Command {
     New {
         /// The file to write, which must not exist, or `-` for standard output
         file: PathBuf,
+    },
+    /// Serve an editor over standard input and output (Language Server Protocol)
+    Lsp {
+        /// Said by some editors; there is no other way
+        #[arg(long, hide = true)]
+        stdio: bool,
     },
     /// Explain a diagnostic's code
     Explain {
@@ -254,6 +261,7 @@ pub fn run() -> u8 {
         Command::Campaign(args) => campaign::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::New { file } => new::run(file, &options),
+        Command::Lsp { stdio: _ } => lsp::run(),
         Command::Explain { code } => explain::run(code.as_deref()),
     };
     result.unwrap_or_else(|problem| usage(&problem))

@@ -10,6 +10,7 @@ pub mod explain;
 pub mod flatness;
 pub mod flight;
 pub mod geometry;
+pub mod lsp;
 pub mod model;
 pub mod planner;
 pub mod qp;
