@@ -6,12 +6,14 @@ mod check;
 mod emit;
 mod explain;
 mod files;
+mod fmt;
 mod lsp;
 mod new;
 mod plan;
 mod progress;
 mod simulate;
 mod spec;
+mod specs;
 mod sweep;
 mod target;
 mod verify;
@@ -70,6 +72,8 @@ enum Command {
     Simulate(SimulateArgs),
     /// Fly every planner's plan with every fault mode, at many instants and with many noise seeds
     Campaign(campaign::CampaignArgs),
+    /// Lay specs out in the one way: indentation, blanks, columns
+    Fmt(FmtArgs),
     /// Print what one stage of the compiler makes of the spec
     Emit(EmitArgs),
     /// Write a commented spec that plans as it stands
@@ -198,6 +202,16 @@ pub(crate) struct SimulateArgs {
 }
 
 #[derive(Args)]
+pub(crate) struct FmtArgs {
+    /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input to standard output
+    #[arg(required = true, value_name = "SPEC")]
+    specs: Vec<String>,
+    /// Write nothing: list the files that would change and end with 1 if there are any
+    #[arg(long)]
+    check: bool,
+}
+
+#[derive(Args)]
 pub(crate) struct EmitArgs {
     #[arg(value_enum)]
     stage: Stage,
@@ -259,6 +273,7 @@ pub fn run() -> u8 {
         Command::Verify(args) => verify::run(args, &options),
         Command::Simulate(args) => simulate::run(args, &options),
         Command::Campaign(args) => campaign::run(args, &options),
+        Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::New { file } => new::run(file, &options),
         Command::Lsp { stdio: _ } => lsp::run(),

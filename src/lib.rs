@@ -9,6 +9,7 @@ pub mod diagnostic;
 pub mod explain;
 pub mod flatness;
 pub mod flight;
+pub mod format;
 pub mod geometry;
 pub mod lsp;
 pub mod model;

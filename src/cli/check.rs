@@ -1,4 +1,4 @@
-use super::spec::{self, colored};
+use super::spec;
 use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
 use crate::diagnostic::{Severity, sort};
@@ -30,7 +30,7 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
         CheckFormat::Json => files::print(&loaded.json())?,
         CheckFormat::Short => files::print(&loaded.short())?,
         CheckFormat::Human => {
-            files::print(&loaded.human(colored(&std::io::stdout())))?;
+            files::print(&loaded.human(&std::io::stdout()))?;
             if !options.quiet {
                 let name = spec::name(&args.spec.spec);
                 files::print(&format!("{name}: {}\n", verdict(errors, warnings)))?;

@@ -3,6 +3,7 @@
 use super::{Options, Problem, SpecArgs, files};
 use crate::diagnostic::{Diagnostic, Severity, render_human, render_short, sort, to_json_line};
 use crate::model::{FileSet, MAX_TABLE_BYTES, Model, OVERRIDE, Override, elaborate, load, parse_override};
+use crate::source::SourceMap;
 use sha2::{Digest, Sha256};
 use std::io::IsTerminal;
 use std::time::Instant;
@@ -82,18 +83,14 @@ impl Loaded {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
 
-    pub fn human(&self, color: bool) -> String {
-        self.rendered(&self.diagnostics, color)
-    }
-
-    fn rendered(&self, diagnostics: &[Diagnostic], color: bool) -> String {
-        let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100);
-        render_human(diagnostics, &self.files.sources, width, color)
+    /// For people who read it on `stream`.
+    pub fn human(&self, stream: &impl IsTerminal) -> String {
+        human(&self.diagnostics, &self.files.sources, stream)
     }
 
     /// Tells one more thing about the spec on standard error.
     pub fn tell_also(&self, diagnostic: &Diagnostic) {
-        files::tell(&self.rendered(std::slice::from_ref(diagnostic), colored(&std::io::stderr())));
+        files::tell(&human(std::slice::from_ref(diagnostic), &self.files.sources, &std::io::stderr()));
     }
 
     pub fn short(&self) -> String {
@@ -109,8 +106,14 @@ impl Loaded {
         if options.quiet {
             self.diagnostics.retain(|d| d.severity == Severity::Error);
         }
-        files::tell(&self.human(colored(&std::io::stderr())));
+        files::tell(&self.human(&std::io::stderr()));
     }
+}
+
+/// Diagnostics for people who read them on `stream`.
+pub fn human(diagnostics: &[Diagnostic], sources: &SourceMap, stream: &impl IsTerminal) -> String {
+    let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100);
+    render_human(diagnostics, sources, width, colored(stream))
 }
 
 /// Colour where the stream is a terminal and NO_COLOR is not set.

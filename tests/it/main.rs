@@ -9,6 +9,7 @@ mod controllability;
 mod errors;
 mod exact;
 mod flights;
+mod formatting;
 mod geometry_properties;
 mod hostile;
 mod idle_rotors;

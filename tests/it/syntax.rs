@@ -7,19 +7,19 @@ use proptest::prelude::*;
 
 const WHOLE: &str = include_str!("../specs/syntax/everything.mav");
 
-fn parse(text: &str) -> Checked<SpecFile> {
+pub fn parse(text: &str) -> Checked<SpecFile> {
     mavc::syntax::parse(FileId(0), &Source::new("t.mav", text))
 }
 
 /// The tree of a text without a mistake.
-fn tree(text: &str) -> SpecFile {
+pub fn tree(text: &str) -> SpecFile {
     let checked = parse(text);
     assert_eq!(checked.diagnostics, vec![], "{text}");
     checked.value.unwrap()
 }
 
 /// A tree without its places.
-fn bare(tree: &SpecFile) -> String {
+pub fn bare(tree: &SpecFile) -> String {
     let is_place = |line: &str| {
         let line = line.trim().trim_start_matches("span: ");
         line.starts_with("0:") && line.contains("..")
@@ -290,7 +290,7 @@ fn expression() -> impl Strategy<Value = String> {
 }
 
 /// One statement of a mission, of faults or of a vehicle, with the block it stands in.
-fn block() -> impl Strategy<Value = String> {
+pub fn block() -> impl Strategy<Value = String> {
     let doc = prop::sample::select(vec!["", "/// Text.\n", "///\n/// Two\n"]);
     (doc, expression(), expression(), 0..11usize).prop_map(|(doc, a, b, kind)| match kind {
         0 => format!("{doc}let x = {a}\n"),

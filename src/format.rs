@@ -1,0 +1,45 @@
+//! The one layout of a spec.
+//!
+//! What the author decides stays: the order of statements, where lines break, which statements share a line, and every
+//! comment. All else follows from it: indentation, blanks inside a line, columns, blank lines. `docs/formatting.md`
+//! says how. The layout is a function of words, comments and line breaks alone, so formatting twice changes nothing.
+//!
+//! # Steps
+//! 1. `role` asks the tree for what words alone do not say: where a unit ends, which minus is a sign.
+//! 2. `token` splits the text into words, marks and comments.
+//! 3. `line` puts them on lines again, and `column` lines these up.
+
+mod column;
+mod line;
+mod role;
+mod token;
+
+use crate::diagnostic::{Checked, Severity};
+use crate::source::{FileId, Source, Span};
+use crate::syntax::{MAX_FILE_BYTES, parse, too_large};
+
+/// The text of a spec in its one layout; its meaning is the same. Lines end as the first one does, in `\n` or `\r\n`; a byte
+/// order mark goes.
+///
+/// Names and units need not make sense, but a text with errors of syntax has no layout: the value is missing then, and
+/// the diagnostics are those of [`parse`]. So it is where the result would pass the size that a file may have.
+pub fn format(file: FileId, source: &Source) -> Checked<String> {
+    let Checked { value, mut diagnostics } = parse(file, source);
+    let broken = diagnostics.iter().any(|d| d.severity == Severity::Error);
+    let Some(tree) = value.filter(|_| !broken) else {
+        return Checked { value: None, diagnostics };
+    };
+    let roles = role::roles(&tree);
+    let tokens = token::tokens(&source.text, &roles);
+    let mut lines = line::lines(&tokens, &roles);
+    column::line_up(&mut lines);
+    let mut text: String = lines.iter().map(|line| line.to_string()).collect();
+    if source.text.split_once('\n').is_some_and(|(first, _)| first.ends_with('\r')) {
+        text = text.replace('\n', "\r\n");
+    }
+    if text.len() > MAX_FILE_BYTES {
+        diagnostics.push(too_large(&source.name, Span::new(file, 0, 0), MAX_FILE_BYTES));
+        return Checked { value: None, diagnostics };
+    }
+    Checked { value: Some(text), diagnostics }
+}
