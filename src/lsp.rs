@@ -11,7 +11,7 @@
 //! | `names`, `mentions`, `navigation`, `rename` | what every word means, where names are declared and used |
 //! | `lexemes` | words and marks of texts that cannot be read |
 //! | `documentation` | what the language reference says of a word |
-//! | `diagnostics`, `actions`, `hover`, `completion`, `outline`, `tokens`, `hints` | one answer each |
+//! | `diagnostics`, `actions`, `hover`, `completion`, `outline`, `tokens`, `hints`, `formatting` | one answer each |
 
 mod actions;
 mod answer;
@@ -19,6 +19,7 @@ mod completion;
 mod diagnostics;
 mod documentation;
 mod documents;
+mod formatting;
 mod hints;
 mod hover;
 mod lexemes;

@@ -7,7 +7,7 @@ use super::navigation::{Somewhere, file_named_at, places, places_in_all, target}
 use super::rename::rename;
 use super::server::Server;
 use super::workspace::Spec;
-use super::{actions, hints, outline, tokens};
+use super::{actions, formatting, hints, outline, tokens};
 use crate::source::{FileId, Span};
 use gen_lsp_types as lsp;
 use gen_lsp_types::*;
@@ -54,6 +54,7 @@ pub fn capabilities() -> ServerCapabilities {
         semantic_tokens_provider: Some(semantic.into()),
         code_action_provider: Some(CodeActionOptions { code_action_kinds: kinds, ..Default::default() }.into()),
         inlay_hint_provider: Some(true.into()),
+        document_formatting_provider: Some(true.into()),
         ..ServerCapabilities::default()
     }
 }
@@ -78,6 +79,7 @@ pub fn answer(server: &mut Server, request: lsp_server::Request) -> Option<Respo
         "textDocument/foldingRange" => by!(FoldingRangeRequest, folds),
         "textDocument/semanticTokens/full" => by!(SemanticTokensRequest, semantic_tokens),
         "textDocument/codeAction" => by!(CodeActionRequest, code_actions),
+        "textDocument/formatting" => by!(DocumentFormattingRequest, formatted),
         "textDocument/inlayHint" => by!(InlayHintRequest, inlay_hints),
         _ => {
             let message = format!("mavc does not know `{method}`");
@@ -262,4 +264,9 @@ fn code_actions(server: &mut Server, params: CodeActionParams) -> Answered<Optio
 fn inlay_hints(server: &mut Server, params: InlayHintParams) -> Answered<Option<Vec<InlayHint>>> {
     let found = look_up(server, &params.text_document.uri);
     Ok(found.map(|(spec, file)| hints::hints(&spec, file, params.range)))
+}
+
+fn formatted(server: &mut Server, params: DocumentFormattingParams) -> Answered<Option<Vec<TextEdit>>> {
+    let found = look_up(server, &params.text_document.uri);
+    Ok(found.and_then(|(spec, file)| formatting::layout(spec.source(file))))
 }

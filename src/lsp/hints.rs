@@ -47,19 +47,15 @@ pub fn hints(spec: &Spec, file: FileId, asked: Range) -> Vec<InlayHint> {
 
 /// Whether what is written is more than numbers in SI: another unit, a name or a calculation.
 fn says_less(spec: &Spec, span: Span) -> bool {
-    let inside =
-        spec.mentions().in_file(span.file).iter().filter(|m| m.span.start >= span.start && m.span.end <= span.end);
     let is_si = |text: &str| {
         let unit = parse_unit(text, spec.understanding.gravity);
         text == "%" || unit.is_ok_and(|unit| unit.numerator == unit.denominator)
     };
-    let mut inside = inside.peekable();
-    inside.peek().is_some()
-        && inside.any(|m| match m.what {
-            What::Unit => !is_si(spec.snippet(m.span)),
-            What::Reference(_) | What::Function => true,
-            _ => false,
-        })
+    spec.mentions().within(span).iter().any(|m| match m.what {
+        What::Unit => !is_si(spec.snippet(m.span)),
+        What::Reference(_) | What::Function => true,
+        _ => false,
+    })
 }
 
 /// The `against` of the plan, where it stands in this file.

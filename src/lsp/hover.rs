@@ -3,7 +3,7 @@
 mod facts;
 
 use super::documentation::{self, Entry};
-use super::mentions::{Mention, What, written_name};
+use super::mentions::{Mention, What};
 use super::names::{Definition, Kind};
 use super::workspace::Spec;
 use crate::admissible::verdict::ModeAnalysis;
@@ -209,12 +209,7 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
         }
         Kind::Waypoint | Kind::Parameter => {}
     }
-    let span = if definition.kind == Kind::Modes && mention.span != definition.span {
-        written_name(definition, mention.span).to(mention.span)
-    } else {
-        mention.span
-    };
-    Some(Shown { span, text: parts.join("\n\n"), wanted })
+    Some(Shown { span: mention.span, text: parts.join("\n\n"), wanted })
 }
 
 /// The verdicts that were wanted, as a line or a table.

@@ -60,6 +60,14 @@ impl Mentions {
         &self.all[start..end]
     }
 
+    /// Those that begin within a span.
+    pub fn within(&self, span: Span) -> &[Mention] {
+        let of_file = self.in_file(span.file);
+        let start = of_file.partition_point(|m| m.span.start < span.start);
+        let end = of_file.partition_point(|m| m.span.start < span.end);
+        &of_file[start..end.max(start)]
+    }
+
     /// The one that holds the byte at `offset`, or ends there.
     pub fn at(&self, file: FileId, offset: usize) -> Option<Mention> {
         let of_file = self.in_file(file);

@@ -137,11 +137,16 @@ impl<'c> Server<'c> {
             recv(found) -> found => match found {
                 Ok(found) => self.take_in(found),
                 // Without the thread there are no verdicts, and all else goes on.
-                Err(_) => match self.connection.receiver.recv_timeout(patience) {
+                Err(_) => {
+                    for (_, Waiting { id, spec, shown, .. }) in std::mem::take(&mut self.waiting) {
+                        self.send(answer::hover_response(id, &spec, shown));
+                    }
+                    match self.connection.receiver.recv_timeout(patience) {
                     Ok(message) => self.inbox.push_back(message),
                     Err(RecvTimeoutError::Timeout) => {}
                     Err(RecvTimeoutError::Disconnected) => return Err(Ending::Abrupt),
-                },
+                    }
+                }
             },
             default(patience) => {}
         }
@@ -329,8 +334,10 @@ impl<'c> Server<'c> {
     pub fn wait_for_verdicts(&mut self, id: RequestId, spec: Arc<Spec>, shown: Shown) {
         let Some(wanted) = &shown.wanted else { return };
         self.tickets += 1;
-        let withdrawn = self.verdicts.ask_modes(self.tickets, &wanted.model, wanted.modes.clone());
-        self.waiting.insert(self.tickets, Waiting { id, spec, shown, withdrawn });
+        match self.verdicts.ask_modes(self.tickets, &wanted.model, wanted.modes.clone()) {
+            Some(withdrawn) => drop(self.waiting.insert(self.tickets, Waiting { id, spec, shown, withdrawn })),
+            None => self.send(answer::hover_response(id, &spec, shown)),
+        }
     }
 
     /// Tells the editor what has changed since it was told last.

@@ -63,12 +63,12 @@ impl Verdicts {
         let _ = self.asked.send(Asked::Answers { round, root: root.to_string(), model: model.clone() });
     }
 
-    /// Asks about modes, by their index. Setting the flag that is returned withdraws the question.
-    pub fn ask_modes(&self, ticket: u64, model: &Arc<Model>, modes: Vec<usize>) -> Arc<AtomicBool> {
+    /// Asks about modes, by their index. Setting the flag that is returned withdraws the question; without one there will be
+    /// no answer.
+    pub fn ask_modes(&self, ticket: u64, model: &Arc<Model>, modes: Vec<usize>) -> Option<Arc<AtomicBool>> {
         let dropped = Arc::new(AtomicBool::new(false));
         let asked = Asked::Verdicts { ticket, model: model.clone(), modes, dropped: dropped.clone() };
-        let _ = self.asked.send(asked);
-        dropped
+        self.asked.send(asked).is_ok().then_some(dropped)
     }
 }
 

@@ -12,6 +12,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 use url::Url;
+use walkdir::{DirEntry, WalkDir};
 
 /// One file set, from its root, as far as it could be understood.
 #[derive(Debug)]
@@ -196,30 +197,17 @@ impl Workspace {
     }
 }
 
-/// The `.mav` files below some folders, as far as they are near and not too many.
+/// The `.mav` files below some folders, as far as they are near and not too many. Hidden folders are left out.
 fn spec_files(folders: &[PathBuf]) -> Vec<PathBuf> {
+    const MOST_ENTRIES: usize = 20_000;
     const MOST_FILES: usize = 1000;
-    const MOST_FOLDERS: usize = 2000;
     const DEPTH: usize = 8;
-    let mut found = Vec::new();
-    let mut open: Vec<(PathBuf, usize)> = folders.iter().map(|folder| (folder.clone(), 0)).collect();
-    let mut looked_at = 0;
-    while let Some((folder, depth)) = open.pop() {
-        looked_at += 1;
-        if looked_at > MOST_FOLDERS {
-            break;
-        }
-        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
-            let (path, name) = (entry.path(), entry.file_name());
-            let hidden = name.to_str().is_none_or(|name| name.starts_with('.'));
-            match entry.file_type() {
-                Ok(kind) if kind.is_dir() && !hidden && depth < DEPTH => open.push((path, depth + 1)),
-                Ok(kind) if kind.is_file() && path.extension().is_some_and(|e| e == "mav") => found.push(path),
-                _ => {}
-            }
-        }
-    }
-    found.sort();
-    found.truncate(MOST_FILES);
-    found
+    let is_hidden = |entry: &DirEntry| entry.depth() > 0 && entry.file_name().to_string_lossy().starts_with('.');
+    let below = |folder: &PathBuf| {
+        let entries = WalkDir::new(folder).max_depth(DEPTH).sort_by_file_name().into_iter();
+        entries.filter_entry(move |entry| !is_hidden(entry)).flatten().take(MOST_ENTRIES)
+    };
+    let is_spec =
+        |entry: &DirEntry| entry.file_type().is_file() && entry.path().extension().is_some_and(|e| e == "mav");
+    folders.iter().flat_map(below).filter(is_spec).map(DirEntry::into_path).take(MOST_FILES).collect()
 }

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::expression::Value;
+use super::mend;
 use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
@@ -160,11 +161,16 @@ impl<'a> Context<'a> {
 
     /// Warns of every `let` that nothing has asked for.
     pub fn warn_unused(&mut self) {
-        let unused: Vec<&Name> = self.lets.values().filter(|l| !l.used).map(|l| &l.field.name).collect();
-        for name in unused {
+        let unused: Vec<&Field> = self.lets.values().filter(|l| !l.used).map(|l| l.field).collect();
+        for Field { name, doc, span, .. } in unused {
             let message = format!("`{}` is never used", name.value);
             let warning = Diagnostic::warning("mavc::name::unused", name.span, message).here("nothing refers to it");
-            self.report(warning.help("use it or take it out"));
+            let warning = warning.help("use it or take it out");
+            // A comment that describes it would describe what follows.
+            self.report(match doc {
+                None => warning.fix(mend::removal(self.sources.get(span.file), *span), ""),
+                Some(_) => warning,
+            });
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::context::{Context, listed};
 use super::due::Due;
-use super::{Limit, LimitKind, Waypoint};
+use super::{Limit, LimitKind, Waypoint, mend};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::Span;
@@ -64,7 +64,8 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Lim
                 if let Some(&(.., first)) = earlier {
                     let message = format!("`{}` is limited twice", name.value);
                     let error = Diagnostic::error("mavc::name::duplicate", *span, message).here("limited again");
-                    cx.report(error.also(first, "first limited here").help("keep one of the two"));
+                    let again = mend::removal(cx.sources.get(span.file), *span);
+                    cx.report(error.also(first, "first limited here").help("keep one of the two").fix(again, ""));
                     limits = None;
                     continue;
                 }

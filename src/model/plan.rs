@@ -10,6 +10,7 @@ use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
 use super::{
     AfterFault, DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault,
+    mend,
 };
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
@@ -97,7 +98,9 @@ impl<'a> Draft<'a> {
             } else if let Some(first) = draft.against {
                 let error =
                     Diagnostic::error("mavc::name::duplicate", field.name.span, "`against` is given twice in `plan`");
-                cx.report(error.here("given again").also(first.name.span, "first given here").help("take one out"));
+                let again = mend::removal(cx.sources.get(field.span.file), field.span);
+                let error = error.here("given again").also(first.name.span, "first given here");
+                cx.report(error.help("take one out").fix(again, ""));
             } else {
                 draft.against = Some(field);
             }

@@ -9,7 +9,7 @@ import pathlib
 import pytest
 import pytest_lsp
 from lsprotocol import types
-from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
+from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities, make_test_lsp_client
 
 MAVC = os.environ["MAVC"]
 
@@ -57,7 +57,19 @@ def folder(tmp_path: pathlib.Path) -> pathlib.Path:
     return tmp_path
 
 
-@pytest_lsp.fixture(config=ClientServerConfig(server_command=[MAVC, "lsp"]))
+def editor() -> LanguageClient:
+    """pytest-lsp's client, which watches files when it is asked to, as editors do."""
+    client = make_test_lsp_client()
+    client.watched = []
+
+    @client.feature(types.CLIENT_REGISTER_CAPABILITY)
+    def register(params: types.RegistrationParams) -> None:
+        client.watched += [registration.method for registration in params.registrations]
+
+    return client
+
+
+@pytest_lsp.fixture(config=ClientServerConfig(server_command=[MAVC, "lsp"], client_factory=editor))
 async def client(lsp_client: LanguageClient, tmp_path: pathlib.Path):
     await lsp_client.initialize_session(
         types.InitializeParams(
@@ -174,6 +186,22 @@ async def test_a_session(client: LanguageClient, folder: pathlib.Path):
         )
 
 
+    # Formatted: the plan's signs of equality stand below each other, and formatting again changes nothing.
+    async def format_text():
+        options = types.FormattingOptions(tab_size=4, insert_spaces=True)
+        params = types.DocumentFormattingParams(text_document=root.identifier, options=options)
+        return await client.text_document_formatting_async(params)
+
+    edits = await format_text()
+    assert "    against = [M1]\n    time    = 20 s\n" in root.apply(edits)
+    assert len(edits) == 1 and edits[0].range.start.line > 8
+    root.type("time = 20 s", "time    = 20 s")
+    await root.codes()
+    assert len(await format_text()) == 0
+    root.type("20 s", "20 s)")
+    assert await format_text() is None
+
+
 async def test_what_is_shown_beside_the_text(client: LanguageClient, folder: pathlib.Path):
     library = Document(client, folder / "library.mav")
     symbols = await client.text_document_document_symbol_async(
@@ -191,3 +219,14 @@ async def test_what_is_shown_beside_the_text(client: LanguageClient, folder: pat
         types.InlayHintParams(text_document=library.identifier, range=whole)
     )
     assert "8 modes: M1 ... M8" in [hint.label for hint in hints]
+
+
+async def test_files_that_change_on_disk_are_noticed(client: LanguageClient, folder: pathlib.Path):
+    root = Document(client, folder / "root.mav")
+    await root.codes()
+    library = folder / "library.mav"
+    library.write_text(LIBRARY.replace("let top = 8 m\n", ""))
+    event = types.FileEvent(uri=library.as_uri(), type=types.FileChangeType.Changed)
+    client.workspace_did_change_watched_files(types.DidChangeWatchedFilesParams(changes=[event]))
+    await root.codes("mavc::name::unknown")
+    assert client.watched == ["workspace/didChangeWatchedFiles"]

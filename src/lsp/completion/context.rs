@@ -170,9 +170,9 @@ impl Context {
         let opener = statement[0].text(text);
         let known = crate::model::vocabulary::clauses(self.place, opener);
         let is_clause = |l: &Lexeme| l.kind == Kind::Word && known.contains(&l.text(text));
-        let words = statement[1..].iter().filter(|l| is_clause(l));
+        let mut words = statement[1..].iter().filter(|l| is_clause(l));
         self.clauses = words.clone().map(|l| l.text(text).to_string()).collect();
-        let (Some(clause), Some(last)) = (words.last(), statement.last()) else { return Before::Clause };
+        let (Some(clause), Some(last)) = (words.next_back(), statement.last()) else { return Before::Clause };
         let field = clause.text(text).to_string();
         // Behind a unit or a name a value is over, but for what an operator goes on with.
         let is_over = last.kind == Kind::Word && last.start != clause.start || last.is('%');

@@ -98,6 +98,7 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
             let mass = one.critical_mass_kg.filter(|m| *m > 0.0);
             let heaviest = mass.map_or(String::new(), |m| format!(", hovers up to {} kg", significant(m, 4)));
             let axes = match one.verdict {
+                Verdict::Controllable if !one.interior => " (hover lies on the edge of what is left)",
                 Verdict::Controllable => "",
                 Verdict::Stabilizable => " (hovers, but yaw is lost)",
                 Verdict::Unstable => " (cannot hover)",

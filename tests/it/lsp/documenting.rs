@@ -47,7 +47,14 @@ fn with(place: Place, name: &str, value: &str) -> Option<String> {
         Place::Top => statement,
         Place::Vehicle => vehicle(&statement, ""),
         Place::Rotor => vehicle("", &statement),
-        Place::Rotors => format!("vehicle v {{ rotors {{ rotor {name} {value} }} }}"),
+        Place::Rotors => {
+            let rotor = match name {
+                "at" => format!("rotor at {value} spin P"),
+                "spin" => format!("rotor at [1, 0, 0] m spin {value}"),
+                _ => format!("rotor at [1, 0, 0] m spin P {name} {value}"),
+            };
+            format!("vehicle v {{ rotors {{ {rotor}{} }} }}", "; rotor at [0, 1, 0] m spin N".repeat(3))
+        }
         Place::Mode => format!("faults {{ mode m {{ rotor 1 lost; {statement} }} }}"),
         Place::Every => format!("faults {{ every 1 rotor lost as m {{ {statement} }} }}"),
         Place::Mission => format!("mission m {{ waypoint {name} {value} }}"),
@@ -111,10 +118,10 @@ fn the_words_offered_are_those_that_the_compiler_takes() {
         }
         let text = with(place, name, "something_else").unwrap();
         for diagnostic in diagnostics(&text).iter().filter(|d| d.message.contains("is one of")) {
-            let listed: Vec<&str> = diagnostic.message.split('`').skip(3).step_by(2).collect();
+            let quoted = diagnostic.message.split('`').skip(1).step_by(2);
+            let mut listed: Vec<&str> = quoted.filter(|word| *word != name && *word != "something_else").collect();
             let mut offered = words(place, name).to_vec();
             offered.sort_unstable();
-            let mut listed = listed;
             listed.sort_unstable();
             assert_eq!(offered, listed, "{name} of {place:?}");
         }

@@ -35,7 +35,8 @@ const PIECES: [&str; 16] = [
     "..",
 ];
 
-const METHODS: [&str; 14] = [
+const METHODS: [&str; 15] = [
+    "textDocument/formatting",
     "textDocument/hover",
     "textDocument/completion",
     "textDocument/definition",

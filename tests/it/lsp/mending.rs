@@ -47,12 +47,15 @@ fn every_clear_mistake_has_a_fix_that_mends_it() {
         ("1.6 kg", "1.6", "mavc::unit::missing", "Write `1.6 kg`"),
         ("8500 rpm", "8500 RPM", "mavc::unit::unknown", "Write `rpm`"),
         ("max_speed", "max_sped", "mavc::name::unknown_field", "Write `max_speed`"),
-        ("weak1]", "weak1, wron]", "mavc::name::unknown", "Write `worn`"),
+        ("[worn,", "[wron,", "mavc::name::unknown", "Write `worn`"),
         ("    mass    = 1.6 kg\n", "", "mavc::name::missing_field", "Add `mass = 1.8 kg`"),
         ("    arm     = 25 cm\n", "", "mavc::name::missing_field", "Add `arm = 0.2 m`"),
         ("    arm     = 25 cm\n", "    arm     = 25 cm\n    arm = 20 cm\n", "mavc::name::duplicate", "Take one out"),
         ("tilt <= 20 deg", "tlit <= 20 deg", "mavc::name::unknown_field", "Write `tilt`"),
         ("mission survey", "mision survey", "mavc::syntax::unknown_statement", "Write `mission`"),
+        ("tilt <= 20 deg", "tilt <= 20 deg; tilt <= 9 deg", "mavc::name::duplicate", "Take out `; tilt <= 9 deg`"),
+        ("    time ", "    against = all\n    time ", "mavc::name::duplicate", "Take one out"),
+        ("/// As high", "let spare = 3 m\n/// As high", "mavc::name::unused", "Take out `let spare = 3 m`"),
         ("20 s", "-20 s", "mavc::plan::time", "Take the sign out: write `20 s`"),
     ];
     for (right, wrong, code, title) in cases {
