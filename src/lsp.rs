@@ -5,7 +5,7 @@
 //!
 //! | room | what it does |
 //! |---|---|
-//! | `server`, `answer` | the conversation: which message gets what, what is published when |
+//! | `server`, `answer`, `publication` | the conversation: which message gets what, what is published when |
 //! | `documents`, `workspace` | open texts, the specs they make up |
 //! | `verdicts` | analyses of fault modes, beside the conversation |
 //! | `names`, `mentions`, `navigation`, `rename` | what every word means, where names are declared and used |
@@ -27,6 +27,7 @@ mod mentions;
 mod names;
 mod navigation;
 mod outline;
+mod publication;
 mod rename;
 mod server;
 mod tokens;

@@ -1,18 +1,17 @@
-//! The conversation: messages in their order, diagnostics when there is a moment's quiet.
+//! The conversation: messages in their order, and what is to be done when there is a moment's quiet.
 
 use super::Ending;
 use super::answer;
-use super::diagnostics::diagnostic;
 use super::documents::name_of;
 use super::hover::{Shown, verdicts};
+use super::publication::Progress;
 use super::verdicts::{Found, Verdicts};
 use super::workspace::{Spec, Workspace};
-use crate::diagnostic::{Diagnostic, sort};
+use crate::diagnostic::Diagnostic;
 use crossbeam_channel::{RecvTimeoutError, select};
 use gen_lsp_types as lsp;
 use gen_lsp_types::{
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
-    PublishDiagnosticsParams,
 };
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
 use serde::de::DeserializeOwned;
@@ -25,9 +24,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use url::Url;
 
-/// How long diagnostics wait for what the fault sets say: with verdicts at hand that is enough, and nothing flickers.
-const PATIENCE: Duration = Duration::from_millis(30);
-
 pub struct Server<'c> {
     connection: &'c Connection,
     pub workspace: Workspace,
@@ -37,28 +33,15 @@ pub struct Server<'c> {
     /// Messages that have come and are not looked at yet.
     inbox: VecDeque<Message>,
     /// What the editor shows now.
-    published: BTreeMap<Url, Vec<lsp::Diagnostic>>,
+    pub(super) published: BTreeMap<Url, Vec<lsp::Diagnostic>>,
     /// What the sets say, by root, and the spec it is said of.
-    answers: BTreeMap<String, (Arc<Spec>, Vec<Diagnostic>)>,
-    progress: Progress,
+    pub(super) answers: BTreeMap<String, (Arc<Spec>, Vec<Diagnostic>)>,
+    pub(super) progress: Progress,
     /// Hovers that wait for verdicts, by ticket.
     waiting: HashMap<u64, Waiting>,
     tickets: u64,
     is_shut_down: bool,
     watches_files: bool,
-}
-
-/// How far the diagnostics of the last change have come.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Progress {
-    Published,
-    /// Something has changed.
-    Due,
-    /// The sets were asked in a round; publish without them at the instant given, if it has not come to that yet.
-    Asked {
-        round: u64,
-        until: Option<Instant>,
-    },
 }
 
 struct Waiting {
@@ -142,9 +125,9 @@ impl<'c> Server<'c> {
                         self.send(answer::hover_response(id, &spec, shown));
                     }
                     match self.connection.receiver.recv_timeout(patience) {
-                    Ok(message) => self.inbox.push_back(message),
-                    Err(RecvTimeoutError::Timeout) => {}
-                    Err(RecvTimeoutError::Disconnected) => return Err(Ending::Abrupt),
+                        Ok(message) => self.inbox.push_back(message),
+                        Err(RecvTimeoutError::Timeout) => {}
+                        Err(RecvTimeoutError::Disconnected) => return Err(Ending::Abrupt),
                     }
                 }
             },
@@ -274,42 +257,9 @@ impl<'c> Server<'c> {
         }
     }
 
-    /// Compiles what has changed and asks what the sets say of it.
-    fn look_again(&mut self) {
-        let specs = self.workspace.specs();
-        self.answers.retain(|root, (of, _)| specs.iter().any(|spec| spec.root == *root && Arc::ptr_eq(spec, of)));
-        let round = self.verdicts.next_round();
-        let mut asked = false;
-        for spec in specs.iter().filter(|spec| !self.answers.contains_key(&spec.root)) {
-            if let Some(model) = &spec.model {
-                self.verdicts.ask(round, &spec.root, model);
-                asked = true;
-            }
-        }
-        if asked {
-            self.progress = Progress::Asked { round, until: Some(Instant::now() + PATIENCE) };
-        } else {
-            self.progress = Progress::Published;
-            self.publish();
-        }
-    }
-
     fn take_in(&mut self, found: Found) {
         match found {
-            Found::Answers { round, root, diagnostics } => {
-                let Progress::Asked { round: current, .. } = self.progress else { return };
-                if round != current {
-                    return;
-                }
-                let specs = self.workspace.specs();
-                if let Some(spec) = specs.iter().find(|spec| spec.root == root) {
-                    self.answers.insert(root, (spec.clone(), diagnostics));
-                }
-                if specs.iter().all(|spec| spec.model.is_none() || self.answers.contains_key(&spec.root)) {
-                    self.progress = Progress::Published;
-                    self.publish();
-                }
-            }
+            Found::Answers { round, root, diagnostics } => self.take_answers(round, root, diagnostics),
             Found::Verdicts { ticket, analyses } => {
                 let Some(Waiting { id, spec, mut shown, .. }) = self.waiting.remove(&ticket) else { return };
                 if let Some(wanted) = shown.wanted.take() {
@@ -320,16 +270,6 @@ impl<'c> Server<'c> {
         }
     }
 
-    /// Everything that is known to be wrong with a spec, in the order shown.
-    pub fn told(&self, spec: &Arc<Spec>) -> Vec<Diagnostic> {
-        let mut told = spec.diagnostics.clone();
-        if let Some((_, answers)) = self.answers.get(&spec.root).filter(|(of, _)| Arc::ptr_eq(of, spec)) {
-            told.extend(answers.iter().cloned());
-            sort(&mut told);
-        }
-        told
-    }
-
     /// Keeps a hover until its verdicts are there.
     pub fn wait_for_verdicts(&mut self, id: RequestId, spec: Arc<Spec>, shown: Shown) {
         let Some(wanted) = &shown.wanted else { return };
@@ -338,44 +278,6 @@ impl<'c> Server<'c> {
             Some(withdrawn) => drop(self.waiting.insert(self.tickets, Waiting { id, spec, shown, withdrawn })),
             None => self.send(answer::hover_response(id, &spec, shown)),
         }
-    }
-
-    /// Tells the editor what has changed since it was told last.
-    fn publish(&mut self) {
-        let mut now: BTreeMap<Url, Vec<lsp::Diagnostic>> = BTreeMap::new();
-        for (_, document) in self.workspace.documents.iter() {
-            now.insert(document.uri.clone(), Vec::new());
-        }
-        for spec in self.workspace.specs() {
-            for told in self.told(&spec) {
-                let Some(uri) = self.workspace.uri(&spec.source(told.span.file).name) else { continue };
-                let diagnostic = diagnostic(&self.workspace, &spec, &told);
-                let list = now.entry(uri).or_default();
-                // Two specs may share a file and what is wrong with it.
-                if !list.contains(&diagnostic) {
-                    list.push(diagnostic);
-                }
-            }
-        }
-        let gone: Vec<Url> = self.published.keys().filter(|uri| !now.contains_key(*uri)).cloned().collect();
-        for uri in gone {
-            if self.published.remove(&uri).is_some_and(|list| !list.is_empty()) {
-                self.tell(uri, None, Vec::new());
-            }
-        }
-        for (uri, list) in now {
-            let version = self.workspace.documents.get(&name_of(&uri)).map(|document| document.version);
-            // A text that is open is told of each time, so that editors know which version is meant.
-            if version.is_some() || self.published.get(&uri) != Some(&list) {
-                self.tell(uri.clone(), version, list.clone());
-            }
-            self.published.insert(uri, list);
-        }
-    }
-
-    fn tell(&self, uri: Url, version: Option<i32>, diagnostics: Vec<lsp::Diagnostic>) {
-        let params = PublishDiagnosticsParams { uri, version, diagnostics };
-        self.send(Notification::new("textDocument/publishDiagnostics".into(), params));
     }
 
     fn log(&self, message: &str) {
