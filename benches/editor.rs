@@ -10,7 +10,7 @@ const URI: &str = "untitled:large";
 /// Edits measured for each kind of question.
 const EDITS: usize = 200;
 
-const QUESTIONS: [&str; 10] = [
+const QUESTIONS: [&str; 9] = [
     "textDocument/hover",
     "textDocument/completion",
     "textDocument/definition",
@@ -20,7 +20,6 @@ const QUESTIONS: [&str; 10] = [
     "textDocument/semanticTokens/full",
     "textDocument/inlayHint",
     "textDocument/codeAction",
-    "textDocument/rename",
 ];
 
 /// A vehicle of eight rotors, 500 `let`s, 600 fault modes and 880 waypoints.
@@ -128,14 +127,12 @@ fn main() {
         let mut times = Vec::new();
         for k in 0..EDITS {
             let (part, inside) = places[k % places.len()];
-            let part = if question.ends_with("rename") { "h7 * 0.99" } else { part };
             let (line, column) = line_of(part);
             let params = json!({
                 "textDocument": { "uri": URI },
                 "position": { "line": line, "character": column + inside },
                 "range": whole,
-                "context": { "diagnostics": [], "includeDeclaration": true },
-                "newName": "height",
+                "context": { "diagnostics": [], "includeDeclaration": true, "triggerKind": 1 },
             });
             let begin = Instant::now();
             client.edit(digit);

@@ -21,7 +21,7 @@ pub struct Reading {
 /// A spec as far as it could be understood.
 #[derive(Debug, Clone)]
 pub struct Understanding {
-    /// What [`super::elaborate`] says.
+    /// What [`super::elaborate()`] says.
     pub checked: Checked<Model>,
     /// m/s^2
     pub gravity: f64,
