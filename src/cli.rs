@@ -8,6 +8,7 @@ mod explain;
 mod files;
 mod fmt;
 mod links;
+mod lsp;
 mod new;
 mod plan;
 mod progress;
@@ -83,6 +84,12 @@ enum Command {
     New {
         /// The file to write, which must not exist, or `-` for standard output
         file: PathBuf,
+    },
+    /// Serve an editor over standard input and output (Language Server Protocol)
+    Lsp {
+        /// Said by some editors; there is no other way
+        #[arg(long, hide = true)]
+        stdio: bool,
     },
     /// Explain a diagnostic's code
     Explain {
@@ -287,6 +294,7 @@ pub fn run() -> u8 {
         Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::New { file } => new::run(file, &options),
+        Command::Lsp { stdio: _ } => lsp::run(),
         Command::Explain { code } => explain::run(code.as_deref()),
         Command::Completions { shell } => shell::completions(*shell),
         Command::Man { folder } => shell::man(folder.as_deref()),

@@ -15,6 +15,7 @@ mod hostile;
 mod idle_rotors;
 mod intervals;
 mod lag;
+mod lsp;
 mod model;
 mod parallel_rows;
 mod planning;
