@@ -152,6 +152,9 @@ pub(crate) struct PlanArgs {
     /// Where the certificate goes (JSON), for `mavc verify`
     #[arg(long, value_name = "CERT.JSON")]
     certificate: Option<PathBuf>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -173,6 +176,9 @@ pub(crate) struct CompareArgs {
     /// Also compare numbers of rounds of selection at T_d, such as 0..5
     #[arg(long, value_name = "FIRST..LAST")]
     rounds: Option<String>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
 }
 
 #[derive(Args)]

@@ -24,7 +24,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     spare(&loaded, &[&table, &report])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
-        return refused(&loaded, &model, report.as_ref());
+        return refused(&loaded, &model, report.as_ref(), None);
     };
     let Some(Ending::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
         // Where nothing is flown the report is that of the plan.
