@@ -155,6 +155,9 @@ pub(crate) struct PlanArgs {
     /// Where the page goes (HTML): one file with charts, for a browser without a network
     #[arg(long, value_name = "REPORT.HTML")]
     html: Option<PathBuf>,
+    /// A folder for the charts as SVG files, for papers; it is made where it is missing
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -179,6 +182,9 @@ pub(crate) struct CompareArgs {
     /// Where the page goes (HTML): one file with charts, for a browser without a network
     #[arg(long, value_name = "REPORT.HTML")]
     html: Option<PathBuf>,
+    /// A folder for the charts as SVG files, for papers; it is made where it is missing
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -194,6 +200,9 @@ pub(crate) struct SimulateArgs {
     /// Rows of the log, such as 100Hz; at most as often as the controller acts
     #[arg(long, value_name = "RATE")]
     rate: Option<String>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
 }
 
 #[derive(Args)]

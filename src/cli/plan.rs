@@ -2,7 +2,7 @@
 
 use super::progress::Progress;
 use super::spec::{self, Loaded, timing};
-use super::target::{Target, write};
+use super::target::{Target, cannot_write, write};
 use super::why::why;
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
@@ -108,6 +108,9 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         })?;
     }
     tell_page(told, &html, args.html.as_deref(), options)?;
+    if let Some(folder) = &args.svg {
+        figures(folder, &subject(&loaded, &model, &mission, &[]), &comparison)?;
+    }
     timing(options, "report", begin);
     Ok(code)
 }
@@ -145,6 +148,9 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
         write(&results)?;
     }
     tell_page(told, &html, args.html.as_deref(), options)?;
+    if let Some(folder) = &args.svg {
+        figures(folder, &subject(&loaded, &model, &mission, &[]), &comparison)?;
+    }
     let any = |wanted: fn(&Ending) -> bool| comparison.runs.iter().any(|r| wanted(&r.ending));
     Ok(if any(|e| matches!(e, Ending::Inconclusive { .. })) {
         INCONCLUSIVE
@@ -175,6 +181,15 @@ pub(super) fn subject<'a>(
     diagnostics: &'a [Diagnostic],
 ) -> Subject<'a> {
     Subject { model, mission, sources: &loaded.files.sources, diagnostics }
+}
+
+/// Writes the charts into a folder, which is made where it is missing.
+fn figures(folder: &Path, subject: &Subject, comparison: &Comparison) -> Result<(), Problem> {
+    std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
+    let drawn = page::figures(subject, comparison).map_err(|e| format!("cannot draw the charts: {e}"))?;
+    let named = |(name, text): (String, String)| Ok((Target::new(&folder.join(name))?, text));
+    let files = drawn.into_iter().map(named).collect::<Result<Vec<_>, Problem>>()?;
+    write(&files.iter().map(|(target, text)| (target, text.clone())).collect::<Vec<_>>())
 }
 
 /// Says where the page is, where anything is said.

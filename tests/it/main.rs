@@ -15,6 +15,7 @@ mod idle_rotors;
 mod intervals;
 mod lag;
 mod model;
+mod pages;
 mod parallel_rows;
 mod planning;
 mod programs;

@@ -2,7 +2,7 @@
 
 import { axis, chart, marker, timeAxis } from "./axes.js";
 import { byId, content, element, indexAt, number } from "./content.js";
-import { css, dash, isDark, line } from "./palette.js";
+import { css, dash, line } from "./palette.js";
 import { chord } from "./polytope.js";
 import { on, run, set, setTime, state } from "./state.js";
 
@@ -58,8 +58,38 @@ function drawBounds(u, spec) {
     const above = y - bbox.top > 16 * devicePixelRatio;
     ctx.textAlign = "right";
     ctx.textBaseline = above ? "bottom" : "top";
-    const text = `${b.label} ${number(b.value, 4)} ${spec.unit}`;
-    ctx.fillText(text, bbox.left + bbox.width - 4 * devicePixelRatio, y + (above ? -2 : 3) * devicePixelRatio);
+    const level = spec.id === "margin" ? "" : ` ${number(b.value, 4)} ${spec.unit}`;
+    const x = bbox.left + bbox.width - 4 * devicePixelRatio;
+    const text = [b.label + level, x, y + (above ? -2 : 3) * devicePixelRatio];
+    // Legible over curves.
+    ctx.setLineDash([]);
+    ctx.strokeStyle = css("--paper");
+    ctx.lineWidth = 3 * devicePixelRatio;
+    ctx.strokeText(...text);
+    ctx.lineWidth = devicePixelRatio;
+    ctx.fillText(...text);
+  }
+  ctx.restore();
+}
+
+/** When something happened. */
+function drawMarks(u) {
+  const { ctx, bbox } = u;
+  const px = devicePixelRatio;
+  ctx.save();
+  ctx.font = `${11 * px}px system-ui, sans-serif`;
+  ctx.textBaseline = "top";
+  for (const { t, label } of run().marks) {
+    const x = u.valToPos(t, "x", true);
+    if (x < bbox.left || x > bbox.left + bbox.width) continue;
+    ctx.strokeStyle = ctx.fillStyle = css("--edge");
+    ctx.lineWidth = px;
+    ctx.setLineDash([3 * px, 2 * px]);
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.fillText(label, x + 3 * px, bbox.top + 2 * px);
   }
   ctx.restore();
 }
@@ -91,7 +121,7 @@ function draw(spec, columns, place) {
     cursor: { sync: { key: "time" }, focus: { prox: 24 }, drag: { x: true, y: false } },
     focus: { alpha: 0.35 },
     legend: { live: true },
-    hooks: { drawClear: [], draw: [(u) => drawBounds(u, spec)] },
+    hooks: { draw: [(u) => drawBounds(u, spec), drawMarks] },
     series,
   };
   if (room) {
@@ -148,5 +178,3 @@ export function charts() {
   on("time", show);
   on("theme", () => drawn.forEach((d) => d.made.redraw(false)));
 }
-
-export { isDark };

@@ -21,8 +21,11 @@ export function number(x, digits = 3) {
   return text.replace("-", "\u2212");
 }
 
-/** With its sign. */
-export const signed = (x, digits = 3) => (x > 0 ? "+" : "") + number(x, digits);
+/** A margin in percent, with its sign; what is smaller than a hundredth of a percent is none. */
+export function percent(x) {
+  const near = Math.abs(x) < 0.01 ? 0 : x;
+  return `${near > 0 ? "+" : ""}${number(near)} %`;
+}
 
 /** Seconds with two decimals. */
 export const seconds = (t) => `${t.toFixed(2)} s`;

@@ -4,10 +4,10 @@
 /** From the upper end of each class, in percent of the healthy set's width; the same classes as in the terminal. */
 export const CLASSES = [
   { below: -0.01, name: "outside", color: "#c8281f" },
-  { below: 2, name: "below 2 %", color: "#f48849" },
-  { below: 5, name: "below 5 %", color: "#fbd57f" },
-  { below: 10, name: "below 10 %", color: "#9cc7e0" },
-  { below: Infinity, name: "more", color: "#4a78b5" },
+  { below: 2, name: "0 to 2 %", color: "#f48849" },
+  { below: 5, name: "2 to 5 %", color: "#fbd57f" },
+  { below: 10, name: "5 to 10 %", color: "#9cc7e0" },
+  { below: Infinity, name: "10 % or more", color: "#4a78b5" },
 ];
 
 export const classOf = (margin) => CLASSES.find((c) => margin < c.below) ?? CLASSES.at(-1);

@@ -2,34 +2,35 @@
 
 import { axis, chart } from "./axes.js";
 
+/** Px that axes, their labels and padding take of a chart: see `axis` and the options below. */
+const AROUND = { true: { x: 4, y: 4 }, false: { x: 48 + 18 + 12, y: 30 + 18 + 8 } };
+
 /**
  * @param place where it goes
  * @param options name, labels [x, y], box() -> [x0, x1, y0, y1], equal, height() in px, draw(pen), plain (without axes), move(x, y)
  */
 export function plane(place, options) {
   const { name, labels, box, equal = false, height, draw, plain = false, move } = options;
-  let made;
   const range = (axisIndex) => () => {
     const [x0, x1, y0, y1] = box();
-    if (!equal || !made?.bbox?.width) return axisIndex === 0 ? [x0, x1] : [y0, y1];
+    if (!equal) return axisIndex === 0 ? [x0, x1] : [y0, y1];
     // As many units a pixel both ways.
-    const perX = (x1 - x0) / made.bbox.width;
-    const perY = (y1 - y0) / made.bbox.height;
-    const per = Math.max(perX, perY);
-    const [middle, size] = axisIndex === 0 ? [(x0 + x1) / 2, made.bbox.width] : [(y0 + y1) / 2, made.bbox.height];
+    const wide = Math.max(place.clientWidth - AROUND[plain].x, 1);
+    const high = Math.max(height() - AROUND[plain].y, 1);
+    const per = Math.max((x1 - x0) / wide, (y1 - y0) / high);
+    const [middle, size] = axisIndex === 0 ? [(x0 + x1) / 2, wide] : [(y0 + y1) / 2, high];
     return [middle - (per * size) / 2, middle + (per * size) / 2];
   };
   const hidden = { show: false };
-  made = chart(place, name, height, {
+  const made = chart(place, name, height, {
     legend: { show: false },
-    padding: plain ? [2, 2, 2, 2] : undefined,
+    padding: plain ? [2, 2, 2, 2] : [8, 12, 0, 0],
     cursor: { show: Boolean(move), drag: { x: false, y: false }, points: { show: false } },
     scales: { x: { time: false, range: range(0) }, y: { range: range(1) } },
     axes: plain ? [hidden, hidden] : [axis(labels[0], { size: 30 }), axis(labels[1])],
     series: [{}, { points: { show: false }, paths: () => null }],
     hooks: {
       draw: [(u) => draw(pen(u))],
-      ready: [(u) => requestAnimationFrame(() => u.redraw(false, true))],
       setCursor: move ? [(u) => u.cursor.left >= 0 && move(u.posToVal(u.cursor.left, "x"), u.posToVal(u.cursor.top, "y"))] : [],
     },
   }, [[0, 1], [null, null]]);

@@ -35,7 +35,7 @@ export function player() {
     slider.max = String(duration());
     slider.value = String(state.time);
     slider.setAttribute("aria-valuetext", seconds(state.time));
-    clock.textContent = `${state.time.toFixed(2)} of ${duration().toFixed(2)} s`;
+    clock.textContent = `${state.time.toFixed(2)} / ${duration().toFixed(2)} s`;
   };
   bar.hidden = false;
   slider.addEventListener("input", () => setTime(Number(slider.value)));

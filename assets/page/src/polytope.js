@@ -27,7 +27,7 @@ export function chord(set, w, axis) {
     const slack = row[4] - dot(row, w);
     if (row[axis] > 1e-12) high = Math.min(high, slack / row[axis]);
     else if (row[axis] < -1e-12) low = Math.max(low, slack / row[axis]);
-    else if (slack < -1e-9) return null;
+    else if (slack < -1e-6) return null;
   }
   for (const row of set.equalities) {
     const gap = row[4] - dot(row, w);
@@ -36,7 +36,9 @@ export function chord(set, w, axis) {
       high = Math.min(high, gap / row[axis]);
     } else if (Math.abs(gap) > 1e-6) return null;
   }
-  return low <= high + 1e-12 ? [w[axis] + low, w[axis] + high] : null;
+  // Where planes meet in one point they do so up to rounding.
+  if (low > high) return low - high < 1e-3 * Math.abs(w[axis]) + 1e-4 ? [w[axis] + (low + high) / 2, w[axis] + (low + high) / 2] : null;
+  return [w[axis] + low, w[axis] + high];
 }
 
 /** The section through `w` along axes `i` and `j`: a polygon [[x, y], ...] inside `box` [x0, x1, y0, y1]; empty where there is none. */
@@ -64,9 +66,9 @@ function clip(polygon, a, b, e) {
     const over = a * p[0] + b * p[1] - e;
     const next = a * q[0] + b * q[1] - e;
     if (over <= 0) kept.push(p);
-    if (over < 0 !== next < 0 && over !== next) {
+    if ((over < 0 && next > 0) || (over > 0 && next < 0)) {
       const t = over / (over - next);
-      if (t > 0 && t < 1) kept.push([p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])]);
+      kept.push([p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])]);
     }
   }
   return kept;

@@ -1,23 +1,29 @@
 // Sections of the admissible sets, as the paper's Figures 7 to 9 for every mode, and the planned wrench moving through them.
 
 import { wrenchAt } from "./charts.js";
-import { byId, content, element, indexAt, number, seconds, signed, valueAt } from "./content.js";
-import { classOf, css } from "./palette.js";
+import { body as bodyOf } from "./body.js";
+import { byId, content, element, indexAt, number, percent, seconds, valueAt } from "./content.js";
+import { css } from "./palette.js";
 import { plane } from "./plane.js";
 import { chord, margin, section, whole } from "./polytope.js";
 import { on, run, set, setSet, state } from "./state.js";
 
-const NAMES = ["thrust", "torque about x", "torque about y", "torque about z"];
 const LABELS = ["T [N]", "τx [N m]", "τy [N m]", "τz [N m]"];
 const COLUMNS = ["thrust", "tau_x", "tau_y", "tau_z"];
 /** Across and up. */
-const PANELS = [[1, 2], [1, 0], [2, 0], [3, 0]];
+const PANELS = [
+  { axes: [1, 2], title: "Torques about x and y" },
+  { axes: [1, 0], title: "Thrust and torque about x" },
+  { axes: [2, 0], title: "Thrust and torque about y" },
+  { axes: [3, 0], title: "Thrust and torque about z" },
+];
 const TRAIL = 160;
 
 const moves = content.runs.length > 0;
 const planeChoice = byId("plane");
 let panels = [];
 let multiples = [];
+let solid = null;
 
 /** The planned wrench now; hover where nothing is planned. */
 export function wrenchNow() {
@@ -31,13 +37,8 @@ const through = () => (planeChoice?.value === "hover" || !moves ? content.hover 
 
 /** The extent of the healthy set along each axis and of the planned wrench, with room. */
 const extents = (() => {
-  const healthy = whole(content.sets[0], content.hover, content.reserve);
-  const reach = [0, 1, 2, 3].map((axis) => {
-    const [low, high] = chord(healthy, content.hover, axis) ?? [0, 0];
-    return [low, high];
-  });
   return () => {
-    const found = reach.map(([a, b]) => [a, b]);
+    const found = content.extents.map(([a, b]) => [a, b]);
     if (moves) {
       COLUMNS.forEach((name, i) => {
         for (const v of run().columns[name]) {
@@ -92,12 +93,12 @@ function buildPanels() {
   const place = byId("sections");
   panels.forEach((p) => p.remove());
   place.replaceChildren();
-  panels = PANELS.map((axes) => {
+  panels = PANELS.map(({ axes, title }) => {
     const [i, j] = axes;
     const plot = element("div", { class: "plot" });
-    place.append(element("figure", {}, element("figcaption", {}, element("h3", {}, `${NAMES[j]} over ${NAMES[i]}`.replace(/^t/, "T"))), plot));
+    place.append(element("figure", {}, element("figcaption", {}, element("h3", {}, title)), plot));
     return plane(plot, {
-      name: `Section of the admissible set: ${NAMES[j]} over ${NAMES[i]}`,
+      name: `Section of the admissible set: ${title}`,
       labels: [LABELS[i], LABELS[j]],
       box: () => boxOf(axes),
       equal: i > 0 && j > 0 && j !== 3,
@@ -105,6 +106,22 @@ function buildPanels() {
       draw: (pen) => drawSection(pen, axes, set(), boxOf(axes), true),
     });
   });
+}
+
+/** The body of the set, where there is WebGL. */
+function buildSolid() {
+  const figure = byId("solid");
+  const place = figure.querySelector(".canvas");
+  try {
+    solid = bodyOf(place, extents());
+  } catch {
+    figure.hidden = true;
+  }
+}
+
+function showSolid() {
+  if (!solid) return;
+  byId("solid").querySelector(".none").hidden = solid.show(set());
 }
 
 function buildMultiples() {
@@ -135,35 +152,39 @@ function tell() {
   const body = set();
   const w = wrenchNow();
   const m = margin(body, w);
-  const where = moves ? `At ${seconds(state.time)} the planned wrench` : "Hover";
+  const called = moves ? run().wrench : "";
+  const where = moves ? `At ${seconds(state.time)} the ${called}` : "Hover";
   const headline = byId("sets-headline");
+  const what = body === content.sets[0] ? "what the healthy vehicle can give" : `what ${body.name} leaves`;
   headline.textContent =
-    m < -0.01
-      ? `${where} is outside what ${body.name} leaves, by ${number(-m)} % of the healthy width`
-      : `${where} is inside what ${body.name} leaves, by ${number(m)} % of the healthy width`;
+    Math.abs(m) < 0.01
+      ? `${where} is on the edge of ${what}`
+      : `${where} is ${m < 0 ? "outside" : "inside"} ${what}, by ${number(Math.abs(m))} % of the healthy width`;
   headline.classList.toggle("bad", m < -0.01);
-  const held = planeChoice?.value === "hover" ? "at hover, T = m g without torque" : "through the planned wrench: the two components not drawn are as planned at this instant";
+  const held = planeChoice?.value === "hover" ? "at hover, T = m g without torque" : "through the wrench shown: the two components not drawn are as at this instant";
   const kept = content.reserve > 0 ? ` Solid: what plans keep to, shrunk about hover by the reserve of ${number(100 * content.reserve)} %; dashed: all of it.` : "";
-  byId("sets-note").textContent = `Sections ${held}. Grey: the healthy vehicle. Blue: ${body.name}${body.title ? ` (${body.title})` : ""}.${kept} Cross: hover. Dot: the planned wrench${moves ? ", with the way it came" : ""}.`;
+  byId("sets-note").textContent = `Sections ${held}. Grey: the healthy vehicle. Blue: ${body.name}${body.title ? ` (${body.title})` : ""}.${kept} Cross: hover.${moves ? ` Dot: the ${called}, with the way it came.` : ""}`;
   room(body, w, m);
 }
 
 /** How far each component alone may go. */
 function room(body, w, m) {
-  const rows = NAMES.map((name, axis) => {
+  const rows = LABELS.map((name, axis) => {
     const found = chord(body, w, axis);
-    const unit = axis === 0 ? "N" : "N m";
+    // Rounding dust is nothing.
+    const dust = 1e-5 * (content.extents[axis][1] - content.extents[axis][0]);
+    const clean = (x, digits) => number(Math.abs(x) < dust ? 0 : x, digits);
     const cells = found
-      ? [number(found[0], 4), number(found[1], 4), number(w[axis] - found[0]), number(found[1] - w[axis])]
+      ? [clean(found[0], 4), clean(found[1], 4), clean(w[axis] - found[0]), clean(found[1] - w[axis])]
       : ["–", "–", "none", "none"];
-    return element("tr", {}, element("th", { scope: "row" }, `${name.replace(/^t/, "T")} [${unit}]`), ...[number(w[axis], 4), ...cells].map((c) => element("td", { class: "n" }, c)));
+    return element("tr", {}, element("th", { scope: "row" }, name), ...[clean(w[axis], 4), ...cells].map((c) => element("td", { class: "n" }, c)));
   });
-  const heads = ["Component", moves ? "Planned" : "Hover", "Least", "Most", "Room down", "Room up"];
+  const heads = ["Component", moves ? "Shown" : "Hover", "Least", "Most", "Room down", "Room up"];
   const table = element(
     "table",
     {},
-    element("caption", {}, `Room of each component alone in ${body.name}, margin ${signed(m)} %`),
-    element("thead", {}, element("tr", {}, ...heads.map((h) => element("th", { scope: "col" }, h)))),
+    element("caption", {}, `Room of each component alone in ${body.name}, margin ${percent(m)}`),
+    element("thead", {}, element("tr", {}, ...heads.map((h, i) => element("th", i === 0 ? { scope: "col" } : { scope: "col", class: "n" }, h)))),
     element("tbody", {}, ...rows),
   );
   byId("room").replaceChildren(table);
@@ -173,7 +194,7 @@ function tellMultiples() {
   const w = wrenchNow();
   for (const { body, value, button, index } of multiples) {
     const m = margin(body, w);
-    value.textContent = `${signed(m)} %`;
+    value.textContent = percent(m);
     value.classList.toggle("bad", m < -0.01);
     button.setAttribute("aria-pressed", String(index === state.set));
   }
@@ -181,6 +202,8 @@ function tellMultiples() {
 
 function refresh() {
   panels.forEach((p) => p.again());
+  const here = wrenchNow();
+  solid?.move(here, stateColor(margin(set(), here)));
   multiples.forEach((m) => m.view.again());
   tell();
   tellMultiples();
@@ -197,17 +220,22 @@ export function sets() {
   if (!moves) planeChoice.closest("label").hidden = true;
   planeChoice.addEventListener("change", refresh);
   buildPanels();
+  buildSolid();
   buildMultiples();
   if (multiples.length === 0) byId("multiples").previousElementSibling.hidden = true;
   on("set", () => {
     choice.value = String(state.set);
+    showSolid();
     refresh();
   });
   on("time", refresh);
   on("run", refresh);
-  on("theme", refresh);
+  on("theme", () => {
+    showSolid();
+    refresh();
+  });
+  showSolid();
+  solid?.move(wrenchNow(), css("--accent"));
   tell();
   tellMultiples();
 }
-
-export { classOf };

@@ -1,6 +1,6 @@
 // The flight in space: three.js where there is WebGL, two flat views where there is none.
 
-import { byId, content, element, indexAt, number, seconds, signed } from "./content.js";
+import { byId, content, element, indexAt, number, percent, seconds } from "./content.js";
 import { classOf, css, line } from "./palette.js";
 import { classLegend, legend } from "./strips.js";
 import { on, run, setTime, state } from "./state.js";
@@ -48,7 +48,7 @@ function tell() {
   const k = indexAt(columns.t, state.time);
   const { margin, mode } = smallest(k);
   const place = ["x", "y", "z"].map((name) => `${name} ${number(columns[name][k])}`).join(", ");
-  const near = mode === null ? "" : `; ${signed(margin)} % to ${mode}`;
+  const near = mode === null ? "" : `; margin ${percent(margin)} to ${mode}`;
   byId("space-readout").textContent = `At ${seconds(state.time)}: ${place} m; ${number(columns.speed[k])} m/s; tilt ${number(columns.tilt[k])} deg${near}`;
 }
 

@@ -1,9 +1,9 @@
 // Heat strips: time across, modes down, the smallest margin in each cell.
 
 import { axis, chart, marker, timeAxis } from "./axes.js";
-import { byId, content, element, seconds, signed } from "./content.js";
-import { CLASSES, classOf, css } from "./palette.js";
-import { duration, on, run, setSet, setTime, state } from "./state.js";
+import { byId, content, element, percent, seconds } from "./content.js";
+import { CLASSES, classOf } from "./palette.js";
+import { on, run, setSet, setTime, state } from "./state.js";
 
 const ROW = 20;
 let drawn = [];
@@ -73,12 +73,12 @@ function draw(shownRun, place) {
   const cell = (t, row) => {
     const strip = strips[row];
     const k = Math.min(Math.max(Math.floor((t / end) * strip.margins.length), 0), strip.margins.length - 1);
-    return `${names[row]}: ${signed(strip.margins[k])} %`;
+    return `${names[row]} ${percent(strip.margins[k])}`;
   };
   const options = {
     legend: { show: false },
     cursor: { sync: { key: "time" }, drag: { x: false, y: false }, points: { show: false } },
-    scales: { x: { time: false, range: () => [0, end] }, y: { range: () => [strips.length, 0] } },
+    scales: { x: { time: false, range: () => [0, end] }, y: { dir: -1, range: () => [0, strips.length] } },
     axes: [
       timeAxis({ grid: { show: false } }),
       axis(null, {
@@ -123,14 +123,16 @@ function draw(shownRun, place) {
 }
 
 function build() {
+  // A flight has no strips of its own: those of the plans are shown.
+  const measured = content.runs.filter((r) => r.strips.length > 0);
+  const margin = (run().strips.length > 0 ? run() : measured[0]).charts.find((c) => c.id === "margin");
+  if (margin) byId("strips-headline").textContent = measured.length > 1 ? `${run().label}: ${margin.headline.replace(/^T/, "t")}` : margin.headline;
   const place = byId("strips");
   for (const d of drawn) d.made.remove();
   place.replaceChildren();
-  // All plans of one mission time side by side; else the one that is shown.
-  const runs = content.runs.length > 1 ? content.runs : [run()];
-  drawn = runs.map((r) => {
+  drawn = measured.map((r) => {
     const figure = element("figure", { class: r === run() ? "shown" : "" });
-    if (runs.length > 1) figure.append(element("figcaption", {}, element("h3", {}, r.label)));
+    if (content.runs.length > 1) figure.append(element("figcaption", {}, element("h3", {}, r.label)));
     place.append(figure);
     return draw(r, figure);
   });
@@ -138,12 +140,10 @@ function build() {
 }
 
 export function strips() {
-  if (!byId("strips") || run().strips.length === 0) return;
+  if (!byId("strips") || !content.runs.some((r) => r.strips.length > 0)) return;
   legend(byId("strips-legend"), classLegend());
   build();
   on("run", build);
   on("time", () => drawn.forEach((d) => d.show()));
   on("theme", () => drawn.forEach((d) => d.made.redraw(false)));
 }
-
-export { css, duration };

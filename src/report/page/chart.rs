@@ -54,9 +54,29 @@ impl Bound {
     }
 }
 
+/// A small length in the unit that suits it.
+pub fn length(metres: f64) -> String {
+    match metres.abs() {
+        m if m >= 1.0 => format!("{} m", crate::report::number::significant(metres, 3)),
+        m if m >= 0.01 => format!("{} cm", crate::report::number::significant(1e2 * metres, 3)),
+        _ => format!("{} mm", crate::report::number::significant(1e3 * metres, 3)),
+    }
+}
+
 /// The nearest number with six significant digits, no `-0`: what a chart can show, in short text.
 pub fn rounded(x: f64) -> f64 {
     significant(x, 5)
+}
+
+/// Numbers of one column, without digits that no chart shows: a hundred thousandth of the largest is the least.
+pub fn column(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let values: Vec<f64> = values.collect();
+    let largest = values.iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+    if largest == 0.0 {
+        return values;
+    }
+    let least = 10f64.powi(largest.log10().floor() as i32 - 5);
+    values.into_iter().map(|v| rounded((v / least).round() * least)).collect()
 }
 
 /// The same with nine digits, for the rows of sets.

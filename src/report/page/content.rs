@@ -3,10 +3,10 @@
 use super::chart::{Chart, Columns, rounded};
 use super::sets::{SetContent, ShownSet};
 use super::{Subject, motion, shown_first};
-use crate::admissible::hover;
+use crate::admissible::{AdmissibleSet, hover};
+use crate::model::Model;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::report::number::number;
-use crate::report::record::Record;
 use crate::trajectory::nearness::nearness;
 use serde::Serialize;
 
@@ -31,6 +31,8 @@ pub struct Content {
     pub waypoints: Vec<WaypointContent>,
     /// `[m g, 0, 0, 0]`, N and N m.
     pub hover: [f64; 4],
+    /// `[least, most]` of each component over the whole healthy set.
+    pub extents: [[f64; 2]; 4],
     /// The share of each set that is kept for feedback: rows are shrunk by it about hover.
     pub reserve: f64,
     /// Healthy first.
@@ -54,6 +56,8 @@ pub struct WaypointContent {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RunContent {
     pub label: String,
+    /// What its wrench is called.
+    pub wrench: &'static str,
     pub columns: Columns,
     pub charts: Vec<Chart>,
     /// When each waypoint is passed, s.
@@ -61,6 +65,16 @@ pub struct RunContent {
     /// For every set that plans are measured against: its place in `sets`, and its smallest margin in each cell of the flight, in
     /// percent of the healthy set's width.
     pub strips: Vec<Strip>,
+    /// What happened when.
+    pub marks: Vec<Mark>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Mark {
+    /// s
+    pub t: f64,
+    /// Empty where a line is enough.
+    pub label: String,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -71,7 +85,7 @@ pub struct Strip {
 
 impl Content {
     /// Of plans: those that have a place on a page of reasonable size, the first ones first, and always the one shown first.
-    pub fn of_plans(subject: &Subject, comparison: &Comparison, shown: &[ShownSet], record: &Record) -> Self {
+    pub fn of_plans(subject: &Subject, comparison: &Comparison, shown: &[ShownSet], record: &impl Serialize) -> Self {
         let first = shown_first(subject.model, comparison);
         let solved: Vec<(usize, &PlannerRun, &Solved)> = comparison
             .runs
@@ -101,7 +115,7 @@ impl Content {
     }
 
     /// Where nothing is planned.
-    pub fn of_sets(subject: &Subject, shown: &[ShownSet], record: &Record) -> Self {
+    pub fn of_sets(subject: &Subject, shown: &[ShownSet], record: &impl Serialize) -> Self {
         let Subject { model, mission, .. } = *subject;
         let step = mission.waypoints.len().div_ceil(MOST_WAYPOINTS);
         let waypoint = |(i, w): (usize, &crate::model::Waypoint)| WaypointContent {
@@ -114,6 +128,7 @@ impl Content {
         Content {
             waypoints: mission.waypoints.iter().enumerate().step_by(step.max(1)).map(waypoint).collect(),
             hover: hover(model).into(),
+            extents: extents(model),
             reserve: model.plan.reserve,
             sets: shown.iter().map(SetContent::new).collect(),
             runs: Vec::new(),
@@ -121,6 +136,14 @@ impl Content {
             record: whole.filter(small),
         }
     }
+}
+
+fn extents(model: &Model) -> [[f64; 2]; 4] {
+    let zonotope = AdmissibleSet::healthy(model).zonotope;
+    [0, 1, 2, 3].map(|axis| {
+        let ends = |pick: fn(f64, f64) -> f64| zonotope.generators.iter().map(|g| pick(g[axis], 0.0)).sum::<f64>();
+        [zonotope.center[axis] + ends(f64::min), zonotope.center[axis] + ends(f64::max)].map(rounded)
+    })
 }
 
 /// `RSP, own time 16 s`, `RCP jointly at T_d = 16.4 s`.
@@ -153,5 +176,7 @@ fn run_content(subject: &Subject, run: &PlannerRun, solved: &Solved, shown: &[Sh
         charts: motion::charts(model, mission, solved, shown),
         passed: trajectory.waypoint_nodes.iter().map(|&n| rounded(trajectory.times[n])).collect(),
         strips: measured.map(|(i, s)| strip(i, s)).collect(),
+        wrench: "planned wrench",
+        marks: Vec::new(),
     }
 }

@@ -145,7 +145,7 @@ pub fn drawn(has_modes: bool) -> Vec<Section> {
         h2 { "The motion and its limits over time" }
         p.note {
             "Dashed lines are limits. Shaded bands in the charts of thrust and torques: how far that axis alone may go in the set of the "
-            "mode chosen below, the other three as planned at that instant."
+            "mode chosen above, the other three as at that instant."
         }
         div #charts { }
     };
@@ -166,12 +166,19 @@ pub fn sets() -> Section {
         div.tools {
             label { "Mode " select #set { } }
             label { "Section " select #plane {
-                option value="wrench" { "through the planned wrench" }
+                option value="wrench" { "through the wrench shown" }
                 option value="hover" { "through hover (T = m g)" }
             } }
         }
         div #sections .sections { }
-        div #room .room aria-live="off" { }
+        div.pair {
+        figure #solid {
+            figcaption { h3 { "The set without torque about z" } }
+            div .canvas tabindex="0" role="application" aria-label="The admissible set as a body; arrow keys turn it, plus and minus zoom" { }
+            p.note.none hidden { "Hover does not lie inside this mode's set, so no body is drawn." }
+        }
+        div #room .room tabindex="0" role="region" aria-label="Room of each component" { }
+        }
         h3 { "All modes: torques about x and y" }
         div #multiples .multiples { }
     };

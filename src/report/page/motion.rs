@@ -1,12 +1,13 @@
 //! A plan's motion as columns and charts.
 
-use super::chart::{Bound, Chart, Columns, Line, rounded};
+use super::chart::{Bound, Chart, Columns, Line, column, length, rounded};
 use super::sets::ShownSet;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::hover;
 use crate::model::{LimitKind, Mission, Model};
 use crate::planner::compare::Solved;
 use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::planner::select::VIOLATED;
 use crate::planner::transcribe::NodeState;
 use crate::report::caveats::limit_words;
 use crate::report::number::{fixed, percent, significant};
@@ -52,7 +53,7 @@ pub fn columns(model: &Model, solved: &Solved, shown: &[ShownSet], most: usize) 
     let states = states(trajectory, most);
     let mut columns = Columns::new();
     let mut add = |name: &str, value: &dyn Fn(&NodeState) -> f64| {
-        columns.insert(name.to_string(), states.iter().map(|(_, s)| rounded(value(s))).collect());
+        columns.insert(name.to_string(), column(states.iter().map(|(_, s)| value(s))));
     };
     for (name, axis) in [("x", X), ("y", Y), ("z", Z)] {
         add(name, &|s| s[axis][0]);
@@ -74,15 +75,16 @@ pub fn columns(model: &Model, solved: &Solved, shown: &[ShownSet], most: usize) 
     let wrenches: Vec<_> = states.iter().map(|(_, s)| trajectory.wrench(&model.vehicle, model.gravity, s)).collect();
     columns.insert("t".into(), states.iter().map(|(t, _)| rounded(*t)).collect());
     for (axis, name) in WRENCH.iter().enumerate() {
-        columns.insert((*name).into(), wrenches.iter().map(|w| rounded(w[axis])).collect());
+        columns.insert((*name).into(), column(wrenches.iter().map(|w| w[axis])));
     }
     let allocator = Allocator::new(&model.vehicle);
     let speeds: Vec<Vec<f64>> = wrenches.iter().map(|w| allocator.speeds(w)).collect();
     for k in 0..model.vehicle.rotors.len() {
-        columns.insert(format!("omega_{}", k + 1), speeds.iter().map(|row| rounded(row[k])).collect());
+        columns.insert(format!("omega_{}", k + 1), column(speeds.iter().map(|row| row[k])));
     }
     for (i, set) in shown.iter().enumerate().filter(|(_, s)| s.against.is_some()) {
-        let margins = wrenches.iter().map(|w| rounded(100.0 * set.margin(w)));
+        // Thousandths of a percent.
+        let margins = wrenches.iter().map(|w| (1e5 * set.margin(w)).round() / 1e3);
         columns.insert(format!("margin_{i}"), margins.collect());
     }
     columns
@@ -146,9 +148,9 @@ fn margins(solved: &Solved, shown: &[ShownSet]) -> Chart {
     };
     Chart {
         id: "margin",
-        title: "Margin to each fault mode's set",
+        title: "Margin to each fault mode's set, in widths of the healthy set",
         headline,
-        unit: "% of the healthy width",
+        unit: "%",
         lines: sets().map(|(i, s, _)| Line::new(s.name.clone(), format!("margin_{i}"))).collect(),
         bounds: vec![Bound::limit("edge", 0.0)],
         axis: None,
@@ -158,6 +160,8 @@ fn margins(solved: &Solved, shown: &[ShownSet]) -> Chart {
 /// `+3.2 %`, `−14.6 %`: margins have a sign.
 pub fn signed_percent(share: f64) -> String {
     match share {
+        // What counts as no violation is none.
+        s if s.abs() < VIOLATED / 2.0 => "0 %".into(),
         s if s < 0.0 => format!("\u{2212}{}", percent(-s)),
         s => format!("+{}", percent(s)),
     }
@@ -166,11 +170,10 @@ pub fn signed_percent(share: f64) -> String {
 fn position(mission: &Mission, solved: &Solved) -> Chart {
     let e = errors(mission, solved);
     let n = mission.waypoints.len();
-    let miss = significant(100.0 * e.largest, 3);
     Chart {
         id: "position",
         title: "Position",
-        headline: format!("{n} waypoints are met, the worst within {miss} cm"),
+        headline: format!("{n} waypoints are met, the worst within {}", length(e.largest)),
         unit: "m",
         lines: ["x", "y", "z"].map(|name| Line::new(name, name)).to_vec(),
         bounds: bounds(mission, &[LimitKind::X, LimitKind::Y, LimitKind::Z]),
@@ -251,7 +254,7 @@ fn rare(
     kinds: &[LimitKind],
 ) -> Option<Chart> {
     let first = mission.limits.iter().find(|l| kinds.contains(&l.kind))?;
-    let column = |kind: LimitKind| match kind {
+    let column_of = |kind: LimitKind| match kind {
         LimitKind::YawRate => "yaw_rate",
         LimitKind::YawAcceleration => "yaw_acceleration",
         _ => NORMS.iter().find(|n| n.0 == kind).map_or("speed", |n| n.1),
@@ -275,7 +278,7 @@ fn rare(
             allowed(mission, first.kind)
         ),
         unit,
-        lines: lines.map(|&k| Line::new(limit_words(k).0, column(k))).collect(),
+        lines: lines.map(|&k| Line::new(limit_words(k).0, column_of(k))).collect(),
         bounds: bounds(mission, kinds),
         axis: None,
     })
@@ -287,17 +290,18 @@ fn wrench(model: &Model, solved: &Solved) -> Vec<Chart> {
     let (most, least) = (peak(trajectory, |s| of(s, 0)), peak(trajectory, |s| -of(s, 0)));
     let full: f64 = model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum();
     let idle: f64 = model.vehicle.rotors.iter().map(|r| r.idle_thrust()).sum();
+    let clean = |v: f64| if v.abs() < 1e-6 * full { 0.0 } else { v };
     let thrust = Chart {
         id: "thrust",
         title: "Thrust",
         headline: format!(
             "Thrust lies between {} N and {} N, of {} N at full speed",
-            significant(-least.value, 3),
-            significant(most.value, 3),
+            significant(clean(-least.value), 3),
+            significant(clean(most.value), 3),
             significant(full, 3)
         ),
         unit: "N",
-        lines: vec![Line::new("thrust", "thrust")],
+        lines: vec![Line::new("planned", "thrust")],
         bounds: vec![
             Bound::limit("full thrust", full),
             Bound::limit("least thrust", idle),
@@ -313,7 +317,7 @@ fn wrench(model: &Model, solved: &Solved) -> Vec<Chart> {
             title,
             headline: format!("{title} reaches {} either way", at(top.value, "N m", top.at)),
             unit: "N m",
-            lines: vec![Line::new(title, id)],
+            lines: vec![Line::new("planned", id)],
             bounds: Vec::new(),
             axis: Some(i + 1),
         }
@@ -335,6 +339,8 @@ fn rotors(model: &Model, solved: &Solved) -> Chart {
         let mut values: Vec<f64> = (0..rotors.len()).map(of).collect();
         values.sort_by(f64::total_cmp);
         values.dedup();
+        // That a rotor does not turn backwards need not be said.
+        values.retain(|&v| v > 0.0);
         bounds.extend(values.into_iter().map(|v| Bound::limit(format!("{word} speed"), v)));
     }
     Chart {

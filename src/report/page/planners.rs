@@ -1,14 +1,13 @@
 //! Planners side by side.
 
 use super::motion::signed_percent;
-use crate::model::Model;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
 use crate::report::number::{fixed, number, significant};
 use crate::report::record::{PlannerRecord, Record};
 use maud::{Markup, html};
 
 /// The tables of section 5.4: each planner at its own shortest time, and all at T_d.
-pub fn section(model: &Model, comparison: &Comparison, record: &Record) -> Markup {
+pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     let runs: Vec<(&PlannerRun, &PlannerRecord)> = comparison.runs.iter().zip(&record.planners).collect();
     let has_modes = !comparison.modes.is_empty();
     let has_risk = record.planners.iter().any(|p| p.risk.is_some());
@@ -18,7 +17,6 @@ pub fn section(model: &Model, comparison: &Comparison, record: &Record) -> Marku
         (Run::Common, Some(t)) => format!("All planners at T_d = {} s", number(t)),
         (Run::Common, None) => "All planners at one time".to_string(),
     };
-    let _ = model;
     html! {
         h2 { (headline(comparison)) }
         @for which in [Run::Common, Run::Own] {
@@ -29,18 +27,18 @@ pub fn section(model: &Model, comparison: &Comparison, record: &Record) -> Marku
                         thead {
                             tr {
                                 th scope="col" { "Planner" }
-                                th scope="col" { "Time" br; span.unit { "s" } }
+                                th.n scope="col" { "Time" br; span.unit { "s" } }
                                 @if has_modes {
-                                    th scope="col" { "Smallest margin" br; span.unit { "healthy widths" } }
-                                    th scope="col" { "Outside, longest" br; span.unit { "s" } }
-                                    th scope="col" { "Last outside" br; span.unit { "s" } }
+                                    th.n scope="col" { "Smallest margin" br; span.unit { "healthy widths" } }
+                                    th.n scope="col" { "Outside, longest" br; span.unit { "s" } }
+                                    th.n scope="col" { "Last outside" br; span.unit { "s" } }
                                 }
-                                th scope="col" { "Sum of errors" br; span.unit { "m" } }
-                                th scope="col" { "Largest error" br; span.unit { "cm" } }
-                                th scope="col" { "Yaw errors" br; span.unit { "rad" } }
-                                th scope="col" { "Objective" }
-                                th scope="col" { "Rows a node" }
-                                @if has_risk { th scope="col" { "Risk" } }
+                                th.n scope="col" { "Sum of errors" br; span.unit { "m" } }
+                                th.n scope="col" { "Largest error" br; span.unit { "cm" } }
+                                th.n scope="col" { "Yaw errors" br; span.unit { "rad" } }
+                                th.n scope="col" { "Objective" }
+                                th.n scope="col" { "Rows a node" }
+                                @if has_risk { th.n scope="col" { "Risk" } }
                             }
                         }
                         tbody {

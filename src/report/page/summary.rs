@@ -1,10 +1,13 @@
 //! The first thing that the page says: what was found, in one sentence and a few figures.
 
+use super::chart::length;
+use super::flown::headline;
 use super::motion::signed_percent;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::certificate::between::Shown;
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
+use crate::report::flight::{FlightRecord, OutcomeRecord};
 use crate::report::number::{fixed, number, significant};
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::terminal::no_plan;
@@ -30,7 +33,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    fn new(name: &'static str, value: impl Into<String>, note: impl Into<String>) -> Self {
+    pub fn new(name: &'static str, value: impl Into<String>, note: impl Into<String>) -> Self {
         Figure { name, value: value.into(), note: note.into(), is_bad: false }
     }
 
@@ -53,8 +56,8 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
             figures.extend(stays(comparison, solved));
             figures.push(Figure::new(
                 "Largest waypoint error",
-                format!("{} cm", significant(100.0 * told.max_waypoint_error_m.unwrap_or(0.0), 3)),
-                format!("sum {} m over {n}", significant(told.position_error_m.unwrap_or(0.0), 4)),
+                length(told.max_waypoint_error_m.unwrap_or(0.0)),
+                format!("sum {} over {n}", length(told.position_error_m.unwrap_or(0.0))),
             ));
             figures.extend(told.risk.map(|r| {
                 Figure::new("Risk", significant(r, 3), "that a fault strikes while the mission is committed to it")
@@ -63,7 +66,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
             Found { headline, figures, warnings: told.warnings.iter().map(|c| c.message.clone()).collect() }
         }
         ending => Found {
-            headline: format!("{} has {}", label(run.planner, &run.against), no_plan(model, run, ending)),
+            headline: format!("{}: {}", label(run.planner, &run.against), no_plan(model, run, ending)),
             figures: Vec::new(),
             warnings: conflict(record),
         },
@@ -71,7 +74,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
 }
 
 /// Of `mavc compare`.
-pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, record: &Record) -> Found {
+pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
     let solved: Vec<(&PlannerRun, &Solved)> = comparison
         .runs
         .iter()
@@ -93,10 +96,33 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, record
     let common = comparison
         .common_time
         .map(|t| Figure::new("Common time T_d", format!("{} s", number(t)), "at which all planners are compared"));
-    let _ = (model, record);
     let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), "each met within its tolerance");
     let guarded = Figure::new("Facets RSP guards", comparison.selected.len().to_string(), "beside the healthy set's");
     Found { headline, figures: common.into_iter().chain([waypoints, guarded]).collect(), warnings: Vec::new() }
+}
+
+/// Of `mavc simulate`.
+pub fn flight(record: &FlightRecord) -> Found {
+    let lost = matches!(record.outcome, OutcomeRecord::Lost { .. });
+    let mut figures = vec![
+        Figure::new("Off its place", length(record.rms_error_m), "root mean square over the flight"),
+        Figure::new("Largest distance", length(record.max_error_m), "from where the plan is").bad_if(lost),
+    ];
+    figures
+        .extend(record.rms_error_after_m.map(|e| Figure::new("Since the first fault", length(e), "root mean square")));
+    let tilt = format!("{} deg", fixed(record.max_tilt_rad.to_degrees(), 1));
+    figures.push(Figure::new(
+        "Largest tilt",
+        tilt,
+        format!("along the {} plan of {} s", record.planner.to_uppercase(), number(record.plan_time_s)),
+    ));
+    figures.push(Figure::new(
+        "False alarms",
+        record.false_alarms.to_string(),
+        format!("detection: {}", record.detection),
+    ));
+    let warnings = record.warnings.iter().map(|c| c.message.clone()).collect();
+    Found { headline: headline(record), figures, warnings }
 }
 
 /// Some mode that the plan must stand cannot hover.

@@ -73,13 +73,13 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Solved
                     tr {
                         th scope="col" { "Mode" }
                         th scope="col" { "Verdict" }
-                        th scope="col" { "Hover margin" br; span.unit { "N, N m" } }
-                        th scope="col" { "Heaviest" br; span.unit { "kg" } }
-                        th scope="col" { "Plan's margin" br; span.unit { "healthy widths" } }
-                        th scope="col" { "Outside" br; span.unit { "s" } }
-                        th scope="col" { "Last outside" br; span.unit { "s" } }
+                        th.n scope="col" { "Hover margin" br; span.unit { "N, N m" } }
+                        th.n scope="col" { "Heaviest" br; span.unit { "kg" } }
+                        th.n scope="col" { "Plan's margin" br; span.unit { "healthy widths" } }
+                        th.n scope="col" { "Outside" br; span.unit { "s" } }
+                        th.n scope="col" { "Last outside" br; span.unit { "s" } }
                         th scope="col" { "After it" }
-                        th scope="col" { "Committed" br; span.unit { "s" } }
+                        th.n scope="col" { "Committed" br; span.unit { "s" } }
                     }
                 }
                 tbody { @for row in &rows { (cells(model, row)) } }
@@ -114,7 +114,7 @@ fn cells(model: &Model, row: &Row) -> Markup {
             td.n.bad[outside.is_some_and(|o| o.last.is_some())] {
                 (outside.map_or_else(dash, |o| signed_percent(-o.max_violation)))
             }
-            td.n { (outside.map_or_else(dash, |o| fixed(o.seconds, 2))) }
+            td.n { (outside.map_or_else(dash, |o| if o.last.is_some() { fixed(o.seconds, 2) } else { "0".into() })) }
             td.n { (outside.map_or_else(dash, |o| o.last.map_or("never".into(), |l| fixed(l, 2)))) }
             td { (after) }
             td.n { (committed.map_or_else(dash, |c| if c > 0.0 { fixed(c, 2) } else { "never".into() })) }
