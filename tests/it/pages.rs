@@ -216,7 +216,10 @@ fn pages_stay_small() {
 #[test]
 fn flights_and_campaigns_have_pages() {
     let dir = tempfile::tempdir().unwrap();
-    let spec = written(dir.path(), &HOSTILE.replace("yaw_rate <= 90 deg/s }", "yaw_rate <= 90 deg/s }\n}\nsimulate { fault bad at 3 s"));
+    let spec = written(
+        dir.path(),
+        &HOSTILE.replace("yaw_rate <= 90 deg/s }", "yaw_rate <= 90 deg/s }\n}\nsimulate { fault bad at 3 s"),
+    );
     let report = dir.path().join("report.json");
     let recorded = || -> Value { serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap() };
     let (ran, text) = page(&["simulate", &spec, "--report", report.to_str().unwrap()], dir.path());
@@ -231,10 +234,8 @@ fn flights_and_campaigns_have_pages() {
     let told = recorded()["max_error_m"].as_f64().unwrap();
     assert!(worst <= told * 1.001 && worst > 0.9 * told, "{worst} {told}");
     assert_eq!(drawn["runs"][0]["marks"][0]["t"], 3.0);
-    let (ran, text) = page(
-        &["campaign", &spec, "--times", "3", "--seeds", "1", "--report", report.to_str().unwrap()],
-        dir.path(),
-    );
+    let (ran, text) =
+        page(&["campaign", &spec, "--times", "3", "--seeds", "1", "--report", report.to_str().unwrap()], dir.path());
     assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
     assert_eq!(content(&text)["record"], recorded());
     // Every cell of the map is one of the record.
@@ -256,7 +257,9 @@ fn charts_become_svg_files() {
     let mut names: Vec<String> =
         std::fs::read_dir(&one).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    for name in ["margin.svg", "position.svg", "rotors.svg", "set-bad.svg", "set-healthy.svg", "speed.svg", "thrust.svg"] {
+    for name in
+        ["margin.svg", "position.svg", "rotors.svg", "set-bad.svg", "set-healthy.svg", "speed.svg", "thrust.svg"]
+    {
         assert!(names.contains(&name.to_string()), "{name}: {names:?}");
     }
     for name in &names {

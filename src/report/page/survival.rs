@@ -17,14 +17,21 @@ const CLASSES: [(&str, f64); 5] =
 pub fn found(record: &CampaignRecord) -> Found {
     let shares: Vec<(String, f64)> =
         record.planners.iter().filter_map(|p| Some((p.name.to_uppercase(), faulted(p)?))).collect();
-    let list: Vec<String> = shares.iter().map(|(name, share)| format!("{} of {name}", percent(*share))).collect();
+    let list: Vec<String> = shares.iter().map(|(name, share)| format!("{} with {name}", percent(*share))).collect();
     let headline = match list.is_empty() {
         true => "Nothing was flown: no planner has a plan".to_string(),
-        false => format!("Of the flights that a fault strikes survive {}", list.join(", ")),
+        false => format!("Flights that survive a fault: {}", list.join(", ")),
     };
     let figures = vec![
         Figure::new("Flights", record.flights.to_string(), format!("of {} in the campaign", record.cases)),
-        Figure::new("Instants of the fault", record.times.to_string(), format!("with {} seeds each", record.seeds)),
+        Figure::new(
+            "Instants of the fault",
+            record.times.to_string(),
+            match record.seeds {
+                1 => "with one seed each".to_string(),
+                n => format!("with {n} seeds each"),
+            },
+        ),
         Figure::new(
             "Mission time T_d",
             record.mission_time_s.map_or("none".into(), |t| format!("{} s", number(t))),
@@ -98,7 +105,9 @@ pub fn maps(record: &CampaignRecord) -> Markup {
             }
             span.entry { span.swatch.before aria-hidden="true" { } "lost before the fault" }
         }
-        @for planner in record.planners.iter().filter(|p| !p.modes.is_empty()) { (map(planner)) }
+        div.maps {
+            @for planner in record.planners.iter().filter(|p| !p.modes.is_empty()) { div { (map(planner)) } }
+        }
     }
 }
 

@@ -41,6 +41,8 @@ fn headline(analyses: &[ModeAnalysis]) -> String {
     let kept = modes.iter().filter(|a| a.verdict == Verdict::Controllable && a.interior).count();
     match modes.len() {
         0 => "The spec declares no fault mode".into(),
+        1 if kept == 1 => "The one declared mode keeps full control at hover".into(),
+        1 => "The one declared mode does not keep full control at hover".into(),
         n if kept == n => format!("All {n} declared modes keep full control at hover"),
         n => format!("{kept} of {n} declared modes keep full control at hover"),
     }
