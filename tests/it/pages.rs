@@ -201,9 +201,9 @@ fn pages_keep_to_the_rules_of_results() {
 fn pages_stay_small() {
     let dir = tempfile::tempdir().unwrap();
     let spec = HOSTILE
-        .replace("PNPNPNPN", &"PN".repeat(8))
+        .replace("PNPNPNPN", &"PN".repeat(6))
         .replace("against = [bad]", "against = all")
-        .replace("samples = 40", "samples = 3000")
+        .replace("samples = 40", "samples = 1200")
         .replace("/// A mode that nothing", "every 2 rotors reduced to 70 % as R\n    /// A mode that nothing");
     let filler = format!("// {}\n", "<&\"'>".repeat(60)).repeat(2_500);
     let (ran, text) = page(&["plan", &written(dir.path(), &(spec + &filler))], dir.path());
