@@ -181,6 +181,12 @@ pub(crate) struct PlanArgs {
     /// Where the certificate goes (JSON), for `mavc verify`
     #[arg(long, value_name = "CERT.JSON")]
     certificate: Option<PathBuf>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
+    /// A folder for the charts as SVG files, for papers; it is made where it is missing
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -202,6 +208,12 @@ pub(crate) struct CompareArgs {
     /// Also compare numbers of rounds of selection at T_d, such as 0..5
     #[arg(long, value_name = "FIRST..LAST")]
     rounds: Option<String>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
+    /// A folder for the charts as SVG files, for papers; it is made where it is missing
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -217,6 +229,9 @@ pub(crate) struct SimulateArgs {
     /// Rows of the log, such as 100Hz; at most as often as the controller acts
     #[arg(long, value_name = "RATE")]
     rate: Option<String>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
 }
 
 #[derive(Args)]

@@ -17,6 +17,7 @@ mod intervals;
 mod lag;
 mod lsp;
 mod model;
+mod pages;
 mod parallel_rows;
 mod planning;
 mod programs;
