@@ -2,6 +2,7 @@
 
 - Every spec of the repository whose text the compiler accepts parses without ERROR or MISSING nodes, and so does what
   the snippets of editors/vscode insert.
+- Texts read the same after an edit as from the start.
 - The words that end a unit are those of grammar/mav.pest.
 - The corpus, in the format of `tree-sitter test`, which runs it too.
 - The queries fit the grammar, and words are highlighted as the carets in test/highlight say.
@@ -83,6 +84,29 @@ def check_specs(parser: Parser) -> Iterator[str]:
     if count < 100:
         yield f"only {count} specs were found"
     print(f"{count} specs")
+
+
+# ---- edits
+
+
+def point(text: bytes, at: int) -> tuple[int, int]:
+    """Row and column, in bytes."""
+    return text.count(b"\n", 0, at), at - (text.rfind(b"\n", 0, at) + 1)
+
+
+def check_edits(parser: Parser) -> Iterator[str]:
+    """A text from which a bracket is taken reads the same whether an editor goes on from the old tree or not."""
+    count = 0
+    for name, text in specs():
+        for bracket in re.finditer(rb"[(){}\[\]]", text):
+            count += 1
+            at = bracket.start()
+            edited = text[:at] + text[at + 1 :]
+            old = parser.parse(text)
+            old.edit(at, at + 1, at, point(text, at), point(text, at + 1), point(text, at))
+            if str(parser.parse(edited, old).root_node) != str(parser.parse(edited).root_node):
+                yield f"{name}: without the bracket at byte {at} the tree depends on what was there before"
+    print(f"{count} edits")
 
 
 # ---- words
@@ -194,10 +218,15 @@ def main() -> int:
     mav = language(sys.argv[1])
     parser = Parser(mav)
     wrong = [
-        *check_specs(parser), *check_words(), *check_corpus(parser), *check_highlights(mav, parser),
+        *check_specs(parser),
+        *check_edits(parser),
+        *check_words(),
+        *check_corpus(parser),
+        *check_highlights(mav, parser),
         *check_folds(mav, parser),
     ]
-    print("\n".join(wrong), file=sys.stderr if wrong else sys.stdout)
+    for line in wrong:
+        print(line, file=sys.stderr)
     return 1 if wrong else 0
 
 
