@@ -70,10 +70,15 @@ function draw(shownRun, place) {
   const names = strips.map((s) => content.sets[s.set].name);
   const widest = Math.max(...names.map((n) => n.length));
   const readout = element("p", { class: "readout" });
-  const cell = (t, row) => {
-    const strip = strips[row];
-    const k = Math.min(Math.max(Math.floor((t / end) * strip.margins.length), 0), strip.margins.length - 1);
-    return `${names[row]} ${percent(strip.margins[k])}`;
+  // A cell shows the smallest margin of its span of time.
+  const cellAt = (t, row) => {
+    const count = strips[row].margins.length;
+    return Math.min(Math.max(Math.floor((t / end) * count), 0), count - 1);
+  };
+  const cell = (t, row) => `${names[row]} ${percent(strips[row].margins[cellAt(t, row)])}`;
+  const span = (t, row) => {
+    const [k, count] = [cellAt(t, row), strips[row].margins.length];
+    return `At the least from ${seconds((k / count) * end)} to ${seconds(((k + 1) / count) * end)}`;
   };
   const options = {
     legend: { show: false },
@@ -98,7 +103,7 @@ function draw(shownRun, place) {
           if (!(u.cursor.left >= 0) || !(u.cursor.top >= 0)) return;
           const row = Math.min(Math.max(Math.floor(u.posToVal(u.cursor.top, "y")), 0), strips.length - 1);
           const t = u.posToVal(u.cursor.left, "x");
-          readout.textContent = `At ${seconds(t)}, ${cell(t, row)} of the healthy set's width`;
+          readout.textContent = `${span(t, row)}: ${cell(t, row)} of the healthy set's width`;
         },
       ],
     },
@@ -116,7 +121,7 @@ function draw(shownRun, place) {
   const show = () => {
     mark(Math.min(state.time, end));
     const all = strips.map((_, row) => cell(state.time, row));
-    readout.textContent = `At ${seconds(Math.min(state.time, end))}, ${all.slice(0, 4).join("; ")}${all.length > 4 ? "; …" : ""}`;
+    readout.textContent = `${span(state.time, 0)}: ${all.slice(0, 4).join("; ")}${all.length > 4 ? "; …" : ""}`;
   };
   made.hooks.setSize = [...(made.hooks.setSize ?? []), () => requestAnimationFrame(show)];
   return { made, show };
