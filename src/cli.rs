@@ -8,6 +8,7 @@ mod explain;
 mod files;
 mod fmt;
 mod links;
+mod lsp;
 mod new;
 mod plan;
 mod progress;
@@ -83,6 +84,12 @@ enum Command {
     New {
         /// The file to write, which must not exist, or `-` for standard output
         file: PathBuf,
+    },
+    /// Serve an editor over standard input and output (Language Server Protocol)
+    Lsp {
+        /// Said by some editors; there is no other way
+        #[arg(long, hide = true)]
+        stdio: bool,
     },
     /// Explain a diagnostic's code
     Explain {
@@ -174,6 +181,12 @@ pub(crate) struct PlanArgs {
     /// Where the certificate goes (JSON), for `mavc verify`
     #[arg(long, value_name = "CERT.JSON")]
     certificate: Option<PathBuf>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
+    /// A folder for the charts as SVG files, for papers; it is made where it is missing
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -195,6 +208,12 @@ pub(crate) struct CompareArgs {
     /// Also compare numbers of rounds of selection at T_d, such as 0..5
     #[arg(long, value_name = "FIRST..LAST")]
     rounds: Option<String>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
+    /// A folder for the charts as SVG files, for papers; it is made where it is missing
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -210,6 +229,9 @@ pub(crate) struct SimulateArgs {
     /// Rows of the log, such as 100Hz; at most as often as the controller acts
     #[arg(long, value_name = "RATE")]
     rate: Option<String>,
+    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    #[arg(long, value_name = "REPORT.HTML")]
+    html: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -287,6 +309,7 @@ pub fn run() -> u8 {
         Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::New { file } => new::run(file, &options),
+        Command::Lsp { stdio: _ } => lsp::run(),
         Command::Explain { code } => explain::run(code.as_deref()),
         Command::Completions { shell } => shell::completions(*shell),
         Command::Man { folder } => shell::man(folder.as_deref()),

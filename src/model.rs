@@ -18,23 +18,27 @@ mod lag;
 mod legs;
 mod limits;
 mod load;
+mod mend;
 mod mission;
 mod overrides;
 mod plan;
 mod simulate;
 mod survey;
+mod understanding;
 mod vehicle;
+pub mod vocabulary;
 
-pub use elaborate::elaborate;
+pub use elaborate::{elaborate, understand};
 pub use flight::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
 pub use interval::{RotorSpread, Spread};
-pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load};
+pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load, resolve};
 pub use mission::MAX_WAYPOINTS;
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
+pub use understanding::{Reading, Understanding};
 
 use crate::source::Span;
 

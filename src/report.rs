@@ -10,6 +10,7 @@ pub mod conflict_record;
 pub mod flight;
 pub mod heat;
 pub mod number;
+pub mod page;
 pub mod record;
 pub mod table;
 pub mod terminal;

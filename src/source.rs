@@ -128,6 +128,23 @@ impl Source {
             self.text[start..].char_indices().take_while(|(i, _)| start + i < offset).map(|(_, c)| c.len_utf16()).sum();
         (line as u32, units as u32)
     }
+
+    /// The byte offset of a 0-based line and UTF-16 column. A column past the end of the line is that end, a line past
+    /// the last the end of the text, and a column within a character is its start.
+    pub fn offset_utf16(&self, line: u32, column: u32) -> usize {
+        if line as usize >= self.line_starts.len() {
+            return self.text.len();
+        }
+        let range = self.line(line as usize + 1);
+        let mut units = 0;
+        for (at, character) in self.text[range.clone()].char_indices() {
+            units += character.len_utf16() as u64;
+            if units > u64::from(column) {
+                return range.start + at;
+            }
+        }
+        range.end
+    }
 }
 
 /// All files of one compilation, in the order they were first named.
@@ -169,6 +186,21 @@ mod tests {
         assert_eq!(s.place(x), Place { line: 2, column: 3 });
         assert_eq!(s.place_utf16(x), (1, 3));
         assert_eq!(s.place(s.text.len()), Place { line: 3, column: 1 });
+    }
+
+    #[test]
+    fn utf16_columns_are_clamped_to_characters_lines_and_the_text() {
+        let s = Source::new("t", "ab\r\nα😀x");
+        let x = s.text.find('x').unwrap();
+        assert_eq!(s.offset_utf16(1, 3), x);
+        assert_eq!(s.offset_utf16(1, 2), s.text.find('😀').unwrap(), "inside a pair of surrogates");
+        assert_eq!(s.offset_utf16(0, 99), 2);
+        assert_eq!(s.offset_utf16(1, u32::MAX), s.text.len());
+        assert_eq!(s.offset_utf16(u32::MAX, 0), s.text.len());
+        for at in [0, 1, 2, 4, x, s.text.len()] {
+            let (line, column) = s.place_utf16(at);
+            assert_eq!(s.offset_utf16(line, column), at);
+        }
     }
 
     #[test]

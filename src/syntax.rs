@@ -16,6 +16,8 @@ mod mistake;
 mod place;
 mod print;
 
+pub use place::Place;
+
 use crate::diagnostic::{Checked, Diagnostic};
 use crate::source::{FileId, NotUtf8, Source, Span};
 use ast::SpecFile;

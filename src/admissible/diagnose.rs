@@ -29,12 +29,25 @@ const NAMED: usize = 8;
 /// A mode without full control, or with hover on its edge where a reserve is asked for, is an error; it is an
 /// answer about the spec rather than a mistake in it, and has an exit code of its own.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
-    let healthy = analyze(model, &AdmissibleSet::healthy(model));
+    let analysis = |mode: Option<usize>| {
+        let set = mode.map_or_else(|| AdmissibleSet::healthy(model), |mode| AdmissibleSet::of_mode(model, mode));
+        Some(analyze(model, &set))
+    };
+    diagnose_by(model, analysis).unwrap_or_default()
+}
+
+/// As [`diagnose`], by analyses that somebody else makes or keeps: of the healthy vehicle (`None`) and of modes, by their
+/// index. `None` as soon as one of them is not to be had.
+pub fn diagnose_by(
+    model: &Model,
+    mut analysis: impl FnMut(Option<usize>) -> Option<ModeAnalysis>,
+) -> Option<Vec<Diagnostic>> {
+    let healthy = analysis(None)?;
     let before = |row: &Parallel| healthy.nearest_rows.is_some_and(|r| r.axes == row.axes && r.angle < least_angle());
     let mut found: Vec<Answer> = Vec::new();
     let against = if model.mission.is_some() { model.plan.against.as_slice() } else { &[] };
     for &index in against {
-        let mode = analyze(model, &AdmissibleSet::of_mode(model, index));
+        let mode = analysis(Some(index))?;
         let span = model.modes[index].span;
         let faint = || mode.nearest_rows.filter(|row| !before(row)).and_then(|row| nearly_parallel(&row, span));
         let Some(answer) = judge(model, &mode, span).or_else(faint) else { continue };
@@ -44,7 +57,7 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
         }
     }
     let healthy = judge(model, &healthy, model.vehicle.mass_span);
-    healthy.into_iter().chain(found).map(|answer| answer.diagnostic(model)).collect()
+    Some(healthy.into_iter().chain(found).map(|answer| answer.diagnostic(model)).collect())
 }
 
 /// What is wrong with the healthy vehicle or with some modes.

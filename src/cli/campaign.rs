@@ -4,7 +4,7 @@ mod merge;
 mod output;
 mod parquet;
 
-use super::plan::{json, plan_for as plan, ready, spare};
+use super::plan::{self, json, plan_for, ready, spare};
 use super::progress::Flights;
 use super::simulate::cannot_fly;
 use super::spec::{self, Loaded, hex, timing};
@@ -18,6 +18,7 @@ use crate::model::Model;
 use crate::planner::compare::{Ending, Scope};
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::campaign_text;
+use crate::report::page;
 use clap::{Args, Subcommand};
 use output::{Output, Stop};
 use sha2::{Digest, Sha256};
@@ -47,6 +48,9 @@ pub(crate) struct CampaignArgs {
     /// Where the report goes (JSON); `-` for standard output, without the one for people
     #[arg(long, value_name = "CAMPAIGN.JSON")]
     report: Option<PathBuf>,
+    /// Where the page goes (HTML): one file with the map of survival, for a browser without a network
+    #[arg(long, value_name = "CAMPAIGN.HTML")]
+    html: Option<PathBuf>,
     /// Fly only the I-th of N parts, such as 3/16
     #[arg(long, value_name = "I/N")]
     shard: Option<String>,
@@ -87,29 +91,32 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
     if let Some(path) = &args.output {
         parquet::is_possible(path)?;
     }
+    let html = args.html.as_deref().map(Target::new).transpose()?;
     apart(&rows, &report)?;
+    apart(&rows, &html)?;
+    plan::apart(plan::PAGE, &html, &[&report])?;
     if let Some(threads) = args.threads {
         // Only the first pool of a process is the global one; a command starts none before.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads as usize).build_global();
     }
     let spec_args = SpecArgs { spec: args.spec.clone().unwrap_or_default(), set: args.set.clone() };
     let mut loaded = spec::read(&spec_args, options)?;
-    spare(&loaded, &[&rows, &report])?;
-    if let (Some(target), Some(name)) = (&report, &args.rows) {
-        target.must_spare(name.to_str())?;
+    spare(&loaded, &[&rows, &report, &html])?;
+    if let Some(name) = &args.rows {
+        [&report, &html].into_iter().flatten().try_for_each(|target| target.must_spare(name.to_str()))?;
     }
     let Some((mut model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     resize(args, &mut model)?;
-    let Some(comparison) = plan(&loaded, &model, &mission, Scope::Common, options) else {
-        return nothing_flown(&loaded, &model, &[], report.as_ref());
+    let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Common, options) else {
+        return nothing_flown(&loaded, &model, &[], report.as_ref(), html.as_ref());
     };
     let design = match Design::new(&model, &comparison, &(loaded.sha256() + &binary())) {
         Ok(design) => design,
         Err(missing) => {
-            if !report.as_ref().is_some_and(Target::is_stdout) {
+            if ![&report, &html].into_iter().flatten().any(Target::is_stdout) {
                 files::print(campaign_text::left_out(&missing).trim_start())?;
             }
-            return nothing_flown(&loaded, &model, &missing, report.as_ref());
+            return nothing_flown(&loaded, &model, &missing, report.as_ref(), html.as_ref());
         }
     };
     if cannot_fly(&mut loaded, &model, design.time, options) {
@@ -126,12 +133,14 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
     match (&rows, &report) {
         // What goes to standard output has it to itself.
         (_, Some(report)) if report.is_stdout() => {}
+        _ if html.as_ref().is_some_and(Target::is_stdout) => files::tell(&text),
         (Some(rows), _) if rows.is_stdout() => files::tell(&text),
         _ => files::print(&text)?,
     }
-    if let Some(target) = &report {
-        write(&[(target, json(&CampaignRecord::new(&design, shard, &tally, loaded.sha256()))?)])?;
-    }
+    let record = CampaignRecord::new(&design, shard, &tally, loaded.sha256());
+    tell(&loaded, &model, &record, report.as_ref(), html.as_ref())?;
+    let silent = [&rows, &report, &html].into_iter().flatten().any(Target::is_stdout);
+    plan::tell_page(!silent, &html, args.html.as_deref(), options)?;
     Ok(if is_inconclusive(&design.missing) { INCONCLUSIVE } else { FINE })
 }
 
@@ -184,11 +193,35 @@ fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Options) 
 }
 
 /// No plan, so no flight: the report says why.
-fn nothing_flown(loaded: &Loaded, model: &Model, missing: &[Missing], report: Option<&Target>) -> Result<u8, Problem> {
-    if let Some(target) = report {
-        write(&[(target, json(&CampaignRecord::without_flights(model, missing, loaded.sha256()))?)])?;
-    }
+fn nothing_flown(
+    loaded: &Loaded,
+    model: &Model,
+    missing: &[Missing],
+    report: Option<&Target>,
+    html: Option<&Target>,
+) -> Result<u8, Problem> {
+    let record = CampaignRecord::without_flights(model, missing, loaded.sha256());
+    tell(loaded, model, &record, report, html)?;
     Ok(if is_inconclusive(missing) { INCONCLUSIVE } else { NO_PLAN })
+}
+
+/// Writes report and page.
+fn tell(
+    loaded: &Loaded,
+    model: &Model,
+    record: &CampaignRecord,
+    report: Option<&Target>,
+    html: Option<&Target>,
+) -> Result<(), Problem> {
+    let mut results = Vec::new();
+    if let Some(target) = report {
+        results.push((target, json(record)?));
+    }
+    if let (Some(target), Some(mission)) = (html, &model.mission) {
+        let subject = plan::subject(loaded, model, mission, &loaded.diagnostics);
+        results.push((target, page::campaign(&subject, record)));
+    }
+    write(&results)
 }
 
 fn is_inconclusive(missing: &[Missing]) -> bool {

@@ -2,7 +2,7 @@
 
 use super::progress::Progress;
 use super::spec::{self, Loaded, timing};
-use super::target::{Target, write};
+use super::target::{Target, cannot_write, write};
 use super::why::why;
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
@@ -13,6 +13,7 @@ use crate::model::{MAX_ROUNDS, Mission, Model};
 use crate::planner::compare::rounds;
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
+use crate::report::page::{self, Kind, Subject};
 use crate::report::record::{Record, RoundRecord};
 use crate::report::{self, comparison_text, terminal, trajectory_csv};
 use std::path::Path;
@@ -25,12 +26,14 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let rate = args.rate.as_deref().map(parse_rate).transpose()?;
     let (table, report) = targets(args.output.as_deref(), args.report.as_deref())?;
     let proof = args.certificate.as_deref().map(Target::new).transpose()?;
-    apart(&proof, &[&table, &report])?;
+    let html = args.html.as_deref().map(Target::new).transpose()?;
+    apart(("the certificate", "--certificate"), &proof, &[&table, &report])?;
+    apart(PAGE, &html, &[&table, &report, &proof])?;
     let mut loaded = spec::read(&args.spec, options)?;
-    spare(&loaded, &[&table, &report, &proof])?;
+    spare(&loaded, &[&table, &report, &proof, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
-        return refused(&loaded, &model, report.as_ref());
+        return refused(&loaded, &model, report.as_ref(), html.as_ref());
     };
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
     // Where only the required risk is not met there is a plan for every statement that could be blamed.
@@ -63,14 +66,22 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         Some((_, Err(why))) => files::tell(&format!("mavc: no certificate is written: {why}\n")),
         None => {}
     }
-    if let Some(target) = &report {
+    let why = explanation.as_ref().map(|e| explain::diagnose::diagnose(e, &model, &mission, &loaded.files.sources));
+    if report.is_some() || html.is_some() {
         let told = |e: &Explanation| ConflictRecord::new(e, &model, &mission, &loaded.files.sources);
         let conflict = explanation.as_ref().map(told);
         let mut record = Record { conflict, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
         if let Some(planner) = record.planners.last_mut() {
             planner.between = between.clone();
         }
-        results.push((target, json(&record)?));
+        if let Some(target) = &report {
+            results.push((target, json(&record)?));
+        }
+        if let Some(target) = &html {
+            let told: Vec<Diagnostic> = loaded.diagnostics.iter().chain(&why).cloned().collect();
+            let subject = subject(&loaded, &model, &mission, &told);
+            results.push((target, page::plans(Kind::Plan, &subject, &comparison, &record)));
+        }
     }
     // A result that goes to standard output has it to itself, and the text goes to standard error.
     let stdout = !results.iter().any(|(target, _)| target.is_stdout());
@@ -87,14 +98,18 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     if !told && !report.is_some_and(|r| r.is_stdout()) {
         files::tell(&text);
     }
-    if let Some(explanation) = &explanation {
-        loaded.tell_also(&explain::diagnose::diagnose(explanation, &model, &mission, &loaded.files.sources));
+    if let Some(why) = &why {
+        loaded.tell_also(why);
     }
     if told && code == FINE && !options.quiet {
         files::print(&match args.output.as_deref() {
             Some(path) => format!("\nTrajectory written to {}\n", path.display()),
             None => "\nNo trajectory was written: say where with -o traj.csv\n".into(),
         })?;
+    }
+    tell_page(told, &html, args.html.as_deref(), options)?;
+    if let Some(folder) = &args.svg {
+        figures(folder, &subject(&loaded, &model, &mission, &[]), &comparison)?;
     }
     timing(options, "report", begin);
     Ok(code)
@@ -103,11 +118,13 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
 pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let wanted = args.rounds.as_deref().map(parse_rounds).transpose()?;
     let (_, report) = targets(None, args.report.as_deref())?;
+    let html = args.html.as_deref().map(Target::new).transpose()?;
+    apart(PAGE, &html, &[&report])?;
     let mut loaded = spec::read(&args.spec, options)?;
-    spare(&loaded, &[&report])?;
+    spare(&loaded, &[&report, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(mut comparison) = plan_for(&loaded, &model, &mission, Scope::Everything, options) else {
-        return refused(&loaded, &model, report.as_ref());
+        return refused(&loaded, &model, report.as_ref(), html.as_ref());
     };
     let rounds = wanted.map(|wanted| {
         let progress = Progress::new(options);
@@ -116,16 +133,29 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
         progress.done();
         rounds
     });
-    if !report.as_ref().is_some_and(Target::is_stdout) {
+    let told = ![&report, &html].into_iter().flatten().any(Target::is_stdout);
+    if told {
         files::print(&comparison_text::compare(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
         if let Some(rounds) = &rounds {
             files::print(&comparison_text::rounds(&model, &mission, &comparison, rounds))?;
         }
     }
-    if let Some(target) = &report {
+    if report.is_some() || html.is_some() {
         let rounds = rounds.map(|all| all.iter().map(|r| RoundRecord::new(&mission, r)).collect());
         let record = Record { rounds, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
-        write(&[(target, json(&record)?)])?;
+        let mut results = Vec::new();
+        if let Some(target) = &report {
+            results.push((target, json(&record)?));
+        }
+        if let Some(target) = &html {
+            let subject = subject(&loaded, &model, &mission, &loaded.diagnostics);
+            results.push((target, page::plans(Kind::Compare, &subject, &comparison, &record)));
+        }
+        write(&results)?;
+    }
+    tell_page(told, &html, args.html.as_deref(), options)?;
+    if let Some(folder) = &args.svg {
+        figures(folder, &subject(&loaded, &model, &mission, &[]), &comparison)?;
     }
     let any = |wanted: fn(&Ending) -> bool| comparison.runs.iter().any(|r| wanted(&r.ending));
     Ok(if any(|e| matches!(e, Ending::Inconclusive { .. })) {
@@ -137,12 +167,49 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     })
 }
 
-/// Refuses one place for two results.
-fn apart(proof: &Option<Target>, others: &[&Option<Target>]) -> Result<(), Problem> {
-    let Some(proof) = proof else { return Ok(()) };
-    match others.iter().copied().flatten().any(|other| proof.is_same(other)) {
-        true => Err("the certificate and another result would go to one place: give --certificate its own name".into()),
+/// How the page and its option are called.
+pub(super) const PAGE: (&str, &str) = ("the page", "--html");
+
+/// Refuses one place for two results; `called` is how this one is, and its option.
+pub(super) fn apart(called: (&str, &str), result: &Option<Target>, others: &[&Option<Target>]) -> Result<(), Problem> {
+    let (Some(result), (name, option)) = (result, called) else { return Ok(()) };
+    match others.iter().copied().flatten().any(|other| result.is_same(other)) {
+        true => Err(format!("{name} and another result would go to one place: give {option} its own name")),
         false => Ok(()),
+    }
+}
+
+/// What a page is about.
+pub(super) fn subject<'a>(
+    loaded: &'a Loaded,
+    model: &'a Model,
+    mission: &'a Mission,
+    diagnostics: &'a [Diagnostic],
+) -> Subject<'a> {
+    Subject { model, mission, sources: &loaded.files.sources, diagnostics }
+}
+
+/// Writes the charts into a folder, which is made where it is missing.
+fn figures(folder: &Path, subject: &Subject, comparison: &Comparison) -> Result<(), Problem> {
+    std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
+    let drawn = page::figures(subject, comparison).map_err(|e| format!("cannot draw the charts: {e}"))?;
+    let named = |(name, text): (String, String)| Ok((Target::new(&folder.join(name))?, text));
+    let files = drawn.into_iter().map(named).collect::<Result<Vec<_>, Problem>>()?;
+    write(&files.iter().map(|(target, text)| (target, text.clone())).collect::<Vec<_>>())
+}
+
+/// Says where the page is, where anything is said.
+pub(super) fn tell_page(
+    told: bool,
+    page: &Option<Target>,
+    name: Option<&Path>,
+    options: &Options,
+) -> Result<(), Problem> {
+    match (page, name) {
+        (Some(_), Some(name)) if told && !options.quiet => {
+            files::print(&format!("Page written to {}\n", name.display()))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -227,10 +294,22 @@ pub(super) fn no_plan_code(comparison: &Comparison) -> u8 {
 }
 
 /// A mode cannot be stood: the report says that nothing was planned.
-pub(super) fn refused(loaded: &Loaded, model: &Model, report: Option<&Target>) -> Result<u8, Problem> {
+pub(super) fn refused(
+    loaded: &Loaded,
+    model: &Model,
+    report: Option<&Target>,
+    page: Option<&Target>,
+) -> Result<u8, Problem> {
+    let record = Record::refused(model, loaded.sha256());
+    let mut results = Vec::new();
     if let Some(target) = report {
-        write(&[(target, json(&Record::refused(model, loaded.sha256()))?)])?;
+        results.push((target, json(&record)?));
     }
+    if let (Some(target), Some(mission)) = (page, &model.mission) {
+        let subject = subject(loaded, model, mission, &loaded.diagnostics);
+        results.push((target, page::refused(&subject, &record)));
+    }
+    write(&results)?;
     Ok(NO_PLAN)
 }
 

@@ -1,6 +1,6 @@
 //! `mavc simulate`: plan, then fly.
 
-use super::plan::{json, no_plan_code, plan_for, ready, refused, spare, targets};
+use super::plan::{PAGE, apart, json, no_plan_code, plan_for, ready, refused, spare, subject, targets, tell_page};
 use super::spec::{self, Loaded, timing};
 use super::target::{Target, write};
 use super::{FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
@@ -10,6 +10,7 @@ use crate::model::{Model, coarse_step, past_the_end, too_many_steps};
 use crate::planner::compare::{Ending, Scope};
 use crate::report::flight::{FlightRecord, Log, MAX_ROWS, Told, text};
 use crate::report::number::number;
+use crate::report::page::{self, Kind, Track};
 use crate::report::record::Record;
 use crate::report::terminal;
 use std::time::Instant;
@@ -20,20 +21,29 @@ const LOG_RATE: f64 = 100.0;
 pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let rate = args.rate.as_deref().map(super::plan::parse_rate).transpose()?;
     let (table, report) = targets(args.output.as_deref(), args.report.as_deref())?;
+    let html = args.html.as_deref().map(Target::new).transpose()?;
+    apart(PAGE, &html, &[&table, &report])?;
     let mut loaded = spec::read(&args.spec, options)?;
-    spare(&loaded, &[&table, &report])?;
+    spare(&loaded, &[&table, &report, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
-        return refused(&loaded, &model, report.as_ref());
+        return refused(&loaded, &model, report.as_ref(), html.as_ref());
     };
     let Some(Ending::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
         // Where nothing is flown the report is that of the plan.
-        if !report.as_ref().is_some_and(Target::is_stdout) {
+        if ![&report, &html].into_iter().flatten().any(Target::is_stdout) {
             files::print(&terminal::plan(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
         }
+        let record = Record::new(&model, &mission, &comparison, loaded.sha256());
+        let mut results = Vec::new();
         if let Some(target) = &report {
-            write(&[(target, json(&Record::new(&model, &mission, &comparison, loaded.sha256()))?)])?;
+            results.push((target, json(&record)?));
         }
+        if let Some(target) = &html {
+            let subject = subject(&loaded, &model, &mission, &loaded.diagnostics);
+            results.push((target, page::plans(Kind::Plan, &subject, &comparison, &record)));
+        }
+        write(&results)?;
         return Ok(no_plan_code(&comparison));
     };
     if cannot_fly(&mut loaded, &model, solved.time, options) {
@@ -45,10 +55,17 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         Some(_) => Some(Log::new(model.vehicle.rotors.len(), every(&model, rate, sortie.duration)?)),
         None => None,
     };
+    let mut track = html.as_ref().map(|_| Track::new(&model, sortie.duration));
     let begin = Instant::now();
-    let flight = match &mut log {
-        Some(log) => fly(&sortie, Some(&mut |sample: &Sample| log.add(sample))),
-        None => fly(&sortie, None),
+    let flight = match log.is_some() || track.is_some() {
+        true => fly(
+            &sortie,
+            Some(&mut |sample: &Sample| {
+                log.iter_mut().for_each(|log| log.add(sample));
+                track.iter_mut().for_each(|track| track.add(sample));
+            }),
+        ),
+        false => fly(&sortie, None),
     };
     let spent = begin.elapsed().as_secs_f64();
     timing(options, "flight", begin);
@@ -71,6 +88,11 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     if let Some(target) = &report {
         results.push((target, json(&FlightRecord::new(&told, loaded.sha256()))?));
     }
+    if let (Some(target), Some(track)) = (&html, track) {
+        let subject = subject(&loaded, &model, &mission, &loaded.diagnostics);
+        let record = FlightRecord::new(&told, loaded.sha256());
+        results.push((target, page::flight(&subject, &comparison, track, &record)));
+    }
     let words = text(&told);
     let takes_stdout = |(target, _): &(&Target, String)| target.is_stdout();
     let to_people = !results.iter().any(takes_stdout);
@@ -84,6 +106,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     if let (true, false, Some(path)) = (to_people, options.quiet, args.output.as_deref()) {
         files::print(&format!("\nFlight log written to {}\n", path.display()))?;
     }
+    tell_page(to_people, &html, args.html.as_deref(), options)?;
     Ok(if flight.outcome.is_lost() { LOST } else { FINE })
 }
 

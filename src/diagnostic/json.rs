@@ -13,6 +13,15 @@ struct Record<'a> {
     place: Place<'a>,
     labels: Vec<Label<'a>>,
     help: Option<&'a str>,
+    /// Replacements that mend the spec: each alone, in the place given.
+    fixes: Vec<Fix<'a>>,
+}
+
+#[derive(Serialize)]
+struct Fix<'a> {
+    text: &'a str,
+    #[serde(flatten)]
+    place: Place<'a>,
 }
 
 #[derive(Serialize)]
@@ -43,6 +52,7 @@ pub fn to_json_line(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
         place: place(diagnostic.span, sources),
         labels: labels.map(|(message, span)| Label { message, place: place(span, sources) }).collect(),
         help: diagnostic.help.as_deref(),
+        fixes: diagnostic.fix.iter().map(|f| Fix { text: &f.text, place: place(f.span, sources) }).collect(),
     };
     serde_json::to_string(&record).expect("texts and numbers always serialise")
 }

@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::expression::Value;
+use super::mend;
+use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
 use crate::syntax::ast::{Field, FieldValue, Name};
@@ -31,6 +33,8 @@ pub(super) struct Context<'a> {
     lost_words: BTreeSet<&'a str>,
     /// Diagnostics past the limit.
     pub dropped: usize,
+    /// What was read where, for whoever shows the spec.
+    pub readings: Vec<Reading>,
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
     /// The curve parameter and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
@@ -63,6 +67,7 @@ impl<'a> Context<'a> {
             incomplete,
             lost_words: words.collect(),
             dropped: 0,
+            readings: Vec::new(),
             lets: BTreeMap::new(),
             parameter: None,
             depth: 0,
@@ -142,6 +147,9 @@ impl<'a> Context<'a> {
                         None
                     }
                 };
+                if let (FieldValue::Expr(expr), Some(value)) = (&field.value, &value) {
+                    self.note_value(expr.span, value);
+                }
                 let entry = self.lets.get_mut(name)?;
                 // A cycle found on the way has settled this one already.
                 let value = if matches!(entry.state, State::Busy) { value } else { None };
@@ -153,11 +161,16 @@ impl<'a> Context<'a> {
 
     /// Warns of every `let` that nothing has asked for.
     pub fn warn_unused(&mut self) {
-        let unused: Vec<&Name> = self.lets.values().filter(|l| !l.used).map(|l| &l.field.name).collect();
-        for name in unused {
+        let unused: Vec<&Field> = self.lets.values().filter(|l| !l.used).map(|l| l.field).collect();
+        for Field { name, doc, span, .. } in unused {
             let message = format!("`{}` is never used", name.value);
             let warning = Diagnostic::warning("mavc::name::unused", name.span, message).here("nothing refers to it");
-            self.report(warning.help("use it or take it out"));
+            let warning = warning.help("use it or take it out");
+            // A comment that describes it would describe what follows.
+            self.report(match doc {
+                None => warning.fix(mend::removal(self.sources.get(span.file), *span), ""),
+                Some(_) => warning,
+            });
         }
     }
 

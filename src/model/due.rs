@@ -146,7 +146,8 @@ impl<'a> Context<'a> {
         };
         // Three of one wrong kind are one mistake.
         if x.dimension == y.dimension && y.dimension == z.dimension {
-            self.lower(due, x, expr)?;
+            self.fit(due, x, expr)?;
+            self.note(expr.span, &[x.value, y.value, z.value], due.unit);
             return Some([x.value, y.value, z.value]);
         }
         let place = |k: usize| match &expr.kind {
@@ -170,22 +171,33 @@ impl<'a> Context<'a> {
             self.report(error);
             return None;
         }
-        let lowered = [x, y, z].into_iter().enumerate().map(|(k, q)| self.lower(due, q, place(k)));
+        let lowered = [x, y, z].into_iter().enumerate().map(|(k, q)| self.fit(due, q, place(k)));
         // All three are looked at before any is given up, so that each mistake is told.
         let [x, y, z] = lowered.collect::<Vec<_>>()[..] else {
             return None;
         };
-        Some([x?, y?, z?])
+        let [x, y, z] = [x?, y?, z?];
+        self.note(expr.span, &[x, y, z], due.unit);
+        Some([x, y, z])
     }
 
     /// `a .. b` of the dimension due, in SI, in the order written.
     pub fn range_of(&mut self, due: Due, expr: &'a Expr) -> Option<(f64, f64)> {
         let (a, b) = self.range_ends(expr, &format!("a range `a .. b` for `{}`", due.what))?;
-        Some((self.lower(due, a, expr)?, self.lower(due, b, expr)?))
+        let (a, b) = (self.fit(due, a, expr)?, self.fit(due, b, expr)?);
+        self.note(expr.span, &[a, b], due.unit);
+        Some((a, b))
     }
 
-    /// Drops the dimension of `q` once it is the one due.
+    /// Drops the dimension of `q` once it is the one due, and notes what was read.
     pub fn lower(&mut self, due: Due, q: Quantity, expr: &Expr) -> Option<f64> {
+        let value = self.fit(due, q, expr)?;
+        self.note(expr.span, &[value], due.unit);
+        Some(value)
+    }
+
+    /// As [`Context::lower`], of a part of what is read.
+    fn fit(&mut self, due: Due, q: Quantity, expr: &Expr) -> Option<f64> {
         let expected = due.dimension();
         if q.dimension == expected {
             return Some(q.value);

@@ -8,7 +8,8 @@ use super::load::FileSet;
 use super::overrides::{Override, apply};
 use super::plan::Draft;
 use super::simulate::Around;
-use super::{DefaultUsed, Model, campaign, lag, mission, simulate, vehicle};
+use super::understanding::Understanding;
+use super::{DefaultUsed, FaultMode, Model, Vehicle, campaign, lag, mission, simulate, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
 use crate::report::number::number;
 use crate::source::{SourceMap, Span, Spanned};
@@ -24,6 +25,11 @@ use crate::unit::GRAVITY;
 /// 3. Elaborate every vehicle, choose one, and give its faults and missions their numbers.
 /// 4. Settle the plan against modes and mission, then what flies it.
 pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
+    understand(files, overrides).checked
+}
+
+/// As [`elaborate`], with what was understood on the way, errors or not.
+pub fn understand(files: &FileSet, overrides: &[Override]) -> Understanding {
     let mut trees = files.files.clone();
     let mut diagnostics = apply(&mut trees, overrides);
     let broken = broken(&trees);
@@ -31,7 +37,8 @@ pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     let mut cx = Context::new(&files.sources, incomplete, &broken);
     let whole_text = !incomplete && broken.is_empty();
     // What could not be read may be what makes a model of the rest wrong, or a `let` used.
-    let value = whole(&mut cx, &trees, files).filter(|_| whole_text);
+    let mut parts = Parts::default();
+    let value = whole(&mut cx, &trees, files, &mut parts).filter(|_| whole_text);
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
     if value.is_some() && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {
         cx.warn_unused();
@@ -47,7 +54,15 @@ pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     if checked.has_errors() {
         checked.value = None;
     }
-    checked
+    let Parts { vehicles, modes } = parts;
+    Understanding { checked, gravity: cx.gravity, vehicles, modes, readings: cx.readings }
+}
+
+/// What could be made out of a spec, errors elsewhere or not.
+#[derive(Default)]
+struct Parts {
+    vehicles: Vec<Vehicle>,
+    modes: Vec<FaultMode>,
 }
 
 /// Every statement that could not be read.
@@ -92,7 +107,7 @@ struct Blocks<'a> {
     campaigns: Vec<&'a Block>,
 }
 
-fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) -> Option<Model> {
+fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, parts: &mut Parts) -> Option<Model> {
     let items = || trees.iter().flat_map(|tree| &tree.items);
     let mut blocks = Blocks::default();
     let mut gravity: Option<&Field> = None;
@@ -147,6 +162,8 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet) ->
     for block in &blocks.faults {
         modes.take(cx, block, vehicle.and_then(|v| v.rotors));
     }
+    parts.vehicles = vehicles.iter().filter_map(|v| v.vehicle.clone()).collect();
+    parts.modes = modes.modes.clone();
     let (manner, manner_fine) = draft.manner(cx);
     let missions: Vec<_> = blocks.missions.iter().map(|block| mission::elaborate(cx, block, manner, files)).collect();
     let named: Vec<(&str, Span)> = missions.iter().map(|m| (m.name.as_str(), m.span)).collect();

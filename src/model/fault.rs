@@ -15,8 +15,8 @@ use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
 /// Fault modes of one spec.
 pub const MAX_MODES: usize = 10_000;
 
-const FIELDS: [&str; 5] = ["rate", "severity", "occurrence", "detection", "after_fault"];
-const RESERVED: [&str; 2] = ["all", "healthy"];
+pub(super) const FIELDS: [&str; 5] = ["rate", "severity", "occurrence", "detection", "after_fault"];
+pub(super) const RESERVED: [&str; 2] = ["all", "healthy"];
 
 /// The modes and what else may be known about their names.
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! The `name = value` statements of a block: known names, no repetition, nothing due left out.
 
 use super::context::{Context, listed, no_filter};
-use super::{campaign, simulate};
+use super::{campaign, mend, simulate};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, Statement};
@@ -65,6 +65,16 @@ pub(super) struct Fields<'a> {
     accounted: Vec<&'static str>,
     /// The block holds statements that could not be read: nothing is surely missing.
     broken: bool,
+    /// Where a missing field would go.
+    room: Room,
+}
+
+/// Where a field that is missing goes.
+enum Room {
+    /// Below the last statement of a block, or behind the brace of an empty one.
+    Block(Option<Span>),
+    /// At the end of a statement made of clauses, or of a head.
+    End(Span),
 }
 
 impl<'a> Fields<'a> {
@@ -77,7 +87,8 @@ impl<'a> Fields<'a> {
         known: &[&'static str],
     ) -> Self {
         let broken = body.iter().any(|s| matches!(s, Statement::Broken(_)));
-        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken };
+        let room = Room::Block(body.last().map(Statement::span));
+        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken, room };
         for statement in body {
             if let Statement::Field(field) = statement {
                 fields.take_field(cx, field, known);
@@ -99,8 +110,8 @@ impl<'a> Fields<'a> {
 
     /// The `word value` clauses of a statement.
     pub fn of_clauses(cx: &mut Context<'a>, owner: String, statement: &'a Clauses, known: &[&'static str]) -> Self {
-        let mut fields =
-            Fields { owner, span: statement.span, found: Vec::new(), accounted: Vec::new(), broken: false };
+        let (span, room) = (statement.span, Room::End(statement.span));
+        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, room };
         for clause in &statement.clauses {
             fields.take(cx, &clause.word, &clause.value, clause.value.span, known);
         }
@@ -112,11 +123,13 @@ impl<'a> Fields<'a> {
             self.unknown(cx, name, known);
         } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
             let message = format!("`{}` is given twice in {}", name.value, self.owner);
+            let again = mend::removal(cx.sources.get(span.file), name.span.to(span));
             cx.report(
                 Diagnostic::error("mavc::name::duplicate", name.span, message)
                     .here("given again")
                     .also(first.span, "first given here")
-                    .help("take one out"),
+                    .help("take one out")
+                    .fix(again, ""),
             );
         } else {
             self.found.push((name, value, span));
@@ -209,10 +222,20 @@ impl<'a> Fields<'a> {
     }
 
     pub fn missing(&self, cx: &mut Context<'a>, what: &str, example: &str) {
-        cx.report(
-            Diagnostic::error("mavc::name::missing_field", self.span, format!("{} has no {what}", self.owner))
-                .here("needed here")
-                .help(format!("add `{example}`")),
-        );
+        let error = Diagnostic::error("mavc::name::missing_field", self.span, format!("{} has no {what}", self.owner))
+            .here("needed here")
+            .help(format!("add `{example}`"));
+        let source = cx.sources.get(self.span.file);
+        let room = match self.room {
+            // What stands for a value somebody else has to know is no text to put in.
+            _ if example.contains("...") => None,
+            _ if example.starts_with(',') => Some((Span { start: self.span.end, ..self.span }, example.to_string())),
+            Room::Block(last) => mend::insertion(source, self.span, last, example),
+            Room::End(span) => Some((Span { start: span.end, ..span }, format!(" {example}"))),
+        };
+        cx.report(match room {
+            Some((span, text)) => error.fix(span, text),
+            None => error,
+        });
     }
 }

@@ -2,7 +2,7 @@
 
 use super::context::{Context, listed};
 use super::due::Due;
-use super::{Limit, LimitKind, Waypoint};
+use super::{Limit, LimitKind, Waypoint, mend};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
 use crate::source::Span;
@@ -39,6 +39,11 @@ const LIMITS: [(&str, LimitKind, &str, Form); 15] = [
     ("tilt", LimitKind::Tilt, "deg", Form::Norm),
 ];
 
+/// The name of every limit.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    LIMITS.iter().map(|row| row.0)
+}
+
 const FORM: &str = "mavc::mission::limit_form";
 const VALUE: &str = "mavc::mission::limit_value";
 
@@ -59,7 +64,8 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Lim
                 if let Some(&(.., first)) = earlier {
                     let message = format!("`{}` is limited twice", name.value);
                     let error = Diagnostic::error("mavc::name::duplicate", *span, message).here("limited again");
-                    cx.report(error.also(first, "first limited here").help("keep one of the two"));
+                    let again = mend::removal(cx.sources.get(span.file), *span);
+                    cx.report(error.also(first, "first limited here").help("keep one of the two").fix(again, ""));
                     limits = None;
                     continue;
                 }

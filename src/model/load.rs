@@ -236,7 +236,7 @@ fn wanted(item: &Item) -> Vec<Wanted> {
 }
 
 /// `path` as seen from the file `from`, without `.` and resolvable `..`.
-fn resolve(from: &str, path: &str) -> PathBuf {
+pub fn resolve(from: &str, path: &str) -> PathBuf {
     normal(&Path::new(from).parent().unwrap_or(Path::new("")).join(path))
 }
 

@@ -26,6 +26,11 @@ const MAX_DISTANCE: f64 = 1e6;
 /// How long a mission may be, s: over a day.
 pub const MAX_DURATION: f64 = 100_000.0;
 
+/// The clauses of `start` and `waypoint`.
+pub(super) const WAYPOINT_CLAUSES: [&str; 6] = ["at", "yaw", "within", "yaw_within", "weight", "time"];
+/// The fields of a `curve`.
+pub(super) const CURVE_FIELDS: [&str; 7] = ["x", "y", "z", "yaw", "within", "yaw_within", "weight"];
+
 const TOO_LONG: &str = "mavc::mission::too_long";
 
 /// What a waypoint takes where it says nothing itself.
@@ -228,8 +233,7 @@ fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> O
 }
 
 fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner: Manner, route: &mut Route) {
-    const KNOWN: [&str; 6] = ["at", "yaw", "within", "yaw_within", "weight", "time"];
-    let fields = Fields::of_clauses(cx, owner.to_string(), clauses, &KNOWN);
+    let fields = Fields::of_clauses(cx, owner.to_string(), clauses, &WAYPOINT_CLAUSES);
     let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Due::new("at", "m"), e));
     let yaw = fields.get("yaw").map(|e| cx.number(Due::new("yaw", "deg"), e));
     let manner = manner_of(cx, &fields, manner);

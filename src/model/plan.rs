@@ -10,6 +10,7 @@ use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
 use super::{
     AfterFault, DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault,
+    mend,
 };
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
@@ -23,7 +24,7 @@ pub const MAX_ROUNDS: usize = 100;
 pub const MAX_SAMPLES: usize = 100_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-const FIELDS: [&str; 17] = [
+pub(super) const FIELDS: [&str; 17] = [
     "model",
     "rotors",
     "planner",
@@ -42,6 +43,9 @@ const FIELDS: [&str; 17] = [
     "vehicle",
     "mission",
 ];
+
+/// The numbers of a fault mode that `where` looks at.
+pub(super) const MODE_NUMBERS: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
 
 /// Defaults: value in SI, as written, why.
 const RESERVE: (f64, &str, &str) = (0.1, "10 %", "a share of each set stays free for feedback");
@@ -94,7 +98,9 @@ impl<'a> Draft<'a> {
             } else if let Some(first) = draft.against {
                 let error =
                     Diagnostic::error("mavc::name::duplicate", field.name.span, "`against` is given twice in `plan`");
-                cx.report(error.here("given again").also(first.name.span, "first given here").help("take one out"));
+                let again = mend::removal(cx.sources.get(field.span.file), field.span);
+                let error = error.here("given again").also(first.name.span, "first given here");
+                cx.report(error.help("take one out").fix(again, ""));
             } else {
                 draft.against = Some(field);
             }

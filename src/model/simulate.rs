@@ -4,6 +4,7 @@ mod checks;
 mod strike;
 
 pub use checks::{coarse_step, past_the_end, too_many_steps};
+pub(super) use strike::CLAUSES as STRIKE_CLAUSES;
 
 use super::context::Context;
 use super::due::Due;

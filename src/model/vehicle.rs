@@ -17,8 +17,8 @@ use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
-const VEHICLE_FIELDS: [&str; 6] = ["layout", "first", "arm", "mass", "inertia", "allocation"];
-const ROTOR_FIELDS: [&str; 7] = [
+pub(super) const VEHICLE_FIELDS: [&str; 6] = ["layout", "first", "arm", "mass", "inertia", "allocation"];
+pub(super) const ROTOR_FIELDS: [&str; 7] = [
     "thrust_coefficient",
     "max_thrust",
     "drag_coefficient",
@@ -27,7 +27,7 @@ const ROTOR_FIELDS: [&str; 7] = [
     "max_speed",
     "time_constant",
 ];
-const PLACED_FIELDS: [&str; 9] = [
+pub(super) const PLACED_FIELDS: [&str; 9] = [
     "at",
     "spin",
     "thrust_coefficient",

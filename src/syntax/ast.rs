@@ -136,6 +136,39 @@ pub enum Statement {
     Broken(Span),
 }
 
+impl Statement {
+    /// From its first word to its last, `///` comments not included.
+    pub fn span(&self) -> Span {
+        match self {
+            Statement::Field(field) => field.span,
+            Statement::Block(block) => block.span,
+            Statement::Rotor(clauses)
+            | Statement::Start(clauses)
+            | Statement::Waypoint(clauses)
+            | Statement::Strike(clauses) => clauses.span,
+            Statement::Every { span, .. }
+            | Statement::Fault { span, .. }
+            | Statement::Curve { span, .. }
+            | Statement::Moving { span, .. }
+            | Statement::Hold { span, .. }
+            | Statement::WaypointsFrom { span, .. }
+            | Statement::Require { span, .. }
+            | Statement::Limit { span, .. }
+            | Statement::Broken(span) => *span,
+        }
+    }
+
+    /// The statements between its braces, if it has any.
+    pub fn body(&self) -> &[Statement] {
+        match self {
+            Statement::Block(Block { body, .. }) | Statement::Every { body, .. } | Statement::Curve { body, .. } => {
+                body
+            }
+            _ => &[],
+        }
+    }
+}
+
 /// A statement made of a name, which most may leave out, and `word value` clauses in any order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clauses {

@@ -4,7 +4,7 @@ use crate::diagnostic::nearest;
 
 /// Where a statement stands: the top level, or the block around it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub enum Place {
     Top,
     Vehicle,
     /// `rotor { }` in a vehicle.

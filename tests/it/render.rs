@@ -18,7 +18,8 @@ fn example() -> (Diagnostic, SourceMap) {
         .here("the second")
         .also(one, "the first")
         .also(Span::new(second, 4, 5), "beside it")
-        .help("rename one");
+        .help("rename one")
+        .fix(two, "other");
     (diagnostic, sources)
 }
 
@@ -56,6 +57,9 @@ fn a_json_line_has_every_place_in_scalars_from_one() {
         label("the first", place("vehicles/a.mav", 2, 9, 13)),
         label("beside it", place("b.mav", 1, 5, 6)),
     ]);
+    let mut fix = place("b.mav", 2, 9, 13);
+    fix["text"] = json!("other");
+    wanted["fixes"] = json!([fix]);
     assert_eq!(record, wanted);
 }
 

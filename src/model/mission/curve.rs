@@ -1,6 +1,6 @@
 //! A curve becomes waypoints, evenly spaced in its parameter.
 
-use super::{MAX_WAYPOINTS, Manner, Route, Stop, manner_of};
+use super::{CURVE_FIELDS, MAX_WAYPOINTS, Manner, Route, Stop, manner_of};
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::due::Due;
@@ -20,10 +20,9 @@ pub(super) struct Curve<'a> {
 
 impl<'a> Curve<'a> {
     pub fn fly(&self, cx: &mut Context<'a>, manner: Manner, route: &mut Route) {
-        const KNOWN: [&str; 7] = ["x", "y", "z", "yaw", "within", "yaw_within", "weight"];
         let owner = "`curve`".to_string();
         let head = self.parameter.span.to(self.range.span);
-        let fields = Fields::of_block(cx, owner.clone(), head, self.body, &KNOWN);
+        let fields = Fields::of_block(cx, owner.clone(), head, self.body, &CURVE_FIELDS);
         let mut options = Fields::of_block(cx, owner, head, &[], &[]);
         self.options.iter().for_each(|field| options.take_field(cx, field, &["points"]));
         let points = options

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::CHOICE;
+use super::{CHOICE, MODE_NUMBERS};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::FaultMode;
 use crate::model::context::{Context, listed, without_digits};
@@ -94,15 +94,14 @@ fn filter<'a>(
     modes: &[FaultMode],
     incomplete: bool,
 ) -> Option<Vec<usize>> {
-    const KNOWN: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
     let name = field.value.as_str();
-    if !KNOWN.contains(&name) {
+    if !MODE_NUMBERS.contains(&name) {
         let error =
             Diagnostic::error("mavc::name::unknown_field", field.span, format!("modes have no number `{name}`"));
         let error = error.here("unknown here");
-        cx.report(match nearest(name, KNOWN) {
+        cx.report(match nearest(name, MODE_NUMBERS) {
             Some(near) => error.help(format!("did you mean `{near}`?")).fix(field.span, near),
-            None => error.help(format!("`where` looks at {}", listed(&KNOWN))),
+            None => error.help(format!("`where` looks at {}", listed(&MODE_NUMBERS))),
         });
         return None;
     }

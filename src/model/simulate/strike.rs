@@ -12,7 +12,7 @@ use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 
 const CODE: &str = "mavc::simulate::fault_time";
-const CLAUSES: [&str; 2] = ["at", "until"];
+pub(in crate::model) const CLAUSES: [&str; 2] = ["at", "until"];
 
 /// Every fault of the block in the order of time, `None` where one has an error.
 pub(super) fn read_all<'a>(

@@ -1,0 +1,180 @@
+// Charts over time: curves, limits, and the room that the chosen mode's set leaves around a component of the wrench.
+
+import { axis, chart, marker, timeAxis } from "./axes.js";
+import { byId, content, element, indexAt, number } from "./content.js";
+import { css, dash, line } from "./palette.js";
+import { chord } from "./polytope.js";
+import { on, run, set, setTime, state } from "./state.js";
+
+const AXES = ["thrust", "tau_x", "tau_y", "tau_z"];
+let drawn = [];
+
+/** The wrench at instant k of a run. */
+export const wrenchAt = (columns, k) => AXES.map((name) => columns[name][k]);
+
+function bands(spec, columns) {
+  if (spec.axis === null || content.sets.length === 0) return null;
+  const low = [];
+  const high = [];
+  for (let k = 0; k < columns.t.length; k++) {
+    const room = chord(set(), wrenchAt(columns, k), spec.axis);
+    low.push(room ? room[0] : null);
+    high.push(room ? room[1] : null);
+  }
+  return { low, high };
+}
+
+/** The range that shows the curves, and limits that are not far from them. */
+function range(spec, columns, room) {
+  let low = Infinity;
+  let high = -Infinity;
+  const take = (v) => {
+    if (v === null || !Number.isFinite(v)) return;
+    low = Math.min(low, v);
+    high = Math.max(high, v);
+  };
+  for (const l of spec.lines) columns[l.column].forEach(take);
+  if (room) [...room.low, ...room.high].forEach(take);
+  const span = Math.max(high - low, 1e-9);
+  for (const b of spec.bounds) if (b.value > low - 1.5 * span && b.value < high + 1.5 * span) take(b.value);
+  const margin = 0.06 * Math.max(high - low, 1e-9);
+  return [low - margin, high + margin];
+}
+
+function drawBounds(u, spec) {
+  const { ctx, bbox } = u;
+  ctx.save();
+  ctx.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
+  ctx.lineWidth = devicePixelRatio;
+  for (const b of spec.bounds) {
+    const y = u.valToPos(b.value, "y", true);
+    if (y < bbox.top - 1 || y > bbox.top + bbox.height + 1) continue;
+    ctx.strokeStyle = ctx.fillStyle = b.is_reference ? css("--soft") : css("--limit");
+    ctx.setLineDash(b.is_reference ? [2 * devicePixelRatio, 3 * devicePixelRatio] : [7 * devicePixelRatio, 4 * devicePixelRatio]);
+    ctx.beginPath();
+    ctx.moveTo(bbox.left, y);
+    ctx.lineTo(bbox.left + bbox.width, y);
+    ctx.stroke();
+    const above = y - bbox.top > 16 * devicePixelRatio;
+    ctx.textAlign = "right";
+    ctx.textBaseline = above ? "bottom" : "top";
+    const level = spec.id === "margin" ? "" : ` ${number(b.value, 4)} ${spec.unit}`;
+    const x = bbox.left + bbox.width - 4 * devicePixelRatio;
+    const text = [b.label + level, x, y + (above ? -2 : 3) * devicePixelRatio];
+    // Legible over curves.
+    ctx.setLineDash([]);
+    ctx.strokeStyle = css("--paper");
+    ctx.lineWidth = 3 * devicePixelRatio;
+    ctx.strokeText(...text);
+    ctx.lineWidth = devicePixelRatio;
+    ctx.fillText(...text);
+  }
+  ctx.restore();
+}
+
+/** When something happened. */
+function drawMarks(u) {
+  const { ctx, bbox } = u;
+  const px = devicePixelRatio;
+  ctx.save();
+  ctx.font = `${11 * px}px system-ui, sans-serif`;
+  ctx.textBaseline = "top";
+  for (const { t, label } of run().marks) {
+    const x = u.valToPos(t, "x", true);
+    if (x < bbox.left || x > bbox.left + bbox.width) continue;
+    ctx.strokeStyle = ctx.fillStyle = css("--edge");
+    ctx.lineWidth = px;
+    ctx.setLineDash([3 * px, 2 * px]);
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.fillText(label, x + 3 * px, bbox.top + 2 * px);
+  }
+  ctx.restore();
+}
+
+function draw(spec, columns, place) {
+  const room = bands(spec, columns);
+  const many = spec.lines.length > 4;
+  const value = (u, v, _, i) => (v === null || i === null ? "–" : number(v, 4));
+  const curves = spec.lines.map((l, i) => ({
+    label: l.label,
+    stroke: () => line(i),
+    width: many ? 1.25 : 1.75,
+    dash: many ? [] : dash(i),
+    value,
+    points: { show: false },
+  }));
+  const edge = (label) => ({
+    label,
+    stroke: () => css("--band-edge"),
+    width: 1,
+    value,
+    points: { show: false },
+  });
+  const series = [{ label: "time [s]", value: (_, v) => (v === null ? "–" : v.toFixed(2)) }, ...curves];
+  const values = [columns.t, ...spec.lines.map((l) => columns[l.column])];
+  const options = {
+    scales: { x: { time: false }, y: { range: () => range(spec, columns, room) } },
+    axes: [timeAxis(), axis(`[${spec.unit}]`)],
+    cursor: { sync: { key: "time" }, focus: { prox: 24 }, drag: { x: true, y: false } },
+    focus: { alpha: 0.35 },
+    legend: { live: true },
+    hooks: { draw: [(u) => drawBounds(u, spec), drawMarks] },
+    series,
+  };
+  if (room) {
+    series.push(edge(`${set().name}, most`), edge(`${set().name}, least`));
+    values.push(room.high, room.low);
+    options.bands = [{ series: [series.length - 2, series.length - 1], fill: () => css("--band") }];
+  }
+  const made = chart(place, `${spec.headline}. ${spec.title} over time in ${spec.unit}.`, () => 210, options, values);
+  made.over.addEventListener("click", () => {
+    if (made.cursor.left >= 0) setTime(made.posToVal(made.cursor.left, "x"));
+  });
+  const mark = marker(made);
+  const show = () => {
+    mark(state.time);
+    if (!(made.cursor.left >= 0)) made.setLegend({ idx: indexAt(columns.t, state.time) }, false);
+  };
+  made.over.addEventListener("mouseleave", () => setTimeout(show));
+  made.hooks.setSize = [...(made.hooks.setSize ?? []), () => requestAnimationFrame(show)];
+  return { spec, made, show, place };
+}
+
+function build() {
+  const place = byId("charts");
+  for (const d of drawn) d.made.remove();
+  const { columns, charts } = run();
+  place.replaceChildren();
+  drawn = charts.map((spec) => {
+    const plot = element("div", { class: "plot" });
+    place.append(element("figure", { id: `chart-${spec.id}` }, element("figcaption", {}, element("h3", {}, spec.headline), element("p", { class: "unit" }, `${spec.title}, ${spec.unit}`)), plot));
+    return draw(spec, columns, plot);
+  });
+  show();
+}
+
+/** Only what the chosen mode changes. */
+function redraw() {
+  const { columns } = run();
+  drawn = drawn.map((d) => {
+    if (d.spec.axis === null) return d;
+    d.made.remove();
+    d.place.replaceChildren();
+    return draw(d.spec, columns, d.place);
+  });
+  show();
+}
+
+const show = () => drawn.forEach((d) => d.show());
+
+export function charts() {
+  if (!byId("charts")) return;
+  build();
+  on("run", build);
+  on("set", redraw);
+  on("time", show);
+  on("theme", () => drawn.forEach((d) => d.made.redraw(false)));
+}

@@ -1,0 +1,51 @@
+// What the compiler wrote into the page; see src/report/page/content.rs.
+
+export const content = JSON.parse(document.getElementById("content").textContent);
+
+/** @returns {HTMLElement | null} */
+export const byId = (id) => document.getElementById(id);
+
+/** An element with attributes and children. */
+export function element(name, attributes = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
+
+/** Up to `digits` significant digits, a true minus sign, no exponent for what people meet here. */
+export function number(x, digits = 3) {
+  if (x === null || x === undefined || !Number.isFinite(x)) return "–";
+  if (x === 0) return "0";
+  const text = Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6 ? String(Number(x.toPrecision(digits))) : x.toExponential(digits - 1);
+  return text.replace("-", "\u2212");
+}
+
+/** A margin in percent, with its sign; what is smaller than a hundredth of a percent is none. */
+export function percent(x) {
+  const near = Math.abs(x) < 0.01 ? 0 : x;
+  return `${near > 0 ? "+" : ""}${number(near)} %`;
+}
+
+/** Seconds with two decimals. */
+export const seconds = (t) => `${t.toFixed(2)} s`;
+
+/** Index of the last instant at or before `t`. */
+export function indexAt(times, t) {
+  let low = 0;
+  let high = times.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (times[middle] <= t) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+/** A column's value at `t`, linear between instants. */
+export function valueAt(times, values, t) {
+  const k = indexAt(times, t);
+  if (k + 1 >= times.length) return values[k];
+  const share = (t - times[k]) / (times[k + 1] - times[k]);
+  return values[k] + (values[k + 1] - values[k]) * Math.min(Math.max(share, 0), 1);
+}

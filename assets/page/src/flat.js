@@ -1,0 +1,53 @@
+// Two flat views of the path, where there is no WebGL.
+
+import { element } from "./content.js";
+import { css } from "./palette.js";
+import { plane } from "./plane.js";
+
+export function flat({ place, run, state, content }) {
+  let colors = [];
+  const view = (i, j, name) => {
+    const plot = element("div", { class: "plot" });
+    place.append(element("figure", {}, element("figcaption", {}, element("h3", {}, name)), plot));
+    const columns = () => [run().columns[i], run().columns[j]];
+    const axes = { x: 0, y: 1, z: 2 };
+    return plane(plot, {
+      name: `Path, ${name}`,
+      labels: [`${i} [m]`, `${j} [m]`],
+      equal: true,
+      height: () => 340,
+      box: () => {
+        const ends = columns().map((values, k) => {
+          const all = [...values, ...content.waypoints.map((w) => w.at[axes[k === 0 ? i : j]])];
+          const [low, high] = [Math.min(...all), Math.max(...all)];
+          const room = 0.06 * (high - low) + 0.2;
+          return [low - room, high + room];
+        });
+        return [...ends[0], ...ends[1]];
+      },
+      draw: (pen) => {
+        const [xs, ys] = columns();
+        for (const w of content.waypoints) {
+          pen.circle([w.at[axes[i]], w.at[axes[j]]], w.within, { fill: css("--band"), stroke: css("--ink") });
+        }
+        for (let k = 0; k + 1 < xs.length; k++) {
+          pen.line([[xs[k], ys[k]], [xs[k + 1], ys[k + 1]]], { stroke: colors[k], width: 3 });
+        }
+        const k = Math.max(0, run().columns.t.findLastIndex((t) => t <= state.time));
+        pen.dot([xs[k], ys[k]], { fill: css("--ink"), stroke: css("--paper"), radius: 6 });
+      },
+    });
+  };
+  const views = [view("x", "y", "from above"), view("x", "z", "from the side")];
+  const again = () => views.forEach((v) => v.again());
+  return {
+    path: (given) => {
+      colors = given;
+      again();
+    },
+    time: again,
+    theme: again,
+    look: () => {},
+    remove: () => views.forEach((v) => v.remove()),
+  };
+}

@@ -1,0 +1,28 @@
+// Colours. Lines: Okabe and Ito's set, told apart by colour-blind people. Margins: ColorBrewer's RdYlBu, likewise, and
+// what is outside is hatched as well.
+
+/** From the upper end of each class, in percent of the healthy set's width; the same classes as in the terminal. */
+export const CLASSES = [
+  { below: -0.01, name: "outside", color: "#c8281f" },
+  { below: 2, name: "0 to 2 %", color: "#f48849" },
+  { below: 5, name: "2 to 5 %", color: "#fbd57f" },
+  { below: 10, name: "5 to 10 %", color: "#9cc7e0" },
+  { below: Infinity, name: "10 % or more", color: "#4a78b5" },
+];
+
+export const classOf = (margin) => CLASSES.find((c) => margin < c.below) ?? CLASSES.at(-1);
+
+const LIGHT = ["#0072b2", "#d55e00", "#007a5a", "#a8468a", "#8a6d00", "#3b6fd1", "#9c3d10", "#4d4d4d"];
+const DARK = ["#5ab4ee", "#ff9a4d", "#3fd0a4", "#e79bcd", "#e6c84a", "#9ab8ff", "#ff8f66", "#c4c4c4"];
+const DASHES = [[], [7, 3], [2, 3], [9, 3, 2, 3]];
+
+export const isDark = () => getComputedStyle(document.documentElement).getPropertyValue("--is-dark").trim() === "1";
+
+/** The colour of the i-th line. */
+export const line = (i) => (isDark() ? DARK : LIGHT)[i % LIGHT.length];
+
+/** Its dashes: lines differ by more than colour. */
+export const dash = (i) => DASHES[i % DASHES.length];
+
+/** A colour of the style sheet, such as `--ink`. */
+export const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();

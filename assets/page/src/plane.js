@@ -1,0 +1,130 @@
+// A plane with equal or free scales that is drawn on by hand over uPlot's axes.
+
+import { axis, chart } from "./axes.js";
+
+/** Px that axes, their labels and padding take of a chart: see `axis` and the options below. */
+const AROUND = { true: { x: 4, y: 4 }, false: { x: 48 + 18 + 12, y: 30 + 18 + 8 } };
+
+/**
+ * @param place where it goes
+ * @param options name, labels [x, y], box() -> [x0, x1, y0, y1], equal, height() in px, draw(pen), plain (without axes), move(x, y)
+ */
+export function plane(place, options) {
+  const { name, labels, box, equal = false, height, draw, plain = false, move } = options;
+  const range = (axisIndex) => () => {
+    const [x0, x1, y0, y1] = box();
+    if (!equal) return axisIndex === 0 ? [x0, x1] : [y0, y1];
+    // As many units a pixel both ways.
+    const wide = Math.max(place.clientWidth - AROUND[plain].x, 1);
+    const high = Math.max(height() - AROUND[plain].y, 1);
+    const per = Math.max((x1 - x0) / wide, (y1 - y0) / high);
+    const [middle, size] = axisIndex === 0 ? [(x0 + x1) / 2, wide] : [(y0 + y1) / 2, high];
+    return [middle - (per * size) / 2, middle + (per * size) / 2];
+  };
+  const hidden = { show: false };
+  const made = chart(place, name, height, {
+    legend: { show: false },
+    padding: plain ? [2, 2, 2, 2] : [8, 12, 0, 0],
+    cursor: { show: Boolean(move), drag: { x: false, y: false }, points: { show: false } },
+    scales: { x: { time: false, range: range(0) }, y: { range: range(1) } },
+    axes: plain ? [hidden, hidden] : [axis(labels[0], { size: 30 }), axis(labels[1])],
+    series: [{}, { points: { show: false }, paths: () => null }],
+    hooks: {
+      draw: [(u) => draw(pen(u))],
+      setCursor: move ? [(u) => u.cursor.left >= 0 && move(u.posToVal(u.cursor.left, "x"), u.posToVal(u.cursor.top, "y"))] : [],
+    },
+  }, [[0, 1], [null, null]]);
+  const again = () => {
+    made.setScale("x", {});
+    made.setScale("y", {});
+    made.redraw(false, true);
+  };
+  return { made, again: () => made.batch(again), remove: made.remove };
+}
+
+/** Draws in the chart's units. */
+function pen(u) {
+  const { ctx } = u;
+  const px = devicePixelRatio;
+  const at = ([x, y]) => [u.valToPos(x, "x", true), u.valToPos(y, "y", true)];
+  const trace = (points, closes) => {
+    ctx.beginPath();
+    points.forEach((p, i) => (i === 0 ? ctx.moveTo(...at(p)) : ctx.lineTo(...at(p))));
+    if (closes) ctx.closePath();
+  };
+  const within = (work) => {
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height);
+    ctx.clip();
+    work();
+    ctx.restore();
+  };
+  return {
+    polygon: (points, { fill, stroke, width = 1, dash = [] }) =>
+      points.length > 2 &&
+      within(() => {
+        trace(points, true);
+        if (fill) {
+          ctx.fillStyle = fill;
+          ctx.fill();
+        }
+        if (stroke) {
+          ctx.strokeStyle = stroke;
+          ctx.lineWidth = width * px;
+          ctx.setLineDash(dash.map((d) => d * px));
+          ctx.stroke();
+        }
+      }),
+    line: (points, { stroke, width = 1, dash = [] }) =>
+      within(() => {
+        trace(points, false);
+        ctx.strokeStyle = stroke;
+        ctx.lineWidth = width * px;
+        ctx.lineJoin = "round";
+        ctx.setLineDash(dash.map((d) => d * px));
+        ctx.stroke();
+      }),
+    dot: (point, { radius = 5, fill, stroke }) => {
+      ctx.save();
+      ctx.beginPath();
+      ctx.arc(...at(point), radius * px, 0, 2 * Math.PI);
+      ctx.fillStyle = fill;
+      ctx.fill();
+      ctx.strokeStyle = stroke;
+      ctx.lineWidth = 1.5 * px;
+      ctx.stroke();
+      ctx.restore();
+    },
+    /** A circle of a radius in the chart's units. */
+    circle: (point, radius, { fill, stroke }) => {
+      const [x, y] = at(point);
+      const size = Math.abs(u.valToPos(point[0] + radius, "x", true) - x);
+      ctx.save();
+      ctx.beginPath();
+      ctx.arc(x, y, Math.max(size, 2.5 * px), 0, 2 * Math.PI);
+      if (fill) {
+        ctx.fillStyle = fill;
+        ctx.fill();
+      }
+      ctx.strokeStyle = stroke;
+      ctx.lineWidth = px;
+      ctx.stroke();
+      ctx.restore();
+    },
+    cross: (point, stroke) => {
+      const [x, y] = at(point);
+      const r = 5 * px;
+      ctx.save();
+      ctx.strokeStyle = stroke;
+      ctx.lineWidth = 1.25 * px;
+      ctx.beginPath();
+      ctx.moveTo(x - r, y);
+      ctx.lineTo(x + r, y);
+      ctx.moveTo(x, y - r);
+      ctx.lineTo(x, y + r);
+      ctx.stroke();
+      ctx.restore();
+    },
+  };
+}

@@ -1,0 +1,59 @@
+// The instant shown: slider, playing, choice of the plan.
+
+import { byId, content, element, seconds } from "./content.js";
+import { duration, on, setRun, setTime, state } from "./state.js";
+
+/** Playing shows the flight as fast as it is flown, but takes no longer than this, s. */
+const LONGEST = 30;
+
+export function player() {
+  const bar = byId("player");
+  if (!bar) return;
+  const [slider, clock, play, choice] = ["time", "clock", "play", "run"].map(byId);
+  let playing = null;
+  const stop = () => {
+    cancelAnimationFrame(playing);
+    playing = null;
+    play.textContent = "Play";
+    play.setAttribute("aria-label", "Play");
+  };
+  const start = () => {
+    const rate = Math.max(1, duration() / LONGEST);
+    if (state.time >= duration()) setTime(0);
+    let last = performance.now();
+    const frame = (now) => {
+      setTime(state.time + (rate * (now - last)) / 1000);
+      last = now;
+      if (state.time >= duration()) stop();
+      else playing = requestAnimationFrame(frame);
+    };
+    playing = requestAnimationFrame(frame);
+    play.textContent = "Pause";
+    play.setAttribute("aria-label", "Pause");
+  };
+  const show = () => {
+    slider.max = String(duration());
+    slider.value = String(state.time);
+    slider.setAttribute("aria-valuetext", seconds(state.time));
+    clock.textContent = `${state.time.toFixed(2)} / ${duration().toFixed(2)} s`;
+  };
+  bar.hidden = false;
+  slider.addEventListener("input", () => setTime(Number(slider.value)));
+  // "any" steps have no keys of their own in every browser.
+  slider.addEventListener("keydown", (event) => {
+    const step = duration() / 200;
+    const by = { ArrowLeft: -step, ArrowDown: -step, ArrowRight: step, ArrowUp: step, PageDown: -10 * step, PageUp: 10 * step }[event.key];
+    const to = { Home: 0, End: duration() }[event.key];
+    if (by === undefined && to === undefined) return;
+    event.preventDefault();
+    setTime(to ?? state.time + by);
+  });
+  play.addEventListener("click", () => (playing === null ? start() : stop()));
+  content.runs.forEach((r, i) => choice.append(element("option", { value: String(i) }, r.label)));
+  choice.value = String(state.run);
+  choice.addEventListener("change", () => setRun(Number(choice.value)));
+  if (content.runs.length < 2) byId("run-label").hidden = true;
+  on("time", show);
+  on("run", show);
+  show();
+}

@@ -1,0 +1,116 @@
+// The flight in space: three.js where there is WebGL, two flat views where there is none.
+
+import { byId, content, element, indexAt, number, percent, seconds } from "./content.js";
+import { classOf, css, line } from "./palette.js";
+import { classLegend, legend } from "./strips.js";
+import { on, run, setTime, state } from "./state.js";
+import { flat } from "./flat.js";
+import { scene } from "./scene.js";
+
+/** Modes that have a colour of their own. */
+const MOST_COLORS = 7;
+
+/** Margin columns of a run with their names. */
+export const margins = () =>
+  run().strips.map(({ set }) => ({ name: content.sets[set].name, values: run().columns[`margin_${set}`] }));
+
+function smallest(k) {
+  let found = { margin: Infinity, mode: null };
+  for (const { name, values } of margins()) {
+    if (values[k] !== null && values[k] < found.margin) found = { margin: values[k], mode: name };
+  }
+  return found;
+}
+
+/** Ways to colour the path: each gives every instant's colour, and its legend. */
+function colorings() {
+  const { columns } = run();
+  const modes = margins();
+  const byMargin = (values) => ({ colors: values.map((m) => classOf(m ?? Infinity).color), legend: classLegend() });
+  const found = [];
+  if (modes.length > 0) {
+    const least = columns.t.map((_, k) => smallest(k));
+    found.push({ name: modes.length > 1 ? "smallest margin" : `margin to ${modes[0].name}`, ...byMargin(least.map((l) => l.margin)) });
+    if (modes.length > 1) {
+      const seen = [...new Set(least.map((l) => l.mode))].slice(0, MOST_COLORS);
+      const color = (mode) => (seen.includes(mode) ? line(seen.indexOf(mode)) : css("--soft"));
+      found.push({ name: "mode with the smallest margin", colors: least.map((l) => color(l.mode)), legend: seen.map((mode) => ({ name: mode, color: color(mode) })) });
+      for (const { name, values } of modes) found.push({ name: `margin to ${name}`, ...byMargin(values) });
+    }
+  } else {
+    found.push({ name: "one colour", colors: columns.t.map(() => css("--accent")), legend: [] });
+  }
+  return found;
+}
+
+function tell() {
+  const { columns } = run();
+  const k = indexAt(columns.t, state.time);
+  const { margin, mode } = smallest(k);
+  const place = ["x", "y", "z"].map((name) => `${name} ${number(columns[name][k])}`).join(", ");
+  const near = mode === null ? "" : `; margin ${percent(margin)} to ${mode}`;
+  byId("space-readout").textContent = `At ${seconds(state.time)}: ${place} m; ${number(columns.speed[k])} m/s; tilt ${number(columns.tilt[k])} deg${near}`;
+}
+
+export function space() {
+  const place = byId("space");
+  if (!place) return;
+  const choice = byId("colour");
+  let view;
+  const note = (text) => (byId("space-note").textContent = text);
+  const views = { place, run, state, setTime, content, note };
+  const fill = () => {
+    const kept = choice.selectedIndex;
+    choice.replaceChildren(...colorings().map((c, i) => element("option", { value: String(i) }, c.name)));
+    choice.selectedIndex = Math.min(Math.max(kept, 0), choice.options.length - 1);
+  };
+  const color = () => {
+    const chosen = colorings()[choice.selectedIndex];
+    legend(byId("space-legend"), chosen.legend);
+    view.path(chosen.colors);
+  };
+  const begin = (make) => {
+    view = make(views);
+    color();
+    view.time();
+  };
+  const plain = () => {
+    view?.remove?.();
+    place.replaceChildren();
+    place.classList.add("flat");
+    place.removeAttribute("tabindex");
+    place.setAttribute("role", "group");
+    place.setAttribute("aria-label", "Path seen from above and from the side");
+    document.querySelectorAll("[data-view]").forEach((b) => (b.parentElement.hidden = true));
+    begin(flat);
+    note("This browser offers no WebGL, so the path is shown flat: from above and from the side. Circles are waypoints with their tolerances.");
+  };
+  fill();
+  try {
+    begin((v) => scene(v, plain));
+  } catch (problem) {
+    plain();
+  }
+  headline();
+  choice.addEventListener("change", color);
+  document.querySelectorAll("[data-view]").forEach((b) => b.addEventListener("click", () => view.look(b.dataset.view)));
+  on("time", () => {
+    view.time();
+    tell();
+  });
+  on("run", () => {
+    fill();
+    color();
+    headline();
+  });
+  on("theme", () => {
+    view.theme();
+    color();
+  });
+  tell();
+}
+
+function headline() {
+  const chart = run().charts.find((c) => c.id === "position");
+  byId("space-headline").textContent = chart?.headline ?? "The flight in space";
+}

@@ -1,0 +1,41 @@
+// What is shown: which plan, which mode's set, which instant. Everything that draws listens.
+
+import { content } from "./content.js";
+
+const listeners = { run: [], time: [], set: [], theme: [] };
+
+export const state = {
+  run: content.first ?? 0,
+  time: 0,
+  set: Math.min(1, content.sets.length - 1),
+};
+
+export const run = () => content.runs[state.run];
+export const set = () => content.sets[state.set];
+export const duration = () => run().columns.t.at(-1);
+
+/** Calls `listener` whenever `what` changes. */
+export function on(what, listener) {
+  listeners[what].push(listener);
+}
+
+export function tell(what) {
+  for (const listener of listeners[what]) listener();
+}
+
+export function setTime(t) {
+  state.time = Math.min(Math.max(t, 0), duration());
+  tell("time");
+}
+
+export function setRun(index) {
+  state.run = index;
+  state.time = Math.min(state.time, duration());
+  tell("run");
+  tell("time");
+}
+
+export function setSet(index) {
+  state.set = index;
+  tell("set");
+}

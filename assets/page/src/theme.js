@@ -1,0 +1,37 @@
+// Light and dark: as the system says, until the button is pressed; light on paper.
+
+import { fitAll } from "./axes.js";
+import { byId } from "./content.js";
+import { isDark } from "./palette.js";
+import { tell } from "./state.js";
+
+export function theme() {
+  const root = document.documentElement;
+  const button = byId("theme");
+  const show = () => {
+    button.textContent = isDark() ? "Light theme" : "Dark theme";
+    tell("theme");
+  };
+  button.hidden = false;
+  button.addEventListener("click", () => {
+    root.dataset.theme = isDark() ? "light" : "dark";
+    show();
+  });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", show);
+  let chosen;
+  addEventListener("beforeprint", () => {
+    chosen = root.dataset.theme;
+    root.dataset.theme = "light";
+    root.classList.add("printing");
+    fitAll();
+    show();
+  });
+  addEventListener("afterprint", () => {
+    if (chosen === undefined) delete root.dataset.theme;
+    else root.dataset.theme = chosen;
+    root.classList.remove("printing");
+    fitAll();
+    show();
+  });
+  button.textContent = isDark() ? "Light theme" : "Dark theme";
+}

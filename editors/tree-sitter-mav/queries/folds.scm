@@ -1,0 +1,6 @@
+[
+  (body)
+  (list)
+  (parenthesized)
+  (call)
+] @fold

@@ -1,0 +1,10 @@
+; In Helix's words.
+
+[
+  (body)
+  (list)
+  (parenthesized)
+  (call)
+] @indent
+
+["}" "]" ")"] @outdent

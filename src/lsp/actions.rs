@@ -1,0 +1,59 @@
+//! Quick fixes: every diagnostic that knows a replacement offers it.
+
+use super::diagnostics::diagnostic;
+use super::documents::{offsets, range};
+use super::workspace::{Spec, Workspace};
+use crate::diagnostic::Diagnostic;
+use gen_lsp_types::{CodeAction, CodeActionKind, CodeActionResponse, Range, TextEdit, WorkspaceEdit};
+use std::collections::HashMap;
+
+/// The fixes of those of `told` that a range of one file touches.
+pub fn fixes(
+    workspace: &Workspace,
+    spec: &Spec,
+    name: &str,
+    asked: Range,
+    told: &[Diagnostic],
+) -> Vec<CodeActionResponse> {
+    let Some(file) = spec.file(name) else { return Vec::new() };
+    let (start, end) = offsets(spec.source(file), asked);
+    let touched = told.iter().filter(|d| {
+        // A field that is missing is told of at the head of its block, where nobody stands who looks at the block.
+        let near =
+            |span: crate::source::Span| span.file == file && (span.start as usize) <= end && start <= span.end as usize;
+        near(d.span) || d.fix.as_ref().is_some_and(|fix| near(fix.span))
+    });
+    touched.filter_map(|d| fix(workspace, spec, d)).map(CodeActionResponse::CodeAction).collect()
+}
+
+fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic) -> Option<CodeAction> {
+    let fix = told.fix.as_ref()?;
+    let source = spec.source(fix.span.file);
+    let edit =
+        TextEdit { range: range(source, fix.span.start as usize, fix.span.end as usize), new_text: fix.text.clone() };
+    let changes = HashMap::from([(workspace.uri(&source.name)?, vec![edit])]);
+    Some(CodeAction {
+        title: title(told, &fix.text, spec.snippet(fix.span)),
+        kind: Some(CodeActionKind::QuickFix),
+        diagnostics: Some(vec![diagnostic(workspace, spec, told)]),
+        is_preferred: Some(true),
+        edit: Some(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }),
+        ..CodeAction::default()
+    })
+}
+
+/// What the help says where it is an order; otherwise what the replacement does.
+fn title(told: &Diagnostic, text: &str, replaced: &str) -> String {
+    let (text, replaced) = (text.trim(), replaced.trim());
+    let is_order = |help: &&str| ["write ", "add ", "take ", "put "].iter().any(|word| help.starts_with(word));
+    match told.help.as_deref().and_then(|help| help.lines().next()).filter(is_order) {
+        Some(help) => {
+            let mut letters = help.chars();
+            let first = letters.next().map(|c| c.to_ascii_uppercase());
+            first.into_iter().chain(letters).collect()
+        }
+        None if text.is_empty() => format!("Take out `{replaced}`"),
+        None if replaced.is_empty() => format!("Put in `{text}`"),
+        None => format!("Write `{text}`"),
+    }
+}

@@ -1,0 +1,293 @@
+//! Where the cursor stands: in which block, in which statement, behind what. By words and marks alone, for a statement
+//! that is being typed has no tree.
+
+use crate::lsp::lexemes::{Kind, Lexeme, lexemes};
+use crate::syntax::Place;
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// What stands before the cursor in its statement.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Before {
+    /// A statement begins here.
+    Nothing,
+    /// Inside the value of a field or clause; `ended` where a unit or an operator may follow.
+    Value { field: String, ended: bool },
+    /// One of these words has to follow.
+    Words(&'static [&'static str]),
+    /// The name of a limit.
+    LimitName(String),
+    /// A word of clauses has to follow.
+    Clause,
+    /// The name of a fault mode has to follow.
+    Mode,
+    /// What `where` looks at.
+    ModeNumber,
+}
+
+#[derive(Debug, Clone)]
+pub struct Context {
+    /// The block around.
+    pub place: Place,
+    pub before: Before,
+    /// The word that is being typed.
+    pub word: Range<usize>,
+    /// Fields and blocks that the block around has already, before the cursor or behind it.
+    pub present: BTreeSet<String>,
+    /// The word that begins the statement.
+    pub opener: Option<String>,
+    /// The clauses that the statement has already.
+    pub clauses: BTreeSet<String>,
+    /// Words that may follow a value here.
+    pub next: Vec<&'static str>,
+    /// The parameter of the curve around.
+    pub parameter: Option<String>,
+    pub in_brackets: bool,
+}
+
+/// A block that is open at the cursor.
+struct Frame {
+    place: Place,
+    parameter: Option<String>,
+    present: BTreeSet<String>,
+}
+
+impl Frame {
+    fn top() -> Self {
+        Frame { place: Place::Top, parameter: None, present: BTreeSet::new() }
+    }
+}
+
+/// Statements of a mission that one word begins, and the word that follows; `hold` takes a time.
+const FLIGHT: [(&str, &[&str]); 3] = [("hold", &[]), ("waypoints", &["from"]), ("end", &["moving"])];
+
+impl Context {
+    /// The context of a byte offset; `None` inside comments and texts, where nothing is offered.
+    pub fn at(text: &str, offset: usize) -> Option<Self> {
+        let all = lexemes(text);
+        let touches = |l: &Lexeme| l.start < offset && offset <= l.end;
+        let under = all.iter().find(|l| touches(l));
+        if under.is_some_and(|l| matches!(l.kind, Kind::Comment | Kind::Doc) || l.kind == Kind::Text && offset < l.end)
+        {
+            return None;
+        }
+        let word = under.filter(|l| l.kind == Kind::Word).map_or(offset..offset, |l| l.start..l.end);
+        let cut = all.iter().position(|l| l.start >= word.start).unwrap_or(all.len());
+        let mut frames = vec![Frame::top()];
+        let mut statement: Vec<Lexeme> = Vec::new();
+        let mut brackets = 0usize;
+        for (k, lexeme) in all[..cut].iter().enumerate() {
+            step(text, &all, k, lexeme, &mut frames, &mut statement, &mut brackets);
+        }
+        let frame = frames.pop().unwrap_or_else(Frame::top);
+        let mut present = frame.present;
+        rest_of_block(text, &all[cut..], &word, &mut present);
+        let mut context = Context {
+            place: frame.place,
+            before: Before::Nothing,
+            word,
+            present,
+            opener: statement.first().map(|l| l.text(text).to_string()),
+            clauses: BTreeSet::new(),
+            next: Vec::new(),
+            parameter: frame.parameter,
+            in_brackets: brackets > 0,
+        };
+        context.before = context.look(text, &statement);
+        Some(context)
+    }
+
+    /// The block whose documentation describes a field of this statement.
+    pub fn place_of(&self, field: &str) -> Place {
+        match (self.place, self.opener.as_deref()) {
+            (Place::Faults, Some("every")) => Place::Faults,
+            (Place::Mission, Some("curve")) if field == "points" => Place::Curve,
+            (place, _) => place,
+        }
+    }
+
+    /// What the statement's words before the cursor come to.
+    fn look(&mut self, text: &str, statement: &[Lexeme]) -> Before {
+        let word = |k: usize| statement.get(k).map_or("", |l| l.text(text));
+        let Some(last) = statement.last() else { return Before::Nothing };
+        let ended = matches!(last.kind, Kind::Number) || last.is(')') || last.is(']');
+        let opener = word(0).to_string();
+        // Behind a unit or a name a value is over, but for what an operator goes on with.
+        let is_over = last.kind == Kind::Word && statement.len() > 1 && last.text(text) != "in" || last.is('%');
+        let value = |field: &str| match is_over && !self.in_brackets {
+            true => Before::Words(&[]),
+            false => Before::Value { field: field.to_string(), ended },
+        };
+        if let Some(at) = statement.iter().position(|l| l.kind == Kind::Word && l.text(text) == "where") {
+            let behind = statement[at + 1..].iter().any(|l| matches!(l.kind, Kind::Mark('<' | '>' | '=')));
+            return match (behind, at + 1 == statement.len()) {
+                (true, _) => value(word(at + 1)),
+                (false, true) => Before::ModeNumber,
+                (false, false) => Before::Words(&["<=", ">=", "<", ">", "="]),
+            };
+        }
+        if word(1) == "=" {
+            return value(&opener);
+        }
+        match (self.place, opener.as_str()) {
+            (Place::Top, "let") if word(2) == "=" => value(word(1)),
+            (Place::Limits, name) => match statement.len() {
+                1 => Before::LimitName(name.to_string()),
+                _ => value(name),
+            },
+            (Place::Mission, "start") if statement.len() == 1 => {
+                self.next = vec!["moving"];
+                Before::Clause
+            }
+            (Place::Mission, "curve") => {
+                let fields = statement.iter().filter(|l| l.kind == Kind::Word && l.text(text) == "points").count();
+                match statement.iter().any(|l| l.is(',')) {
+                    true if fields > 0 => value("points"),
+                    true => Before::Words(&["points ="]),
+                    false if statement.len() == 2 => Before::Words(&["in"]),
+                    false => value(""),
+                }
+            }
+            (Place::Mission, name) if FLIGHT.iter().any(|row| row.0 == name) => {
+                let words = FLIGHT.iter().find(|row| row.0 == name).map_or(&[][..], |row| row.1);
+                if words.is_empty() { value("time") } else { Before::Words(words) }
+            }
+            (Place::Plan, "require") => match statement.len() {
+                1 => Before::Words(&["risk <="]),
+                _ => value(""),
+            },
+            (Place::Simulate, "fault") if statement.len() == 1 => Before::Mode,
+            (Place::Mission, "start" | "waypoint") | (Place::Rotors, "rotor") | (Place::Simulate, "fault") => {
+                self.in_clauses(text, statement, ended)
+            }
+            (Place::Mode, "rotor" | "rotors") | (Place::Faults, "every") => self.in_fault(text, statement, ended),
+            _ => Before::Words(&[]),
+        }
+    }
+
+    /// In a statement of clauses: the last clause's value, or the next clause.
+    fn in_clauses(&mut self, text: &str, statement: &[Lexeme], ended: bool) -> Before {
+        let opener = statement[0].text(text);
+        let known = crate::model::vocabulary::clauses(self.place, opener);
+        let is_clause = |l: &Lexeme| l.kind == Kind::Word && known.contains(&l.text(text));
+        let mut words = statement[1..].iter().filter(|l| is_clause(l));
+        self.clauses = words.clone().map(|l| l.text(text).to_string()).collect();
+        let (Some(clause), Some(last)) = (words.next_back(), statement.last()) else { return Before::Clause };
+        let field = clause.text(text).to_string();
+        // Behind a unit or a name a value is over, but for what an operator goes on with.
+        let is_over = last.kind == Kind::Word && last.start != clause.start || last.is('%');
+        match is_over && !self.in_brackets {
+            true => Before::Clause,
+            false => Before::Value { field, ended: ended && !(self.in_brackets && last.is(']')) },
+        }
+    }
+
+    /// `every 2 rotors lost as M`, `rotor 3 reduced to 60 %`.
+    fn in_fault(&mut self, text: &str, statement: &[Lexeme], ended: bool) -> Before {
+        const EFFECTS: &[&str] = &["lost", "reduced to", "stuck at"];
+        let is_every = self.place == Place::Faults;
+        let last = statement[statement.len() - 1].text(text);
+        match last {
+            "every" | "as" => Before::Words(&[]),
+            "rotor" | "rotors" if is_every => Before::Words(EFFECTS),
+            "reduced" => Before::Words(&["to"]),
+            "stuck" => Before::Words(&["at"]),
+            "lost" | "%" if is_every => Before::Words(&["as"]),
+            "to" | "at" => Before::Value { field: String::new(), ended: false },
+            _ if self.in_brackets => Before::Words(&[]),
+            _ if ended => {
+                let has_effect = statement.iter().any(|l| matches!(l.text(text), "to" | "at"));
+                match (has_effect, is_every) {
+                    (true, _) => Before::Value { field: String::new(), ended: true },
+                    (false, true) => Before::Words(&["rotors", "rotor"]),
+                    (false, false) => Before::Words(EFFECTS),
+                }
+            }
+            _ => Before::Words(&[]),
+        }
+    }
+}
+
+/// Takes one word or mark before the cursor into account.
+fn step(
+    text: &str,
+    all: &[Lexeme],
+    k: usize,
+    lexeme: &Lexeme,
+    frames: &mut Vec<Frame>,
+    statement: &mut Vec<Lexeme>,
+    brackets: &mut usize,
+) {
+    let head = |statement: &[Lexeme]| statement.first().map_or("", |l| l.text(text)).to_string();
+    match lexeme.kind {
+        Kind::Comment | Kind::Doc => {}
+        Kind::Mark('\n') => {
+            // A bracket goes on over lines, unless the next line plainly begins another statement.
+            let next = all[k + 1..].iter().find(|l| !l.is('\n'));
+            let begins = next.is_none_or(|l| {
+                let word = l.text(text);
+                let assigns = all[k + 1..].iter().filter(|l| !l.is('\n')).nth(1).is_some_and(|l| l.is('='));
+                l.is('}') || l.kind == Kind::Word && (assigns || Place::opens_statement(word))
+            });
+            if *brackets == 0 || begins {
+                *brackets = 0;
+                statement.clear();
+            }
+        }
+        Kind::Mark(';') => {
+            statement.clear();
+            *brackets = 0;
+        }
+        Kind::Mark('{') => {
+            let word = head(statement);
+            let parameter = (word == "curve").then(|| statement.get(1).map_or("", |l| l.text(text)).to_string());
+            frames.push(Frame {
+                place: Place::of_head(&word).unwrap_or(Place::Unknown),
+                parameter,
+                present: BTreeSet::new(),
+            });
+            statement.clear();
+            *brackets = 0;
+        }
+        Kind::Mark('}') => {
+            if frames.len() > 1 {
+                frames.pop();
+            }
+            statement.clear();
+            *brackets = 0;
+        }
+        _ => {
+            match lexeme.kind {
+                Kind::Mark('(' | '[') => *brackets += 1,
+                Kind::Mark(')' | ']') => *brackets = brackets.saturating_sub(1),
+                _ => {}
+            }
+            if statement.is_empty()
+                && lexeme.kind == Kind::Word
+                && let Some(frame) = frames.last_mut()
+            {
+                frame.present.insert(lexeme.text(text).to_string());
+            }
+            statement.push(*lexeme);
+        }
+    }
+}
+
+/// The words that begin the statements between the cursor and the end of its block.
+fn rest_of_block(text: &str, rest: &[Lexeme], word: &Range<usize>, present: &mut BTreeSet<String>) {
+    let (mut depth, mut begins) = (0usize, false);
+    for lexeme in rest {
+        match lexeme.kind {
+            Kind::Mark('{') => depth += 1,
+            Kind::Mark('}') if depth == 0 => return,
+            Kind::Mark('}') => depth -= 1,
+            Kind::Mark('\n' | ';') => begins = true,
+            Kind::Word if begins && depth == 0 && lexeme.start != word.start => {
+                present.insert(lexeme.text(text).to_string());
+                begins = false;
+            }
+            Kind::Comment | Kind::Doc => {}
+            _ => begins = false,
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! What a vehicle, a mission and fault modes are in numbers.
+
+use super::Spec;
+use crate::actuation::Wrench;
+use crate::admissible::allocation::Allocator;
+use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::model::{FaultMode, Model, Rotor};
+use crate::report::number::{number, percent, significant};
+use crate::source::Span;
+
+/// Modes that are named; of more the first and the last.
+const NAMED: usize = 6;
+
+/// A vehicle whose name stands at `span`: rotors, weight, thrust to weight and hover speed.
+pub fn vehicle(spec: &Spec, span: Span) -> Option<String> {
+    let vehicle = spec.understanding.vehicles.iter().find(|v| v.span == span)?;
+    let weight = vehicle.mass * spec.understanding.gravity;
+    let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
+    let layout = vehicle.layout.as_ref().map_or(String::new(), |layout| format!(" ({layout})"));
+    let speeds = Allocator::new(vehicle).speeds(&Wrench::new(weight, 0.0, 0.0, 0.0));
+    let share = speeds.iter().zip(&vehicle.rotors).map(|(w, r)| w / r.max_speed).fold(0.0, f64::max);
+    let (slow, fast) = speeds.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(*w), high.max(*w)));
+    let rpm = |w: f64| significant(w * 30.0 / std::f64::consts::PI, 4);
+    // Rotors that turn alike are told once.
+    let hover = match fast - slow <= 1e-6 * fast {
+        true => format!("{} rad/s ({} rpm)", significant(fast, 4), rpm(fast)),
+        false => {
+            format!("{} to {} rad/s ({} to {} rpm)", significant(slow, 4), significant(fast, 4), rpm(slow), rpm(fast))
+        }
+    };
+    Some(format!(
+        "{} rotors{layout}, {} kg, weight {} N\n\n\
+         thrust to weight **{}** ({} N at full thrust)\n\n\
+         hover speed **{hover}**, at most {} of full speed",
+        vehicle.rotors.len(),
+        number(vehicle.mass),
+        significant(weight, 4),
+        significant(thrust / weight, 3),
+        significant(thrust, 4),
+        percent(share),
+    ))
+}
+
+/// A mission whose name stands at `span`.
+pub fn mission(spec: &Spec, span: Span) -> Option<String> {
+    let mission = spec.model.as_ref()?.mission.as_ref().filter(|mission| mission.span == span)?;
+    let length: f64 = mission
+        .waypoints
+        .windows(2)
+        .map(|pair| (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt())
+        .sum();
+    let hold: f64 = mission.waypoints.iter().map(|w| w.hold).sum();
+    let holds = if hold > 0.0 { format!(", {} s of holds", number(hold)) } else { String::new() };
+    Some(format!("{} waypoints, {} m along straight lines{holds}", mission.waypoints.len(), significant(length, 4)))
+}
+
+/// What modes do to the rotors; their names, where they are several.
+pub fn modes(spec: &Spec, modes: &[usize]) -> Option<String> {
+    let all = &spec.understanding.modes;
+    match modes {
+        [] => None,
+        [one] => Some(effect(&all[*one])),
+        [first, .., last] if modes.len() > NAMED => {
+            Some(format!("{} modes: {} ... {}", modes.len(), all[*first].name, all[*last].name))
+        }
+        few => {
+            let names: Vec<&str> = few.iter().map(|k| all[*k].name.as_str()).collect();
+            Some(format!("{} modes: {}", few.len(), names.join(", ")))
+        }
+    }
+}
+
+/// `rotor 1 lost, rotor 3 reduced to 60 %; rate 1e-5 1/h`
+fn effect(mode: &FaultMode) -> String {
+    let rotors = (0..mode.capacity.len()).filter_map(|k| match (mode.capacity[k], mode.stuck[k]) {
+        (_, Some(share)) => Some(format!("rotor {} stuck at {}", k + 1, percent(share))),
+        (0.0, None) => Some(format!("rotor {} lost", k + 1)),
+        (1.0, None) => None,
+        (share, None) => Some(format!("rotor {} reduced to {}", k + 1, percent(share))),
+    });
+    let mut text = rotors.collect::<Vec<_>>().join(", ");
+    if text.is_empty() {
+        text.push_str("nothing fails");
+    }
+    if let Some(rate) = mode.rate {
+        text.push_str(&format!("; rate {} 1/h", significant(rate * 3600.0, 4)));
+    }
+    if let Some(rpn) = mode.rpn() {
+        text.push_str(&format!("; RPN {rpn}"));
+    }
+    text
+}
+
+/// One verdict as a sentence, several as a table.
+pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
+    match analyses {
+        [one] => {
+            let mass = one.critical_mass_kg.filter(|m| *m > 0.0);
+            let heaviest = mass.map_or(String::new(), |m| format!(", hovers up to {} kg", significant(m, 4)));
+            let axes = match one.verdict {
+                Verdict::Controllable if !one.interior => " (hover lies on the edge of what is left)",
+                Verdict::Controllable => "",
+                Verdict::Stabilizable => " (hovers, but yaw is lost)",
+                Verdict::Unstable => " (cannot hover)",
+            };
+            let uncertain = if model.vehicle.is_uncertain() { ", at the middle of the spec's intervals" } else { "" };
+            format!("**{}**{axes}, margin **{}**{heaviest}{uncertain}", one.verdict.name(), margin(one))
+        }
+        all => {
+            let rows = all.iter().map(|a| format!("| {} | {} | {} |", a.name, a.verdict.name(), margin(a)));
+            let head = ["| mode | verdict | margin |".to_string(), "|---|---|---|".to_string()];
+            head.into_iter().chain(rows).collect::<Vec<_>>().join("\n")
+        }
+    }
+}
+
+/// The distance from hover to the boundary of the set (ACAI), N and N m alike.
+fn margin(analysis: &ModeAnalysis) -> String {
+    let of = match analysis.verdict {
+        Verdict::Stabilizable => analysis.acai_yaw_free.map(|a| (a, " without yaw")),
+        _ => analysis.acai.map(|a| (a, "")),
+    };
+    of.map_or("none".into(), |(acai, which)| format!("{}{which}", significant(acai, 3)))
+}

@@ -1,0 +1,138 @@
+//! The names that a spec declares.
+
+use crate::source::Span;
+use crate::syntax::ast::*;
+use std::collections::HashMap;
+
+/// What a name is the name of. Names of one kind differ; those of different kinds may be alike.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Kind {
+    Let,
+    Vehicle,
+    Mission,
+    Mode,
+    /// The modes of an `every`, by what their names begin with.
+    Modes,
+    Waypoint,
+    /// The parameter of a curve.
+    Parameter,
+}
+
+impl Kind {
+    /// As one says it.
+    pub fn phrase(self) -> &'static str {
+        match self {
+            Kind::Let => "let",
+            Kind::Vehicle => "vehicle",
+            Kind::Mission => "mission",
+            Kind::Mode => "fault mode",
+            Kind::Modes => "fault modes",
+            Kind::Waypoint => "waypoint",
+            Kind::Parameter => "curve parameter",
+        }
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Definition {
+    pub kind: Kind,
+    pub name: String,
+    /// Of the name.
+    pub span: Span,
+    /// Of the whole statement.
+    pub statement: Span,
+    pub doc: Option<String>,
+    pub title: Option<String>,
+}
+
+/// Every name that a file set declares.
+#[derive(Debug, Clone, Default)]
+pub struct Names {
+    pub definitions: Vec<Definition>,
+    by_span: HashMap<Span, usize>,
+    by_name: HashMap<(Kind, String), usize>,
+}
+
+impl Names {
+    pub fn of(trees: &[SpecFile]) -> Self {
+        let mut names = Names::default();
+        for item in trees.iter().flat_map(|tree| &tree.items) {
+            match item {
+                Item::Let(field) => names.add(Kind::Let, &field.name, field.span, &field.doc, None),
+                Item::Block(block) => names.block(block),
+                _ => {}
+            }
+        }
+        names
+    }
+
+    fn block(&mut self, block: &Block) {
+        let kind = match block.keyword.value.as_str() {
+            "vehicle" => Some(Kind::Vehicle),
+            "mission" => Some(Kind::Mission),
+            "mode" => Some(Kind::Mode),
+            _ => None,
+        };
+        if let (Some(kind), Some(name)) = (kind, &block.name) {
+            self.add(kind, name, block.span, &block.doc, block.title.as_ref().map(|t| t.value.clone()));
+        }
+        for statement in &block.body {
+            let span = statement.span();
+            match statement {
+                Statement::Block(inner) => self.block(inner),
+                Statement::Every { prefix, doc, .. } => self.add(Kind::Modes, prefix, span, doc, None),
+                Statement::Curve { parameter, doc, .. } => self.add(Kind::Parameter, parameter, span, doc, None),
+                Statement::Waypoint(Clauses { name: Some(name), doc, .. }) => {
+                    self.add(Kind::Waypoint, name, span, doc, None)
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn add(&mut self, kind: Kind, name: &Name, statement: Span, doc: &Option<String>, title: Option<String>) {
+        let index = self.definitions.len();
+        let (span, doc) = (name.span, doc.clone());
+        self.definitions.push(Definition { kind, name: name.value.clone(), span, statement, doc, title });
+        self.by_span.insert(span, index);
+        // Of several of one name the first is the one that is meant.
+        self.by_name.entry((kind, name.value.clone())).or_insert(index);
+    }
+
+    /// The definition whose name stands at `span`.
+    pub fn declared_at(&self, span: Span) -> Option<usize> {
+        self.by_span.get(&span).copied()
+    }
+
+    fn named(&self, kind: Kind, name: &str) -> Option<usize> {
+        self.by_name.get(&(kind, name.to_string())).copied()
+    }
+
+    pub fn binding(&self, name: &str) -> Option<usize> {
+        self.named(Kind::Let, name)
+    }
+
+    pub fn vehicle(&self, name: &str) -> Option<usize> {
+        self.named(Kind::Vehicle, name)
+    }
+
+    pub fn mission(&self, name: &str) -> Option<usize> {
+        self.named(Kind::Mission, name)
+    }
+
+    /// A mode by its name: one declared alone, or one of the modes of an `every`, `M1_6` of `as M`.
+    pub fn mode(&self, name: &str) -> Option<usize> {
+        self.named(Kind::Mode, name).or_else(|| {
+            let prefixes = (1..name.len()).rev().filter(|&end| {
+                let is_number = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+                name.is_char_boundary(end) && name[end..].split('_').all(is_number)
+            });
+            prefixes.filter_map(|end| self.named(Kind::Modes, &name[..end])).next()
+        })
+    }
+
+    /// The names of one kind, in the order declared.
+    pub fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &Definition> {
+        self.definitions.iter().filter(move |d| d.kind == kind)
+    }
+}

@@ -1,0 +1,140 @@
+//! The report as one page that a browser opens without a network (`--html`): what was found as text and tables, and
+//! what it was found from as data for the charts of `assets/page`.
+//!
+//! Words and numbers are made here, once, for the page and for the files of `--svg`; the script only draws. The page
+//! says all that matters with its script switched off.
+
+mod chart;
+mod content;
+mod document;
+mod embed;
+mod flown;
+mod motion;
+mod planners;
+mod sets;
+mod spec;
+mod summary;
+mod survival;
+mod svg;
+mod verdicts;
+
+use crate::admissible::AdmissibleSet;
+use crate::admissible::verdict::analyze_all;
+use crate::diagnostic::Diagnostic;
+use crate::model::{Mission, Model};
+use crate::planner::compare::{Comparison, Ending, Run};
+use crate::report::campaign_record::CampaignRecord;
+use crate::report::flight::FlightRecord;
+use crate::report::record::Record;
+use crate::source::SourceMap;
+use content::Content;
+use document::{Document, Section};
+pub use flown::Track;
+
+/// Modes whose sets, margins and strips are shown; of more, those that the plan comes nearest to the edges of.
+const MOST_MODES: usize = 24;
+
+/// What every page is about.
+#[derive(Clone, Copy)]
+pub struct Subject<'a> {
+    pub model: &'a Model,
+    pub mission: &'a Mission,
+    pub sources: &'a SourceMap,
+    /// Shown where they point to in the spec.
+    pub diagnostics: &'a [Diagnostic],
+}
+
+/// Which command a page is the report of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Plan,
+    Compare,
+}
+
+/// The page of `mavc plan` or `mavc compare`: `record` is what `--report` gives. HTML, complete, the same for the same input.
+pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record) -> String {
+    let Subject { model, mission, .. } = *subject;
+    let analyses = analyze_all(model, &AdmissibleSet::all(model));
+    let shown = sets::shown(model, comparison);
+    let content = Content::of_plans(subject, comparison, &shown, record);
+    let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
+    if kind == Kind::Compare {
+        sections.insert(0, Section::new("planners", "Planners", planners::section(comparison, record)));
+    }
+    if !content.runs.is_empty() {
+        sections.extend(document::drawn(!comparison.modes.is_empty()));
+    } else {
+        sections.push(document::sets());
+    }
+    sections.push(Section::new("spec", "Spec", spec::section(subject)));
+    let found = match kind {
+        Kind::Plan => summary::plan(model, mission, comparison, record),
+        Kind::Compare => summary::compare(mission, comparison),
+    };
+    Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
+}
+
+/// The charts of the plan that is shown first and the sections of the sets, as names and texts of SVG files.
+///
+/// # Errors
+/// What the drawing library says, where it cannot draw.
+pub fn figures(subject: &Subject, comparison: &Comparison) -> Result<Vec<(String, String)>, String> {
+    svg::files(&Content::of_plans(subject, comparison, &sets::shown(subject.model, comparison), &()))
+}
+
+/// The page where some mode that the plan must stand cannot hover: nothing was planned.
+pub fn refused(subject: &Subject, record: &Record) -> String {
+    let model = subject.model;
+    let analyses = analyze_all(model, &AdmissibleSet::all(model));
+    let content = Content::of_sets(subject, &sets::declared(model), record);
+    let sections = vec![
+        Section::new("modes", "Modes", verdicts::refused(model, &analyses)),
+        document::sets(),
+        Section::new("spec", "Spec", spec::section(subject)),
+    ];
+    Document { subject: *subject, comparison: None, found: summary::refused(model, &analyses), sections, content }
+        .render()
+}
+
+/// The page of `mavc simulate`: the flight first, and the plan it was flown along.
+pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: &FlightRecord) -> String {
+    let model = subject.model;
+    let analyses = analyze_all(model, &AdmissibleSet::all(model));
+    let shown = sets::shown(model, comparison);
+    let mut content = Content::of_plans(subject, comparison, &shown, record);
+    content.runs.insert(0, track.run(model, record));
+    content.first = 0;
+    let mut sections = vec![
+        Section::new("faults", "Faults", flown::section(record)),
+        Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses)),
+    ];
+    sections.extend(document::drawn(!comparison.modes.is_empty()));
+    sections.push(Section::new("spec", "Spec", spec::section(subject)));
+    let found = summary::flight(record);
+    Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
+}
+
+/// The page of `mavc campaign`.
+pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
+    let model = subject.model;
+    let analyses = analyze_all(model, &AdmissibleSet::all(model));
+    let content = Content::of_sets(subject, &sets::declared(model), record);
+    let sections = vec![
+        Section::new("planners", "Planners", survival::table(record)),
+        Section::new("map", "Map", survival::maps(record)),
+        Section::new("agreement", "Agreement", survival::agreement(record)),
+        Section::new("modes", "Modes", verdicts::refused(model, &analyses)),
+        document::sets(),
+        Section::new("spec", "Spec", spec::section(subject)),
+    ];
+    Document { subject: *subject, comparison: None, found: survival::found(record), sections, content }.render()
+}
+
+/// The run that the page shows first: the spec's own planner at T_d, else the last one that has a plan.
+fn shown_first(model: &Model, comparison: &Comparison) -> Option<usize> {
+    let solved = |i: &usize| matches!(comparison.runs[*i].ending, Ending::Solved(_));
+    let own = |i: &usize| comparison.runs[*i].planner == model.plan.planner;
+    let common = |i: &usize| comparison.runs[*i].run == Run::Common;
+    let all = || (0..comparison.runs.len()).filter(solved);
+    all().filter(own).rfind(common).or_else(|| all().rfind(own)).or_else(|| all().next_back())
+}

@@ -1,0 +1,182 @@
+//! What the page's script is given.
+
+use super::chart::{Chart, Columns, rounded};
+use super::sets::{SetContent, ShownSet};
+use super::{Subject, motion, shown_first};
+use crate::admissible::{AdmissibleSet, hover};
+use crate::model::Model;
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
+use crate::report::number::number;
+use crate::trajectory::nearness::nearness;
+use serde::Serialize;
+
+/// Cells of a heat strip.
+const CELLS: usize = 240;
+
+/// Numbers in the columns of all runs together, and instants of one run at most: a page stays small.
+const MOST_NUMBERS: usize = 130_000;
+const MOST_INSTANTS: usize = 1_000;
+
+/// A run gets at least so many instants, or its curves are left out.
+const FEWEST_INSTANTS: usize = 80;
+
+/// Bytes of the machine-readable report, within which the page carries it.
+const MOST_RECORD: usize = 300_000;
+
+/// Waypoints drawn at most.
+const MOST_WAYPOINTS: usize = 400;
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Content {
+    pub waypoints: Vec<WaypointContent>,
+    /// `[m g, 0, 0, 0]`, N and N m.
+    pub hover: [f64; 4],
+    /// `[least, most]` of each component over the whole healthy set.
+    pub extents: [[f64; 2]; 4],
+    /// The share of each set that is kept for feedback: rows are shrunk by it about hover.
+    pub reserve: f64,
+    /// Healthy first.
+    pub sets: Vec<SetContent>,
+    pub runs: Vec<RunContent>,
+    /// Of `runs`: what is shown first.
+    pub first: usize,
+    /// What `--report` gives, or nothing where it is large.
+    pub record: Option<serde_json::Value>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WaypointContent {
+    pub name: String,
+    pub at: [f64; 3],
+    /// m
+    pub within: f64,
+}
+
+/// One plan.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RunContent {
+    pub label: String,
+    /// What its wrench is called.
+    pub wrench: &'static str,
+    pub columns: Columns,
+    pub charts: Vec<Chart>,
+    /// When each waypoint is passed, s.
+    pub passed: Vec<f64>,
+    /// For every set that plans are measured against: its place in `sets`, and its smallest margin in each cell of the flight, in
+    /// percent of the healthy set's width.
+    pub strips: Vec<Strip>,
+    /// What happened when.
+    pub marks: Vec<Mark>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Mark {
+    /// s
+    pub t: f64,
+    /// Empty where a line is enough.
+    pub label: String,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Strip {
+    pub set: usize,
+    pub margins: Vec<f64>,
+}
+
+impl Content {
+    /// Of plans: those that have a place on a page of reasonable size, the first ones first, and always the one shown first.
+    pub fn of_plans(subject: &Subject, comparison: &Comparison, shown: &[ShownSet], record: &impl Serialize) -> Self {
+        let first = shown_first(subject.model, comparison);
+        let solved: Vec<(usize, &PlannerRun, &Solved)> = comparison
+            .runs
+            .iter()
+            .enumerate()
+            .filter_map(|(i, run)| match &run.ending {
+                Ending::Solved(s) => Some((i, run, s.as_ref())),
+                _ => None,
+            })
+            .collect();
+        let width = 24 + subject.model.vehicle.rotors.len() + shown.len();
+        let places = (MOST_NUMBERS / (width * FEWEST_INSTANTS)).max(1);
+        let mut kept = solved;
+        if kept.len() > places {
+            // Joint planners say more than those of one mode.
+            kept.sort_by_key(|(i, run, _)| (Some(*i) != first, run.run == Run::Own, run.against.len() == 1));
+            kept.truncate(places);
+            kept.sort_by_key(|(i, ..)| *i);
+        }
+        let most = (MOST_NUMBERS / (width * kept.len().max(1))).clamp(FEWEST_INSTANTS, MOST_INSTANTS);
+        let runs = kept.iter().map(|(_, run, solved)| run_content(subject, run, solved, shown, most)).collect();
+        Content {
+            runs,
+            first: kept.iter().position(|(i, ..)| Some(*i) == first).unwrap_or(0),
+            ..Content::of_sets(subject, shown, record)
+        }
+    }
+
+    /// Where nothing is planned.
+    pub fn of_sets(subject: &Subject, shown: &[ShownSet], record: &impl Serialize) -> Self {
+        let Subject { model, mission, .. } = *subject;
+        let step = mission.waypoints.len().div_ceil(MOST_WAYPOINTS);
+        let waypoint = |(i, w): (usize, &crate::model::Waypoint)| WaypointContent {
+            name: w.name.clone().unwrap_or_else(|| format!("waypoint {}", i + 1)),
+            at: w.position.map(rounded),
+            within: rounded(w.within),
+        };
+        let whole = serde_json::to_value(record).ok();
+        let small = |value: &serde_json::Value| value.to_string().len() <= MOST_RECORD;
+        Content {
+            waypoints: mission.waypoints.iter().enumerate().step_by(step.max(1)).map(waypoint).collect(),
+            hover: hover(model).into(),
+            extents: extents(model),
+            reserve: model.plan.reserve,
+            sets: shown.iter().map(SetContent::new).collect(),
+            runs: Vec::new(),
+            first: 0,
+            record: whole.filter(small),
+        }
+    }
+}
+
+fn extents(model: &Model) -> [[f64; 2]; 4] {
+    let zonotope = AdmissibleSet::healthy(model).zonotope;
+    [0, 1, 2, 3].map(|axis| {
+        let ends = |pick: fn(f64, f64) -> f64| zonotope.generators.iter().map(|g| pick(g[axis], 0.0)).sum::<f64>();
+        [zonotope.center[axis] + ends(f64::min), zonotope.center[axis] + ends(f64::max)].map(rounded)
+    })
+}
+
+/// `RSP, own time 16 s`, `RCP jointly at T_d = 16.4 s`.
+pub fn run_label(run: &PlannerRun, time: f64) -> String {
+    let name = match run.against.len() {
+        n if n > 1 && run.planner == crate::model::PlannerKind::Rcp => "RCP jointly".to_string(),
+        _ => label(run.planner, &run.against),
+    };
+    match run.run {
+        Run::Own => format!("{name}, own time {} s", number(time)),
+        Run::Common => format!("{name}, at T_d = {} s", number(time)),
+    }
+}
+
+fn run_content(subject: &Subject, run: &PlannerRun, solved: &Solved, shown: &[ShownSet], most: usize) -> RunContent {
+    let Subject { model, mission, .. } = *subject;
+    let trajectory = &solved.trajectory;
+    let strip = |set: usize, s: &ShownSet| Strip {
+        set,
+        margins: nearness(trajectory, &model.vehicle, model.gravity, &s.set.rows, CELLS)
+            .into_iter()
+            // Two decimals of a percent are what a cell can show.
+            .map(|m| (1e4 * m).round() / 100.0)
+            .collect(),
+    };
+    let measured = shown.iter().enumerate().filter(|(_, s)| s.against.is_some());
+    RunContent {
+        label: run_label(run, solved.time),
+        columns: motion::columns(model, solved, shown, most),
+        charts: motion::charts(model, mission, solved, shown),
+        passed: trajectory.waypoint_nodes.iter().map(|&n| rounded(trajectory.times[n])).collect(),
+        strips: measured.map(|(i, s)| strip(i, s)).collect(),
+        wrench: "planned wrench",
+        marks: Vec::new(),
+    }
+}

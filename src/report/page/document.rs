@@ -1,0 +1,198 @@
+//! The page's skeleton: head, sections in order, the time slider, and what the script needs.
+
+use super::content::Content;
+use super::summary::Found;
+use super::{Subject, embed};
+use crate::planner::compare::Comparison;
+use crate::report::number::percent;
+use crate::report::terminal::vehicle_line;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// A part of the page that the contents lead to.
+pub struct Section {
+    pub id: &'static str,
+    pub name: &'static str,
+    pub body: Markup,
+}
+
+impl Section {
+    pub fn new(id: &'static str, name: &'static str, body: Markup) -> Self {
+        Section { id, name, body }
+    }
+}
+
+/// All that goes into a page.
+pub struct Document<'a> {
+    pub subject: Subject<'a>,
+    pub comparison: Option<&'a Comparison>,
+    pub found: Found,
+    pub sections: Vec<Section>,
+    pub content: Content,
+}
+
+impl Document<'_> {
+    pub fn render(&self) -> String {
+        let mission = self.subject.mission;
+        let moves = !self.content.runs.is_empty();
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta http-equiv="Content-Security-Policy" content=(embed::policy());
+                    meta name="color-scheme" content="light dark";
+                    meta name="generator" content={ "mavc " (env!("CARGO_PKG_VERSION")) };
+                    title { (mission.name) ": " (self.found.headline) }
+                    style { (PreEscaped(embed::STYLE)) }
+                }
+                body {
+                    a.skip href="#main" { "Skip to the report" }
+                    header.top {
+                        div {
+                            p.kicker { "mavc report" }
+                            h1 { "Mission " (mission.name) }
+                            p.subject { (vehicle_line(self.subject.model)) }
+                            p.subject { (self.setting()) }
+                            @if let Some(doc) = &mission.doc { p.doc { (doc) } }
+                        }
+                        button #theme type="button" hidden { "Dark theme" }
+                    }
+                    nav.contents aria-label="Contents" {
+                        ul {
+                            li { a href="#found" { "Result" } }
+                            @for section in &self.sections { li { a href={ "#" (section.id) } { (section.name) } } }
+                        }
+                    }
+                    main #main {
+                        section #found { (found(&self.found)) }
+                        @for section in &self.sections { section id=(section.id) { (section.body) } }
+                    }
+                    @if moves { (player()) }
+                    footer {
+                        p {
+                            "Written by mavc " (env!("CARGO_PKG_VERSION")) ". Lengths in m, times in s, SI units but for angles in degrees. "
+                            "Charts by uPlot and three.js (MIT); their licences stand in the source of this page."
+                        }
+                    }
+                    script #content type="application/json" { (PreEscaped(embed::json(&self.content))) }
+                    script { (PreEscaped(embed::SCRIPT)) }
+                }
+            }
+        };
+        page.into_string()
+    }
+
+    fn setting(&self) -> String {
+        let plan = &self.subject.model.plan;
+        let against = match self.comparison.map(|c| c.modes.as_slice()) {
+            None => String::new(),
+            Some([]) => "no fault modes, ".to_string(),
+            Some(modes) if modes.len() > 12 => format!("against {} fault modes, ", modes.len()),
+            Some(modes) => format!("against {}, ", modes.join(", ")),
+        };
+        format!(
+            "{against}{} model, reserve {} of each set, {} samples",
+            plan.model.name(),
+            percent(plan.reserve),
+            plan.samples
+        )
+    }
+}
+
+fn found(found: &Found) -> Markup {
+    html! {
+        h2.headline { (found.headline) }
+        @if !found.figures.is_empty() {
+            dl.figures {
+                @for figure in &found.figures {
+                    div {
+                        dt { (figure.name) }
+                        dd.value.bad[figure.is_bad] { (figure.value) }
+                        dd.note { (figure.note) }
+                    }
+                }
+            }
+        }
+        @for warning in &found.warnings { p.warning { (warning) } }
+    }
+}
+
+/// Sections that the script fills: the flight in space, strips, sets and charts.
+pub fn drawn(has_modes: bool) -> Vec<Section> {
+    let space = html! {
+        h2 #space-headline { "The flight in space" }
+        p.note #space-note { }
+        div.tools {
+            label { "Colour " select #colour { } }
+            div.buttons role="group" aria-label="View" {
+                button type="button" data-view="free" { "Oblique" }
+                button type="button" data-view="top" { "Top" }
+                button type="button" data-view="front" { "Front" }
+                button type="button" data-view="side" { "Side" }
+            }
+        }
+        div #space .canvas tabindex="0" role="application" aria-label="Path in space; arrow keys turn it, plus and minus zoom" { }
+        div #space-legend .legend { }
+        p #space-readout .readout { }
+    };
+    let strips = html! {
+        h2 #strips-headline { "How near the plan comes to the edge of each mode's set" }
+        div #strips-legend .legend { }
+        div #strips { }
+    };
+    let charts = html! {
+        h2 { "The motion and its limits over time" }
+        p.note {
+            "Dashed lines are limits. Shaded bands in the charts of thrust and torques: how far that axis alone may go in the set of the "
+            "mode chosen above, the other three as at that instant."
+        }
+        div #charts { }
+    };
+    let mut sections = vec![Section::new("flight", "Flight", space)];
+    if has_modes {
+        sections.push(Section::new("heat", "Margins", strips));
+    }
+    sections.push(sets());
+    sections.push(Section::new("motion", "Motion", charts));
+    sections
+}
+
+/// The section of admissible sets.
+pub fn sets() -> Section {
+    let body = html! {
+        h2 #sets-headline { "What each mode leaves of the admissible set" }
+        p.note #sets-note { }
+        div.tools {
+            label { "Mode " select #set { } }
+            label { "Section " select #plane {
+                option value="wrench" { "through the wrench shown" }
+                option value="hover" { "through hover (T = m g)" }
+            } }
+        }
+        div #sections .sections { }
+        div.pair {
+        figure #solid {
+            figcaption { h3 { "The set without torque about z" } }
+            div .canvas tabindex="0" role="application" aria-label="The admissible set as a body; arrow keys turn it, plus and minus zoom" { }
+            p.note.none hidden { "Hover does not lie inside this mode's set, so no body is drawn." }
+        }
+        div #room .room tabindex="0" role="region" aria-label="Room of each component" { }
+        }
+        h3 { "All modes: torques about x and y" }
+        div #multiples .multiples { }
+    };
+    Section::new("sets", "Sets", body)
+}
+
+/// The instant that all charts show.
+fn player() -> Markup {
+    html! {
+        div #player role="region" aria-label="Instant shown" hidden {
+            button #play type="button" aria-label="Play" { "Play" }
+            input #time type="range" min="0" max="1" step="any" value="0" aria-label="Time in the flight";
+            output #clock for="time" { "0 s" }
+            label #run-label { "Plan " select #run { } }
+        }
+    }
+}

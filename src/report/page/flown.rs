@@ -1,0 +1,246 @@
+//! A flight as a run of the page: what was flown, beside what was planned.
+
+use super::chart::{Bound, Chart, Columns, Line, column, length};
+use super::content::{Mark, RunContent};
+use super::motion::WRENCH;
+use crate::admissible::hover;
+use crate::flight::Sample;
+use crate::model::Model;
+use crate::report::flight::{FaultRecord, FlightRecord, OutcomeRecord};
+use crate::report::number::{fixed, number, significant};
+use maud::{Markup, html};
+
+/// Instants kept at most.
+const MOST_INSTANTS: f64 = 1_000.0;
+
+/// Collects what a page shows of a flight.
+#[derive(Debug, Clone)]
+pub struct Track {
+    columns: Columns,
+    /// Every so many samples are kept.
+    every: usize,
+    count: usize,
+}
+
+impl Track {
+    /// For a flight of `duration` s.
+    pub fn new(model: &Model, duration: f64) -> Self {
+        let samples = duration * model.simulation.control_rate;
+        Track { columns: Columns::new(), every: (samples / MOST_INSTANTS).ceil().max(1.0) as usize, count: 0 }
+    }
+
+    pub fn add(&mut self, sample: &Sample) {
+        self.count += 1;
+        if !(self.count - 1).is_multiple_of(self.every) && !sample.is_last {
+            return;
+        }
+        let Sample { body, reference, .. } = sample;
+        let mut put = |name: &str, value: f64| self.columns.entry(name.to_string()).or_default().push(value);
+        put("t", sample.time);
+        let [roll, pitch, yaw] = body.angles().map(f64::to_degrees);
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+            put(name, body.position[axis]);
+            put(&format!("{name}_ref"), reference.position[axis]);
+        }
+        for (name, value) in [("roll", roll), ("pitch", pitch), ("yaw", yaw)] {
+            put(name, value);
+        }
+        put("speed", body.velocity.norm());
+        put("tilt", body.tilt().to_degrees());
+        put("error", (body.position - reference.position).norm());
+        for (axis, name) in WRENCH.into_iter().enumerate() {
+            put(name, sample.wrench[axis]);
+            put(&format!("{name}_cmd"), sample.wanted[axis]);
+        }
+        for (k, speed) in sample.speeds.iter().enumerate() {
+            put(&format!("omega_{}", k + 1), *speed);
+        }
+        for (k, theta) in sample.estimated.iter().enumerate() {
+            put(&format!("theta_{}", k + 1), *theta);
+        }
+    }
+
+    /// The flight as the page shows it; `record` says what became of it.
+    pub fn run(self, model: &Model, record: &FlightRecord) -> RunContent {
+        let columns: Columns = self.columns.into_iter().map(|(name, v)| (name, column(v.into_iter()))).collect();
+        let charts = charts(model, &columns, record);
+        RunContent {
+            label: "the flight".into(),
+            wrench: "wrench given",
+            columns,
+            charts,
+            passed: Vec::new(),
+            strips: Vec::new(),
+            marks: marks(record),
+        }
+    }
+}
+
+/// What became of it, in one sentence.
+pub fn headline(record: &FlightRecord) -> String {
+    match record.outcome {
+        OutcomeRecord::Flown => format!("Flown to its end at {} s", fixed(record.end_s, 2)),
+        OutcomeRecord::Landed { at_s } => format!("Landed at {} s", fixed(at_s, 2)),
+        OutcomeRecord::Lost { at_s, cause } => {
+            format!("Lost at {} s: {}", fixed(at_s, 2), cause.replace('_', " "))
+        }
+    }
+}
+
+fn struck(record: &FlightRecord) -> impl Iterator<Item = &FaultRecord> {
+    record.faults.iter().filter(|f| f.struck)
+}
+
+fn marks(record: &FlightRecord) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    for fault in struck(record) {
+        marks.push(Mark { t: fault.at_s, label: format!("{} strikes", fault.mode) });
+        marks.extend(fault.detected_after_s.map(|d| Mark { t: fault.at_s + d, label: String::new() }));
+        marks.extend(fault.until_s.map(|t| Mark { t, label: format!("{} ends", fault.mode) }));
+    }
+    if let OutcomeRecord::Lost { at_s, .. } = record.outcome {
+        marks.push(Mark { t: at_s, label: "lost".into() });
+    }
+    marks
+}
+
+fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart> {
+    let most = |name: &str| columns.get(name).map_or(0.0, |v| v.iter().fold(0.0, |m: f64, x| m.max(x.abs())));
+    let plain = |id, title, headline: String, unit, lines: Vec<Line>| Chart {
+        id,
+        title,
+        headline,
+        unit,
+        lines,
+        bounds: Vec::new(),
+        axis: None,
+    };
+    let places = ["x", "y", "z"].into_iter();
+    let rms = length(record.rms_error_m);
+    let mut charts = vec![
+        plain(
+            "position",
+            "Position",
+            format!("The vehicle keeps within {} of its place, {rms} root mean square", length(record.max_error_m)),
+            "m",
+            places.flat_map(|n| [Line::new(n, n), Line::new(format!("{n} planned"), format!("{n}_ref"))]).collect(),
+        ),
+        Chart {
+            bounds: vec![Bound::limit("lost beyond", model.simulation.lost_beyond)],
+            ..plain(
+                "error",
+                "Distance from its place",
+                match record.rms_error_after_m {
+                    Some(e) => format!("Since the first fault it is {} off, root mean square", length(e)),
+                    None => format!("It is {rms} off, root mean square"),
+                },
+                "m",
+                vec![Line::new("distance", "error")],
+            )
+        },
+        plain(
+            "speed",
+            "Speed",
+            format!("Speed reaches {} m/s", significant(most("speed"), 3)),
+            "m/s",
+            vec![Line::new("speed", "speed")],
+        ),
+        plain(
+            "tilt",
+            "Tilt",
+            format!("Tilt reaches {} deg", significant(record.max_tilt_rad.to_degrees(), 3)),
+            "deg",
+            ["tilt", "roll", "pitch"].map(|n| Line::new(n, n)).to_vec(),
+        ),
+    ];
+    let wrench = [
+        ("thrust", "Thrust", "N"),
+        ("tau_x", "Torque about x", "N m"),
+        ("tau_y", "Torque about y", "N m"),
+        ("tau_z", "Torque about z", "N m"),
+    ];
+    charts.extend(wrench.into_iter().enumerate().map(|(axis, (id, title, unit))| Chart {
+        axis: Some(axis),
+        bounds: if axis == 0 { vec![Bound::reference("weight", hover(model)[0])] } else { Vec::new() },
+        ..plain(
+            id,
+            title,
+            format!("{title} given reaches {} {unit}", significant(most(id), 3)),
+            unit,
+            vec![Line::new("given", id), Line::new("asked for", format!("{id}_cmd"))],
+        )
+    }));
+    let rotors = model.vehicle.rotors.len();
+    let numbered =
+        |column: &str| (1..=rotors).map(|k| Line::new(format!("rotor {k}"), format!("{column}_{k}"))).collect();
+    let fastest = (1..=rotors).map(|k| most(&format!("omega_{k}"))).fold(0.0, f64::max);
+    charts.push(plain(
+        "rotors",
+        "Rotor speeds",
+        format!("Rotors turn at up to {} rad/s", significant(fastest, 3)),
+        "rad/s",
+        numbered("omega"),
+    ));
+    if columns.contains_key("theta_1") {
+        charts.push(plain(
+            "estimates",
+            "Estimated capacities of the rotors",
+            estimates(record),
+            "1",
+            numbered("theta"),
+        ));
+    }
+    charts
+}
+
+fn estimates(record: &FlightRecord) -> String {
+    let alarms = match record.false_alarms {
+        0 => "no false alarm".to_string(),
+        1 => "1 false alarm".to_string(),
+        n => format!("{n} false alarms"),
+    };
+    match struck(record).next().map(|f| (&f.mode, f.isolated_after_s)) {
+        Some((mode, Some(after))) => format!("{mode} is isolated after {} s, with {alarms}", number(after)),
+        Some((mode, None)) => format!("{mode} is never isolated, with {alarms}"),
+        None => format!("No fault strikes; {alarms}"),
+    }
+}
+
+/// The table of faults.
+pub fn section(record: &FlightRecord) -> Markup {
+    let after = |t: Option<f64>| t.map_or("never".to_string(), |t| significant(1e3 * t, 3));
+    html! {
+        h2 {
+            @match struck(record).count() {
+                0 => { "No fault strikes in this flight" }
+                1 => { "1 fault strikes in this flight" }
+                n => { (n) " faults strike in this flight" }
+            }
+        }
+        div.scroll tabindex="0" role="region" aria-label="Table of faults" {
+            table {
+                caption { "Detection: " (record.detection) "; after a fault: " (record.after_fault) }
+                thead {
+                    tr {
+                        th scope="col" { "Mode" }
+                        th.n scope="col" { "Strikes" br; span.unit { "s" } }
+                        th.n scope="col" { "Ends" br; span.unit { "s" } }
+                        th.n scope="col" { "Detected after" br; span.unit { "ms" } }
+                        th.n scope="col" { "Isolated after" br; span.unit { "ms" } }
+                    }
+                }
+                tbody {
+                    @for fault in &record.faults {
+                        tr {
+                            th scope="row" { (fault.mode) }
+                            td.n { (number(fault.at_s)) }
+                            td.n { (fault.until_s.map_or("never".into(), number)) }
+                            td.n { @if fault.struck { (after(fault.detected_after_s)) } @else { "not struck" } }
+                            td.n { @if fault.struck { (after(fault.isolated_after_s)) } @else { "not struck" } }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,359 @@
+//! A plan's motion as columns and charts.
+
+use super::chart::{Bound, Chart, Columns, Line, column, length, rounded};
+use super::sets::ShownSet;
+use crate::admissible::allocation::Allocator;
+use crate::admissible::hover;
+use crate::model::{LimitKind, Mission, Model};
+use crate::planner::compare::Solved;
+use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::planner::select::VIOLATED;
+use crate::planner::transcribe::NodeState;
+use crate::report::caveats::limit_words;
+use crate::report::number::{fixed, percent, significant};
+use crate::report::record::errors;
+use crate::report::trajectory_csv::instants;
+use crate::trajectory::checks::peak;
+use crate::trajectory::{Trajectory, roll_pitch, tilt};
+
+/// Where the plan leaves its nodes farther apart, instants between them are shown too, so that curves look as they are.
+const FEWEST: usize = 400;
+
+/// A norm of derivatives, its column and its kinds of limits.
+const NORMS: [(LimitKind, &str, &[usize], usize); 5] = [
+    (LimitKind::Speed, "speed", &[X, Y, Z], 1),
+    (LimitKind::SpeedHorizontal, "speed_horizontal", &[X, Y], 1),
+    (LimitKind::Acceleration, "acceleration", &[X, Y, Z], 2),
+    (LimitKind::AccelerationHorizontal, "acceleration_horizontal", &[X, Y], 2),
+    (LimitKind::Jerk, "jerk", &[X, Y, Z], 3),
+];
+
+fn norm(state: &NodeState, axes: &[usize], order: usize) -> f64 {
+    axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt()
+}
+
+/// States at about [`FEWEST`] instants or at the nodes, at most about `most`; waypoints keep theirs.
+fn states(trajectory: &Trajectory, most: usize) -> Vec<(f64, NodeState)> {
+    if trajectory.times.len() > most {
+        let rate = most as f64 / trajectory.duration();
+        return instants(trajectory, Some(rate)).into_iter().map(|t| (t, trajectory.at(t))).collect();
+    }
+    let parts = FEWEST.min(most).div_ceil(trajectory.intervals());
+    let within = |k: usize| {
+        let (begin, h) = (trajectory.times[k], trajectory.times[k + 1] - trajectory.times[k]);
+        (0..parts).map(move |p| h * p as f64 / parts as f64).map(move |t| (begin + t, trajectory.within(k, t)))
+    };
+    let end = trajectory.duration();
+    (0..trajectory.intervals()).flat_map(within).chain([(end, trajectory.at(end))]).collect()
+}
+
+/// Columns of a motion: SI units but for angles, which are in degrees, and margins in percent of the healthy set's width.
+pub fn columns(model: &Model, solved: &Solved, shown: &[ShownSet], most: usize) -> Columns {
+    let trajectory = &solved.trajectory;
+    let states = states(trajectory, most);
+    let mut columns = Columns::new();
+    let mut add = |name: &str, value: &dyn Fn(&NodeState) -> f64| {
+        columns.insert(name.to_string(), column(states.iter().map(|(_, s)| value(s))));
+    };
+    for (name, axis) in [("x", X), ("y", Y), ("z", Z)] {
+        add(name, &|s| s[axis][0]);
+    }
+    add("yaw", &|s| s[YAW][0].to_degrees());
+    add("yaw_rate", &|s| s[YAW][1].to_degrees());
+    add("climb", &|s| s[Z][1]);
+    add("tilt", &|s| tilt(s, model.gravity).to_degrees());
+    add("roll", &|s| roll_pitch(s, model.gravity).0.to_degrees());
+    add("pitch", &|s| roll_pitch(s, model.gravity).1.to_degrees());
+    for (kind, name, axes, order) in NORMS {
+        if kind == LimitKind::Speed || limited(model, &[kind]) {
+            add(name, &|s| norm(s, axes, order));
+        }
+    }
+    if limited(model, &[LimitKind::YawAcceleration]) {
+        add("yaw_acceleration", &|s| s[YAW][2].to_degrees());
+    }
+    let wrenches: Vec<_> = states.iter().map(|(_, s)| trajectory.wrench(&model.vehicle, model.gravity, s)).collect();
+    columns.insert("t".into(), states.iter().map(|(t, _)| rounded(*t)).collect());
+    for (axis, name) in WRENCH.iter().enumerate() {
+        columns.insert((*name).into(), column(wrenches.iter().map(|w| w[axis])));
+    }
+    let allocator = Allocator::new(&model.vehicle);
+    let speeds: Vec<Vec<f64>> = wrenches.iter().map(|w| allocator.speeds(w)).collect();
+    for k in 0..model.vehicle.rotors.len() {
+        columns.insert(format!("omega_{}", k + 1), column(speeds.iter().map(|row| row[k])));
+    }
+    for (i, set) in shown.iter().enumerate().filter(|(_, s)| s.against.is_some()) {
+        // Thousandths of a percent.
+        let margins = wrenches.iter().map(|w| (1e5 * set.margin(w)).round() / 1e3);
+        columns.insert(format!("margin_{i}"), margins.collect());
+    }
+    columns
+}
+
+/// Names of the wrench's columns.
+pub const WRENCH: [&str; 4] = ["thrust", "tau_x", "tau_y", "tau_z"];
+
+fn limited(model: &Model, kinds: &[LimitKind]) -> bool {
+    model.mission.iter().flat_map(|m| &m.limits).any(|l| kinds.contains(&l.kind))
+}
+
+/// The bounds of the mission's limits of these kinds, in the units of people.
+fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
+    let mut found = Vec::new();
+    for limit in mission.limits.iter().filter(|l| kinds.contains(&l.kind)) {
+        let (name, _, factor) = limit_words(limit.kind);
+        // A descent is drawn among climbs.
+        let sign = if limit.kind == LimitKind::Descent { -1.0 } else { 1.0 };
+        let sides = [(limit.upper, "most"), (limit.lower, "least")];
+        found.extend(sides.into_iter().filter_map(|(side, word)| {
+            let value = side?;
+            Some(Bound::limit(format!("{word} {name}"), sign * factor * value))
+        }));
+    }
+    found
+}
+
+/// The charts of a plan, each with what it shows as its headline.
+pub fn charts(model: &Model, mission: &Mission, solved: &Solved, shown: &[ShownSet]) -> Vec<Chart> {
+    let mut charts = Vec::new();
+    if shown.iter().any(|s| s.against.is_some()) {
+        charts.push(margins(solved, shown));
+    }
+    charts.extend([position(mission, solved), speed(mission, solved), tilts(model, mission, solved)]);
+    charts.extend(yaw(mission, solved));
+    for (id, title, unit, kinds) in RARE {
+        charts.extend(rare(mission, solved, id, title, unit, kinds));
+    }
+    charts.extend(wrench(model, solved));
+    charts.push(rotors(model, solved));
+    charts
+}
+
+fn at(value: f64, unit: &str, t: f64) -> String {
+    format!("{} {unit} at {} s", significant(value, 3), fixed(t, 2))
+}
+
+fn margins(solved: &Solved, shown: &[ShownSet]) -> Chart {
+    let sets = || shown.iter().enumerate().filter_map(|(i, s)| Some((i, s, s.against?)));
+    let least = sets().min_by(|a, b| {
+        let margin = |against: usize| -solved.outside[against].max_violation;
+        margin(a.2).total_cmp(&margin(b.2))
+    });
+    let headline = match least.map(|(_, s, against)| (s, -solved.outside[against].max_violation)) {
+        Some((set, margin)) if margin < 0.0 => {
+            format!("The smallest margin is {}: outside {}", signed_percent(margin), set.name)
+        }
+        Some((set, margin)) => format!("The smallest margin is {}, to {}", signed_percent(margin), set.name),
+        None => "No fault mode is planned against".into(),
+    };
+    Chart {
+        id: "margin",
+        title: "Margin to each fault mode's set, in widths of the healthy set",
+        headline,
+        unit: "%",
+        lines: sets().map(|(i, s, _)| Line::new(s.name.clone(), format!("margin_{i}"))).collect(),
+        bounds: vec![Bound::limit("edge", 0.0)],
+        axis: None,
+    }
+}
+
+/// `+3.2 %`, `−14.6 %`: margins have a sign.
+pub fn signed_percent(share: f64) -> String {
+    match share {
+        // What counts as no violation is none.
+        s if s.abs() < VIOLATED / 2.0 => "0 %".into(),
+        s if s < 0.0 => format!("\u{2212}{}", percent(-s)),
+        s => format!("+{}", percent(s)),
+    }
+}
+
+fn position(mission: &Mission, solved: &Solved) -> Chart {
+    let e = errors(mission, solved);
+    let n = mission.waypoints.len();
+    Chart {
+        id: "position",
+        title: "Position",
+        headline: format!("{n} waypoints are met, the worst within {}", length(e.largest)),
+        unit: "m",
+        lines: ["x", "y", "z"].map(|name| Line::new(name, name)).to_vec(),
+        bounds: bounds(mission, &[LimitKind::X, LimitKind::Y, LimitKind::Z]),
+        axis: None,
+    }
+}
+
+/// `of 6 m/s allowed`, or that nothing limits it.
+fn allowed(mission: &Mission, kind: LimitKind) -> String {
+    let (_, unit, factor) = limit_words(kind);
+    match mission.limits.iter().find(|l| l.kind == kind).and_then(|l| l.upper) {
+        Some(most) => format!(", of {} {unit} allowed", significant(factor * most, 3)),
+        None => ", without a limit".into(),
+    }
+}
+
+fn speed(mission: &Mission, solved: &Solved) -> Chart {
+    let kinds = [LimitKind::Speed, LimitKind::SpeedHorizontal, LimitKind::Climb, LimitKind::Descent];
+    let top = peak(&solved.trajectory, |s| norm(s, &[X, Y, Z], 1));
+    let mut lines = vec![Line::new("speed", "speed"), Line::new("climb", "climb")];
+    if mission.limits.iter().any(|l| l.kind == LimitKind::SpeedHorizontal) {
+        lines.insert(1, Line::new("horizontal", "speed_horizontal"));
+    }
+    Chart {
+        id: "speed",
+        title: "Speed",
+        headline: format!("Speed reaches {}{}", at(top.value, "m/s", top.at), allowed(mission, LimitKind::Speed)),
+        unit: "m/s",
+        lines,
+        bounds: bounds(mission, &kinds),
+        axis: None,
+    }
+}
+
+fn tilts(model: &Model, mission: &Mission, solved: &Solved) -> Chart {
+    let top = peak(&solved.trajectory, |s| tilt(s, model.gravity));
+    let reached = at(top.value.to_degrees(), "deg", top.at);
+    Chart {
+        id: "tilt",
+        title: "Tilt",
+        headline: format!("Tilt reaches {reached}{}", allowed(mission, LimitKind::Tilt)),
+        unit: "deg",
+        lines: vec![Line::new("tilt", "tilt"), Line::new("roll", "roll"), Line::new("pitch", "pitch")],
+        bounds: bounds(mission, &[LimitKind::Tilt]),
+        axis: None,
+    }
+}
+
+fn yaw(mission: &Mission, solved: &Solved) -> Option<Chart> {
+    let kinds = [LimitKind::Yaw, LimitKind::YawRate, LimitKind::YawAcceleration];
+    let fixed = mission.has_one_yaw() && !mission.limits.iter().any(|l| kinds.contains(&l.kind));
+    let top = peak(&solved.trajectory, |s| s[YAW][1].abs());
+    (!fixed).then(|| Chart {
+        id: "yaw",
+        title: "Yaw",
+        headline: format!("Yaw turns at up to {}", at(top.value.to_degrees(), "deg/s", top.at)),
+        unit: "deg",
+        lines: vec![Line::new("yaw", "yaw")],
+        bounds: bounds(mission, &[LimitKind::Yaw]),
+        axis: None,
+    })
+}
+
+/// Charts that are only there where something is limited: their curves are those of the limits.
+const RARE: [(&str, &str, &str, &[LimitKind]); 4] = [
+    ("yaw_rate", "Yaw rate", "deg/s", &[LimitKind::YawRate]),
+    ("yaw_acceleration", "Yaw acceleration", "deg/s^2", &[LimitKind::YawAcceleration]),
+    ("acceleration", "Acceleration", "m/s^2", &[LimitKind::Acceleration, LimitKind::AccelerationHorizontal]),
+    ("jerk", "Jerk", "m/s^3", &[LimitKind::Jerk]),
+];
+
+fn rare(
+    mission: &Mission,
+    solved: &Solved,
+    id: &'static str,
+    title: &'static str,
+    unit: &'static str,
+    kinds: &[LimitKind],
+) -> Option<Chart> {
+    let first = mission.limits.iter().find(|l| kinds.contains(&l.kind))?;
+    let column_of = |kind: LimitKind| match kind {
+        LimitKind::YawRate => "yaw_rate",
+        LimitKind::YawAcceleration => "yaw_acceleration",
+        _ => NORMS.iter().find(|n| n.0 == kind).map_or("speed", |n| n.1),
+    };
+    let value = |s: &NodeState| match NORMS.iter().find(|n| n.0 == first.kind) {
+        Some((_, _, axes, order)) => norm(s, axes, *order),
+        None if first.kind == LimitKind::YawRate => s[YAW][1].abs().to_degrees(),
+        None => s[YAW][2].abs().to_degrees(),
+    };
+    let top = peak(&solved.trajectory, value);
+    let lines = kinds.iter().filter(|k| mission.limits.iter().any(|l| l.kind == **k));
+    let (name, ..) = limit_words(first.kind);
+    Some(Chart {
+        id,
+        title,
+        headline: format!(
+            "{}{} reaches {}{}",
+            name[..1].to_uppercase(),
+            &name[1..],
+            at(top.value, unit, top.at),
+            allowed(mission, first.kind)
+        ),
+        unit,
+        lines: lines.map(|&k| Line::new(limit_words(k).0, column_of(k))).collect(),
+        bounds: bounds(mission, kinds),
+        axis: None,
+    })
+}
+
+fn wrench(model: &Model, solved: &Solved) -> Vec<Chart> {
+    let trajectory = &solved.trajectory;
+    let of = |s: &NodeState, axis: usize| trajectory.wrench(&model.vehicle, model.gravity, s)[axis];
+    let (most, least) = (peak(trajectory, |s| of(s, 0)), peak(trajectory, |s| -of(s, 0)));
+    let full: f64 = model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum();
+    let idle: f64 = model.vehicle.rotors.iter().map(|r| r.idle_thrust()).sum();
+    let clean = |v: f64| if v.abs() < 1e-6 * full { 0.0 } else { v };
+    let thrust = Chart {
+        id: "thrust",
+        title: "Thrust",
+        headline: format!(
+            "Thrust lies between {} N and {} N, of {} N at full speed",
+            significant(clean(-least.value), 3),
+            significant(clean(most.value), 3),
+            significant(full, 3)
+        ),
+        unit: "N",
+        lines: vec![Line::new("planned", "thrust")],
+        bounds: vec![
+            Bound::limit("full thrust", full),
+            Bound::limit("least thrust", idle),
+            Bound::reference("weight", hover(model)[0]),
+        ],
+        axis: Some(0),
+    };
+    let torques = [("tau_x", "Torque about x"), ("tau_y", "Torque about y"), ("tau_z", "Torque about z")];
+    let torque = |(i, (id, title)): (usize, (&'static str, &'static str))| {
+        let top = peak(trajectory, |s| of(s, i + 1).abs());
+        Chart {
+            id,
+            title,
+            headline: format!("{title} reaches {} either way", at(top.value, "N m", top.at)),
+            unit: "N m",
+            lines: vec![Line::new("planned", id)],
+            bounds: Vec::new(),
+            axis: Some(i + 1),
+        }
+    };
+    std::iter::once(thrust).chain(torques.into_iter().enumerate().map(torque)).collect()
+}
+
+fn rotors(model: &Model, solved: &Solved) -> Chart {
+    let rotors = &model.vehicle.rotors;
+    let allocator = Allocator::new(&model.vehicle);
+    let top = peak(&solved.trajectory, |s| {
+        let wrench = solved.trajectory.wrench(&model.vehicle, model.gravity, s);
+        let shares = allocator.speeds(&wrench).into_iter().zip(rotors).map(|(w, r)| w / r.max_speed);
+        shares.fold(0.0, f64::max)
+    });
+    let mut bounds = Vec::new();
+    for (word, speed) in [("most", 0), ("least", 1)] {
+        let of = |k: usize| if speed == 0 { rotors[k].max_speed } else { rotors[k].min_speed };
+        let mut values: Vec<f64> = (0..rotors.len()).map(of).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        // That a rotor does not turn backwards need not be said.
+        values.retain(|&v| v > 0.0);
+        bounds.extend(values.into_iter().map(|v| Bound::limit(format!("{word} speed"), v)));
+    }
+    Chart {
+        id: "rotors",
+        title: "Rotor speeds, healthy",
+        headline: format!(
+            "The fastest rotor turns at {} of its top speed, at {} s",
+            percent(top.value),
+            fixed(top.at, 2)
+        ),
+        unit: "rad/s",
+        lines: (1..=rotors.len()).map(|k| Line::new(format!("rotor {k}"), format!("omega_{k}"))).collect(),
+        bounds,
+        axis: None,
+    }
+}

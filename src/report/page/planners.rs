@@ -1,0 +1,105 @@
+//! Planners side by side.
+
+use super::motion::signed_percent;
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
+use crate::report::number::{fixed, number, significant};
+use crate::report::record::{PlannerRecord, Record};
+use maud::{Markup, html};
+
+/// The tables of section 5.4: each planner at its own shortest time, and all at T_d.
+pub fn section(comparison: &Comparison, record: &Record) -> Markup {
+    let runs: Vec<(&PlannerRun, &PlannerRecord)> = comparison.runs.iter().zip(&record.planners).collect();
+    let has_modes = !comparison.modes.is_empty();
+    let has_risk = record.planners.iter().any(|p| p.risk.is_some());
+    let has_solved = |which: Run| comparison.runs.iter().any(|r| r.run == which);
+    let title = |which: Run| match (which, comparison.common_time) {
+        (Run::Own, _) => "Each planner at its own shortest time".to_string(),
+        (Run::Common, Some(t)) => format!("All planners at T_d = {} s", number(t)),
+        (Run::Common, None) => "All planners at one time".to_string(),
+    };
+    html! {
+        h2 { (headline(comparison)) }
+        @for which in [Run::Common, Run::Own] {
+            @if has_solved(which) {
+                div.scroll tabindex="0" role="region" aria-label=(title(which)) {
+                    table {
+                        caption { (title(which)) }
+                        thead {
+                            tr {
+                                th scope="col" { "Planner" }
+                                th.n scope="col" { "Time" br; span.unit { "s" } }
+                                @if has_modes {
+                                    th.n scope="col" { "Smallest margin" br; span.unit { "healthy widths" } }
+                                    th.n scope="col" { "Outside, longest" br; span.unit { "s" } }
+                                    th.n scope="col" { "Last outside" br; span.unit { "s" } }
+                                }
+                                th.n scope="col" { "Sum of errors" br; span.unit { "m" } }
+                                th.n scope="col" { "Largest error" br; span.unit { "cm" } }
+                                th.n scope="col" { "Yaw errors" br; span.unit { "rad" } }
+                                th.n scope="col" { "Objective" }
+                                th.n scope="col" { "Rows a node" }
+                                @if has_risk { th.n scope="col" { "Risk" } }
+                            }
+                        }
+                        tbody {
+                            @for (run, told) in runs.iter().filter(|(r, _)| r.run == which) {
+                                (row(run, told, has_modes, has_risk))
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What the comparison comes to.
+fn headline(comparison: &Comparison) -> String {
+    let stays = |s: &Solved| s.outside.iter().all(|o| o.last.is_none());
+    let common: Vec<(&PlannerRun, &Solved)> = comparison
+        .runs
+        .iter()
+        .filter(|r| r.run == Run::Common)
+        .filter_map(|r| match &r.ending {
+            Ending::Solved(s) => Some((r, s.as_ref())),
+            _ => None,
+        })
+        .collect();
+    let inside = common.iter().filter(|(_, s)| stays(s)).count();
+    match common.len() {
+        0 => "No planner has a plan at a common time".into(),
+        n if comparison.modes.is_empty() => format!("{n} plans at one time"),
+        n => format!("At one time, {inside} of {n} plans stay inside every fault set"),
+    }
+}
+
+fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) -> Markup {
+    let name = match (run.against.len(), told.name) {
+        (n, "rcp") if n > 1 => "RCP jointly".to_string(),
+        _ => crate::planner::compare::label(run.planner, &run.against),
+    };
+    let Ending::Solved(solved) = &run.ending else {
+        let columns = 6 + if has_modes { 3 } else { 0 } + usize::from(has_risk);
+        return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (told.status) } } };
+    };
+    let longest = solved.outside.iter().map(|o| o.seconds).fold(0.0, f64::max);
+    let last = solved.outside.iter().filter_map(|o| o.last).max_by(f64::total_cmp);
+    let value = |x: Option<f64>, digits: usize| x.map_or("\u{2013}".into(), |v| significant(v, digits));
+    html! {
+        tr {
+            th scope="row" { (name) }
+            td.n { (number(solved.time)) }
+            @if has_modes {
+                td.n.bad[last.is_some()] { (solved.smallest_margin().map_or("\u{2013}".into(), signed_percent)) }
+                td.n { (fixed(longest, 2)) }
+                td.n { (last.map_or("never".into(), |l| fixed(l, 2))) }
+            }
+            td.n { (value(told.position_error_m, 4)) }
+            td.n { (value(told.max_waypoint_error_m.map(|e| 100.0 * e), 3)) }
+            td.n { (value(told.yaw_error_rad, 3)) }
+            td.n { (number(solved.objective)) }
+            td.n { (run.set.rows.len()) }
+            @if has_risk { td.n { (value(told.risk, 3)) } }
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! The sets that the page draws: rows of a mode's admissible set, as planned against.
+
+use super::MOST_MODES;
+use super::chart::precise;
+use crate::actuation::Wrench;
+use crate::admissible::AdmissibleSet;
+use crate::model::Model;
+use crate::planner::compare::{Comparison, Ending};
+use crate::planner::select::{PlanningSet, SetRow};
+use serde::Serialize;
+
+/// Rows of all sets shown together: a page stays small.
+const MOST_ROWS: usize = 16_000;
+
+/// A set with its name.
+#[derive(Debug, Clone)]
+pub struct ShownSet {
+    pub name: String,
+    /// What the spec calls it.
+    pub title: Option<String>,
+    /// Its place in the comparison, where plans are measured against it.
+    pub against: Option<usize>,
+    pub set: PlanningSet,
+}
+
+impl ShownSet {
+    /// The smallest margin of a wrench, in widths of the healthy set; negative outside.
+    pub fn margin(&self, w: &Wrench) -> f64 {
+        self.set.rows.iter().map(|r| -r.excess(w)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// A set for the script.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SetContent {
+    pub name: String,
+    pub title: Option<String>,
+    /// The number in its margins' column, where plans are measured against it.
+    pub planned: bool,
+    /// `[n_T, n_x, n_y, n_z, e]`, made dimensionless by the healthy set's widths: `n . w <= e`.
+    pub rows: Vec<[f64; 5]>,
+    /// The same with `=`.
+    pub equalities: Vec<[f64; 5]>,
+}
+
+impl SetContent {
+    pub fn new(shown: &ShownSet) -> Self {
+        let row = |r: &SetRow| [r.normal[0], r.normal[1], r.normal[2], r.normal[3], r.offset].map(precise);
+        let (equalities, rows): (Vec<_>, Vec<_>) = shown.set.rows.iter().partition(|r| r.equality);
+        SetContent {
+            name: shown.name.clone(),
+            title: shown.title.clone(),
+            planned: shown.against.is_some(),
+            rows: rows.into_iter().map(row).collect(),
+            equalities: equalities.into_iter().map(row).collect(),
+        }
+    }
+}
+
+/// The healthy set first, then those of modes that plans are measured against, in the comparison's order (of many those
+/// that some plan comes nearest to the edges of), then other declared modes as long as there is room.
+pub fn shown(model: &Model, comparison: &Comparison) -> Vec<ShownSet> {
+    let nearest = |against: &usize| {
+        let margins = comparison.runs.iter().filter_map(|run| match &run.ending {
+            Ending::Solved(s) => s.outside.get(*against).map(|o| -o.max_violation),
+            _ => None,
+        });
+        margins.fold(f64::INFINITY, f64::min)
+    };
+    let mut order: Vec<usize> = (0..comparison.modes.len()).collect();
+    order.sort_by(|a, b| nearest(a).total_cmp(&nearest(b)));
+    let mut kept: Vec<usize> = order.into_iter().take(MOST_MODES).collect();
+    kept.sort_unstable();
+    let measured = kept.into_iter().map(|against| ShownSet {
+        name: comparison.modes[against].clone(),
+        title: model.modes[model.plan.against[against]].title.clone(),
+        against: Some(against),
+        set: comparison.sets[against].clone(),
+    });
+    let healthy = AdmissibleSet::healthy(model);
+    let others = (0..model.modes.len()).filter(|i| !model.plan.against.contains(i)).map(|i| mode(model, i, &healthy));
+    within_reason(std::iter::once(whole(model, &healthy)).chain(measured).chain(others))
+}
+
+/// The healthy set and those of declared modes, where nothing was planned.
+pub fn declared(model: &Model) -> Vec<ShownSet> {
+    let healthy = AdmissibleSet::healthy(model);
+    let against = model.plan.against.iter().copied();
+    let others = (0..model.modes.len()).filter(|i| !model.plan.against.contains(i));
+    let modes = against.chain(others).map(|i| mode(model, i, &healthy));
+    within_reason(std::iter::once(whole(model, &healthy)).chain(modes))
+}
+
+/// As many as fit, the first always.
+fn within_reason(sets: impl Iterator<Item = ShownSet>) -> Vec<ShownSet> {
+    let mut rows = 0;
+    let fits = |s: &ShownSet| {
+        rows += s.set.rows.len();
+        rows <= MOST_ROWS
+    };
+    sets.take(MOST_MODES + 1).take_while(fits).collect()
+}
+
+fn planned(model: &Model, set: &AdmissibleSet, healthy: &AdmissibleSet) -> PlanningSet {
+    PlanningSet::of(&[&set.guaranteed(model).with_reserve(model.plan.reserve)], healthy)
+}
+
+fn whole(model: &Model, healthy: &AdmissibleSet) -> ShownSet {
+    ShownSet { name: healthy.name.clone(), title: None, against: None, set: planned(model, healthy, healthy) }
+}
+
+fn mode(model: &Model, index: usize, healthy: &AdmissibleSet) -> ShownSet {
+    let set = AdmissibleSet::of_mode(model, index);
+    let title = model.modes[index].title.clone();
+    ShownSet { name: set.name.clone(), title, against: None, set: planned(model, &set, healthy) }
+}

@@ -1,0 +1,229 @@
+//! The first thing that the page says: what was found, in one sentence and a few figures.
+
+use super::chart::length;
+use super::flown::headline;
+use super::motion::signed_percent;
+use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::certificate::between::Shown;
+use crate::model::{Mission, Model};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
+use crate::report::flight::{FlightRecord, OutcomeRecord};
+use crate::report::number::{fixed, number, significant};
+use crate::report::record::{PlannerRecord, Record};
+use crate::report::terminal::no_plan;
+
+/// The headline of the page with what supports it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Found {
+    pub headline: String,
+    pub figures: Vec<Figure>,
+    /// Where the plan is not what it seems.
+    pub warnings: Vec<String>,
+}
+
+/// One number that matters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    pub name: &'static str,
+    pub value: String,
+    /// What it is measured in or against.
+    pub note: String,
+    /// Beyond what is allowed.
+    pub is_bad: bool,
+}
+
+impl Figure {
+    pub fn new(name: &'static str, value: impl Into<String>, note: impl Into<String>) -> Self {
+        Figure { name, value: value.into(), note: note.into(), is_bad: false }
+    }
+
+    fn bad_if(self, is_bad: bool) -> Self {
+        Figure { is_bad, ..self }
+    }
+}
+
+/// Of `mavc plan`: the last run is the one written out.
+pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &Record) -> Found {
+    let (Some(run), Some(told)) = (comparison.runs.last(), record.planners.last()) else { return Found::default() };
+    match &run.ending {
+        Ending::Solved(solved) => {
+            let name = label(run.planner, &run.against);
+            let n = mission.waypoints.len();
+            let headline =
+                format!("{name} reaches {n} waypoints in {}\u{a0}s {}", number(solved.time), outside(comparison, solved));
+            let mut figures = vec![time(model, run, solved)];
+            figures.extend(margin(comparison, solved));
+            figures.extend(stays(comparison, solved));
+            figures.push(Figure::new(
+                "Largest waypoint error",
+                length(told.max_waypoint_error_m.unwrap_or(0.0)),
+                format!("sum {} over {n}", length(told.position_error_m.unwrap_or(0.0))),
+            ));
+            figures.extend(told.risk.map(|r| {
+                Figure::new("Risk", significant(r, 3), "that a fault strikes while the mission is committed to it")
+            }));
+            figures.extend(shown_between(told));
+            Found { headline, figures, warnings: told.warnings.iter().map(|c| c.message.clone()).collect() }
+        }
+        ending => Found {
+            headline: format!("{}: {}", label(run.planner, &run.against), no_plan(model, run, ending)),
+            figures: Vec::new(),
+            warnings: conflict(record),
+        },
+    }
+}
+
+/// Of `mavc compare`.
+pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
+    let solved: Vec<(&PlannerRun, &Solved)> = comparison
+        .runs
+        .iter()
+        .filter(|r| r.run == Run::Own)
+        .filter_map(|r| match &r.ending {
+            Ending::Solved(s) => Some((r, s.as_ref())),
+            _ => None,
+        })
+        .collect();
+    let times: Vec<String> = solved
+        .iter()
+        .filter(|(r, _)| r.against.len() != 1 || comparison.modes.len() == 1)
+        .map(|(r, s)| format!("{} {} s", label(r.planner, &r.against), number(s.time)))
+        .collect();
+    let headline = match times.is_empty() {
+        true => "No planner has a plan of its own time".to_string(),
+        false => format!("Shortest times: {}", times.join(", ")),
+    };
+    let common = comparison
+        .common_time
+        .map(|t| Figure::new("Common time T_d", format!("{} s", number(t)), "at which all planners are compared"));
+    let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), "each met within its tolerance");
+    let guarded = Figure::new("Facets RSP guards", comparison.selected.len().to_string(), "beside the healthy set's");
+    Found { headline, figures: common.into_iter().chain([waypoints, guarded]).collect(), warnings: Vec::new() }
+}
+
+/// Of `mavc simulate`.
+pub fn flight(record: &FlightRecord) -> Found {
+    let lost = matches!(record.outcome, OutcomeRecord::Lost { .. });
+    let mut figures = vec![
+        Figure::new("Off its place", length(record.rms_error_m), "root mean square over the flight"),
+        Figure::new("Largest distance", length(record.max_error_m), "from where the plan is").bad_if(lost),
+    ];
+    figures
+        .extend(record.rms_error_after_m.map(|e| Figure::new("Since the first fault", length(e), "root mean square")));
+    let tilt = format!("{} deg", fixed(record.max_tilt_rad.to_degrees(), 1));
+    figures.push(Figure::new(
+        "Largest tilt",
+        tilt,
+        format!("along the {} plan of {} s", record.planner.to_uppercase(), number(record.plan_time_s)),
+    ));
+    figures.push(Figure::new(
+        "False alarms",
+        record.false_alarms.to_string(),
+        format!("detection: {}", record.detection),
+    ));
+    let warnings = record.warnings.iter().map(|c| c.message.clone()).collect();
+    Found { headline: headline(record), figures, warnings }
+}
+
+/// Some mode that the plan must stand cannot hover.
+pub fn refused(model: &Model, analyses: &[ModeAnalysis]) -> Found {
+    let lost: Vec<&str> = model
+        .plan
+        .against
+        .iter()
+        .filter_map(|&i| analyses.get(i + 1))
+        .filter(|a| a.verdict != Verdict::Controllable || !a.interior)
+        .map(|a| a.name.as_str())
+        .collect();
+    let which = match lost.as_slice() {
+        [] => "the vehicle cannot hover".to_string(),
+        [one] => format!("mode {one} does not keep full control at hover"),
+        [first, rest @ ..] => format!("{first} and {} more modes do not keep full control at hover", rest.len()),
+    };
+    Found { headline: format!("Nothing was planned: {which}"), ..Found::default() }
+}
+
+/// `and stays inside every fault set`, or when it does not.
+fn outside(comparison: &Comparison, solved: &Solved) -> String {
+    let mut left: Vec<(&String, f64)> = comparison
+        .modes
+        .iter()
+        .zip(&solved.outside)
+        .filter(|(_, o)| o.last.is_some())
+        .map(|(name, o)| (name, o.seconds))
+        .collect();
+    left.sort_by(|a, b| b.1.total_cmp(&a.1));
+    match left.as_slice() {
+        _ if comparison.modes.is_empty() => "and stands against no fault mode".into(),
+        [] => "and stays inside every fault set".into(),
+        [(name, seconds)] => format!("and leaves the set of {name} for {} s", fixed(*seconds, 2)),
+        [(name, seconds), rest @ ..] => {
+            format!("and leaves the sets of {} modes, that of {name} for {} s", rest.len() + 1, fixed(*seconds, 2))
+        }
+    }
+}
+
+fn time(model: &Model, run: &PlannerRun, solved: &Solved) -> Figure {
+    let note = match (run.run, solved.infeasible_at) {
+        (Run::Own, Some(t)) => {
+            format!("shortest with {} samples; {} s is infeasible", model.plan.samples, number(t))
+        }
+        (Run::Own, None) => "shortest found".into(),
+        (Run::Common, _) => "as the spec asks".into(),
+    };
+    Figure::new("Mission time", format!("{} s", number(solved.time)), note)
+}
+
+fn margin(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
+    let (name, outside) =
+        comparison.modes.iter().zip(&solved.outside).max_by(|a, b| a.1.max_violation.total_cmp(&b.1.max_violation))?;
+    let margin = -outside.max_violation;
+    let note = format!("to the edge of {name}, in widths of the healthy set");
+    Some(Figure::new("Smallest margin", signed_percent(margin), note).bad_if(outside.last.is_some()))
+}
+
+fn stays(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
+    let worst = comparison
+        .modes
+        .iter()
+        .zip(&solved.outside)
+        .filter_map(|(name, o)| Some((name, o, o.last?)))
+        .max_by(|a, b| a.2.total_cmp(&b.2));
+    match worst {
+        _ if comparison.modes.is_empty() => None,
+        None => Some(Figure::new("Outside a fault set", "never", "a fault at any instant finds the wrench inside")),
+        Some((name, o, last)) => Some(
+            Figure::new(
+                "Last outside a fault set",
+                format!("{} s", fixed(last, 2)),
+                format!("that of {name}, {} s in all", fixed(o.seconds, 2)),
+            )
+            .bad_if(true),
+        ),
+    }
+}
+
+fn shown_between(told: &PlannerRecord) -> Option<Figure> {
+    let between = told.between.as_ref()?;
+    let checked = between.iter().filter(|b| b.shown == Shown::Checked).count();
+    let (value, note) = match checked {
+        0 => ("proved", "every row holds at every instant".to_string()),
+        n if n == between.len() => ("checked", "on a grid between the nodes".to_string()),
+        n => ("partly proved", format!("{n} of {} kinds of rows are checked on a grid", between.len())),
+    };
+    Some(Figure::new("Between the nodes", value, note))
+}
+
+/// What the report says of statements that cannot hold together.
+fn conflict(record: &Record) -> Vec<String> {
+    let Some(conflict) = &record.conflict else { return Vec::new() };
+    let statements: Vec<String> =
+        conflict.statements.iter().map(|s| format!("line {}: {}", s.line, s.message)).collect();
+    let told = match conflict.proved {
+        true => "These statements cannot hold together",
+        false => "These statements were not satisfied together in our attempts",
+    };
+    let fixes =
+        conflict.fixes.iter().map(|f| format!("Tried, and gives a plan of {} s: {}", number(f.time_s), f.message));
+    std::iter::once(format!("{told}: {}", statements.join("; "))).chain(fixes).collect()
+}

@@ -1,0 +1,202 @@
+//! A campaign: who survives, the map of when, and whether the plans told.
+
+use super::summary::{Figure, Found};
+use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord, ModeRecord, PlannerRecord};
+use crate::report::number::{number, percent, significant};
+use maud::{Markup, html};
+
+/// Modes and columns of one map at most.
+const MOST_MODES: usize = 60;
+const MOST_COLUMNS: usize = 24;
+
+/// Classes of the share lost: name and the largest share of each.
+const CLASSES: [(&str, f64); 5] =
+    [("none", 0.0), ("to 25 %", 0.25), ("to 50 %", 0.5), ("under all", 0.999_999), ("all", 1.0)];
+
+/// What the campaign comes to.
+pub fn found(record: &CampaignRecord) -> Found {
+    let shares: Vec<(String, f64)> =
+        record.planners.iter().filter_map(|p| Some((p.name.to_uppercase(), faulted(p)?))).collect();
+    let list: Vec<String> = shares.iter().map(|(name, share)| format!("{} with {name}", percent(*share))).collect();
+    let headline = match list.is_empty() {
+        true => "Nothing was flown: no planner has a plan".to_string(),
+        false => format!("Flights that survive a fault: {}", list.join(", ")),
+    };
+    let figures = vec![
+        Figure::new("Flights", record.flights.to_string(), format!("of {} in the campaign", record.cases)),
+        Figure::new(
+            "Instants of the fault",
+            record.times.to_string(),
+            match record.seeds {
+                1 => "with one seed each".to_string(),
+                n => format!("with {n} seeds each"),
+            },
+        ),
+        Figure::new(
+            "Mission time T_d",
+            record.mission_time_s.map_or("none".into(), |t| format!("{} s", number(t))),
+            "the same for all planners",
+        ),
+    ];
+    Found { headline, figures, warnings: Vec::new() }
+}
+
+/// Share of flights with a fault that survive.
+fn faulted(planner: &PlannerRecord) -> Option<f64> {
+    let flights: usize = planner.modes.iter().map(|m| m.flights.flights).sum();
+    let lost: usize = planner.modes.iter().map(|m| m.flights.lost).sum();
+    (flights > 0).then(|| 1.0 - lost as f64 / flights as f64)
+}
+
+/// Who survives, planner by planner.
+pub fn table(record: &CampaignRecord) -> Markup {
+    let lost = |p: &PlannerRecord, of: fn(&ModeRecord) -> usize| p.modes.iter().map(of).sum::<usize>();
+    html! {
+        h2 { "Flights lost, planner by planner" }
+        div.scroll tabindex="0" role="region" aria-label="Table of planners" {
+            table {
+                caption { "Detection: " (record.detection) "; after a fault: " (record.after_fault) "; controller: " (record.controller) }
+                thead {
+                    tr {
+                        th scope="col" { "Planner" }
+                        th scope="col" { "Plan" }
+                        th.n scope="col" { "Flights with a fault" }
+                        th.n scope="col" { "Survive" br; span.unit { "%" } }
+                        th.n scope="col" { "Lost by position" }
+                        th.n scope="col" { "Upside down" }
+                        th.n scope="col" { "To the ground" }
+                        th.n scope="col" { "Healthy survive" br; span.unit { "%, 95 % interval" } }
+                    }
+                }
+                tbody {
+                    @for p in &record.planners {
+                        tr {
+                            th scope="row" { (p.name.to_uppercase()) }
+                            td { (p.status.replace('_', " ")) }
+                            td.n { (lost(p, |m| m.flights.flights)) }
+                            td.n { (faulted(p).map_or("\u{2013}".into(), |s| significant(100.0 * s, 3))) }
+                            td.n { (lost(p, |m| m.flights.lost_by_position)) }
+                            td.n { (lost(p, |m| m.flights.lost_upside_down)) }
+                            td.n { (lost(p, |m| m.flights.lost_to_ground)) }
+                            td.n {
+                                @match p.healthy.as_ref().and_then(|h| h.survival) {
+                                    Some(s) => {
+                                        (significant(100.0 * s.share, 3)) " (" (significant(100.0 * s.low, 3)) " to "
+                                        (significant(100.0 * s.high, 3)) ")"
+                                    }
+                                    None => { "\u{2013}" }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// When the fault strikes, and what share is lost.
+pub fn maps(record: &CampaignRecord) -> Markup {
+    html! {
+        h2 { "When a fault strikes, and what share is lost" }
+        div.legend {
+            @for (k, (name, _)) in CLASSES.iter().enumerate() {
+                span.entry { span.swatch.{ "lost" (k) } aria-hidden="true" { } (name) }
+            }
+            span.entry { span.swatch.before aria-hidden="true" { } "lost before the fault" }
+        }
+        div.maps {
+            @for planner in record.planners.iter().filter(|p| !p.modes.is_empty()) { div { (map(planner)) } }
+        }
+    }
+}
+
+fn map(planner: &PlannerRecord) -> Markup {
+    let mut modes: Vec<&ModeRecord> = planner.modes.iter().collect();
+    if modes.len() > MOST_MODES {
+        modes.sort_by_key(|m| std::cmp::Reverse(m.flights.lost));
+        modes.truncate(MOST_MODES);
+    }
+    let times = planner.modes.first().map_or(&[][..], |m| &m.times);
+    let columns = times.len().min(MOST_COLUMNS);
+    let part = |c: usize| c * times.len() / columns..(c + 1) * times.len() / columns;
+    let name = planner.name.to_uppercase();
+    html! {
+        h3 { (name) }
+        div.scroll tabindex="0" role="region" aria-label={ "Map of survival, " (name) } {
+            table.map {
+                caption { "Lost of those struck; columns: instant of the fault in s" }
+                thead {
+                    tr {
+                        th scope="col" { "Mode" }
+                        @for c in 0..columns { th.n scope="col" { (significant(times[part(c).start].fault_time_s, 3)) } }
+                    }
+                }
+                tbody {
+                    @for mode in &modes {
+                        tr {
+                            th scope="row" { (mode.name) }
+                            @for c in 0..columns { (cell(&mode.times[part(c)])) }
+                        }
+                    }
+                }
+            }
+        }
+        @if planner.modes.len() > modes.len() {
+            p.note { (planner.modes.len() - modes.len()) " modes with fewer losses are left out." }
+        }
+    }
+}
+
+fn cell(cells: &[CellRecord]) -> Markup {
+    let sum = |of: fn(&CellRecord) -> usize| cells.iter().map(of).sum::<usize>();
+    let (flights, struck, lost) = (sum(|c| c.flights), sum(|c| c.struck), sum(|c| c.lost));
+    if flights == 0 {
+        return html! { td { } };
+    }
+    if struck == 0 {
+        return html! { td.before { "before" } };
+    }
+    let share = lost as f64 / struck as f64;
+    let class = CLASSES.iter().position(|(_, most)| share <= *most).unwrap_or(CLASSES.len() - 1);
+    html! { td.{ "lost" (class) } { (lost) "/" (struck) } }
+}
+
+/// Whether the plans tell which flights are lost.
+pub fn agreement(record: &CampaignRecord) -> Markup {
+    let modes = |a: &AgreementRecord| match a.modes {
+        "controllable" => format!("the {} modes with hover inside their sets", a.mode_count),
+        _ => format!("all {} modes", a.mode_count),
+    };
+    html! {
+        h2 { "Whether the plans tell which flights are lost" }
+        p.note {
+            "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. Intervals and correlations "
+            "take flights as independent."
+        }
+        @for a in &record.agreement {
+            div.scroll tabindex="0" role="region" aria-label={ "Agreement over " (modes(a)) } {
+                table {
+                    caption { "Over " (modes(a)) "; rank correlation of seconds outside with the share lost: "
+                        (a.rank_correlation.map_or("none".into(), |r| significant(r, 3))) }
+                    thead {
+                        tr {
+                            th scope="col" { "Planner" }
+                            th.n scope="col" { "Share lost" br; span.unit { "%" } }
+                            th.n scope="col" { "phi" }
+                        }
+                    }
+                    tbody {
+                        @for t in &a.by_flight {
+                            tr {
+                                th scope="row" { (t.planner.map_or("all".into(), str::to_uppercase)) }
+                                td.n { (t.base_rate.map_or("\u{2013}".into(), |r| significant(100.0 * r, 3))) }
+                                td.n { (t.phi.map_or("\u{2013}".into(), |r| significant(r, 3))) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! The language server, through a client that speaks the protocol with it in memory.
+
+mod asking;
+mod client;
+mod diagnosing;
+mod documenting;
+mod enduring;
+mod mending;
+mod navigating;

@@ -1,0 +1,280 @@
+//! Hover, completion, hints, tokens and the outline.
+
+use super::client::{Client, SPEC, marked};
+use serde_json::{Value, json};
+
+const URI: &str = "untitled:spec";
+
+/// The Markdown shown at each place marked.
+fn hovers(text: &str) -> Vec<String> {
+    let (text, places) = marked(text);
+    let mut client = Client::start();
+    client.open(URI, &text);
+    let hover = |client: &mut Client, place: &Value| {
+        let params = json!({ "textDocument": { "uri": URI }, "position": place });
+        let shown = client.ask("textDocument/hover", params).unwrap();
+        shown["contents"]["value"].as_str().unwrap_or("nothing").to_string()
+    };
+    let shown = places.iter().map(|place| hover(&mut client, place)).collect();
+    client.stop();
+    shown
+}
+
+#[test]
+fn fields_show_what_they_are_their_unit_and_their_value() {
+    let shown =
+        hovers(&SPEC.replace("max_speed  ", "ma|x_speed  ").replace("tilt <=", "ti|lt <=").replace("time ", "ti|me "));
+    assert!(shown[0].contains("in rad/s") && shown[0].contains("`8500 rpm` = **890.118 rad/s**"), "{}", shown[0]);
+    assert!(shown[1].contains("in deg") && shown[1].contains("angle between thrust and the vertical"), "{}", shown[1]);
+    assert!(shown[1].contains("`20 deg` = **0.349066 rad**"), "{}", shown[1]);
+    assert!(shown[2].contains("time of the whole mission") && shown[2].contains("`20 s`"), "{}", shown[2]);
+}
+
+#[test]
+fn names_units_and_functions_show_what_they_stand_for() {
+    let spec =
+        SPEC.replace("let top = 2 * 4 m", "let top = m|ax(2 * 4 m, 8 f|t) * g|0 / g0").replace("3 m, top", "3 m, t|op");
+    let shown = hovers(&spec.replace("every 1", "ev|ery 1").replace("mode worn", "mo|de worn"));
+    assert!(shown[0].contains("makes a mode of each choice of k rotors"), "{}", shown[0]);
+    assert!(shown[1].contains("one fault mode"), "{}", shown[1]);
+    assert!(shown[2].contains("keep the unit"), "{}", shown[2]);
+    assert!(shown[3].contains("`1 ft` = 0.3048 m, a length"), "{}", shown[3]);
+    assert!(shown[4].contains("9.81 m/s^2"), "{}", shown[4]);
+    assert!(shown[5].contains("As high as the mast.") && shown[5].contains("= **8 m**"), "{}", shown[5]);
+}
+
+#[test]
+fn a_vehicle_shows_its_thrust_to_weight_and_hover_speed() {
+    let shown = hovers(&SPEC.replace("vehicle quad", "vehicle qu|ad"));
+    // Six rotors of 9 N lift 54 N; 1.6 kg weigh 15.696 N.
+    assert!(shown[0].contains("A quadcopter that carries a camera."), "{}", shown[0]);
+    assert!(shown[0].contains("thrust to weight **3.44**"), "{}", shown[0]);
+    // Each gives a sixth of the weight, at the root of its share of full thrust: 890.118 sqrt(2.616 / 9).
+    assert!(shown[0].contains("hover speed **479.9 rad/s (4583 rpm)**"), "{}", shown[0]);
+}
+
+#[test]
+fn a_fault_mode_shows_its_verdict_and_margin() {
+    let spec = SPEC.replace("every 1 rotor reduced to 90 % as weak", "every 1 rotor lost as we|ak");
+    let shown = hovers(&spec.replace("mode worn", "mode wo|rn").replace("weak1]", "we|ak1]"));
+    let (every, worn, weak1) = (&shown[0], &shown[1], &shown[2]);
+    assert!(worn.contains("rotor 2 reduced to 80 %") && worn.contains("**controllable**"), "{worn}");
+    assert!(worn.contains("“worn bearing”") && worn.contains("margin **0.") && worn.contains("hovers up to"), "{worn}");
+    assert!(weak1.contains("rotor 1 lost"), "{weak1}");
+    // A known result: a ring PNPNPN that has lost a rotor hovers, but with nothing to spare.
+    assert!(weak1.contains("**controllable** (hover lies on the edge") && weak1.contains("margin **0**"), "{weak1}");
+    assert_eq!(every.matches("| controllable | 0 |").count(), 6, "{every}");
+    assert!(every.contains("weak1, weak2"), "{every}");
+}
+
+#[test]
+fn with_errors_a_hover_says_what_is_known_all_the_same() {
+    let spec =
+        SPEC.replace("= 20 s", "= 20 kg").replace("vehicle quad", "vehicle qu|ad").replace("mode worn", "mode wo|rn");
+    let shown = hovers(&spec);
+    assert!(shown[0].contains("thrust to weight **3.44**"), "{}", shown[0]);
+    assert!(shown[1].contains("once the spec has no errors"), "{}", shown[1]);
+}
+
+/// The labels offered at each place marked, and what they put in.
+fn offers(text: &str) -> Vec<Vec<(String, String)>> {
+    let (text, places) = marked(text);
+    let mut client = Client::start();
+    client.open(URI, &text);
+    let mut ask = |place: &Value| {
+        let params = json!({ "textDocument": { "uri": URI }, "position": place });
+        let items = client.ask("textDocument/completion", params).unwrap();
+        let mut items = items.as_array().unwrap().clone();
+        items.sort_by_key(|item| item["sortText"].as_str().unwrap().to_string());
+        let pair = |i: &Value| {
+            (i["label"].as_str().unwrap().to_string(), i["textEdit"]["newText"].as_str().unwrap().to_string())
+        };
+        items.iter().map(pair).collect::<Vec<_>>()
+    };
+    let all = places.iter().map(&mut ask).collect();
+    client.stop();
+    all
+}
+
+fn labels(offers: &[(String, String)]) -> Vec<&str> {
+    offers.iter().map(|offer| offer.0.as_str()).collect()
+}
+
+#[test]
+fn in_a_block_the_fields_that_it_lacks_are_offered() {
+    let all = offers(
+        "vehicle a {\n    mass = 1 kg\n    |\n    arm = 2 m\n    rotor {\n        max_|\n    }\n}\n|\nplan {}\n",
+    );
+    let vehicle = labels(&all[0]);
+    assert_eq!(vehicle[0], "inertia", "what is needed comes first: {vehicle:?}");
+    assert!(vehicle.contains(&"layout") && !vehicle.contains(&"mass") && !vehicle.contains(&"arm"), "{vehicle:?}");
+    assert!(!vehicle.contains(&"rotor") && vehicle.contains(&"rotors"), "{vehicle:?}");
+    assert!(labels(&all[1]).contains(&"max_thrust") && labels(&all[1]).contains(&"max_speed"), "{:?}", all[1]);
+    let top = labels(&all[2]);
+    assert!(top.contains(&"faults") && top.contains(&"mission") && top.contains(&"use"), "{top:?}");
+    assert!(!top.contains(&"plan"), "a spec has one plan: {top:?}");
+}
+
+#[test]
+fn behind_a_number_units_of_the_right_dimension_are_offered() {
+    let all = offers(
+        "vehicle a {\n mass = 1.8 |\n rotor {\n max_speed = 8500 r|\n }\n}\nmission m {\n waypoint at [1, 2, 3] |\n \
+         limits { speed <= 5 | }\n}\nplan { time = 20 |; reserve = 10 | }\n",
+    );
+    let of = |k: usize| labels(&all[k]);
+    assert_eq!(of(0)[0], "kg");
+    assert!(of(0).contains(&"g") && of(0).contains(&"lb") && !of(0).contains(&"m"), "{:?}", of(0));
+    assert!(of(1).contains(&"rpm") && of(1).contains(&"rad/s") && !of(1).contains(&"rad"), "{:?}", of(1));
+    assert!(of(2).contains(&"m") && of(2).contains(&"cm") && of(2).contains(&"yaw"), "{:?}", of(2));
+    assert!(of(3).contains(&"m/s") && of(3).contains(&"km/h") && !of(3).contains(&"s"), "{:?}", of(3));
+    assert!(of(4).contains(&"s") && !of(4).contains(&"kg"), "{:?}", of(4));
+    assert_eq!(of(5)[0], "%");
+}
+
+#[test]
+fn modes_words_functions_and_names_are_offered_where_they_may_stand() {
+    let spec = SPEC
+        .replace("[worn, weak1]", "[worn, |")
+        .replace("    time    = 20 s\n", "    planner = |\n    time = 2*|\n    vehicle = |\n");
+    let all = offers(&spec);
+    let of = |k: usize| labels(&all[k]);
+    assert!(of(0).contains(&"weak3") && of(0).contains(&"worn") && !of(0).contains(&"sin"), "{:?}", of(0));
+    assert_eq!(of(1), ["rcp", "rip", "rsp"]);
+    assert!(of(2).contains(&"top") && of(2).contains(&"sqrt") && of(2).contains(&"g0"), "{:?}", of(2));
+    assert_eq!(of(3), ["quad"]);
+    let all = offers(
+        "faults {\n mode a { rotor 1 | }\n every 2 |\n every 2 rotors lost |\n}\nmission m {\n waypoint b |\n hold 3 |\n start |\n \
+         curve s in 0 .. 4, points = 9 { x = | }\n}\nsimulate { fault | }\nplan { against = where | }\n// no|\nuse \"a|\n",
+    );
+    let of = |k: usize| labels(&all[k]);
+    assert_eq!(of(0), ["lost", "reduced to", "stuck at"]);
+    assert_eq!(of(1), ["rotor", "rotors"]);
+    assert_eq!(of(2), ["as"]);
+    assert!(of(3).contains(&"at") && of(3).contains(&"within"), "{:?}", of(3));
+    assert!(of(4).contains(&"s") && !of(4).contains(&"m"), "{:?}", of(4));
+    assert!(of(5).contains(&"moving") && of(5).contains(&"at"), "{:?}", of(5));
+    assert!(of(6).contains(&"s") && of(6).contains(&"cos"), "the parameter: {:?}", of(6));
+    assert!(of(7).contains(&"a"), "{:?}", of(7));
+    assert!(of(8).contains(&"rpn") && of(8).contains(&"rate"), "{:?}", of(8));
+    assert!(all[9].is_empty() && all[10].is_empty());
+}
+
+#[test]
+fn hints_count_modes_and_give_values_in_si() {
+    let mut client = Client::start();
+    client.open(URI, &SPEC.replace("[worn, weak1]", "all"));
+    let whole = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 99, "character": 0 } });
+    let params = |range: &Value| json!({ "textDocument": { "uri": URI }, "range": range });
+    let hints = client.ask("textDocument/inlayHint", params(&whole)).unwrap();
+    let label = |text: &str| {
+        let (line, column) = SPEC.lines().enumerate().find_map(|(k, l)| Some((k, l.find(text)? + text.len()))).unwrap();
+        let at = json!({ "line": line, "character": column });
+        hints.as_array().unwrap().iter().find(|h| h["position"] == at).map_or("", |h| h["label"].as_str().unwrap())
+    };
+    assert_eq!(label("8500 rpm"), "= 890.118 rad/s");
+    assert_eq!(label("25 cm"), "= 0.25 m");
+    assert_eq!(label("as weak"), "6 modes: weak1 ... weak6");
+    assert_eq!(label("1e-4 1/h"), "= 2.77778e-8 1/s");
+    assert_eq!(label("20 deg"), "= 0.349066 rad");
+    assert_eq!(label("[12 m, 3 m, top]"), "= [12, 3, 8] m");
+    assert_eq!(label("1.6 kg"), "", "what is SI already is not said again");
+    assert!(hints.as_array().unwrap().iter().any(|h| h["label"] == "7 modes"), "{hints}");
+    let first_lines = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 4, "character": 0 } });
+    let few = client.ask("textDocument/inlayHint", params(&first_lines)).unwrap();
+    assert_eq!(few.as_array().unwrap().len(), 1, "{few}");
+    client.stop();
+}
+
+#[test]
+fn tokens_say_what_every_word_is() {
+    let text = "/// α😀\nlet a = 2 m // b\nvehicle v { mass = a*sin(1)\nmode ???\n";
+    let mut client = Client::start();
+    client.open(URI, text);
+    let legend = client.capabilities["semanticTokensProvider"]["legend"]["tokenTypes"].clone();
+    let params = json!({ "textDocument": { "uri": URI } });
+    let tokens = client.ask("textDocument/semanticTokens/full", params).unwrap();
+    let numbers: Vec<u64> = tokens["data"].as_array().unwrap().iter().map(|n| n.as_u64().unwrap()).collect();
+    let (mut line, mut column) = (0, 0);
+    let mut found = Vec::new();
+    for token in numbers.chunks(5) {
+        column = if token[0] > 0 { token[1] } else { column + token[1] };
+        line += token[0];
+        let units: Vec<u16> = text.lines().nth(line as usize).unwrap().encode_utf16().collect();
+        let word = String::from_utf16(&units[column as usize..(column + token[2]) as usize]).unwrap();
+        found.push(format!("{word}:{}", legend[token[3] as usize].as_str().unwrap()));
+    }
+    assert_eq!(
+        found,
+        [
+            "/// α😀:comment",
+            "let:keyword",
+            "a:variable",
+            "=:operator",
+            "2:number",
+            "m:type",
+            "// b:comment",
+            "vehicle:keyword",
+            "v:class",
+            "mass:property",
+            "=:operator",
+            "a:variable",
+            "*:operator",
+            "sin:function",
+            "1:number",
+            "mode:keyword",
+        ]
+    );
+    client.stop();
+}
+
+#[test]
+fn the_outline_and_the_folds_follow_the_blocks() {
+    let mut client = Client::start();
+    client.open(URI, SPEC);
+    let params = json!({ "textDocument": { "uri": URI } });
+    let symbols = client.ask("textDocument/documentSymbol", params.clone()).unwrap();
+    let names: Vec<&str> = symbols.as_array().unwrap().iter().map(|s| s["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["quad", "faults", "top", "survey", "plan"]);
+    let faults: Vec<&str> =
+        symbols[1]["children"].as_array().unwrap().iter().map(|s| s["name"].as_str().unwrap()).collect();
+    assert_eq!(faults, ["weak", "worn"]);
+    let folds = client.ask("textDocument/foldingRange", params.clone()).unwrap();
+    let lines: Vec<(u64, u64)> = folds
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|f| (f["startLine"].as_u64().unwrap(), f["endLine"].as_u64().unwrap()))
+        .collect();
+    // vehicle, rotor, faults, mission, plan: the closing brace stays in sight.
+    assert_eq!(lines, [(1, 10), (6, 9), (13, 15), (21, 24), (27, 29)]);
+    // A text that cannot be read folds too.
+    client.replace(URI, 2, "// a\n// b\nvehicle ( {\n x\n y\n}\n");
+    let folds = client.ask("textDocument/foldingRange", params).unwrap();
+    assert_eq!(folds[0]["kind"], "comment");
+    assert_eq!((&folds[1]["startLine"], &folds[1]["endLine"]), (&json!(2), &json!(4)));
+    client.stop();
+}
+
+#[test]
+fn formatting_gives_the_layout_of_fmt_and_nothing_where_there_is_none() {
+    let mut client = Client::start();
+    let text = SPEC.replace("    mass    =", "  mass=").replace("let top = 2 * 4 m", "let top   =   2*4 m");
+    client.open(URI, &text);
+    let params = json!({ "textDocument": { "uri": URI }, "options": { "tabSize": 4, "insertSpaces": true } });
+    let edits = client.ask("textDocument/formatting", params.clone()).unwrap();
+    let source = mavc::source::Source::new("", text.clone());
+    let at = |end: &str| {
+        let number = |of: &str| edits[0]["range"][end][of].as_u64().unwrap() as u32;
+        source.offset_utf16(number("line"), number("character"))
+    };
+    let mut formatted = text.clone();
+    formatted.replace_range(at("start")..at("end"), edits[0]["newText"].as_str().unwrap());
+    let wanted = mavc::format::format(mavc::source::FileId(0), &source).value.unwrap();
+    assert_eq!(formatted, wanted);
+    assert_ne!(text, wanted);
+    client.replace(URI, 2, &wanted);
+    assert_eq!(client.ask("textDocument/formatting", params.clone()).unwrap(), json!([]));
+    client.replace(URI, 3, &text.replace("}", ")"));
+    assert_eq!(client.ask("textDocument/formatting", params).unwrap(), Value::Null);
+    client.stop();
+}

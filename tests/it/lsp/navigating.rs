@@ -1,0 +1,170 @@
+//! From names to their declarations and uses, and other names for them, across `use`.
+
+use super::client::{Client, SPEC, marked, uri_of};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+struct Pair {
+    client: Client,
+    library: PathBuf,
+    root: PathBuf,
+    /// Where the root's text is marked.
+    places: Vec<Value>,
+    _folder: tempfile::TempDir,
+}
+
+/// A vehicle, modes and a `let` in one file; a mission and a plan, marked, in another that is open.
+fn pair(root_text: &str) -> Pair {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().canonicalize().unwrap();
+    let (library, root) = (path.join("library.mav"), path.join("root.mav"));
+    std::fs::write(&library, &SPEC[..SPEC.find("mission").unwrap()]).unwrap();
+    let (text, places) = marked(root_text);
+    std::fs::write(&root, &text).unwrap();
+    let folders = json!([{ "uri": uri_of(&path), "name": "specs" }]);
+    let mut client = Client::start_with(json!({ "capabilities": {}, "workspaceFolders": folders }));
+    client.open(&uri_of(&root), &text);
+    Pair { client, library, root, places, _folder: folder }
+}
+
+const ROOT: &str = "use \"libr|ary.mav\"\nmission m {\n    start at [0, 0, t|op]\n    waypoint at [5 m, 0 m, top]\n}\n\
+    plan {\n    vehicle = qu|ad\n    against = [we|ak1, wo|rn, weak2]\n    time = 20 s\n}\nsimulate { fault weak1 at 1 s }\n";
+
+impl Pair {
+    fn at(&self, place: usize) -> Value {
+        json!({ "textDocument": { "uri": uri_of(&self.root) }, "position": self.places[place] })
+    }
+
+    fn rename(&mut self, place: usize, new: &str) -> Result<Value, (i32, String)> {
+        let mut params = self.at(place);
+        params["newName"] = json!(new);
+        self.client.ask("textDocument/rename", params)
+    }
+
+    /// Both texts after an edit.
+    fn edited(&self, edit: &Value) -> (String, String) {
+        let apply = |path: &PathBuf| {
+            let source = mavc::source::Source::new("", std::fs::read_to_string(path).unwrap());
+            let mut edits: Vec<(usize, usize, &str)> = edit["changes"][uri_of(path)]
+                .as_array()
+                .into_iter()
+                .flatten()
+                .map(|e| {
+                    let at = |end: &str| {
+                        let place = &e["range"][end];
+                        let number = |of: &str| place[of].as_u64().unwrap() as u32;
+                        source.offset_utf16(number("line"), number("character"))
+                    };
+                    (at("start"), at("end"), e["newText"].as_str().unwrap())
+                })
+                .collect();
+            edits.sort();
+            let mut text = source.text.clone();
+            for (start, end, new) in edits.into_iter().rev() {
+                text.replace_range(start..end, new);
+            }
+            text
+        };
+        (apply(&self.library), apply(&self.root))
+    }
+}
+
+#[test]
+fn names_lead_to_their_declaration_in_another_file() {
+    let mut pair = pair(ROOT);
+    let library = uri_of(&pair.library);
+    let text = std::fs::read_to_string(&pair.library).unwrap();
+    let line_of = |part: &str| text.lines().position(|l| l.contains(part)).unwrap();
+    for (place, line) in [
+        (0, 0),
+        (1, line_of("let top")),
+        (2, line_of("vehicle quad")),
+        (3, line_of("as weak")),
+        (4, line_of("mode worn")),
+    ] {
+        let params = pair.at(place);
+        let found = pair.client.ask("textDocument/definition", params).unwrap();
+        assert_eq!(found["uri"], library, "place {place}");
+        assert_eq!(found["range"]["start"]["line"], line, "place {place}: {found}");
+    }
+    pair.client.stop();
+}
+
+#[test]
+fn references_are_found_in_all_files() {
+    let mut pair = pair(ROOT);
+    let mut count = |place: usize, declaration: bool| {
+        let mut params = pair.at(place);
+        params["context"] = json!({ "includeDeclaration": declaration });
+        pair.client.ask("textDocument/references", params).unwrap().as_array().unwrap().len()
+    };
+    assert_eq!(count(1, true), 3, "`top`");
+    assert_eq!(count(1, false), 2, "`top`");
+    assert_eq!(count(3, true), 4, "`weak`: declared once, then weak1, weak2 and the strike");
+    pair.client.stop();
+}
+
+#[test]
+fn renaming_changes_every_file_and_keeps_the_meaning() {
+    let mut pair = pair(ROOT);
+    let edit = pair.rename(1, "summit").unwrap();
+    let (library, root) = pair.edited(&edit);
+    assert!(library.contains("let summit = 2 * 4 m"), "{library}");
+    assert_eq!(root.matches("summit").count(), 2, "{root}");
+    // Of the modes of an `every` the prefix is renamed.
+    let params = pair.at(3);
+    let offered = pair.client.ask("textDocument/prepareRename", params).unwrap();
+    assert_eq!(offered["placeholder"], "weak");
+    let edit = pair.rename(3, "tired").unwrap();
+    let (library, root) = pair.edited(&edit);
+    assert!(library.contains("as tired {"), "{library}");
+    assert!(root.contains("[tired1, worn, tired2]") && root.contains("fault tired1 at"), "{root}");
+    pair.client.stop();
+}
+
+#[test]
+fn renaming_reaches_files_that_are_not_open() {
+    let mut pair = pair(ROOT);
+    let text = std::fs::read_to_string(&pair.library).unwrap();
+    let uri = uri_of(&pair.library);
+    pair.client.note("textDocument/didClose", json!({ "textDocument": { "uri": uri_of(&pair.root) } }));
+    pair.client.open(&uri, &text);
+    let line = text.lines().position(|l| l.starts_with("let top")).unwrap();
+    let position = json!({ "line": line, "character": 5 });
+    let params = json!({ "textDocument": { "uri": uri }, "position": position, "newName": "summit" });
+    let edit = pair.client.ask("textDocument/rename", params).unwrap();
+    let (library, root) = pair.edited(&edit);
+    assert!(library.contains("let summit"), "{library}");
+    assert_eq!(root.matches("summit").count(), 2, "{root}");
+    pair.client.stop();
+}
+
+#[test]
+fn names_that_are_no_names_or_would_mean_something_else_are_refused() {
+    let mut pair = pair(ROOT);
+    for (place, new, why) in [
+        (1, "2nd", "is no name"),
+        (1, "", "is no name"),
+        (1, "gipfel höhe", "is no name"),
+        (1, "sin", "belongs to the language"),
+        (4, "all", "belongs to the language"),
+        (4, "weak3", "a second fault mode is called `weak3`"),
+    ] {
+        let (code, message) = pair.rename(place, new).unwrap_err();
+        assert_eq!(code, -32803, "{new}: {message}");
+        assert!(message.contains(why), "{new}: {message}");
+    }
+    pair.client.stop();
+    let mut pair = self::pair(
+        "let a = 1 m\nuse \"library.mav\"\nmission m {\n curve s in 0 .. 1, points = 3 { x = a|*s; y = a + s*1 m; z = top }\n}\n",
+    );
+    let (_, message) = pair.rename(0, "s").unwrap_err();
+    assert!(message.contains('s'), "{message}");
+    pair.client.stop();
+    // A statement that cannot be read would keep the old name.
+    let mut pair =
+        self::pair("use \"library.mav\"\nmission m {\n start at [0 m, 0 m, t|op]\n waypoint at [top ???\n}\n");
+    let (_, message) = pair.rename(0, "summit").unwrap_err();
+    assert!(message.contains("mend it first"), "{message}");
+    pair.client.stop();
+}
