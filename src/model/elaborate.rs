@@ -211,7 +211,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     if names_modes && !campaign.written {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
-        warn_unused_modes(cx, &modes, &used);
+        warn_unused_modes(cx, &modes, &plan.against, &used);
     }
     Some(Model {
         gravity: cx.gravity,
@@ -330,7 +330,7 @@ fn choose<'a>(cx: &mut Context<'a>, draft: &Draft<'a>, what: &str, named: &[(&st
 }
 
 /// Warns once a statement of whose modes none is among `looked_at`.
-fn warn_unused_modes(cx: &mut Context, modes: &Modes, looked_at: &[usize]) {
+fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize], looked_at: &[usize]) {
     let mut used = vec![false; modes.modes.len()];
     looked_at.iter().for_each(|&k| used[k] = true);
     for statement in 0..modes.statements {
@@ -349,7 +349,7 @@ fn warn_unused_modes(cx: &mut Context, modes: &Modes, looked_at: &[usize]) {
         };
         let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not planned against");
         // What is chosen stays: a list of this mode alone would leave the others out.
-        let chosen = looked_at.iter().map(|&k| modes.modes[k].name.as_str());
+        let chosen = against.iter().map(|&k| modes.modes[k].name.as_str());
         let all: Vec<&str> = chosen.chain([mode.name.as_str()]).collect();
         let (some, them) = if count == 1 { ("it", "it") } else { ("some", "them") };
         cx.report(warning.help(format!("add {some} to `against`, as in `[{}]`, or take {them} out", all.join(", "))));

@@ -49,8 +49,11 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
         Ending::Solved(solved) => {
             let name = label(run.planner, &run.against);
             let n = mission.waypoints.len();
-            let headline =
-                format!("{name} reaches {n} waypoints in {}\u{a0}s {}", number(solved.time), outside(comparison, solved));
+            let headline = format!(
+                "{name} reaches {n} waypoints in {}\u{a0}s {}",
+                number(solved.time),
+                outside(comparison, solved)
+            );
             let mut figures = vec![time(model, run, solved)];
             figures.extend(margin(comparison, solved));
             figures.extend(stays(comparison, solved));
