@@ -2,7 +2,7 @@
 //!
 //! A `None` always means that an error has been reported, so whoever gets it stays silent.
 
-use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_STEPS};
+use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_STEPS, State};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, Operator, UnitText};
@@ -120,7 +120,9 @@ impl<'a> Context<'a> {
                     .help(format!("write `1 {name}`, or put the unit behind parentheses: `(...) {name}`")),
             );
         } else {
-            let names: Vec<&str> = self.names_in_scope();
+            // A `let` that is being evaluated is not what it is made of.
+            let waits = |name: &str| self.lets.get(name).is_some_and(|l| matches!(l.state, State::Busy));
+            let names: Vec<&str> = self.names_in_scope().into_iter().filter(|name| !waits(name)).collect();
             self.unknown("`let`", name, span, &names);
         }
         None
@@ -281,7 +283,7 @@ impl<'a> Context<'a> {
                 let error = error.help(format!("take out the quotes: write `{text}`"));
                 if is_written_here { error.fix(span, text) } else { error }
             }
-            _ => error,
+            _ => error.help(format!("write {due}")),
         });
         None
     }
