@@ -208,7 +208,9 @@ impl<'a> Context<'a> {
                 .here(format!("taken as {}", due.unit))
                 .help(format!("write `{}` to say so", due.unit));
             self.report(match &expr.kind {
-                ExprKind::Number { unit: Some(unit), .. } if parse_unit(&format!("{}/rad^2", unit.value), 1.0).is_ok() => {
+                ExprKind::Number { unit: Some(unit), .. }
+                    if parse_unit(&format!("{}/rad^2", unit.value), 1.0).is_ok() =>
+                {
                     advice.fix(unit.span, format!("{}/rad^2", unit.value))
                 }
                 _ => advice,

@@ -6,7 +6,7 @@ use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_ST
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, Operator, UnitText};
-use crate::unit::{Dimension, Quantity, Unit, UnitError, compare, parse_unit, unit_names};
+use crate::unit::{Dimension, Quantity, Unit, UnitError, compare, mismatch, parse_unit, unit_names};
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
@@ -208,7 +208,7 @@ impl<'a> Context<'a> {
             Diagnostic::error("mavc::unit::mismatch", text.span, message)
                 .here("a unit goes with a plain number")
                 .also(span, format!("this is {}", q.dimension.describe()))
-                .help("take the unit out here or inside"),
+                .help(format!("{}\ntake the unit out here or inside", mismatch(Dimension::PLAIN, q.dimension).table)),
         );
         None
     }

@@ -304,9 +304,9 @@ fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Plac
             let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` is P or N").here("neither");
             let word = cx.sources.snippet(e.span).trim_matches('"').to_ascii_lowercase();
             cx.report(match word.as_str() {
-                "p" | "ccw" | "counterclockwise" | "positive" | "left" => error
-                    .help("write `P`, which turns counter-clockwise seen from above")
-                    .fix(e.span, "P"),
+                "p" | "ccw" | "counterclockwise" | "positive" | "left" => {
+                    error.help("write `P`, which turns counter-clockwise seen from above").fix(e.span, "P")
+                }
                 "n" | "cw" | "clockwise" | "negative" | "right" => {
                     error.help("write `N`, which turns clockwise seen from above").fix(e.span, "N")
                 }
@@ -343,7 +343,10 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
             Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
                 .here("too heavy for these rotors")
                 .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
-                .help(format!("write a mass well below {} kg, or give it stronger rotors", number(thrust / cx.gravity))),
+                .help(format!(
+                    "write a mass well below {} kg, or give it stronger rotors",
+                    number(thrust / cx.gravity)
+                )),
         );
     }
     let idle: f64 = vehicle.rotors.iter().map(Rotor::idle_thrust).sum();

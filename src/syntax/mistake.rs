@@ -135,9 +135,7 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
         let diagnostic = Diagnostic::error(code, statement.span(from, at), format!("{wanted} is missing{after}"))
             .here(format!("{wanted} must follow"));
         let diagnostic = match failure.expected.as_slice() {
-            [Expected::Word("as")] if statement.word() == "every" => {
-                diagnostic.fix(statement.span(at, at), " as M")
-            }
+            [Expected::Word("as")] if statement.word() == "every" => diagnostic.fix(statement.span(at, at), " as M"),
             _ => diagnostic,
         };
         return with_form(diagnostic, statement);

@@ -102,10 +102,7 @@ mod tests {
     fn what_is_too_much_stands_apart_from_what_is_missing() {
         let unit = |text: &str| crate::unit::parse_unit(text, 1.0).unwrap().dimension;
         let table = |expected: &str, found: &str| mismatch(unit(expected), unit(found)).table;
-        assert_eq!(
-            table("kg*m^2", "N*m"),
-            "expected  kg  m^2\n   found  kg  m^2  s^-2\ntoo much           s^-2"
-        );
+        assert_eq!(table("kg*m^2", "N*m"), "expected  kg  m^2\n   found  kg  m^2  s^-2\ntoo much           s^-2");
         assert_eq!(table("m/s", "m"), "expected  m  s^-1\n   found  m\n missing     s^-1");
         assert_eq!(table("m", "m^2"), "expected  m\n   found  m^2\ntoo much  m");
         assert_eq!(

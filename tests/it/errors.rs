@@ -20,9 +20,8 @@ pub fn compile(path: &Path, mend: &dyn Fn(&str, Vec<u8>) -> Vec<u8>) -> (Vec<Dia
         return (diagnostics, sources);
     }
     let folder = path.parent().unwrap();
-    let (files, mut diagnostics) = load(name, &bytes, &|used| {
-        std::fs::read(folder.join(used)).map(|bytes| mend(&used.to_string_lossy(), bytes))
-    });
+    let (files, mut diagnostics) =
+        load(name, &bytes, &|used| std::fs::read(folder.join(used)).map(|bytes| mend(&used.to_string_lossy(), bytes)));
     diagnostics.extend(elaborate(&files, &[]).diagnostics);
     sort(&mut diagnostics);
     (diagnostics, files.sources)
@@ -59,4 +58,21 @@ fn every_file_is_rejected_as_it_says() {
     insta::glob!("../specs/errors", "*/*.mav", |path| failures.lock().unwrap().extend(check(path)));
     let failures = failures.into_inner().unwrap();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn every_mismatch_shows_both_sides_factor_by_factor() {
+    const SIDES: [[&str; 2]; 4] = [["expected", "found"], ["left", "right"], ["first", "other"], ["start", "end"]];
+    let mut count = 0;
+    insta::glob!("../specs", "{errors/*,several}/*.mav", |path| {
+        let (diagnostics, _) = compile(path, &|_, bytes| bytes);
+        for diagnostic in diagnostics.iter().filter(|d| d.code == "mavc::unit::mismatch") {
+            let help = diagnostic.help.as_deref().unwrap_or("");
+            let rows: Vec<&str> = help.lines().take(2).filter_map(|row| row.split_whitespace().next()).collect();
+            let shown = SIDES.iter().any(|sides| sides[..] == rows[..]);
+            assert!(shown, "{}: {}\n{help}", path.display(), diagnostic.message);
+            count += 1;
+        }
+    });
+    assert!(count > 30, "{count} mismatches");
 }

@@ -17,10 +17,8 @@ fn every_mistake_is_told_once_and_in_order() {
         let bytes = std::fs::read(path).unwrap();
         let text = String::from_utf8(bytes).unwrap();
         let (diagnostics, sources) = compile(path, &|_, bytes| bytes);
-        let found: Vec<(usize, &str)> = diagnostics
-            .iter()
-            .map(|d| (sources.get(d.span.file).place(d.span.start as usize).line, d.code))
-            .collect();
+        let found: Vec<(usize, &str)> =
+            diagnostics.iter().map(|d| (sources.get(d.span.file).place(d.span.start as usize).line, d.code)).collect();
         let wanted = expected(&text);
         files += 1;
         // One mistake alone is no test of many.

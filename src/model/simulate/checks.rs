@@ -111,13 +111,7 @@ pub(super) fn coarse_drag(simulation: &Simulation, vehicle: &Vehicle) -> Option<
 
 /// Two steps at least in the time constant of the fastest rotor: beyond that the integration goes astray. `given` is
 /// where the rate is written.
-fn coarse_for(
-    rate: f64,
-    control_rate: f64,
-    span: Span,
-    given: Option<Span>,
-    vehicle: &Vehicle,
-) -> Option<Diagnostic> {
+fn coarse_for(rate: f64, control_rate: f64, span: Span, given: Option<Span>, vehicle: &Vehicle) -> Option<Diagnostic> {
     let fastest = vehicle.rotors.iter().min_by(|a, b| a.lag().total_cmp(&b.lag()))?;
     let least = 2.0 / fastest.lag();
     if rate >= least * (1.0 - 1e-9) {
@@ -211,13 +205,7 @@ fn written(fields: &Fields, name: &str, error: Diagnostic, mended: String) -> Di
 }
 
 /// The error of a rate that does not divide the faster one it runs in.
-fn undivided(
-    cx: &Context,
-    fields: &Fields,
-    whole: (&str, f64),
-    part: (&str, f64),
-    block: Span,
-) -> Option<Diagnostic> {
+fn undivided(cx: &Context, fields: &Fields, whole: (&str, f64), part: (&str, f64), block: Span) -> Option<Diagnostic> {
     if divides(part.1, whole.1) {
         return None;
     }

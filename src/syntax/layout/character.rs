@@ -63,7 +63,8 @@ impl Scanner<'_> {
         let span = self.span(start, start + c.len_utf8());
         let quoted = Some(start + c.len_utf8()).filter(|_| instead == "\"").and_then(|inside| {
             let line = &self.text[inside..self.line_end(inside)];
-            let (end, close) = line.char_indices().find(|(_, c)| LOOK_ALIKES.iter().any(|l| l.2 == "\"" && l.0.contains(*c)))?;
+            let (end, close) =
+                line.char_indices().find(|(_, c)| LOOK_ALIKES.iter().any(|l| l.2 == "\"" && l.0.contains(*c)))?;
             Some((self.span(start, inside + end + close.len_utf8()), format!("\"{}\"", &line[..end])))
         });
         let (mended, put) = quoted.unwrap_or((span, instead.to_string()));

@@ -65,7 +65,9 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let span = statement.span(0, word.len());
     if word == "def" && rest.contains('(') {
         let error = Diagnostic::error("mavc::syntax::unknown_statement", span, "no functions can be defined");
-        return Some(error.here("begins no statement").help("write the expression where it is used, or `let` it be a value"));
+        return Some(
+            error.here("begins no statement").help("write the expression where it is used, or `let` it be a value"),
+        );
     }
     let at = if matches!(meant, "start" | "waypoint") && rest.starts_with('[') { " at" } else { "" };
     // The last waypoint is the goal, and may be called so.
@@ -484,8 +486,9 @@ fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<Diagnostic> 
             .also(statement.span(start, start + name.len()), "a unit follows a number, `)` or `]`, never a name");
     Some(match found.as_str() {
         "%" => diagnostic.help(format!("write `({name}) %`")).fix(whole, format!("({name}) %")),
-        _ => diagnostic
-            .help(format!("write `{name}*{found}` to multiply, or `({name}) {found}` if `{found}` is a unit")),
+        _ => {
+            diagnostic.help(format!("write `{name}*{found}` to multiply, or `({name}) {found}` if `{found}` is a unit"))
+        }
     })
 }
 

@@ -57,7 +57,8 @@ fn split(
     let starts = [(fails.at, !found.is_empty()), (before, is_long)];
     starts.into_iter().filter(|(_, fits)| *fits).find_map(|(next, _)| {
         let head = text[..next].trim_end_matches([' ', '\t']);
-        let apart = head.len() < next && !head.is_empty();
+        // `where` awaits a condition, though it would do as a name.
+        let apart = head.len() < next && !head.is_empty() && !head.ends_with("where");
         let whole = || failure(head, false).is_none();
         (apart && begins(statement, next) && whole()).then_some((head.len(), next))
     })
@@ -73,7 +74,8 @@ fn begins(statement: &Broken, at: usize) -> bool {
     let place = statement.place;
     let in_limits = place == Place::Limits && (rest.starts_with("in ") || rest.starts_with(['<', '>']));
     let opens = place.openers().contains(&word) && !rest.starts_with(['+', '-', '*', '/', '^', ')', ',']);
-    rest.starts_with('=') || in_limits || opens && (!rest.is_empty() || statement.has_body)
+    let is_field = rest.starts_with('=') && !["==", "=>", "=<"].iter().any(|mark| rest.starts_with(mark));
+    is_field || in_limits || opens && (!rest.is_empty() || statement.has_body)
 }
 
 fn error(statement: &Broken, at: usize, next: usize) -> Diagnostic {
