@@ -67,8 +67,8 @@ impl Scanner<'_> {
         }
         // Where the indentation tells nothing else, all that is open ends behind the last thing written.
         if misaligned.is_none() {
-            let last = self.out[..at].iter().rposition(|b| !b.is_ascii_whitespace()).unwrap_or(at);
-            let end = self.line_end(last).min(at);
+            let last = self.out[..at].iter().rposition(|b| !b.is_ascii_whitespace());
+            let end = self.line_end(last.map_or(at, |last| last + 1)).min(at);
             let braces = open.iter().rev().map(|block| {
                 let line = &self.text[block.line..];
                 format!("\n{}}}", &line[..block.indent])
