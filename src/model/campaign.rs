@@ -3,6 +3,7 @@
 use super::context::{Context, listed};
 use super::fields::Fields;
 use super::flight::{Written, default};
+use super::mend;
 use super::simulate::{Around, seed};
 use super::{Campaign, DefaultUsed, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
@@ -85,20 +86,20 @@ fn planners<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<PlannerKind>
         cx.report(error.here("names none").help("write `[rip, rsp, rcp]`, or leave `planners` out"));
         return None;
     }
-    let mut chosen = Some(Vec::new());
+    let (mut chosen, mut fine) = (Vec::new(), true);
     for element in elements {
-        match (planner(cx, element), &mut chosen) {
-            (Some(planner), Some(list)) if list.contains(&planner) => {
+        match planner(cx, element) {
+            Some(planner) if chosen.contains(&planner) => {
                 let message = format!("`{}` is listed twice", planner.name());
                 let warning = Diagnostic::warning("mavc::campaign::listed_twice", element.span, message);
-                cx.report(warning.here("listed already").help("take it out"));
+                let again = mend::element(cx.sources.get(element.span.file), element.span);
+                cx.report(warning.here("listed already").help("take it out").fix(again, ""));
             }
-            (Some(planner), Some(list)) => list.push(planner),
-            (None, _) => chosen = None,
-            (_, None) => {}
+            Some(planner) => chosen.push(planner),
+            None => fine = false,
         }
     }
-    chosen
+    fine.then_some(chosen)
 }
 
 fn planner(cx: &mut Context, expr: &Expr) -> Option<PlannerKind> {

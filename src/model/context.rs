@@ -7,7 +7,7 @@ use super::mend;
 use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
-use crate::syntax::ast::{Field, FieldValue, Name};
+use crate::syntax::ast::{Block, Field, FieldValue, Name};
 use crate::unit::{GRAVITY, Quantity};
 
 /// Steps of evaluation one spec may take; a guard against hostile input.
@@ -174,6 +174,15 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// The error of a second block of which there is one, with what makes one of the two where that is plain.
+    pub fn joined(&self, error: Diagnostic, first: &Block, second: &Block) -> Diagnostic {
+        let junction = mend::junction(self.sources.get(first.span.file), first, second);
+        match junction.filter(|_| first.span.file == second.span.file) {
+            Some((span, text)) => error.help("join them: one pair of braces for both").fix(span, text),
+            None => error.help("move what only this one says into the first, and take this one out"),
+        }
+    }
+
     /// Says that `name` is not known, unless it may stand where the text could not be read.
     pub fn unknown(&mut self, what: &str, name: &str, span: Span, known: &[&str]) {
         self.unknown_among(what, name, span, known, |_| true);
@@ -193,7 +202,7 @@ impl<'a> Context<'a> {
         } else if what == "`let`" {
             error = error.help(format!("declare it outside all blocks: `let {name} = ...`"));
         } else if !known.is_empty() {
-            error = error.help(format!("there is {}", in_runs(known)));
+            error = error.help(format!("name one that there is: {}", in_runs(known)));
         } else if what == "fault mode" {
             error = error.help(format!("declare it in `faults`, as in `mode {name} {{ rotor 1 lost }}`"));
         }

@@ -204,11 +204,17 @@ impl<'a> Context<'a> {
         }
         if due.coefficient && q.dimension == expected.without_angle() {
             let message = format!("`{}` is usually given per square of a rate in radians", due.what);
-            self.report(
-                Diagnostic::advice("mavc::unit::radian", expr.span, message)
-                    .here(format!("taken as {}", due.unit))
-                    .help(format!("write `{}` to say so", due.unit)),
-            );
+            let advice = Diagnostic::advice("mavc::unit::radian", expr.span, message)
+                .here(format!("taken as {}", due.unit))
+                .help(format!("write `{}` to say so", due.unit));
+            self.report(match &expr.kind {
+                ExprKind::Number { unit: Some(unit), .. }
+                    if parse_unit(&format!("{}/rad^2", unit.value), 1.0).is_ok() =>
+                {
+                    advice.fix(unit.span, format!("{}/rad^2", unit.value))
+                }
+                _ => advice,
+            });
             return Some(q.value);
         }
         let error = match q.dimension.is_plain() {

@@ -127,7 +127,8 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
                 },
                 Item::Field(field) if homeless && field.name.value != "gravity" => cx.lose(&field.name.value),
                 Item::Field(field) => top_field(cx, field, &mut gravity),
-                Item::Broken(_) => homeless = true,
+                // A limit was to open none.
+                Item::Broken(span) => homeless |= !cx.sources.snippet(*span).contains(['<', '>']),
                 Item::Let(_) | Item::Use(_) => {}
             }
         }
@@ -145,7 +146,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     let vehicles: Vec<_> = blocks.vehicles.iter().map(|block| vehicle::elaborate(cx, block)).collect();
     let mut draft = Draft::read(cx, blocks.plans.first().copied());
     let named: Vec<(&str, Span)> = vehicles.iter().map(|v| (v.name.as_str(), v.span)).collect();
-    let vehicle = choose(cx, &draft, "vehicle", &named).map(|index| &vehicles[index]);
+    let vehicle = choose(cx, &draft, "vehicle", &named, &blocks.vehicles).map(|index| &vehicles[index]);
     defaults.extend(vehicle.iter().flat_map(|v| v.defaults.iter().cloned()));
     let readable = items().all(|item| !matches!(item, Item::Broken(_)));
     if vehicles.is_empty() && readable && !cx.may_exist("vehicle") {
@@ -167,7 +168,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     let (manner, manner_fine) = draft.manner(cx);
     let missions: Vec<_> = blocks.missions.iter().map(|block| mission::elaborate(cx, block, manner, files)).collect();
     let named: Vec<(&str, Span)> = missions.iter().map(|m| (m.name.as_str(), m.span)).collect();
-    let mission = choose(cx, &draft, "mission", &named).map(|index| &missions[index]);
+    let mission = choose(cx, &draft, "mission", &named, &blocks.missions).map(|index| &missions[index]);
     if let Some(mission) = mission.filter(|m| m.yaw_defaulted) {
         defaults.push(DefaultUsed {
             field: format!("mission.{}.yaw", mission.name),
@@ -295,16 +296,24 @@ fn only_one(cx: &mut Context, blocks: &[&Block]) {
     for block in rest {
         let message = format!("a spec has one `{}` block", block.keyword.value);
         let error = Diagnostic::error("mavc::name::duplicate", block.keyword.span, message);
-        cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
+        cx.report(cx.joined(error.here("a second one").also(first.keyword.span, "the first"), first, block));
     }
 }
 
 /// The vehicle or mission that is meant: the one `plan` names, or the only one.
-fn choose<'a>(cx: &mut Context<'a>, draft: &Draft<'a>, what: &str, named: &[(&str, Span)]) -> Option<usize> {
+fn choose<'a>(
+    cx: &mut Context<'a>,
+    draft: &Draft<'a>,
+    what: &str,
+    named: &[(&str, Span)],
+    blocks: &[&Block],
+) -> Option<usize> {
+    let nameless = blocks.iter().any(|block| block.name.is_none());
     let names: Vec<&str> = named.iter().map(|n| n.0).collect();
     if let Some(Spanned { value, span }) = draft.chosen(cx, what) {
         let index = names.iter().position(|n| *n == value);
-        if index.is_none() {
+        // One whose head could not be read may be meant.
+        if index.is_none() && !nameless {
             cx.unknown(what, value, span, &names);
         }
         return index;

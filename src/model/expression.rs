@@ -2,11 +2,11 @@
 //!
 //! A `None` always means that an error has been reported, so whoever gets it stays silent.
 
-use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_STEPS};
+use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_STEPS, State};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, Operator, UnitText};
-use crate::unit::{Dimension, Quantity, Unit, UnitError, compare, parse_unit, unit_names};
+use crate::unit::{Dimension, Quantity, Unit, UnitError, compare, mismatch, parse_unit, unit_names};
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
@@ -120,7 +120,9 @@ impl<'a> Context<'a> {
                     .help(format!("write `1 {name}`, or put the unit behind parentheses: `(...) {name}`")),
             );
         } else {
-            let names: Vec<&str> = self.names_in_scope();
+            // A `let` that is being evaluated is not what it is made of.
+            let waits = |name: &str| self.lets.get(name).is_some_and(|l| matches!(l.state, State::Busy));
+            let names: Vec<&str> = self.names_in_scope().into_iter().filter(|name| !waits(name)).collect();
             self.unknown("`let`", name, span, &names);
         }
         None
@@ -206,7 +208,7 @@ impl<'a> Context<'a> {
             Diagnostic::error("mavc::unit::mismatch", text.span, message)
                 .here("a unit goes with a plain number")
                 .also(span, format!("this is {}", q.dimension.describe()))
-                .help("take the unit out here or inside"),
+                .help(format!("{}\ntake the unit out here or inside", mismatch(Dimension::PLAIN, q.dimension).table)),
         );
         None
     }
@@ -281,7 +283,7 @@ impl<'a> Context<'a> {
                 let error = error.help(format!("take out the quotes: write `{text}`"));
                 if is_written_here { error.fix(span, text) } else { error }
             }
-            _ => error,
+            _ => error.help(format!("write {due}")),
         });
         None
     }

@@ -49,7 +49,16 @@ impl Modes {
     }
 
     fn single<'a>(&mut self, cx: &mut Context<'a>, block: &'a Block, rotors: Option<usize>) {
-        let Some(name) = &block.name else { return };
+        let Some(name) = &block.name else {
+            // Its head could not be read; what it says may have mistakes of its own.
+            self.incomplete = true;
+            let owner = format!("this `{}`", block.keyword.value);
+            if block.keyword.value == "mode" {
+                Effects::read(cx, block, &owner, rotors);
+            }
+            Numbers::read(cx, owner, block.keyword.span, &block.body);
+            return;
+        };
         let owner = format!("mode `{}`", name.value);
         let effects = Effects::read(cx, block, &owner, rotors);
         let numbers = Numbers::read(cx, owner, name.span, &block.body);

@@ -4,6 +4,7 @@ use super::context::{Context, listed, no_filter};
 use super::{campaign, mend, simulate};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
+use crate::syntax::Place;
 use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, Statement};
 
 /// Fields that belong elsewhere, and the word people use for what belongs there.
@@ -44,6 +45,11 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("heading", "is written `yaw`, counter-clockwise from east: a compass heading h is `yaw = 90 deg - h`"),
     ("altitude", "is a limit, written `altitude in 1 m .. 30 m` in `limits`"),
     ("name", "is written after the block's keyword, as in `vehicle octo`"),
+    ("start", "is a statement of a `mission`, written `start at [0, 0, 2] m`"),
+    ("waypoint", "is a statement of a `mission`, written `waypoint at [10, 0, 5] m`"),
+    ("waypoints", "is a statement of a `mission`, written `waypoint at [10, 0, 5] m` for each of them"),
+    ("goal", "is the last waypoint of a `mission`, written `waypoint goal at [10, 0, 5] m`"),
+    ("hold", "is a statement of a `mission`, written `hold 3 s`"),
 ];
 
 /// Where a field that people write in the wrong place belongs.
@@ -149,10 +155,14 @@ impl<'a> Fields<'a> {
         let surer = near.is_some_and(|near| plural(near, word) || plural(word, near) || begun == Some(near));
         if let Some(place) = elsewhere(word).filter(|_| !surer) {
             error = error.help(place);
+        } else if let Some((first, ..)) = near.and_then(|near| self.found.iter().find(|(n, ..)| n.value == near)) {
+            let message = format!("`{}` is given already", first.value);
+            error = error.also(first.span, message).help("take one out");
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
         } else if known.is_empty() {
-            error = error.help("take it out: no field stands here, only statements");
+            let place = if self.owner.starts_with("mission") { Place::Mission } else { Place::Faults };
+            error = error.help(format!("take it out: only {} stand here", listed(place.openers())));
         } else {
             error = error.help(format!("its fields are {}", listed(known)));
         }
@@ -222,20 +232,28 @@ impl<'a> Fields<'a> {
     }
 
     pub fn missing(&self, cx: &mut Context<'a>, what: &str, example: &str) {
+        self.missing_or(cx, what, example, &format!("add `{example}`"));
+    }
+
+    /// As [`Fields::missing`], with a help of its own where the example is not the only way.
+    pub fn missing_or(&self, cx: &mut Context<'a>, what: &str, example: &str, help: &str) {
         let error = Diagnostic::error("mavc::name::missing_field", self.span, format!("{} has no {what}", self.owner))
             .here("needed here")
-            .help(format!("add `{example}`"));
+            .help(help);
+        cx.report(self.add(cx, error, example));
+    }
+
+    /// The error with `text`, a field that is to be added, put where fields of these stand.
+    pub fn add(&self, cx: &Context, error: Diagnostic, text: &str) -> Diagnostic {
         let source = cx.sources.get(self.span.file);
         let room = match self.room {
-            // What stands for a value somebody else has to know is no text to put in.
-            _ if example.contains("...") => None,
-            _ if example.starts_with(',') => Some((Span { start: self.span.end, ..self.span }, example.to_string())),
-            Room::Block(last) => mend::insertion(source, self.span, last, example),
-            Room::End(span) => Some((Span { start: span.end, ..span }, format!(" {example}"))),
+            _ if text.starts_with(',') => Some((Span { start: self.span.end, ..self.span }, text.to_string())),
+            Room::Block(last) => mend::insertion(source, self.span, last, text),
+            Room::End(span) => Some((Span { start: span.end, ..span }, format!(" {text}"))),
         };
-        cx.report(match room {
+        match room {
             Some((span, text)) => error.fix(span, text),
             None => error,
-        });
+        }
     }
 }

@@ -5,7 +5,7 @@ use super::expression::Value;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, Name};
-use crate::unit::{Dimension, Quantity, compare};
+use crate::unit::{Dimension, Quantity, compare, mismatch};
 
 impl<'a> Context<'a> {
     pub(super) fn call(&mut self, function: &'a Name, arguments: &'a [Expr], span: Span) -> Option<Value> {
@@ -47,7 +47,7 @@ impl<'a> Context<'a> {
         let result = match name {
             "sin" | "cos" | "tan" => {
                 if !x.dimension.is_plain() && x.dimension != Dimension::ANGLE {
-                    return self.wrong_argument(name, "an angle or a plain number", x, arguments[0].span);
+                    return self.wrong_argument(name, "an angle or a plain number", x, &arguments[0]);
                 }
                 plain(match name {
                     "sin" => x.value.sin(),
@@ -57,7 +57,7 @@ impl<'a> Context<'a> {
             }
             "asin" | "acos" | "atan" => {
                 if !x.dimension.is_plain() {
-                    return self.wrong_argument(name, "a plain number", x, arguments[0].span);
+                    return self.wrong_argument(name, "a plain number", x, &arguments[0]);
                 }
                 angle(match name {
                     "asin" => x.value.asin(),
@@ -92,18 +92,21 @@ impl<'a> Context<'a> {
             Some(q) => self.finite(q, span),
             None => {
                 let message = "the root of this unit has no small exponent";
-                self.report(Diagnostic::error("mavc::unit::exponent", span, message).here("cannot be rooted"));
+                let error = Diagnostic::error("mavc::unit::exponent", span, message).here("cannot be rooted");
+                self.report(error.help("root the number alone, and write the unit behind it"));
                 None
             }
         }
     }
 
-    fn wrong_argument(&mut self, function: &str, due: &str, found: Quantity, span: Span) -> Option<Value> {
+    fn wrong_argument(&mut self, function: &str, due: &str, found: Quantity, argument: &Expr) -> Option<Value> {
         let message = format!("`{function}` takes {due}, not {}", found.dimension.describe());
+        let told = mismatch(Dimension::PLAIN, found.dimension);
+        let unit = found.dimension;
         self.report(
-            Diagnostic::error("mavc::unit::mismatch", span, message)
+            Diagnostic::error("mavc::unit::mismatch", argument.span, message)
                 .here(format!("this is {}", found.dimension.describe()))
-                .help("divide by a quantity of the same kind to make it plain"),
+                .help(format!("{}\ndivide by {}, as in `/ (1 {unit})`", told.table, found.dimension.describe())),
         );
         None
     }

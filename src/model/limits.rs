@@ -162,7 +162,11 @@ fn one<'a>(
     {
         let message = format!("the lower bound of `{name}` exceeds the upper");
         let error = Diagnostic::error("mavc::mission::limit_order", at.span, message);
-        cx.report(error.here("nothing lies between").help("swap the two ends"));
+        let error = error.here("nothing lies between").help("swap the two ends");
+        cx.report(match swapped(cx, at) {
+            Some(mended) => error.fix(at.span, mended),
+            None => error,
+        });
         return None;
     }
     let wrong = match (form, upper) {
@@ -188,6 +192,20 @@ fn one<'a>(
         return None;
     }
     Some(Limit { kind, lower, upper, span })
+}
+
+/// `1 .. 30 m` for `30 .. 1 m`: a unit that stands for both stays at the end.
+fn swapped(cx: &Context, range: &Expr) -> Option<String> {
+    let ExprKind::Range { low, high } = &range.kind else { return None };
+    let (ExprKind::Number { text: first, unit: own, .. }, ExprKind::Number { text: second, unit: Some(unit), .. }) =
+        (&low.kind, &high.kind)
+    else {
+        return None;
+    };
+    Some(match own {
+        None => format!("{second} .. {first} {}", unit.value),
+        Some(_) => format!("{} .. {}", cx.sources.snippet(high.span).trim(), cx.sources.snippet(low.span).trim()),
+    })
 }
 
 /// Every waypoint lies within the limits on coordinates; told once a limit.
@@ -223,7 +241,7 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
         } else {
             "move the waypoints or widen the limit"
         };
-        let help = format!("{help}; waypoints count from 1, the start");
+        let help = format!("{help}; the first waypoint is the start");
         cx.report(error.here("leaves the limits").also(limit.span, "limited here").help(help));
     }
 }

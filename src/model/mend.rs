@@ -1,6 +1,7 @@
-//! Where the text of a fix goes: a field that is missing, a statement that is one too many.
+//! Where the text of a fix goes: a field that is missing, a statement that is one too many, two blocks that are to be one.
 
 use crate::source::{Source, Span};
+use crate::syntax::ast::{Block, Statement};
 
 /// Room for the statement `text` in a block: below `last`, the last statement of its body, or behind the brace that
 /// follows `head`. What is to be put where; `None` where the block has another shape.
@@ -58,6 +59,50 @@ pub(super) fn removal(source: &Source, span: Span) -> Span {
     }
 }
 
+/// An element of a list and the comma that goes with it.
+pub(super) fn element(source: &Source, span: Span) -> Span {
+    let (before, after) = source.text.split_at(span.end as usize);
+    let before = before.get(..span.start as usize).unwrap_or("");
+    let gap = after.len() - after.trim_start().len();
+    match (before.trim_end().strip_suffix(','), after.trim_start().strip_prefix(',')) {
+        (Some(kept), _) => Span::new(span.file, kept.len(), span.end as usize),
+        (None, Some(rest)) => {
+            let blanks = rest.len() - rest.trim_start_matches(' ').len();
+            Span::new(span.file, span.start as usize, span.end as usize + gap + 1 + blanks)
+        }
+        (None, None) => span,
+    }
+}
+
+/// What makes one block of two that follow each other and say nothing twice: what is to be replaced, and by what.
+pub(super) fn junction(source: &Source, first: &Block, second: &Block) -> Option<(Span, &'static str)> {
+    let names = |block: &Block| block.body.iter().filter_map(name).map(str::to_string).collect::<Vec<_>>();
+    let earlier = names(first);
+    if names(second).iter().any(|name| earlier.contains(name)) || second.doc.is_some() {
+        return None;
+    }
+    let text = source.text.as_str();
+    let close = text.get(..first.span.end as usize)?.strip_suffix('}')?.len();
+    let between = text.get(first.span.end as usize..second.span.start as usize)?;
+    let head = text.get(second.span.start as usize..second.span.end as usize)?;
+    let brace = second.span.start as usize + head.find('{')? + 1;
+    if !between.chars().all(|c| c.is_whitespace() || c == ';') {
+        return None;
+    }
+    let ends = text[..close].trim_end_matches([' ', '\t']).ends_with(['\n', '{', ';']);
+    Some((Span::new(first.span.file, close, brace), if ends { "" } else { ";" }))
+}
+
+/// What a statement of which a block has one is known by.
+fn name(statement: &Statement) -> Option<&str> {
+    match statement {
+        Statement::Field(field) => Some(&field.name.value),
+        Statement::Limit { name, .. } | Statement::Require { name, .. } => Some(&name.value),
+        Statement::Block(block) => Some(&block.keyword.value),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,5 +132,14 @@ mod tests {
         assert_eq!(removed("{ a = 1; b = 2; c = 3 }"), "{ a = 1; c = 3 }");
         assert_eq!(removed("{ a = 1; b = 2 }"), "{ a = 1 }");
         assert_eq!(removed("w a 1  b = 2  c 3"), "w a 1  c 3");
+    }
+
+    #[test]
+    fn an_element_takes_one_comma_along() {
+        let without = |text: &str| put(text, (element(&Source::new("t", text), at(text, "b")), String::new()));
+        assert_eq!(without("[a, b, c]"), "[a, c]");
+        assert_eq!(without("[b, c]"), "[c]");
+        assert_eq!(without("[a, b]"), "[a]");
+        assert_eq!(without("[b]"), "[]");
     }
 }

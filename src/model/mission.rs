@@ -9,7 +9,7 @@ use super::due::Due;
 use super::fields::Fields;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
-use super::{Mission, Waypoint, limits, survey};
+use super::{Mission, Waypoint, limits, mend, survey};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
@@ -142,7 +142,9 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
                 if !route.waypoints.is_empty() {
                     let message = "`start` comes before everything else that is flown";
                     let error = Diagnostic::error("mavc::mission::start_first", clauses.span, message);
-                    cx.report(error.here("the mission has begun already").help("move it up, or write `waypoint at`"));
+                    let word = Span { end: clauses.span.start + "start".len() as u32, ..clauses.span };
+                    let error = error.here("the mission has begun already").help("move it up, or write `waypoint at`");
+                    cx.report(error.fix(word, "waypoint"));
                     route.broken = true;
                 }
                 waypoint(cx, clauses, "`start`", manner, &mut route);
@@ -168,7 +170,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
                         inner.keyword.span,
                         "a mission has one `limits` block",
                     );
-                    cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
+                    let error = error.here("a second one").also(first.keyword.span, "the first");
+                    cx.report(cx.joined(error, first, inner));
                 }
                 None => {
                     limit_block = Some(inner);
@@ -183,7 +186,13 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         let message = format!("mission `{name}` needs at least two waypoints");
         let error = Diagnostic::error("mavc::mission::too_few_waypoints", span, message);
         let count = if route.waypoints.is_empty() { "nothing is flown" } else { "one point is no flight" };
-        cx.report(error.here(count).help("add `waypoint at [10, 0, 5] m` or a `curve`"));
+        let error = error.here(count).help("add `waypoint at [10, 0, 5] m` or a `curve`");
+        let last = block.body.last().map(Statement::span);
+        let room = mend::insertion(cx.sources.get(span.file), span, last, "waypoint at [10, 0, 5] m");
+        cx.report(match room.filter(|_| route.waypoints.len() == 1) {
+            Some((span, text)) => error.fix(span, text),
+            None => error,
+        });
         route.broken = true;
     }
     let yaw_defaulted = matches!(route.yaws.first(), Some(None));
@@ -298,9 +307,15 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
             if i == 0 && time != 0.0 {
                 fine = false;
                 let error = Diagnostic::error(CODE, span, "the mission starts at time zero");
-                cx.report(
-                    error.here(format!("this is {} s", number(time))).help("take the time of the first waypoint out"),
-                );
+                let error = error.here(format!("this is {} s", number(time)));
+                let error = error.help("take the time of the first waypoint out");
+                let text = cx.sources.get(span.file).text.get(..span.start as usize).unwrap_or("");
+                cx.report(match text.trim_end().strip_suffix("time") {
+                    Some(before) => {
+                        error.fix(Span { start: before.trim_end_matches([' ', '\t']).len() as u32, ..span }, "")
+                    }
+                    None => error,
+                });
             } else if i > 0 && time <= free_at {
                 fine = false;
                 let message = match said {
@@ -317,7 +332,8 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
                 if let Some((_, before)) = said {
                     error = error.also(before, "counted from here, holds between them included");
                 }
-                cx.report(error.help("times count from the start of the mission and rise along it"));
+                let least = number(free_at);
+                cx.report(error.help(format!("write a time after {least} s, counted from the start of the mission")));
             }
             free_at = time;
             said = Some((time, span));

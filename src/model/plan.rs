@@ -251,7 +251,7 @@ impl<'a> Draft<'a> {
         let (time_span, samples_span, reserve_span) = (place("time"), place("samples"), place("reserve"));
         if let Some(mission) = mission {
             if let Some(samples) = samples {
-                check_samples(cx, samples, samples_span, mission);
+                check_samples(cx, samples, self.get("samples"), samples_span, mission);
             }
             if let Some(MissionTime::Fixed(time)) = time {
                 check_time(cx, time, time_span, mission);
@@ -339,13 +339,13 @@ impl<'a> Draft<'a> {
             return Some(reserve);
         }
         let error = Diagnostic::error(CODE, expr.span, "a reserve of 100 % leaves nothing to fly with");
-        cx.report(error.here("nothing is left").help("10 % is usual"));
+        cx.report(error.here("nothing is left").help("write `10 %`, which is usual").fix(expr.span, "10 %"));
         None
     }
 }
 
 /// Every leg and every hold takes at least one interval.
-fn check_samples(cx: &mut Context, samples: usize, span: Span, mission: &Mission) {
+fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, span: Span, mission: &Mission) {
     let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
     let least = mission.legs.len() + holds;
     if samples < least {
@@ -353,18 +353,25 @@ fn check_samples(cx: &mut Context, samples: usize, span: Span, mission: &Mission
         let legs = mission.legs.len();
         let message = format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
         let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
-        cx.report(
-            error.also(mission.span, "this mission").help(format!("write `samples = {}` or more", least.max(200))),
-        );
+        let enough = least.max(200);
+        let error = error.also(mission.span, "this mission").help(format!("write `samples = {enough}` or more"));
+        cx.report(match given {
+            Some(expr) => error.fix(expr.span, enough.to_string()),
+            None => error,
+        });
         return;
     }
     let needed = holds + (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>();
     if samples < needed {
         let message = format!("{samples} samples are few for a mission with {} legs", mission.legs.len());
         let warning = Diagnostic::warning("mavc::plan::few_samples", span, message).here("few");
-        cx.report(warning.also(mission.span, "this mission").help(format!(
+        let warning = warning.also(mission.span, "this mission").help(format!(
             "write `samples = {needed}` or more, so that legs from rest to rest get ten and others beside a rest five"
-        )));
+        ));
+        cx.report(match given {
+            Some(expr) => warning.fix(expr.span, needed.to_string()),
+            None => warning,
+        });
     }
 }
 

@@ -371,6 +371,11 @@ impl<'a> Reader<'a> {
             Some(drag) => warning.also(drag.span, "no drag"),
             None => warning,
         };
-        cx.report(warning.help("add a `drag` above zero, such as `drag = 0.3 N*s/m`"));
+        let example = "drag = 0.3 N*s/m";
+        let warning = warning.help(format!("add a `drag` above zero, such as `{example}`"));
+        cx.report(match self.fields.get("drag") {
+            Some(drag) => warning.fix(drag.span, "0.3 N*s/m"),
+            None => self.fields.add(cx, warning, example),
+        });
     }
 }

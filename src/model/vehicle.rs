@@ -85,7 +85,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     };
     let base = rotor_fields.as_ref().map(|fields| rotor::Traits::read(cx, fields));
     if base.is_none() && placed.is_none() && !fields.may_have("rotor") {
-        let example = "rotor { thrust_coefficient = ...; drag_coefficient = ...; max_speed = ... }";
+        let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
         fields.missing(cx, "`rotor` block", example);
     }
     // Which of two blocks is meant is not known, nor what they say together.
@@ -153,7 +153,7 @@ fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Opt
             Some(first) => {
                 let message = format!("a vehicle has one `{}` block", inner.keyword.value);
                 let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
-                cx.report(error.here("a second one").also(first.keyword.span, "the first").help("join them"));
+                cx.report(cx.joined(error.here("a second one").also(first.keyword.span, "the first"), first, inner));
                 twice = true;
             }
             None => *slot = Some(inner),
@@ -193,8 +193,11 @@ struct Place<'a> {
 /// Rotors on a circle: rotor k at the angle `first + 2 pi (k-1)/n`, clockwise from +y.
 fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>>, Option<usize>) {
     if !fields.may_have("layout") {
-        let example = "layout = \"PPNNPPNN\"` or `rotors { rotor at [0.2, 0.2, 0] m spin P ... }";
-        fields.missing(cx, "`layout`", example);
+        // A ring has an arm too, which is not asked for where no ring may be meant.
+        let arm = if fields.may_have("arm") { "" } else { "; arm = 0.2 m" };
+        let (example, one_by_one) =
+            (format!("layout = \"PPNNPPNN\"{arm}"), "rotors { rotor at [0.2, 0.2, 0] m spin P ... }");
+        fields.missing_or(cx, "`layout`", &example, &format!("add `{example}`, or `{one_by_one}`"));
     }
     let layout = fields.get("layout").and_then(|e| spins(cx, e));
     let count = layout.as_ref().map(Vec::len);
@@ -246,7 +249,7 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
         let mut error = Diagnostic::error("mavc::vehicle::layout", span, message).here("neither P nor N");
         error = match letter.to_ascii_uppercase() {
             upper @ ('P' | 'N') => error.help(format!("write `{upper}`")).fix(span, upper.to_string()),
-            _ => error.help("P turns counter-clockwise seen from above, N clockwise"),
+            _ => error.help("write `P` (counter-clockwise seen from above) or `N` (clockwise)"),
         };
         cx.report(error);
         return None;
@@ -298,8 +301,17 @@ fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Plac
         ExprKind::Name(name) if name == "P" => Some(Spin::P),
         ExprKind::Name(name) if name == "N" => Some(Spin::N),
         _ => {
-            let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` is P or N");
-            cx.report(error.here("neither").help("P turns counter-clockwise seen from above, N clockwise"));
+            let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` is P or N").here("neither");
+            let word = cx.sources.snippet(e.span).trim_matches('"').to_ascii_lowercase();
+            cx.report(match word.as_str() {
+                "p" | "ccw" | "counterclockwise" | "positive" | "left" => {
+                    error.help("write `P`, which turns counter-clockwise seen from above").fix(e.span, "P")
+                }
+                "n" | "cw" | "clockwise" | "negative" | "right" => {
+                    error.help("write `N`, which turns clockwise seen from above").fix(e.span, "N")
+                }
+                _ => error.help("write `P` (counter-clockwise seen from above) or `N` (clockwise)"),
+            });
             None
         }
     });
@@ -331,7 +343,10 @@ fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
             Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
                 .here("too heavy for these rotors")
                 .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
-                .help(format!("at full thrust it could carry {} kg", number(thrust / cx.gravity))),
+                .help(format!(
+                    "write a mass well below {} kg, or give it stronger rotors",
+                    number(thrust / cx.gravity)
+                )),
         );
     }
     let idle: f64 = vehicle.rotors.iter().map(Rotor::idle_thrust).sum();

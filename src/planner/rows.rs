@@ -32,7 +32,7 @@ const FEW_ROWS: usize = 1_000;
 
 /// Where [`Transcription::stiffness`] is larger the solver stalls in spline coefficients (measured: 2e8 along the paper's
 /// curve with 200 samples in 16 s is fine, with 500 samples, 1e11, or 200 in 7 s, 4e10, it often ends without a verdict).
-pub(super) const MOST_STIFFNESS: f64 = 1e9;
+const MOST_STIFFNESS: f64 = 1e9;
 
 /// After this many rounds every row is imposed.
 const MOST_ROUNDS: usize = 30;

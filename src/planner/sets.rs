@@ -2,6 +2,7 @@
 
 use super::rows::Planned;
 use super::select::{PlanningSet, SetRow};
+use super::wrench_model::WrenchModel;
 use crate::admissible::{AdmissibleSet, faults_only_take};
 use crate::model::Model;
 use crate::trajectory::Trajectory;
@@ -44,12 +45,14 @@ impl PlanningSets {
         }
     }
 
-    /// Step (e) of section 5.3: the facets of the modes' sets that a plan violates at some node.
+    /// Step (e) of section 5.3: the facets of the modes' sets that a plan violates at some node, in the exact model at some
+    /// instant, where its rows can stand too.
     pub fn violated(&self, model: &Model, planned: &Planned) -> Vec<SetRow> {
         let trajectory = Trajectory::of(planned);
         let of = |set: &PlanningSet| {
             let found = outside(&trajectory, &model.vehicle, model.gravity, &set.rows);
-            found.facets.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
+            let rows = if planned.model == WrenchModel::Exact { found.passed } else { found.facets };
+            rows.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
         };
         self.modes.iter().flat_map(of).collect()
     }

@@ -22,7 +22,7 @@ pub use search::NOT_FOUND;
 use super::hover_model::{WrenchMap, X, Y, YAW, Z};
 use super::limits::place;
 use super::profile::Profile;
-use super::rows::{ACCEPTED, Engine, MOST_STIFFNESS};
+use super::rows::{ACCEPTED, Engine};
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
 use super::transcribe::{NodeState, Row, RowAt, Transcription, splines};
@@ -44,6 +44,10 @@ pub use crate::trajectory::outside::PARTS;
 
 /// Rows of the last motion with less slack than this stand in the next step from its beginning.
 const NEAR: f64 = 0.1;
+
+/// Where [`Transcription::stiffness`] is larger than this times the motion's cost, steps in spline coefficients end anywhere,
+/// and the solver does not tell (measured: 1e7 is fine, 4e8 mostly, 5e9 not).
+const MOST_STIFFNESS: f64 = 1e8;
 
 /// Multipliers below this do not count.
 const NEGLIGIBLE: f64 = 1e-4;
@@ -264,7 +268,8 @@ impl<'e, 'a> Successive<'e, 'a> {
         };
         let stages = self.transcription(&motion.profile, &lines.maps);
         let splines = known.map(|known| self.transcription(&motion.profile, &lines.maps).in_these(known));
-        let splines = splines.filter(|form| form.stiffness() <= MOST_STIFFNESS);
+        let most = MOST_STIFFNESS * self.cost(motion);
+        let splines = splines.filter(|form| form.stiffness() <= most);
         let mut found = None;
         for form in splines.iter().chain([&stages]) {
             let (program, places) = form.step_program(&step, &chosen);

@@ -58,9 +58,11 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
         .filter(|_| solved && model.plan.planner == PlannerKind::Rsp && model.plan.require_risk.is_none())
     {
         out.push_str(&match comparison.selected.len() {
+            0 if model.plan.rounds == 0 => "RSP guards nothing more than RIP: `rounds = 0` selects no facet\n".into(),
             0 => format!(
-                "RSP guards nothing more than RIP: the RIP plan at {} s stays inside every fault set\n",
-                number(time)
+                "RSP guards nothing more than RIP: the RIP plan at {} s {} every fault set\n",
+                number(time),
+                if model.plan.model == PlanModel::Hover { "has every node inside" } else { "stays inside" }
             ),
             1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s passes\n", number(time)),
             n => format!("RSP guards {n} facets of the fault sets: those the RIP plan at {} s passes\n", number(time)),

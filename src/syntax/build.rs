@@ -7,7 +7,7 @@ mod statement;
 use super::MAX_ERRORS;
 use super::ast::*;
 use super::layout::{Doc, Layout};
-use super::mistake;
+use super::mistake::{self, Separation};
 use super::place::{Kind, Place};
 use crate::diagnostic::{Diagnostic, Label};
 use crate::source::{FileId, Span, Spanned};
@@ -25,22 +25,39 @@ type Built<T> = Result<T, Box<Diagnostic>>;
 /// Upper bound on rule calls for one parse; a guard that no text within the other limits comes near.
 const MAX_CALLS: usize = 200_000_000;
 
-pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>) {
+/// Where a `;` is missing between statements, the text is read once more as if it stood there, so that each of them is
+/// looked at.
+pub(super) fn build(file: FileId, mut layout: Layout) -> (SpecFile, Vec<Diagnostic>) {
     pest::set_call_limit(std::num::NonZeroUsize::new(MAX_CALLS));
+    let (tree, diagnostics, separations) = read(file, &layout, true);
+    if separations.is_empty() {
+        return (tree, diagnostics);
+    }
+    let mut bytes = std::mem::take(&mut layout.text).into_bytes();
+    // Blanks and commas alone give way, so the bytes stay UTF-8.
+    separations.iter().for_each(|s| bytes[s.at] = b';');
+    layout.text = String::from_utf8(bytes).unwrap_or_default();
+    let (tree, mut diagnostics, _) = read(file, &layout, false);
+    diagnostics.extend(separations.into_iter().map(|s| s.diagnostic));
+    (tree, diagnostics)
+}
+
+/// One pass. Where it `separates`, statements with nothing between them are not explained but given back.
+fn read(file: FileId, layout: &Layout, separates: bool) -> (SpecFile, Vec<Diagnostic>, Vec<Separation>) {
     let Layout { text, docs, diagnostics, blocks_unsure, left_open, .. } = layout;
-    let starts = diagnostics.iter().map(|d| d.span.start).collect();
     let mut builder = Builder {
         file,
-        text: &text,
-        docs: docs.into_iter().peekable(),
-        diagnostics,
-        settled: starts,
-        blocks_unsure,
-        left_open,
+        text,
+        docs: docs.iter().peekable(),
+        diagnostics: diagnostics.clone(),
+        settled: diagnostics.iter().map(|d| d.span.start).collect(),
+        blocks_unsure: *blocks_unsure,
+        left_open: left_open.clone(),
         late_brace: None,
+        separations: separates.then(Vec::new),
     };
     builder.settled.sort_unstable();
-    let items = match Grammar::parse(Rule::file, &text) {
+    let items = match Grammar::parse(Rule::file, text) {
         Ok(mut pairs) => builder.file(pairs.next().expect("`file` gives one pair")),
         Err(error) => {
             let at = Span::new(file, expected::position(&error), text.len());
@@ -52,14 +69,14 @@ pub(super) fn build(file: FileId, layout: Layout) -> (SpecFile, Vec<Diagnostic>)
             vec![Item::Broken(at)]
         }
     };
-    (SpecFile { file, items }, builder.diagnostics)
+    (SpecFile { file, items }, builder.diagnostics, builder.separations.unwrap_or_default())
 }
 
 struct Builder<'a> {
     file: FileId,
     /// The laid-out text.
     text: &'a str,
-    docs: std::iter::Peekable<std::vec::IntoIter<Doc>>,
+    docs: std::iter::Peekable<std::slice::Iter<'a, Doc>>,
     diagnostics: Vec<Diagnostic>,
     /// Where the layout has reported errors, ascending: a statement around one needs no second error.
     settled: Vec<u32>,
@@ -68,6 +85,8 @@ struct Builder<'a> {
     left_open: Vec<usize>,
     /// A brace on the line after its head, and the block it opens: the head's error covers both.
     late_brace: Option<(usize, Place)>,
+    /// Where a `;` is missing; `None` on the pass that reads them as written.
+    separations: Option<Vec<Separation>>,
 }
 
 /// What a statement turns out to be before its place is looked at.
@@ -218,14 +237,23 @@ impl Builder<'_> {
                 }
             },
         };
+        let mut wrong_head = None;
         let made = match rule {
             Rule::every_head => parts.every(span, doc),
             Rule::curve_head => parts.curve(span, doc),
-            _ => parts.block(span, doc).and_then(|block| mistake::check_head(block, around)),
+            _ => parts.block(span, doc).map(|mut block| {
+                wrong_head = mistake::check_head(&mut block, around);
+                Statement::Block(block)
+            }),
         };
         let fits = self.check_place(kind, place, &head);
         let mut statements = self.body(body, around);
         fits?;
+        if let Some(diagnostic) = wrong_head {
+            // What stands in the block is looked at all the same.
+            self.diagnostics.push(diagnostic);
+            statements.push(Statement::Broken(self.span(&head)));
+        }
         if is_closed && self.left_open.contains(&opened) {
             // It ends with the brace of the block around it, whose statements it has taken for its own.
             return Ok(Statement::Broken(span));
@@ -279,13 +307,26 @@ impl Builder<'_> {
             self.late_brace = rest.starts_with('{').then_some((self.text.len() - rest.len(), inside));
         }
         if late.is_none() {
-            let brace_below = self.late_brace.is_some();
+            let below = start + head.len();
+            let brace_below = self.late_brace.map(|(brace, _)| &self.text[below..brace]);
             self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below });
         }
-        if let Some(body) = body {
-            self.body(body, inside);
+        let Some(body) = body else { return Statement::Broken(span) };
+        let mut statements = self.body(body, inside);
+        let fits = match inside {
+            Place::Every => Kind::Every.fits(place),
+            Place::Unknown | Place::Curve => false,
+            _ => Kind::Block(inside).fits(place),
+        };
+        if !fits || place == Place::Unknown {
+            return Statement::Broken(span);
         }
-        Statement::Broken(span)
+        // Whatever its head was to say, what stands in the block is looked at.
+        let head_end = start + head.len();
+        statements.push(Statement::Broken(Span::new(self.file, start, head_end)));
+        let keyword = inside.keyword().unwrap_or("every").to_string();
+        let keyword = Spanned::new(keyword, Span::new(self.file, start, start + word.len()));
+        Statement::Block(Block { keyword, name: None, title: None, body: statements, doc: None, span })
     }
 
     fn explain(&mut self, statement: mistake::Broken) {
@@ -293,7 +334,18 @@ impl Builder<'_> {
         if self.is_settled(start, end) || self.diagnostics.len() > MAX_ERRORS {
             return;
         }
-        let failure = expected::failure(statement.text, statement.place, statement.has_body);
+        if let Some(found) = &mut self.separations
+            && found.len() <= MAX_ERRORS
+        {
+            let alone = |text: &str, has_body| expected::failure(text, statement.place, has_body);
+            let separations = mistake::separations(&statement, alone);
+            if !separations.is_empty() {
+                found.extend(separations);
+                return;
+            }
+        }
+        let failure = expected::failure(statement.text, statement.place, statement.has_body)
+            .unwrap_or_else(|| mistake::Failure { at: statement.text.len(), expected: vec![mistake::Expected::End] });
         self.diagnostics.push(mistake::explain(&statement, &failure));
     }
 
@@ -340,7 +392,7 @@ impl Builder<'_> {
     fn doc(&mut self, start: u32) -> Option<String> {
         let mut lines = Vec::new();
         while let Some(doc) = self.docs.next_if(|d| d.span.start < start) {
-            lines.push(doc.text);
+            lines.push(doc.text.as_str());
         }
         (!lines.is_empty()).then(|| lines.join("\n"))
     }
@@ -351,7 +403,8 @@ impl Builder<'_> {
             self.diagnostics.push(
                 Diagnostic::warning("mavc::syntax::dangling_doc", doc.span, "this `///` comment documents nothing")
                     .here("no statement follows it")
-                    .help("write `//` for a comment that belongs to no statement"),
+                    .help("write `//` for a comment that belongs to no statement")
+                    .fix(Span { end: doc.span.start + 3, ..doc.span }, "//"),
             );
         }
     }

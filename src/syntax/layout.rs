@@ -263,15 +263,24 @@ impl Scanner<'_> {
         let close = if self.comment_ends { self.text[start + 2..].find("*/") } else { None };
         self.comment_ends = close.is_some();
         let end = close.map_or_else(|| self.line_end(start), |i| start + 2 + i + 2);
-        self.report(
-            Diagnostic::error(
-                "mavc::syntax::comment",
-                self.span(start, start + 2),
-                "comments begin with `//` and end with the line",
-            )
-            .here("`/*` starts no comment")
-            .help("write `//` before each line of the comment"),
-        );
+        let diagnostic = Diagnostic::error(
+            "mavc::syntax::comment",
+            self.span(start, start + 2),
+            "comments begin with `//` and end with the line",
+        )
+        .here("`/*` starts no comment")
+        .help("write `//` before each line of the comment");
+        // Only where nothing stands behind the comment, which would become a part of it.
+        let is_last = close.is_some() && self.text[end..self.line_end(end)].trim().is_empty();
+        self.report(match is_last {
+            true => {
+                let lines = self.text[start + 2..end - 2].trim().lines();
+                let stripped = lines.map(|line| line.trim().trim_start_matches('*').trim());
+                let slashed: Vec<String> = stripped.map(|line| format!("// {line}").trim_end().to_string()).collect();
+                diagnostic.fix(self.span(start, end), slashed.join("\n"))
+            }
+            false => diagnostic,
+        });
         self.blank(start, end);
         self.at = end;
     }

@@ -5,10 +5,12 @@
 
 mod block;
 mod habit;
+mod separator;
 mod strike;
 mod wording;
 
 pub(super) use block::{check_head, misplaced, unknown_block};
+pub(super) use separator::{Separation, separations};
 
 use super::cut;
 use super::place::Place;
@@ -54,8 +56,8 @@ pub(super) struct Broken<'a> {
     pub start: usize,
     pub place: Place,
     pub has_body: bool,
-    /// The next thing in the file is a `{`.
-    pub brace_below: bool,
+    /// The blanks before the `{` that is the next thing in the file, if it is one.
+    pub brace_below: Option<&'a str>,
 }
 
 impl Broken<'_> {
@@ -132,6 +134,10 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
         let from = statement.text.char_indices().next_back().map_or(0, |(i, _)| i);
         let diagnostic = Diagnostic::error(code, statement.span(from, at), format!("{wanted} is missing{after}"))
             .here(format!("{wanted} must follow"));
+        let diagnostic = match failure.expected.as_slice() {
+            [Expected::Word("as")] if statement.word() == "every" => diagnostic.fix(statement.span(at, at), " as M"),
+            _ => diagnostic,
+        };
         return with_form(diagnostic, statement);
     }
     let span = statement.span(failure.at, failure.at + found.len());
@@ -141,7 +147,27 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
     if only_end && !statement.has_body && found.starts_with(|c: char| is_name(c) || "\",".contains(c)) {
         return diagnostic.help("one statement stands on a line: begin a new line or write `;` between two");
     }
-    with_form(diagnostic, statement)
+    let diagnostic = with_form(diagnostic, statement);
+    match (statement.word(), before) {
+        ("use", "use") if quotable(&statement.text[failure.at..]) => {
+            let path = statement.text[failure.at..].trim_end();
+            let whole = statement.span(failure.at, failure.at + path.len());
+            diagnostic.help(format!("write `use \"{}\"`", cut(path))).fix(whole, format!("\"{path}\""))
+        }
+        ("end", "end") if found == "at" || found.starts_with('[') => {
+            let at = if found == "at" { "" } else { " at" };
+            diagnostic
+                .help("write `waypoint` for `end`: a mission ends at its last waypoint")
+                .fix(statement.span(0, "end".len()), format!("waypoint{at}"))
+        }
+        _ => diagnostic,
+    }
+}
+
+/// Whether a text is a path that lacks its quotes.
+fn quotable(path: &str) -> bool {
+    let path = path.trim_end();
+    path.ends_with(".mav") && path.chars().all(|c| is_name(c) || "./-\\".contains(c))
 }
 
 fn with_form(diagnostic: Diagnostic, statement: &Broken) -> Diagnostic {

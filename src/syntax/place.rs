@@ -99,6 +99,11 @@ const OTHER_WORDS: &[(&str, &str)] = &[
     ("monte_carlo", "campaign"),
     ("trials", "campaign"),
     ("flight", "mission"),
+    ("goal", "waypoint"),
+    ("target", "waypoint"),
+    ("destination", "waypoint"),
+    ("finish", "waypoint"),
+    ("landing", "waypoint"),
     ("goto", "waypoint"),
     ("fly", "waypoint"),
     ("wait", "hold"),
@@ -168,6 +173,12 @@ impl Place {
             Place::Campaign => "in `campaign`",
             Place::Unknown => "in this block",
         }
+    }
+
+    /// As one says it: "a statement of a `mission`".
+    pub fn phrase_alone(self) -> &'static str {
+        let phrase = self.phrase();
+        phrase.strip_prefix("in ").unwrap_or(phrase)
     }
 
     /// The words that may begin a statement here.

@@ -11,6 +11,8 @@ use crate::planner::wrench_model::WrenchModel;
 pub struct Outside {
     /// Indices of rows violated at some node.
     pub facets: Vec<usize>,
+    /// Indices of rows violated at some instant: these, and those passed only between nodes.
+    pub passed: Vec<usize>,
     /// (row, node) pairs violated.
     pub rows: usize,
     /// Nodes with a violated row.
@@ -52,11 +54,13 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     for k in 0..trajectory.intervals() {
         let (stretches, worst) = stretches(trajectory, vehicle, gravity, rows, k);
         found.max_violation = found.max_violation.max(worst);
+        stretches.iter().for_each(|stretch| violated[stretch.row] = true);
         for (a, b) in merged(stretches.into_iter().map(|s| (s.from, s.to)).collect()) {
             found.seconds += b - a;
             found.last = Some(b);
         }
     }
+    found.passed = (0..rows.len()).filter(|&i| violated[i]).collect();
     found
 }
 

@@ -65,6 +65,11 @@ impl Exponent {
         self.numerator < 0
     }
 
+    /// Whether this lies between zero and `other`, which has its sign.
+    pub fn is_nearer_zero(self, other: Self) -> bool {
+        (self.numerator * other.denominator).abs() < (other.numerator * self.denominator).abs()
+    }
+
     fn plus(self, other: Self) -> Option<Self> {
         Self::new(
             self.numerator * other.denominator + other.numerator * self.denominator,
@@ -113,6 +118,13 @@ impl Dimension {
 
     pub fn exponent(self, base: Base) -> Exponent {
         self.0[base as usize]
+    }
+
+    /// The factor of one base dimension.
+    pub fn only(self, base: Base) -> Self {
+        let mut factor = Dimension::PLAIN;
+        factor.0[base as usize] = self.exponent(base);
+        factor
     }
 
     pub fn is_plain(self) -> bool {

@@ -6,7 +6,7 @@ use super::{Base, Dimension};
 /// A comparison of an expected and a found dimension.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mismatch {
-    /// Aligned lines: expected, found, and the missing factor where there is a sensible one.
+    /// Aligned lines: expected, found, and where they share a factor those that are missing and those that are too much.
     pub table: String,
     /// One action, `multiply by a length (m)`, where the two have a factor in common.
     pub action: Option<String>,
@@ -19,17 +19,19 @@ pub struct Mismatch {
 ///    found  kg  m
 ///  missing      m
 /// ```
+/// A factor that only the found one has, or has to a higher power, stands in a row `too much`.
 pub fn mismatch(expected: Dimension, found: Dimension) -> Mismatch {
     compare(["expected", "found"], expected, found)
 }
 
 /// As [`mismatch`], with names of its own for the two sides.
 pub fn compare(names: [&str; 2], expected: Dimension, found: Dimension) -> Mismatch {
-    let missing = expected.over(found).unwrap_or(Dimension::PLAIN);
+    let factor = expected.over(found).unwrap_or(Dimension::PLAIN);
+    let (missing, surplus) = differences(expected, found);
     let shared = Base::ALL.into_iter().any(|b| !expected.exponent(b).is_zero() && !found.exponent(b).is_zero());
     let mut rows = vec![(names[0], expected), (names[1], found)];
     if shared {
-        rows.push(("missing", missing));
+        rows.extend([("missing", missing), ("too much", surplus)].into_iter().filter(|(_, d)| !d.is_plain()));
     }
     let title = rows.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let used: Vec<Base> =
@@ -41,7 +43,29 @@ pub fn compare(names: [&str; 2], expected: Dimension, found: Dimension) -> Misma
         format!("{name:>title$}{}", cells.trim_end())
     };
     let table = rows.iter().map(line).collect::<Vec<_>>().join("\n");
-    Mismatch { table, action: shared.then(|| action(missing)) }
+    Mismatch { table, action: shared.then(|| action(factor)) }
+}
+
+/// Factor by factor, what `found` has too little of and what it has too much of.
+fn differences(expected: Dimension, found: Dimension) -> (Dimension, Dimension) {
+    let (mut missing, mut surplus) = (Dimension::PLAIN, Dimension::PLAIN);
+    for base in Base::ALL {
+        let (due, there) = (expected.only(base), found.only(base));
+        let (e, f) = (due.exponent(base), there.exponent(base));
+        let opposed = !e.is_zero() && !f.is_zero() && e.is_negative() != f.is_negative();
+        let (lacks, exceeds) = match () {
+            _ if opposed => (due, there),
+            _ if e == f => continue,
+            // Further from zero on the same side: more of it.
+            _ if f.is_zero() || (!e.is_zero() && f.is_nearer_zero(e)) => {
+                (due.over(there).unwrap_or(due), Dimension::PLAIN)
+            }
+            _ => (Dimension::PLAIN, there.over(due).unwrap_or(there)),
+        };
+        missing = missing.times(lacks).unwrap_or(missing);
+        surplus = surplus.times(exceeds).unwrap_or(surplus);
+    }
+    (missing, surplus)
 }
 
 fn cell(dimension: Dimension, base: Base) -> String {
@@ -72,6 +96,20 @@ mod tests {
         assert_eq!(told.table, "expected  kg  m^2\n   found  kg  m\n missing      m");
         assert_eq!(told.action.as_deref(), Some("multiply by a length (m)"));
         assert_eq!(mismatch(found, inertia).action.as_deref(), Some("divide by a length (m)"));
+    }
+
+    #[test]
+    fn what_is_too_much_stands_apart_from_what_is_missing() {
+        let unit = |text: &str| crate::unit::parse_unit(text, 1.0).unwrap().dimension;
+        let table = |expected: &str, found: &str| mismatch(unit(expected), unit(found)).table;
+        assert_eq!(table("kg*m^2", "N*m"), "expected  kg  m^2\n   found  kg  m^2  s^-2\ntoo much           s^-2");
+        assert_eq!(table("m/s", "m"), "expected  m  s^-1\n   found  m\n missing     s^-1");
+        assert_eq!(table("m", "m^2"), "expected  m\n   found  m^2\ntoo much  m");
+        assert_eq!(
+            table("N", "kg*m^3/s"),
+            "expected  kg  m    s^-2\n   found  kg  m^3  s^-1\n missing           s^-1\ntoo much      m^2"
+        );
+        assert_eq!(table("Hz", "s"), "expected  s^-1\n   found  s\n missing  s^-1\ntoo much  s");
     }
 
     #[test]

@@ -7,10 +7,12 @@ use mavc::source::{Source, SourceMap};
 use std::path::Path;
 use std::sync::Mutex;
 
-/// All that one file gives, up to the stage its folder names. What it uses stands in folders beside it.
-fn compile(stage: &str, path: &Path) -> (Vec<Diagnostic>, SourceMap) {
+/// All that one file gives, up to the stage its folder names. What it uses stands in folders beside it. `mend` sees the
+/// name and the bytes of every file that is read.
+pub fn compile(path: &Path, mend: &dyn Fn(&str, Vec<u8>) -> Vec<u8>) -> (Vec<Diagnostic>, SourceMap) {
     let name = path.file_name().unwrap().to_str().unwrap();
-    let bytes = std::fs::read(path).unwrap();
+    let stage = path.parent().unwrap().file_name().unwrap();
+    let bytes = mend(name, std::fs::read(path).unwrap());
     if stage == "syntax" {
         let mut sources = SourceMap::default();
         let file = sources.add(Source::from_bytes(name, &bytes).unwrap());
@@ -18,7 +20,8 @@ fn compile(stage: &str, path: &Path) -> (Vec<Diagnostic>, SourceMap) {
         return (diagnostics, sources);
     }
     let folder = path.parent().unwrap();
-    let (files, mut diagnostics) = load(name, &bytes, &|used| std::fs::read(folder.join(used)));
+    let (files, mut diagnostics) =
+        load(name, &bytes, &|used| std::fs::read(folder.join(used)).map(|bytes| mend(&used.to_string_lossy(), bytes)));
     diagnostics.extend(elaborate(&files, &[]).diagnostics);
     sort(&mut diagnostics);
     (diagnostics, files.sources)
@@ -35,7 +38,7 @@ fn check(path: &Path) -> Option<String> {
     let stage = folder.file_name().unwrap().to_str().unwrap();
     let name = path.file_name().unwrap().to_str().unwrap();
     let text = std::fs::read_to_string(path).unwrap();
-    let (diagnostics, sources) = compile(stage, path);
+    let (diagnostics, sources) = compile(path, &|_, bytes| bytes);
     let found: Vec<String> = diagnostics.iter().map(|d| format!("{}: {}", d.severity.name(), d.code)).collect();
     let rendered = render_human(&diagnostics, &sources, 100, false);
     let mut settings = insta::Settings::clone_current();
@@ -55,4 +58,21 @@ fn every_file_is_rejected_as_it_says() {
     insta::glob!("../specs/errors", "*/*.mav", |path| failures.lock().unwrap().extend(check(path)));
     let failures = failures.into_inner().unwrap();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn every_mismatch_shows_both_sides_factor_by_factor() {
+    const SIDES: [[&str; 2]; 4] = [["expected", "found"], ["left", "right"], ["first", "other"], ["start", "end"]];
+    let mut count = 0;
+    insta::glob!("../specs", "{errors/*,several}/*.mav", |path| {
+        let (diagnostics, _) = compile(path, &|_, bytes| bytes);
+        for diagnostic in diagnostics.iter().filter(|d| d.code == "mavc::unit::mismatch") {
+            let help = diagnostic.help.as_deref().unwrap_or("");
+            let rows: Vec<&str> = help.lines().take(2).filter_map(|row| row.split_whitespace().next()).collect();
+            let shown = SIDES.iter().any(|sides| sides[..] == rows[..]);
+            assert!(shown, "{}: {}\n{help}", path.display(), diagnostic.message);
+            count += 1;
+        }
+    });
+    assert!(count > 30, "{count} mismatches");
 }

@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::FaultMode;
 use crate::model::context::{Context, listed, without_digits};
 use crate::model::due::Due;
+use crate::model::mend;
 use crate::source::Spanned;
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
 
@@ -73,7 +74,8 @@ pub(super) fn read<'a>(
             Some(index) if taken[index] => {
                 let message = format!("`{}` is listed twice", names[index]);
                 let warning = Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
-                cx.report(warning.here("listed already").help("take it out"));
+                let again = mend::element(cx.sources.get(element.span.file), element.span);
+                cx.report(warning.here("listed already").help("take it out").fix(again, ""));
             }
             Some(index) => {
                 taken[index] = true;
@@ -127,7 +129,8 @@ fn filter<'a>(
             Diagnostic::warning("mavc::plan::none_selected", field.span, "no fault mode meets this condition");
         let have = if without == 1 { "has" } else { "have" };
         let help =
-            format!("{without} of {} modes {have} no `{name}`; a mode without the number is never chosen", modes.len());
+            format!("give the modes a `{name}`, or change the condition: {without} of {} {have} none", modes.len());
+        let help = if without == 0 { "change the condition, or list the modes".to_string() } else { help };
         cx.report(warning.here("selects nothing").help(help));
     }
     Some(chosen)

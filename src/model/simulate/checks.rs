@@ -90,7 +90,7 @@ pub fn coarse_step(model: &Model) -> Option<Diagnostic> {
 }
 
 pub(super) fn coarse(simulation: &Simulation, vehicle: &Vehicle) -> Option<Diagnostic> {
-    coarse_for(simulation.rate, simulation.control_rate, simulation.rate_span, vehicle)
+    coarse_for(simulation.rate, simulation.control_rate, simulation.rate_span, None, vehicle)
         .or_else(|| coarse_drag(simulation, vehicle))
 }
 
@@ -109,8 +109,9 @@ pub(super) fn coarse_drag(simulation: &Simulation, vehicle: &Vehicle) -> Option<
     })
 }
 
-/// Two steps at least in the time constant of the fastest rotor: beyond that the integration goes astray.
-fn coarse_for(rate: f64, control_rate: f64, span: Span, vehicle: &Vehicle) -> Option<Diagnostic> {
+/// Two steps at least in the time constant of the fastest rotor: beyond that the integration goes astray. `given` is
+/// where the rate is written.
+fn coarse_for(rate: f64, control_rate: f64, span: Span, given: Option<Span>, vehicle: &Vehicle) -> Option<Diagnostic> {
     let fastest = vehicle.rotors.iter().min_by(|a, b| a.lag().total_cmp(&b.lag()))?;
     let least = 2.0 / fastest.lag();
     if rate >= least * (1.0 - 1e-9) {
@@ -131,7 +132,13 @@ fn coarse_for(rate: f64, control_rate: f64, span: Span, vehicle: &Vehicle) -> Op
         .here("longer than half of its time constant")
         .also(vehicle.span, said);
     Some(match enough <= MAX_RATE {
-        true => error.help(format!("write `rate = {} Hz` or more", number(enough))),
+        true => {
+            let error = error.help(format!("write `rate = {} Hz` or more", number(enough)));
+            match given {
+                Some(given) => error.fix(given, format!("{} Hz", number(enough))),
+                None => error,
+            }
+        }
         false => {
             error.help(format!("no rate up to {} kHz is enough: check the `time_constant`", number(MAX_RATE / 1e3)))
         }
@@ -158,14 +165,16 @@ pub(super) fn rates<'a>(
     let place = |name: &str| fields.get(name).map_or(block, |expr| expr.span);
     let too_fast = rate.filter(|rate| *rate > MAX_RATE).map(|rate| {
         let error = Diagnostic::error(RATES, place("rate"), "`rate` is at most 100 kHz");
-        error.here(format!("this is {} kHz", number(rate / 1e3))).help("write `rate = 100 kHz` or less")
+        let error = error.here(format!("this is {} kHz", number(rate / 1e3))).help("write `rate = 100 kHz` or less");
+        written(fields, "rate", error, "100 kHz".into())
     });
     let mut told = report(cx, too_fast);
     for ((name, least), given) in MIN_RATES.into_iter().zip([control_rate, estimator_rate]) {
         let too_slow = given.filter(|rate| *rate < least).map(|rate| {
             let error = Diagnostic::error(RATES, place(name), format!("`{name}` is at least {} Hz", number(least)));
             let error = error.here(format!("this is {} Hz", number(rate)));
-            error.help(format!("write `{name} = {} Hz` or more", number(least)))
+            let mended = format!("{} Hz", number(least));
+            written(fields, name, error.help(format!("write `{name} = {mended}` or more")), mended)
         });
         told |= report(cx, too_slow);
     }
@@ -173,19 +182,30 @@ pub(super) fn rates<'a>(
     let mut undecided = false;
     if let (Some(rate), Some(control_rate), Some(vehicle), false) = (rate, control_rate, vehicle, told) {
         // Its help mends `rate` for `control_rate` too.
-        told = report(cx, coarse_for(rate, control_rate, place("rate"), vehicle));
+        let given = fields.get("rate").map(|expr| expr.span);
+        told = report(cx, coarse_for(rate, control_rate, place("rate"), given, vehicle));
     }
     if let (Some(rate), Some(control_rate), false) = (rate, control_rate, told) {
-        undecided = report(cx, undivided(fields, ("rate", rate), ("control_rate", control_rate), block));
+        let error = undivided(cx, fields, ("rate", rate), ("control_rate", control_rate), block);
+        undecided = report(cx, error);
     }
     if let (Some(control_rate), Some(estimator_rate), false) = (control_rate, estimator_rate, undecided) {
-        report(cx, undivided(fields, ("control_rate", control_rate), ("estimator_rate", estimator_rate), block));
+        let error = undivided(cx, fields, ("control_rate", control_rate), ("estimator_rate", estimator_rate), block);
+        report(cx, error);
     }
     fine
 }
 
+/// With `mended` in the place of what is written for `name`.
+fn written(fields: &Fields, name: &str, error: Diagnostic, mended: String) -> Diagnostic {
+    match fields.get(name) {
+        Some(expr) => error.fix(expr.span, mended),
+        None => error,
+    }
+}
+
 /// The error of a rate that does not divide the faster one it runs in.
-fn undivided(fields: &Fields, whole: (&str, f64), part: (&str, f64), block: Span) -> Option<Diagnostic> {
+fn undivided(cx: &Context, fields: &Fields, whole: (&str, f64), part: (&str, f64), block: Span) -> Option<Diagnostic> {
     if divides(part.1, whole.1) {
         return None;
     }
@@ -207,7 +227,10 @@ fn undivided(fields: &Fields, whole: (&str, f64), part: (&str, f64), block: Span
     let mended = format!("{} Hz", number(nearest_part(part.1, whole.1)));
     Some(match part_given {
         Some(expr) => error.help(format!("write `{} = {mended}`", part.0)).fix(expr.span, mended),
-        None => error.help(format!("add `{} = {mended}`, which is {} Hz otherwise", part.0, number(part.1))),
+        None => {
+            let error = error.help(format!("add `{} = {mended}`, which is {} Hz otherwise", part.0, number(part.1)));
+            fields.add(cx, error, &format!("{} = {mended}", part.0))
+        }
     })
 }
 

@@ -84,6 +84,7 @@ impl Traits {
         for (a, b) in [("thrust_coefficient", "max_thrust"), ("drag_coefficient", "torque_per_thrust")] {
             if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
                 let message = format!("`{a}` and `{b}` say the same thing twice");
+                let (first, second) = if first.start <= second.start { (first, second) } else { (second, first) };
                 cx.report(
                     Diagnostic::error("mavc::vehicle::conflict", second, message)
                         .here("one of the two")

@@ -13,10 +13,10 @@ pub(super) fn position(error: &Error<Rule>) -> usize {
     }
 }
 
-/// Reads one statement alone, by the rule it was probably meant to follow.
-pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Failure {
+/// Reads one statement alone, by the rule it was probably meant to follow; `None` where it can be read.
+pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Option<Failure> {
     let Err(error) = Grammar::parse(strict_rule(text, place, has_body), text) else {
-        return Failure { at: text.len(), expected: vec![Expected::End] };
+        return None;
     };
     let mut expected: Vec<Expected> = match &error.variant {
         // A word that is no name here: that is all the grammar forbids.
@@ -32,7 +32,7 @@ pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Failure {
     }
     expected.sort();
     expected.dedup();
-    Failure { at: position(&error), expected }
+    Some(Failure { at: position(&error), expected })
 }
 
 /// The rule for a statement's first word, here.

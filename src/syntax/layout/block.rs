@@ -46,7 +46,8 @@ impl Scanner<'_> {
     /// The blocks open at `at` end there, and one of them should have ended before.
     pub(super) fn close_blocks(&mut self, at: usize) {
         let open = std::mem::take(&mut self.blocks);
-        let culprit = self.left_open.take().or(open.last().copied());
+        let misaligned = self.left_open.take();
+        let culprit = misaligned.or(open.last().copied());
         let Some(block) = culprit.filter(|_| !open.is_empty()) else {
             return;
         };
@@ -63,6 +64,16 @@ impl Scanner<'_> {
             let start = self.skip_while(at, is_blank);
             let message = format!("`{word}` stands at the top level, but a block is still open here");
             diagnostic = diagnostic.also(self.span(start, start + word.len()), message);
+        }
+        // Where the indentation tells nothing else, all that is open ends behind the last thing written.
+        if misaligned.is_none() {
+            let last = self.out[..at].iter().rposition(|b| !b.is_ascii_whitespace());
+            let end = self.line_end(last.map_or(at, |last| last + 1)).min(at);
+            let braces = open.iter().rev().map(|block| {
+                let line = &self.text[block.line..];
+                format!("\n{}}}", &line[..block.indent])
+            });
+            diagnostic = diagnostic.fix(self.span(end, end), braces.collect::<String>());
         }
         self.report(diagnostic);
         self.guesses.errors += 1;

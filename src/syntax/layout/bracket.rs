@@ -2,6 +2,7 @@
 
 use super::Scanner;
 use crate::diagnostic::Diagnostic;
+use crate::syntax::place::Place;
 
 impl Scanner<'_> {
     pub(super) fn open_bracket(&mut self, at: usize) {
@@ -80,8 +81,16 @@ impl Scanner<'_> {
         match rest.first() {
             _ if name.is_empty() => rest.first() == Some(&b'}'),
             Some(b'=' | b'<' | b'>' | b'"' | b'[' | b'{') => true,
-            Some(b) => b.is_ascii_alphanumeric() || *b == b'_',
-            None => false,
+            Some(b) if b.is_ascii_alphanumeric() || *b == b'_' => true,
+            // A keyword alone, where an element is over and no comma says that another follows.
+            None | Some(b'\r' | b'\n') => Place::opens_statement(name) && self.element_is_over(at),
+            Some(_) => false,
         }
+    }
+
+    /// Whether what stands before `at` can be the end of an element.
+    fn element_is_over(&self, at: usize) -> bool {
+        let last = self.out[..at].iter().rfind(|b| !b.is_ascii_whitespace());
+        last.is_some_and(|b| b.is_ascii_alphanumeric() || matches!(b, b')' | b']' | b'%' | b'_'))
     }
 }

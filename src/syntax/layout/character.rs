@@ -61,6 +61,13 @@ impl Scanner<'_> {
 
     fn look_alike(&self, start: usize, c: char, name: &str, instead: &str) -> Diagnostic {
         let span = self.span(start, start + c.len_utf8());
+        let quoted = Some(start + c.len_utf8()).filter(|_| instead == "\"").and_then(|inside| {
+            let line = &self.text[inside..self.line_end(inside)];
+            let (end, close) =
+                line.char_indices().find(|(_, c)| LOOK_ALIKES.iter().any(|l| l.2 == "\"" && l.0.contains(*c)))?;
+            Some((self.span(start, inside + end + close.len_utf8()), format!("\"{}\"", &line[..end])))
+        });
+        let (mended, put) = quoted.unwrap_or((span, instead.to_string()));
         let shown = if instead.trim().is_empty() { format!("U+{:04X}", c as u32) } else { c.to_string() };
         let help = match instead {
             "" => "delete it".to_string(),
@@ -70,7 +77,7 @@ impl Scanner<'_> {
         Diagnostic::error("mavc::syntax::character", span, format!("`{shown}` ({name}) is no part of the language"))
             .here("this character")
             .help(help)
-            .fix(span, instead)
+            .fix(mended, put)
     }
 
     fn single_quote(&mut self, start: usize) -> Diagnostic {

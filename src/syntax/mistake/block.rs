@@ -3,7 +3,7 @@
 use super::{Broken, form};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Statement};
+use crate::syntax::ast::Block;
 use crate::syntax::cut;
 use crate::syntax::place::{Kind, Place};
 
@@ -31,33 +31,44 @@ pub(in crate::syntax) fn unknown_block(word: &str, span: Span, place: Place) -> 
     (diagnostic, meant.and_then(Place::of_block))
 }
 
-/// A keyword's block has a name, or it has none.
-pub(in crate::syntax) fn check_head(mut block: Block, kind: Place) -> Result<Statement, Box<Diagnostic>> {
+/// A keyword's block has a name, or it has none; what is wrong with its head, if anything.
+pub(in crate::syntax) fn check_head(block: &mut Block, kind: Place) -> Option<Diagnostic> {
     let keyword = kind.keyword().unwrap_or(&block.keyword.value).to_string();
     let code = "mavc::syntax::block_head";
     let form = form(&keyword, Place::Unknown).unwrap_or("limits { .. }");
+    block.keyword.value = keyword.clone();
     if let Some(name) = block.name.as_ref().filter(|_| !kind.is_named()) {
         let message = format!("`{keyword}` takes no name");
-        return Err(Box::new(Diagnostic::error(code, name.span, message).here("not expected").help("remove the name")));
+        let behind = Span { start: block.keyword.span.end, ..name.span };
+        let error = Diagnostic::error(code, name.span, message).here("not expected");
+        let error = error.help("remove the name").fix(behind, "");
+        block.name = None;
+        return Some(error);
     }
     if block.name.is_none() && kind.is_named() {
         let message = format!("this `{keyword}` has no name");
         let diagnostic = Diagnostic::error(code, block.keyword.span, message).here("a name must follow");
-        return Err(Box::new(diagnostic.help(format!("write it like `{form}`"))));
+        let diagnostic = diagnostic.help(format!("write it like `{form}`"));
+        let behind = Span { start: block.keyword.span.end, ..block.keyword.span };
+        return Some(match kind {
+            Place::Vehicle => diagnostic.fix(behind, " octo"),
+            Place::Mission => diagnostic.fix(behind, " survey"),
+            // Modes are told apart by their names.
+            _ => diagnostic,
+        });
     }
     if let Some(title) = block.title.as_ref().filter(|_| kind != Place::Mode) {
         let message = format!("`{keyword}` takes no title");
         let diagnostic = Diagnostic::error(code, title.span, message).here("only a `mode` has a title");
-        return Err(Box::new(diagnostic.help("write it as a `///` comment above the block")));
+        return Some(diagnostic.help("write it as a `///` comment above the block"));
     }
-    block.keyword.value = keyword;
-    Ok(Statement::Block(block))
+    None
 }
 
 /// A statement that belongs elsewhere.
 pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: Span) -> Diagnostic {
     let word = super::token(text, 0, super::is_name);
-    let span = Span { end: span.start + word.len() as u32, ..span };
+    let (whole, span) = (span, Span { end: span.start + word.len() as u32, ..span });
     if kind == Kind::Field && place == Place::Limits {
         let value = text.split_once('=').map_or("", |(_, value)| value.trim());
         let (limit, relation) = match (word.strip_prefix("max_"), word.strip_prefix("min_")) {
@@ -68,7 +79,8 @@ pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: S
         };
         return Diagnostic::error("mavc::syntax::relation", span, format!("the limit `{word}` is set with `=`"))
             .here("a limit is no single value")
-            .help(format!("write `{limit} {relation} {}`", cut(value)));
+            .help(format!("write `{limit} {relation} {}`", cut(value)))
+            .fix(whole, format!("{limit} {relation} {value}"));
     }
     let what = match kind {
         Kind::RotorAt => "`rotor at`".to_string(),
@@ -118,9 +130,20 @@ pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
         let diagnostic = Diagnostic::error("mavc::syntax::missing_brace", statement.span(0, end), message)
             .here("a block must open on this line");
         return Some(match statement.brace_below {
-            true => diagnostic.help("move the `{` below to the end of this line"),
-            false => diagnostic.help("write `{` at the end of this line").fix(statement.span(end, end), " {"),
+            Some(gap) => {
+                let diagnostic = diagnostic.help("move the `{` below to the end of this line");
+                // What may be a comment is not to be lost.
+                let bare = gap.strip_prefix(' ').unwrap_or(gap).strip_prefix('\n').is_some_and(|g| !g.contains('\n'));
+                match bare {
+                    true => diagnostic.fix(statement.span(end, end + gap.len() + 1), " {"),
+                    false => diagnostic,
+                }
+            }
+            None => diagnostic.help("write `{` at the end of this line").fix(statement.span(end, end), " {"),
         });
+    }
+    if let Some(diagnostic) = bracketed(statement, rest) {
+        return Some(diagnostic);
     }
     let equals = rest.trim_end_matches([' ', '=', ':']).is_empty() && !rest.is_empty();
     (statement.has_body && equals).then(|| {
@@ -131,6 +154,33 @@ pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
             .here("not expected before `{`")
             .help("remove it")
             .fix(span, "")
+    })
+}
+
+/// `limits [ speed <= 3 m/s ]`, `mode a (rotor 1 lost)`
+fn bracketed(statement: &Broken, rest: &str) -> Option<Diagnostic> {
+    let block = Place::of_block(statement.word())?;
+    let named = if block.is_named() { rest.trim_start_matches(super::is_name).trim_start() } else { rest };
+    // A rotor's number may be a list.
+    if statement.has_body || matches!(block, Place::Rotor | Place::Rotors) || !named.starts_with(['[', '(']) {
+        return None;
+    }
+    let at = statement.text.len() - named.len();
+    let head = cut(statement.text[..at].trim_end());
+    let message = format!(
+        "the block `{head}` stands in `{{ }}`, not in `{}`",
+        if named.starts_with('[') { "[ ]" } else { "( )" }
+    );
+    let diagnostic = Diagnostic::error("mavc::syntax::block_head", statement.span(at, at + 1), message)
+        .here("opens a list or an expression")
+        .help(format!("write it like `{head} {{ .. }}`"));
+    let inside = named.trim_end().strip_suffix([']', ')']).map(|inside| &inside[1..]);
+    Some(match inside.filter(|inside| !inside.contains(['[', ']', '(', ')'])) {
+        Some(inside) => {
+            let whole = statement.span(at, at + inside.len() + 2);
+            diagnostic.fix(whole, format!("{{{inside}}}"))
+        }
+        None => diagnostic,
     })
 }
 
@@ -148,7 +198,7 @@ fn opens_block(word: &str, rest: &str) -> bool {
 }
 
 /// What begins a statement here.
-fn openers(place: Place) -> String {
+pub(super) fn openers(place: Place) -> String {
     let words: Vec<String> = place.openers().iter().map(|w| format!("`{w}`")).collect();
     match words.split_last() {
         _ if place == Place::Rotors => {
@@ -156,6 +206,10 @@ fn openers(place: Place) -> String {
                 .to_string()
         }
         _ if place == Place::Limits => "a limit is written like `speed <= 8 m/s`".to_string(),
+        Some((last, others)) if place == Place::Mission => {
+            format!("write {} or {last}; the last waypoint is the goal", others.join(", "))
+        }
+        Some((last, others)) if place == Place::Faults => format!("write {} or {last}", others.join(", ")),
         Some((last, [])) => format!("write {last}, or a field like `name = value`"),
         Some((last, others)) => format!("write {} or {last}, or a field like `name = value`", others.join(", ")),
         None => format!("only fields like `name = value` stand {}", place.phrase()),

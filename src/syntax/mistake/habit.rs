@@ -9,6 +9,9 @@ use crate::syntax::place::Place;
 const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     misspelt_statement,
     unknown_block,
+    unknown_statement,
+    doubled,
+    chained_limit,
     uncounted,
     assignment,
     relation,
@@ -60,12 +63,76 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     }
     let meant = statement.place.meant(word)?;
     let span = statement.span(0, word.len());
-    Some(
+    if word == "def" && rest.contains('(') {
+        let error = Diagnostic::error("mavc::syntax::unknown_statement", span, "no functions can be defined");
+        return Some(
+            error.here("begins no statement").help("write the expression where it is used, or `let` it be a value"),
+        );
+    }
+    let at = if matches!(meant, "start" | "waypoint") && rest.starts_with('[') { " at" } else { "" };
+    // The last waypoint is the goal, and may be called so.
+    let name = if GOALS.contains(&word) { format!(" {}", word.to_ascii_lowercase()) } else { String::new() };
+    let mended = format!("{meant}{name}{at}");
+    let diagnostic =
         Diagnostic::error("mavc::syntax::unknown_statement", span, format!("no statement begins with `{}`", cut(word)))
             .here(format!("did you mean `{meant}`?"))
-            .help(format!("write `{meant}`"))
-            .fix(span, meant),
-    )
+            .fix(span, &mended);
+    Some(match name.is_empty() {
+        true => diagnostic.help(format!("write `{mended}`")),
+        false => diagnostic.help(format!("write `{mended}`: the last waypoint of a mission is its goal")),
+    })
+}
+
+const GOALS: [&str; 5] = ["goal", "target", "destination", "finish", "landing"];
+
+/// `dance twice` in a block without fields, where no `=` makes a statement of it.
+fn unknown_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    let word = statement.word();
+    let rest = statement.text[word.len()..].trim_start();
+    let has_fields = !matches!(statement.place, Place::Mission | Place::Faults | Place::Rotors);
+    let is_marked = rest.is_empty() || rest.starts_with(['=', ':', '<', '>', ',', '(', '.', '-', '+']);
+    if word.is_empty() || has_fields || is_marked || Place::opens_statement(word) {
+        return None;
+    }
+    let message = format!("no statement of {} begins with `{}`", statement.place.phrase_alone(), cut(word));
+    let diagnostic = Diagnostic::error("mavc::syntax::unknown_statement", statement.span(0, word.len()), message);
+    Some(diagnostic.here("unknown here").help(super::block::openers(statement.place)))
+}
+
+/// `mass = = 1.8 kg`
+fn doubled(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, before) = statement.before(failure.at);
+    let found = statement.found(failure.at);
+    if matches!(found, "=" | ":") && CLAUSES.contains(&before) && failure.expects(Expected::Value) {
+        let span = statement.span(failure.at, failure.at + 1);
+        let error = Diagnostic::error("mavc::syntax::unexpected", span, format!("no `{found}` follows `{before}`"));
+        return Some(error.here("not expected").help("remove it: a clause is a word and its value").fix(span, ""));
+    }
+    let is_second = found == "=" && before == "=" && failure.expects(Expected::Value);
+    is_second.then(|| {
+        Diagnostic::error(
+            "mavc::syntax::unexpected",
+            statement.span(failure.at, failure.at + 1),
+            "`=` stands twice before one value",
+        )
+        .here("one too many")
+        .help("take one `=` out")
+        .fix(statement.span(start + 1, failure.at + 1), "")
+    })
+}
+
+/// `1 m <= altitude <= 30 m`
+fn chained_limit(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
+    let parts: Vec<&str> = statement.text.split("<=").map(str::trim).collect();
+    let [low, name, high] = parts[..] else { return None };
+    if statement.place != Place::Limits || !name.chars().all(is_name) || low.is_empty() || high.is_empty() {
+        return None;
+    }
+    let mended = format!("{name} in {low} .. {high}");
+    let span = statement.span(0, statement.text.trim_end().len());
+    let error = Diagnostic::error("mavc::syntax::relation", span, "a limit has its name in front");
+    let error = error.here("a value stands before the name");
+    Some(error.help(format!("write `{}`", cut(&mended))).fix(span, mended))
 }
 
 /// `if a > 3 { .. }`: heads that no block has.
@@ -190,7 +257,11 @@ fn listless(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             let list = format!("[{values}]");
             diagnostic.help(format!("write `{list}`")).fix(statement.span(start, start + values.len()), list)
         }
-        false => diagnostic.help("put them into `[ ]`, as in `[1, 2, 3] m`"),
+        false => {
+            let start = statement.text.len() - statement.text[name.len() + 1..].trim_start().len();
+            let span = statement.span(start, start + values.len());
+            diagnostic.help("put them into `[ ]`, as in `[1, 2, 3] m`").fix(span, format!("[{values}]"))
+        }
     })
 }
 
@@ -202,7 +273,16 @@ fn number_point(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         let found = statement.found(at);
         let span = statement.span(at, at + found.len());
         let diagnostic = Diagnostic::error("mavc::syntax::number", span, "a number is written without `_`");
-        return Some(diagnostic.here("not expected in a number").help("leave out the `_`"));
+        let start = statement.text[..at].rfind(|c: char| !(is_name(c) || c == '.')).map_or(0, |i| i + 1);
+        let whole = &statement.text[start..at + found.len()];
+        let mended = whole.replace('_', "");
+        let diagnostic = diagnostic.here("not expected in a number");
+        return Some(match mended.chars().all(|c| c.is_ascii_digit() || c == '.') {
+            true => diagnostic
+                .help(format!("write `{}`", cut(&mended)))
+                .fix(statement.span(start, start + whole.len()), mended),
+            false => diagnostic.help("leave out the `_`"),
+        });
     }
     if bytes.get(at) != Some(&b'.') || bytes.get(at + 1) == Some(&b'.') || statement.text[..at].ends_with('.') {
         return None;
@@ -242,6 +322,9 @@ fn range_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
                 .fix(statement.span(start, start), ", "),
         );
     }
+    if let Some(diagnostic) = curve_head(statement, failure) {
+        return Some(diagnostic);
+    }
     let instead_of = match found {
         "to" if failure.expects(Expected::Operator) => "to",
         _ if three => "...",
@@ -257,6 +340,39 @@ fn range_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     )
 }
 
+/// `curve in 0 .. 1`, `curve s = 0 .. 1`, `curve s in 0 .. 1, points 21`
+fn curve_head(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let (_, before) = statement.before(failure.at);
+    if statement.word() != "curve" {
+        return None;
+    }
+    let span = statement.span(failure.at, failure.at + found.len());
+    let here = statement.span(failure.at, failure.at);
+    let error = |message: String| Diagnostic::error("mavc::syntax::unexpected", span, message);
+    match found {
+        "in" if before == "curve" => Some(
+            error("`curve` names no parameter".into())
+                .here("a name must stand before this")
+                .help("write it like `curve s in 0 .. 2*pi`")
+                .fix(here, "s "),
+        ),
+        "=" | ":" if failure.expects(Expected::Word("in")) => Some(
+            error(format!("the range of `{}` is given with `in`, not `{found}`", cut(before)))
+                .here("expected `in`")
+                .help("write `in`")
+                .fix(span, "in"),
+        ),
+        _ if failure.expects(Expected::Equals) && found.starts_with(|c: char| c.is_ascii_digit()) => Some(
+            error(format!("`{}` has no `=` before its value", cut(before)))
+                .here("expected `=` before this")
+                .help(format!("write `{} = {}`", cut(before), cut(found)))
+                .fix(here, "= "),
+        ),
+        _ => None,
+    }
+}
+
 /// `start [0, 0, 2] m`, `start at [0, 0, 2] m, yaw 90 deg`
 fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if !failure.expects(Expected::Clause) {
@@ -265,6 +381,12 @@ fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let span = statement.span(failure.at, failure.at + 1);
     let rest = &statement.text[failure.at..];
     let error = |message| Diagnostic::error("mavc::syntax::unexpected", span, message);
+    let inside = rest.strip_prefix('(').and_then(|rest| rest.split_once(')')).map(|(inside, _)| inside);
+    if let Some(inside) = inside.filter(|inside| inside.contains(',') && !inside.contains('(')) {
+        let whole = statement.span(failure.at, failure.at + inside.len() + 2);
+        let error = error("a position is a list behind `at`, in `[ ]`").here("expected `at` before this");
+        return Some(error.help("write `at [x, y, z]`, the unit behind it").fix(whole, format!("at [{inside}]")));
+    }
     if rest.starts_with('[') {
         let at = statement.span(failure.at, failure.at);
         return Some(
@@ -357,16 +479,17 @@ fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<Diagnostic> 
     }
     let span = statement.span(failure.at, failure.at + found.len());
     let (name, found) = (cut(name), cut(found));
-    let help = match found.as_str() {
-        "%" => format!("write `({name}) %`"),
-        _ => format!("write `{name}*{found}` to multiply, or `({name}) {found}` if `{found}` is a unit"),
-    };
-    Some(
+    let whole = statement.span(start, failure.at + found.len());
+    let diagnostic =
         Diagnostic::error("mavc::syntax::unexpected", span, format!("`{found}` cannot follow the name `{name}`"))
             .here("an operator must stand before this")
-            .also(statement.span(start, start + name.len()), "a unit follows a number, `)` or `]`, never a name")
-            .help(help),
-    )
+            .also(statement.span(start, start + name.len()), "a unit follows a number, `)` or `]`, never a name");
+    Some(match found.as_str() {
+        "%" => diagnostic.help(format!("write `({name}) %`")).fix(whole, format!("({name}) %")),
+        _ => {
+            diagnostic.help(format!("write `{name}*{found}` to multiply, or `({name}) {found}` if `{found}` is a unit"))
+        }
+    })
 }
 
 /// `[1 2 3]`
@@ -379,13 +502,21 @@ fn list_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return None;
     }
     let span = statement.span(failure.at, failure.at + found.len());
-    let at = statement.span(failure.at, failure.at);
-    Some(
-        Diagnostic::error("mavc::syntax::unexpected", span, "a comma is missing between two elements")
-            .here("expected `,` before this")
-            .help("write `,` between them")
-            .fix(at, ", "),
-    )
+    let gap = statement.text[..failure.at].trim_end().len();
+    let error = Diagnostic::error("mavc::syntax::unexpected", span, "a comma is missing between two elements")
+        .here("expected `,` before this")
+        .help("write `,` between them");
+    // Bare numbers up to the end of the list lack every comma.
+    let rest = &statement.text[failure.at..];
+    let others: Vec<&str> = rest.split(']').next().unwrap_or("").split_whitespace().collect();
+    let bare = others.iter().all(|n| n.starts_with(|c: char| c.is_ascii_digit() || c == '-') && !n.contains(','));
+    Some(match bare && rest.contains(']') && !others.is_empty() {
+        true => {
+            let end = failure.at + rest.find(']').unwrap_or(0);
+            error.fix(statement.span(gap, end), format!(", {}", others.join(", ")))
+        }
+        false => error.fix(statement.span(gap, failure.at), ", "),
+    })
 }
 
 /// A misspelt word inside a statement: `rotor 3 reduce to 60 %`, `witin 10 cm`.

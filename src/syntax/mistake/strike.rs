@@ -65,7 +65,9 @@ fn instant(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if found.is_empty() {
         let message = format!("`fault {}` does not say when", cut(name));
         let diagnostic = error(statement, start, name.len(), message).here("`at` and a time must follow");
-        return Some(diagnostic.help(format!("write `fault {} at 5 s`", cut(name))));
+        let end = start + name.len();
+        let diagnostic = diagnostic.help(format!("write `fault {} at 5 s`", cut(name)));
+        return Some(diagnostic.fix(statement.span(end, end), " at 5 s"));
     }
     if matches!(found, "," | "and" | "&" | "&&" | "+") {
         return Some(

@@ -58,7 +58,8 @@ fn name_form(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if is_head && failure.expects(Expected::Name) && found.starts_with(|c: char| c.is_ascii_digit()) {
         let message = format!("the name `{}` begins with a digit", cut(found));
         let diagnostic = unexpected(statement, failure.at, failure.at + found.len(), message);
-        return Some(diagnostic.here("a letter comes first").help("begin it with a letter or `_`"));
+        let at = statement.span(failure.at, failure.at);
+        return Some(diagnostic.here("a letter comes first").help("begin it with a letter or `_`").fix(at, "_"));
     }
     let follows = statement.text.as_bytes().get(failure.at + 1).is_some_and(u8::is_ascii_alphanumeric);
     let touches = failure.at > 0 && is_name(statement.text.as_bytes()[failure.at - 1] as char);
@@ -101,7 +102,16 @@ fn position_in_parentheses(statement: &Broken, failure: &Failure) -> Option<Diag
     let open =
         statement.text[..failure.at].rfind(['(', ')', '[', ']']).filter(|&i| statement.text[i..].starts_with('('))?;
     let diagnostic = unexpected(statement, open, open + 1, "a list stands in `[ ]`, not in `( )`");
-    Some(diagnostic.here("opens an expression, which has no commas").help("write `[x, y, z]`, the unit behind it"))
+    let diagnostic = diagnostic.here("opens an expression, which has no commas");
+    let diagnostic = diagnostic.help("write `[x, y, z]`, the unit behind it");
+    let inside = &statement.text[open + 1..];
+    Some(match inside.find(['(', ')', '[', ']']).filter(|&i| inside[i..].starts_with(')')) {
+        Some(length) => {
+            let span = statement.span(open, open + length + 2);
+            diagnostic.fix(span, format!("[{}]", &inside[..length]))
+        }
+        None => diagnostic,
+    })
 }
 
 /// `rotors 1, 2 lost`, `rotors 1 and 2 lost`
@@ -116,7 +126,23 @@ fn rotor_numbers(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     };
     let mark = token(statement.text, at, |c| is_name(c) || "&,-".contains(c));
     let diagnostic = unexpected(statement, at, at + mark.len().max(1), "several rotors stand in a list");
-    is_fault.then(|| diagnostic.here("does not join rotors").help("write them like `rotors [1, 2] lost`"))
+    let diagnostic = diagnostic.here("does not join rotors").help("write them like `rotors [1, 2] lost`");
+    if !is_fault {
+        return None;
+    }
+    // `1, 2 and 3`
+    let numbers = statement.text[statement.word().len()..].trim_start();
+    let from = statement.text.len() - numbers.len();
+    let effects = ["lost", "reduced", "stuck"].into_iter().filter_map(|word| numbers.find(word));
+    let Some(end) = effects.min() else { return Some(diagnostic) };
+    let listed = numbers[..end].trim_end();
+    let each: Vec<&str> =
+        listed.split([',', '&']).flat_map(|part| part.split("and")).map(str::trim).filter(|n| !n.is_empty()).collect();
+    let plain = each.len() > 1 && each.iter().all(|n| n.chars().all(|c| c.is_ascii_digit()));
+    Some(match plain {
+        true => diagnostic.fix(statement.span(from, from + listed.len()), format!("[{}]", each.join(", "))),
+        false => diagnostic,
+    })
 }
 
 /// `rotor 1 fails`, where any word after a number looks like a unit.
@@ -129,7 +155,9 @@ fn effect_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     let is_word = |w: &str| w.starts_with(|c: char| c.is_ascii_alphabetic());
     let (at, word) = match () {
-        _ if is_word(before) && number(&statement.text[..start]) => (start, before),
+        _ if is_word(before) && number(&statement.text[..start]) && !matches!(before, "rotor" | "rotors") => {
+            (start, before)
+        }
         _ if is_word(found) => (failure.at, found),
         _ => return None,
     };
@@ -147,17 +175,28 @@ fn effect_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let diagnostic = diagnostic.here("expected `lost`, `reduced to` or `stuck at`");
     Some(match meant {
         "" => diagnostic.help("write it like `rotor 3 lost`, `rotor 3 reduced to 60 %` or `rotor 3 stuck at 50 %`"),
-        meant => diagnostic.help(format!("write `{meant}`")),
+        meant => diagnostic.help(format!("write `{meant}`")).fix(statement.span(at, at + word.len()), meant),
     })
 }
 
 /// `rotor 1 reduced by 10 %`
 fn reduced_by(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let is_by = statement.found(failure.at) == "by" && statement.before(failure.at).1 == "reduced";
-    is_by.then(|| {
-        unexpected(statement, failure.at, failure.at + 2, "a rotor is reduced `to` what is left, not `by` what is lost")
-            .here("expected `to`")
-            .help("a tenth lost is `reduced to 90 %`")
+    if !is_by {
+        return None;
+    }
+    let message = "a rotor is reduced `to` what is left, not `by` what is lost";
+    let diagnostic = unexpected(statement, failure.at, failure.at + 2, message).here("expected `to`");
+    let rest = statement.text[failure.at + 2..].trim_start();
+    let digits = token(rest, 0, |c| c.is_ascii_digit());
+    let unit = rest[digits.len()..].trim_start();
+    Some(match digits.parse::<u32>().ok().filter(|lost| *lost <= 100 && unit.starts_with('%')) {
+        Some(lost) => {
+            let mended = format!("to {} %", 100 - lost);
+            let end = statement.text.len() - unit.len() + 1;
+            diagnostic.help(format!("write `{mended}`")).fix(statement.span(failure.at, end), mended)
+        }
+        None => diagnostic.help("say what is left: a tenth lost is `reduced to 90 %`"),
     })
 }
 
@@ -181,10 +220,27 @@ fn per(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let (at, found) = (failure.at, statement.found(failure.at));
     let at = if before == "per" { start } else { at };
     let is_word = before == "per" || found == "per";
-    (is_word && failure.expects(Expected::Operator)).then(|| {
-        unexpected(statement, at, at + 3, "`per` is written `/`")
-            .here("a word, where a unit is one run of names and marks")
-            .help("write units like `m/s` or `1/h`")
+    if !is_word || !failure.expects(Expected::Operator) {
+        return None;
+    }
+    let diagnostic = unexpected(statement, at, at + 3, "`per` is written `/`")
+        .here("a word, where a unit is one run of names and marks")
+        .help("write units like `m/s` or `1/h`");
+    let (_, counted) = statement.before(at);
+    let rest = &statement.text[at + 3..];
+    let unit = token(rest.trim_start(), 0, is_name);
+    let slash = if counted.ends_with(|c: char| c.is_ascii_digit()) { " 1/" } else { "/" };
+    let known = match unit {
+        "hour" => "h",
+        "second" | "sec" => "s",
+        "minute" => "min",
+        short => short,
+    };
+    let from = statement.text[..at].trim_end().len();
+    let end = statement.text.len() - rest.trim_start().len() + unit.len();
+    Some(match unit.is_empty() {
+        true => diagnostic,
+        false => diagnostic.fix(statement.span(from, end), format!("{slash}{known}")),
     })
 }
 

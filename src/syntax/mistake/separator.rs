@@ -1,0 +1,100 @@
+//! Statements that follow one another on a line with nothing between them: `mass = 1 kg  arm = 0.2 m`.
+
+use super::{Broken, Expected, Failure, is_name, token};
+use crate::diagnostic::Diagnostic;
+use crate::syntax::cut;
+use crate::syntax::place::Place;
+
+/// Most statements told apart on one line.
+const MAX_SEPARATIONS: usize = 64;
+
+/// Where a `;` is missing.
+pub(in crate::syntax) struct Separation {
+    pub diagnostic: Diagnostic,
+    /// Offset in the file of a blank, or of a comma, where the `;` may stand.
+    pub at: usize,
+}
+
+/// The places in a line where a statement plainly ends and another begins. `failure` reads a statement alone by the rule
+/// it was probably meant to follow; `None` where nothing is wrong with it.
+pub(in crate::syntax) fn separations(
+    line: &Broken,
+    failure: impl Fn(&str, bool) -> Option<Failure>,
+) -> Vec<Separation> {
+    let mut found = Vec::new();
+    let mut from = 0;
+    while found.len() < MAX_SEPARATIONS {
+        let text = &line.text[from..];
+        let rest = Broken { text, start: line.start + from, ..*line };
+        let Some(fails) = failure(text, line.has_body) else { break };
+        let Some((at, next)) = split(&rest, &fails, &failure) else { break };
+        found.push(Separation { diagnostic: error(&rest, at, next), at: rest.start + at });
+        from += next;
+    }
+    found
+}
+
+/// Where the `;` goes, and where the next statement begins, if one does where this one fails.
+fn split(
+    statement: &Broken,
+    fails: &Failure,
+    failure: &impl Fn(&str, bool) -> Option<Failure>,
+) -> Option<(usize, usize)> {
+    // What has a head and a body is told by its head.
+    if Place::of_head(statement.word()).is_some_and(|block| !matches!(block, Place::Rotor | Place::Rotors)) {
+        return None;
+    }
+    let text = statement.text;
+    let found = statement.found(fails.at);
+    if found == "," {
+        let next = fails.at + 1 + blanks(&text[fails.at + 1..]);
+        let whole = fails.expects(Expected::End) && failure(&text[..fails.at], false).is_none();
+        return (whole && begins(statement, next)).then_some((fails.at, next));
+    }
+    // After a value any word looks like its unit, so the statement may begin a word before the place where it fails.
+    let (before, word) = statement.before(fails.at);
+    let is_long = word.len() > 3 || matches!(word, "x" | "y" | "z" | "arm" | "yaw" | "use" | "let");
+    let starts = [(fails.at, !found.is_empty()), (before, is_long)];
+    starts.into_iter().filter(|(_, fits)| *fits).find_map(|(next, _)| {
+        let head = text[..next].trim_end_matches([' ', '\t']);
+        // `where` awaits a condition, though it would do as a name.
+        let apart = head.len() < next && !head.is_empty() && !head.ends_with("where");
+        let whole = || failure(head, false).is_none();
+        (apart && begins(statement, next) && whole()).then_some((head.len(), next))
+    })
+}
+
+/// Whether what stands at `at` can only begin a statement here: `name =`, or a keyword of this place.
+fn begins(statement: &Broken, at: usize) -> bool {
+    let word = token(statement.text, at, is_name);
+    if !word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
+        return false;
+    }
+    let rest = statement.text[at + word.len()..].trim_start_matches([' ', '\t']);
+    let place = statement.place;
+    let in_limits = place == Place::Limits && (rest.starts_with("in ") || rest.starts_with(['<', '>']));
+    let opens = place.openers().contains(&word) && !rest.starts_with(['+', '-', '*', '/', '^', ')', ',']);
+    let is_field = rest.starts_with('=') && !["==", "=>", "=<"].iter().any(|mark| rest.starts_with(mark));
+    is_field || in_limits || opens && (!rest.is_empty() || statement.has_body)
+}
+
+fn error(statement: &Broken, at: usize, next: usize) -> Diagnostic {
+    let word = token(statement.text, next, is_name);
+    let code = "mavc::syntax::separator";
+    let diagnostic = match statement.text[at..].starts_with(',') {
+        true => Diagnostic::error(code, statement.span(at, at + 1), "no comma stands between two statements")
+            .here("another statement follows")
+            .fix(statement.span(at, at + 1), ";"),
+        false => {
+            let span = statement.span(next, next + word.len());
+            Diagnostic::error(code, span, "a new line or `;` must stand between two statements")
+                .here(format!("`{}` begins a statement of its own", cut(word)))
+                .fix(statement.span(at, at), ";")
+        }
+    };
+    diagnostic.help(format!("write `;` before `{}`, or begin a new line", cut(word)))
+}
+
+fn blanks(text: &str) -> usize {
+    text.len() - text.trim_start_matches([' ', '\t']).len()
+}
