@@ -108,9 +108,10 @@ enum Command {
 #[derive(Args)]
 pub(crate) struct SpecArgs {
     /// The spec, or `-` for standard input
+    #[arg(value_hint = clap::ValueHint::FilePath)]
     spec: String,
     /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
-    #[arg(long = "set", value_name = "FIELD=VALUE")]
+    #[arg(long = "set", value_name = "FIELD=VALUE", value_hint = clap::ValueHint::Other)]
     set: Vec<String>,
 }
 
@@ -120,7 +121,7 @@ pub(crate) struct CheckArgs {
     #[arg(required = true, value_name = "SPEC")]
     specs: Vec<String>,
     /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
-    #[arg(long = "set", value_name = "FIELD=VALUE")]
+    #[arg(long = "set", value_name = "FIELD=VALUE", value_hint = clap::ValueHint::Other)]
     set: Vec<String>,
     /// How problems are printed
     #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
@@ -161,7 +162,7 @@ pub(crate) struct AnalyzeArgs {
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
     /// Vary a field of the vehicle, gravity or a `let` and print where verdicts flip: mass=1.5..2.5kg
-    #[arg(long, value_name = "FIELD=LOW..HIGH")]
+    #[arg(long, value_name = "FIELD=LOW..HIGH", value_hint = clap::ValueHint::Other)]
     sweep: Option<String>,
 }
 
@@ -176,7 +177,7 @@ pub(crate) struct PlanArgs {
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
     /// Resample the trajectory, such as 100Hz; waypoints keep their rows
-    #[arg(long, value_name = "RATE")]
+    #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     rate: Option<String>,
     /// Where the certificate goes (JSON), for `mavc verify`
     #[arg(long, value_name = "CERT.JSON")]
@@ -206,7 +207,7 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
     /// Also compare numbers of rounds of selection at T_d, such as 0..5
-    #[arg(long, value_name = "FIRST..LAST")]
+    #[arg(long, value_name = "FIRST..LAST", value_hint = clap::ValueHint::Other)]
     rounds: Option<String>,
     /// Where the page goes (HTML): one file with charts, for a browser without a network
     #[arg(long, value_name = "REPORT.HTML")]
@@ -227,7 +228,7 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
     /// Rows of the log, such as 100Hz; at most as often as the controller acts
-    #[arg(long, value_name = "RATE")]
+    #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     rate: Option<String>,
     /// Where the page goes (HTML): one file with charts, for a browser without a network
     #[arg(long, value_name = "REPORT.HTML")]

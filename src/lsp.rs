@@ -36,7 +36,8 @@ mod workspace;
 
 pub use documentation::{Entry, field as field_documentation};
 
-use lsp_server::Connection;
+use crossbeam_channel::TryRecvError;
+use lsp_server::{Connection, ErrorCode, Message, RequestId, Response};
 use server::Server;
 
 /// How a conversation has ended.
@@ -50,22 +51,43 @@ pub enum Ending {
 
 /// Serves one editor until it says `exit` or goes away.
 pub fn serve(connection: &Connection) -> Ending {
-    let Ok((id, params)) = connection.initialize_start() else { return Ending::Abrupt };
-    Server::new(connection, id, params).run()
+    match first_request(connection) {
+        Some((id, params)) => Server::new(connection, id, params).run(),
+        None => Ending::Abrupt,
+    }
+}
+
+/// Waits for `initialize` and refuses every other request until then; `None` where the editor leaves before.
+fn first_request(connection: &Connection) -> Option<(RequestId, serde_json::Value)> {
+    loop {
+        match connection.receiver.recv().ok()? {
+            Message::Request(request) if request.method == "initialize" => return Some((request.id, request.params)),
+            Message::Request(request) => {
+                let message = format!("`{}` came before `initialize`", request.method);
+                let refusal = Response::new_err(request.id, ErrorCode::ServerNotInitialized as i32, message);
+                connection.sender.send(refusal.into()).ok()?;
+            }
+            Message::Notification(note) if note.method == "exit" => return None,
+            Message::Notification(_) | Message::Response(_) => {}
+        }
+    }
 }
 
 /// Serves the editor at standard input and output.
 ///
 /// # Errors
-/// Standard input or output failed.
+/// Standard input or output failed, or what came in is no message of the protocol.
 pub fn serve_stdio() -> std::io::Result<Ending> {
     let (connection, threads) = Connection::stdio();
     let ending = serve(&connection);
+    // The reader has gone where there was nothing more to read, or nothing that it could.
+    let has_ended = connection.receiver.try_recv().is_err_and(|e| e == TryRecvError::Disconnected);
     // The threads end with their channels.
     drop(connection);
     match ending {
         Ending::Agreed => threads.join().map(|()| ending),
         // The reader may still wait for an editor that says nothing any more.
-        Ending::Abrupt => Ok(ending),
+        Ending::Abrupt if !has_ended => Ok(ending),
+        Ending::Abrupt => threads.join().map(|()| ending),
     }
 }

@@ -11,8 +11,19 @@ use std::path::Path;
 pub fn completions(shell: Shell) -> Result<u8, Problem> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "mavc", &mut script);
-    files::print(&String::from_utf8_lossy(&script))?;
+    let script = String::from_utf8_lossy(&script);
+    match shell {
+        Shell::Bash => files::print(&choosy(&script))?,
+        _ => files::print(&script)?,
+    }
     Ok(FINE)
+}
+
+/// The script of clap for bash offers every option at every place, and then no file: another function picks.
+fn choosy(script: &str) -> String {
+    let (functions, registration) = script.split_once("\nif [[ \"${BASH_VERSINFO").unwrap_or((script, ""));
+    let registration = registration.replace("complete -F _mavc ", "complete -F _mavc_words ");
+    format!("{functions}\n{}if [[ \"${{BASH_VERSINFO{registration}", include_str!("shell/words.bash"))
 }
 
 /// `mavc man`: the page of the whole on standard output, or that and one for each command in a folder.
@@ -35,5 +46,7 @@ fn page(command: &clap::Command) -> Result<(String, String), Problem> {
     let man = Man::new(command.clone());
     let mut text = Vec::new();
     man.render(&mut text).map_err(|e| format!("cannot write a manual page: {}", files::reason(&e)))?;
-    Ok((man.get_filename(), String::from_utf8_lossy(&text).into_owned()))
+    // The one thing said behind the options is what the exit codes mean.
+    let text = String::from_utf8_lossy(&text).replace("\n.SH EXTRA\n", "\n.SH \"EXIT STATUS\"\n");
+    Ok((man.get_filename(), text))
 }

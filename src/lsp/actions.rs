@@ -29,14 +29,18 @@ pub fn fixes(
 fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic) -> Option<CodeAction> {
     let fix = told.fix.as_ref()?;
     let source = spec.source(fix.span.file);
-    let edit =
-        TextEdit { range: range(source, fix.span.start as usize, fix.span.end as usize), new_text: fix.text.clone() };
+    let (start, end) = (fix.span.start as usize, fix.span.end as usize);
+    // `mass: 1` becomes `mass = 1`, as everybody writes it.
+    let is_glued = fix.text == "=" && spec.snippet(fix.span) == ":" && !source.text[..start].ends_with([' ', '\t']);
+    let new_text = if is_glued { " =".to_string() } else { fix.text.clone() };
+    let edit = TextEdit { range: range(source, start, end), new_text };
     let changes = HashMap::from([(workspace.uri(&source.name)?, vec![edit])]);
     Some(CodeAction {
         title: title(told, &fix.text, spec.snippet(fix.span)),
         kind: Some(CodeActionKind::QuickFix),
         diagnostics: Some(vec![diagnostic(workspace, spec, told)]),
-        is_preferred: Some(true),
+        // The value of a field that is missing is only an example, to be looked at before it is taken.
+        is_preferred: Some(told.code != "mavc::name::missing_field"),
         edit: Some(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }),
         ..CodeAction::default()
     })
@@ -46,7 +50,9 @@ fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic) -> Option<CodeActi
 fn title(told: &Diagnostic, text: &str, replaced: &str) -> String {
     let (text, replaced) = (text.trim(), replaced.trim());
     let is_order = |help: &&str| ["write ", "add ", "take ", "put "].iter().any(|word| help.starts_with(word));
-    match told.help.as_deref().and_then(|help| help.lines().next()).filter(is_order) {
+    // Of several things that the help names the replacement is one, and `...` is no text to be written.
+    let is_one = |help: &&str| help.matches('`').count() <= 2 && !help.contains("...");
+    match told.help.as_deref().and_then(|help| help.lines().next()).filter(is_order).filter(is_one) {
         Some(help) => {
             let mut letters = help.chars();
             let first = letters.next().map(|c| c.to_ascii_uppercase());

@@ -42,7 +42,7 @@ pub fn capabilities() -> ServerCapabilities {
         text_document_sync: Some(sync.into()),
         hover_provider: Some(true.into()),
         completion_provider: Some(CompletionOptions {
-            trigger_characters: Some([" ", "=", "[", "("].map(String::from).to_vec()),
+            trigger_characters: Some([" ", "=", "[", "(", "\"", "/"].map(String::from).to_vec()),
             ..CompletionOptions::default()
         }),
         definition_provider: Some(true.into()),
@@ -150,14 +150,18 @@ fn completion(server: &mut Server, params: CompletionParams) -> Answered<Option<
     // Indenting a line asks for nothing.
     let offers =
         offers.into_iter().filter(|offer| !by_blank || offer.rank == 0 || offer.kind == CompletionItemKind::Unit);
-    let item = |offer: Offer| CompletionItem {
-        kind: Some(offer.kind),
-        detail: offer.detail,
-        documentation: offer.documentation.map(|value| MarkupContent { kind: MarkupKind::Markdown, value }.into()),
-        sort_text: Some(format!("{:03} {}", offer.rank, offer.label)),
-        text_edit: Some(TextEdit { range: replaced, new_text: offer.insert }.into()),
-        label: offer.label,
-        ..CompletionItem::default()
+    let item = |offer: Offer| {
+        let snippet = offer.snippet.filter(|_| server.client.snippets);
+        CompletionItem {
+            kind: Some(offer.kind),
+            detail: offer.detail,
+            documentation: offer.documentation.map(|value| MarkupContent { kind: MarkupKind::Markdown, value }.into()),
+            sort_text: Some(format!("{:03} {}", offer.rank, offer.label)),
+            insert_text_format: snippet.is_some().then_some(InsertTextFormat::Snippet),
+            text_edit: Some(TextEdit { range: replaced, new_text: snippet.unwrap_or(offer.insert) }.into()),
+            label: offer.label,
+            ..CompletionItem::default()
+        }
     };
     Ok(Some(offers.map(item).collect::<Vec<_>>().into()))
 }
@@ -232,7 +236,27 @@ fn renamed(server: &mut Server, params: RenameParams) -> Answered<Option<Workspa
             changes.entry(uri).or_default().push(TextEdit { range, new_text: new.to_string() });
         }
     }
-    Ok(Some(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }))
+    Ok(Some(workspace_edit(server, changes)))
+}
+
+/// The edits as the editor can take them: of each text that is open with the version that they are meant for.
+fn workspace_edit(server: &Server, changes: HashMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
+    if !server.client.versioned_edits {
+        return WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() };
+    }
+    let mut changes: Vec<_> = changes.into_iter().collect();
+    changes.sort_by(|a, b| a.0.cmp(&b.0));
+    let of_text = |(uri, edits): (Url, Vec<TextEdit>)| {
+        let version = server.workspace.documents.get(&name_of(&uri)).map(|document| document.version);
+        let text_document = OptionalVersionedTextDocumentIdentifier {
+            version,
+            text_document_identifier: TextDocumentIdentifier { uri },
+        };
+        let edits = edits.into_iter().map(Edit::from).collect();
+        DocumentChange::from(TextDocumentEdit { text_document, edits })
+    };
+    let document_changes = Some(changes.into_iter().map(of_text).collect());
+    WorkspaceEdit { document_changes, ..WorkspaceEdit::default() }
 }
 
 fn symbols(server: &mut Server, params: DocumentSymbolParams) -> Answered<Option<DocumentSymbolResponse>> {

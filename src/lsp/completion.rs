@@ -1,6 +1,7 @@
 //! What may be written next.
 
 mod context;
+mod paths;
 mod units;
 
 use super::documentation;
@@ -13,6 +14,9 @@ use crate::syntax::Place;
 use context::{Before, Context};
 use gen_lsp_types::CompletionItemKind as ItemKind;
 
+/// What a spec mostly begins with, in this order.
+const ORDER: [&str; 8] = ["vehicle", "faults", "mission", "plan", "simulate", "campaign", "let", "use"];
+
 /// Modes offered by name.
 const MOST_MODES: usize = 500;
 
@@ -21,6 +25,8 @@ const MOST_MODES: usize = 500;
 pub struct Offer {
     pub label: String,
     pub insert: String,
+    /// The same with places for the cursor, for editors that know snippets.
+    pub snippet: Option<String>,
     pub kind: ItemKind,
     /// A few words behind the label.
     pub detail: Option<String>,
@@ -33,7 +39,7 @@ pub struct Offer {
 impl Offer {
     fn new(label: &str, kind: ItemKind, rank: u8) -> Self {
         let (label, insert) = (label.to_string(), label.to_string());
-        Offer { label, insert, kind, detail: None, documentation: None, rank }
+        Offer { label, insert, snippet: None, kind, detail: None, documentation: None, rank }
     }
 
     fn insert(mut self, text: impl Into<String>) -> Self {
@@ -54,7 +60,11 @@ impl Offer {
 
 /// The offers at `offset`, and the bytes that they replace.
 pub fn offers(spec: &Spec, file: FileId, offset: usize) -> (Vec<Offer>, std::ops::Range<usize>) {
-    let Some(context) = Context::at(&spec.source(file).text, offset) else { return (Vec::new(), offset..offset) };
+    let source = spec.source(file);
+    if let Some(found) = paths::offers(source, offset) {
+        return found;
+    }
+    let Some(context) = Context::at(&source.text, offset) else { return (Vec::new(), offset..offset) };
     let mut found = Vec::new();
     let list = &mut found;
     match &context.before {
@@ -79,7 +89,7 @@ pub fn offers(spec: &Spec, file: FileId, offset: usize) -> (Vec<Offer>, std::ops
             list.extend(forms.iter().map(|form| Offer::new(form, ItemKind::Operator, 0)));
         }
         Before::Clause => next_clauses(&context, list),
-        Before::Mode => modes(spec, list),
+        Before::Mode => modes(spec, &context, list),
         Before::ModeNumber => {
             let number = |name: &&str| {
                 let entry = documentation::field(Place::Mode, name).map(described);
@@ -94,16 +104,36 @@ pub fn offers(spec: &Spec, file: FileId, offset: usize) -> (Vec<Offer>, std::ops
 /// The fields of the block that it does not have yet.
 fn missing_fields(context: &Context, list: &mut Vec<Offer>) {
     let place = context.place;
-    for name in fields(place).into_iter().filter(|name| !context.present.contains(*name)) {
+    for name in fields(place).into_iter().filter(|name| is_open(context, name)) {
         let entry = documentation::field(place, name);
         let sign = if place == Place::Limits { "<=" } else { "=" };
-        let mut offer = Offer::new(name, ItemKind::Property, if is_needed(entry) { 0 } else { 1 });
+        let rank = match place {
+            Place::Top => 1 + ORDER.len() as u8,
+            _ if is_needed(entry) => 0,
+            _ => 1,
+        };
+        let mut offer = Offer::new(name, ItemKind::Property, rank);
         offer = offer.insert(format!("{name} {sign} ")).documented(entry.map(described));
         if let Some(unit) = entry.and_then(|entry| entry.unit.as_deref()) {
             offer = offer.detail(unit);
         }
         list.push(offer);
     }
+}
+
+/// Whether the block around has neither the field nor another in its place.
+fn is_open(context: &Context, name: &str) -> bool {
+    const INSTEAD: [(&str, &[&str]); 7] = [
+        ("layout", &["rotors"]),
+        ("arm", &["rotors"]),
+        ("first", &["rotors"]),
+        ("thrust_coefficient", &["max_thrust"]),
+        ("max_thrust", &["thrust_coefficient"]),
+        ("drag_coefficient", &["torque_per_thrust"]),
+        ("torque_per_thrust", &["drag_coefficient"]),
+    ];
+    let others = INSTEAD.iter().filter(|row| row.0 == name).flat_map(|row| row.1);
+    !context.present.contains(name) && !others.into_iter().any(|other| context.present.contains(*other))
 }
 
 fn is_needed(entry: Option<&documentation::Entry>) -> bool {
@@ -114,31 +144,42 @@ fn is_needed(entry: Option<&documentation::Entry>) -> bool {
 fn openers(context: &Context, list: &mut Vec<Offer>) {
     for word in context.place.openers() {
         let block = Place::of_block(word).filter(|_| context.place != Place::Mode && context.place != Place::Rotors);
-        let text = match block {
-            Some(inside) if inside.is_named() => format!("{word} "),
-            Some(_) => format!("{word} {{\n}}"),
-            None => format!("{word} "),
+        let (text, snippet) = match block {
+            Some(inside) if inside.is_named() => (format!("{word} "), Some(format!("{word} ${{1:name}} {{\n\t$0\n}}"))),
+            Some(_) => (format!("{word} {{\n}}"), Some(format!("{word} {{\n\t$0\n}}"))),
+            None => (format!("{word} "), None),
         };
         // Of these a block has one.
         let single = ["plan", "simulate", "campaign", "rotor", "rotors", "limits"].contains(word);
         if single && block.is_some() && context.present.contains(*word) {
             continue;
         }
-        let offer = Offer::new(word, ItemKind::Keyword, 2).insert(text);
-        list.push(offer.documented(documentation::statement(word)));
+        let says = documentation::statement(word);
+        let is_needed = context.place == Place::Vehicle && says.is_some_and(|text| text.starts_with("needed"));
+        let rank = match ORDER.iter().position(|first| first == word) {
+            Some(place) if context.place == Place::Top => 1 + place as u8,
+            _ if is_needed => 0,
+            _ => 2,
+        };
+        let offer = Offer { snippet, ..Offer::new(word, ItemKind::Keyword, rank).insert(text) };
+        list.push(offer.documented(says));
     }
 }
 
 /// What may stand where an operand is due.
 fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut Vec<Offer>) {
     let names = |kind: Kind| spec.names().of_kind(kind);
-    list.extend(words(place, field).iter().map(|word| Offer::new(word, ItemKind::EnumMember, 0)));
+    let is_against = (place, field) == (Place::Plan, "against");
+    // `all` is no element of a list.
+    let words_here = words(place, field).iter().filter(|word| !context.listed.contains(**word));
+    let words_here = words_here.filter(|_| !(is_against && context.in_brackets));
+    list.extend(words_here.map(|word| Offer::new(word, ItemKind::EnumMember, 0)));
     match (place, field) {
         (Place::Plan, "against") => {
             if !context.in_brackets {
                 list.push(Offer::new("where", ItemKind::Keyword, 0).insert("where "));
             }
-            modes(spec, list);
+            modes(spec, context, list);
             return;
         }
         (Place::Plan, "vehicle") => {
@@ -177,12 +218,22 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
 
 /// Units of the dimension that a field takes; all common ones where it is not known.
 fn of_dimension(spec: &Spec, place: Place, field: &str, list: &mut Vec<Offer>) {
-    let due = documentation::field(place, field).and_then(|entry| entry.unit.as_deref());
+    let entry = documentation::field(place, field);
+    let due = match (place, field) {
+        // What a curve's parameter runs through: an angle, or a plain number.
+        (Place::Mission, "") => Some("rad"),
+        _ => entry.and_then(|entry| entry.unit.as_deref()),
+    };
+    if matches!((place, field), (Place::Plan, "reserve") | (Place::Mode | Place::Faults, "")) {
+        list.push(Offer::new("%", ItemKind::Unit, 0).detail("a share"));
+        return;
+    }
+    // A plain number.
+    if due.is_none() && (entry.is_some() || (place, field) == (Place::Plan, "")) {
+        return;
+    }
     for (rank, (unit, detail)) in units::of(due, spec.understanding.gravity).into_iter().enumerate() {
         list.push(Offer::new(&unit, ItemKind::Unit, rank.min(200) as u8).detail(detail));
-    }
-    if due.is_none() && matches!((place, field), (Place::Plan, "reserve") | (Place::Mode | Place::Faults, _)) {
-        list.insert(0, Offer::new("%", ItemKind::Unit, 0).detail("a share"));
     }
 }
 
@@ -197,8 +248,9 @@ fn next_clauses(context: &Context, list: &mut Vec<Offer>) {
     }
 }
 
-fn modes(spec: &Spec, list: &mut Vec<Offer>) {
-    let modes = spec.understanding.modes.iter();
+/// The modes that the list around does not have yet.
+fn modes(spec: &Spec, context: &Context, list: &mut Vec<Offer>) {
+    let modes = spec.understanding.modes.iter().filter(|mode| !context.listed.contains(&mode.name));
     for mode in modes.take(MOST_MODES) {
         let offer = Offer::new(&mode.name, ItemKind::Event, 1).documented(mode.doc.clone());
         list.push(match &mode.title {
@@ -208,6 +260,6 @@ fn modes(spec: &Spec, list: &mut Vec<Offer>) {
     }
     // Modes that could not be made out, for an error of theirs or of the vehicle, have a name all the same.
     let known = |name: &str| spec.understanding.modes.iter().any(|mode| mode.name == name);
-    let rest = spec.names().of_kind(Kind::Mode).filter(|d| !known(&d.name));
+    let rest = spec.names().of_kind(Kind::Mode).filter(|d| !known(&d.name) && !context.listed.contains(&d.name));
     list.extend(rest.map(|d| Offer::new(&d.name, ItemKind::Event, 1)));
 }

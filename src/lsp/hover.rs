@@ -5,6 +5,7 @@ mod facts;
 use super::documentation::{self, Entry};
 use super::mentions::{Mention, What};
 use super::names::{Definition, Kind};
+use super::navigation::file_named_at;
 use super::workspace::Spec;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::model::vocabulary::constants;
@@ -53,8 +54,25 @@ pub fn hover(spec: &Spec, file: FileId, offset: usize) -> Option<Shown> {
             plain(text)
         }
         What::Definition(index) | What::Reference(index) => named(spec, &mention, &spec.names().definitions[index]),
-        What::Number | What::Unit | What::Text | What::Word => value(spec, file, offset),
+        What::Word => plain(word(spec, &mention)?),
+        What::Text => match file_named_at(spec, file, offset) {
+            Some(named) => plain(facts::file(spec, named)),
+            None => value(spec, file, offset),
+        },
+        What::Number | What::Unit => value(spec, file, offset),
     }
+}
+
+/// A word that a field takes: what the reference says of the field tells of its words too.
+fn word(spec: &Spec, mention: &Mention) -> Option<String> {
+    let before = spec.mentions().in_file(mention.span.file).iter().rev().filter(|m| m.span.start < mention.span.start);
+    let (place, field) = before.into_iter().find_map(|m| match m.what {
+        What::Field(place) => Some((place, spec.snippet(m.span))),
+        _ => None,
+    })?;
+    let entry = documentation::field(place, field)?;
+    let default = if entry.default.as_deref() == Some(spec.snippet(mention.span)) { ", unless said" } else { "" };
+    Some(format!("**`{}`** · a word of `{field}`{default}\n\n{}", spec.snippet(mention.span), entry.text))
 }
 
 /// A word of the language that the tree does not keep: the opening word of a statement, or what fails.
@@ -144,6 +162,9 @@ fn unit_text(spec: &Spec, text: &str) -> Option<String> {
     let si = unit.dimension.to_string();
     let scale = significant(unit.numerator / unit.denominator, 6);
     let kind = unit.dimension.named().map_or(String::new(), |(name, _)| format!(", {name}"));
+    if text == si {
+        return Some(format!("`{text}`{kind}, as in SI"));
+    }
     Some(format!(
         "`1 {text}` = {scale}{}{kind}",
         if unit.dimension.is_plain() { String::new() } else { format!(" {si}") }
@@ -154,7 +175,10 @@ fn unit_text(spec: &Spec, text: &str) -> Option<String> {
 fn valued(spec: &Spec, reading: &Reading) -> String {
     let written = spec.snippet(reading.span).split_whitespace().collect::<Vec<_>>().join(" ");
     let value = si(reading);
-    if written == value { format!("`{written}`") } else { format!("`{written}` = **{value}**") }
+    // `1 m .. 20 m` is what `1 .. 20 m` says.
+    let each = reading.values.iter().map(|v| format!("{} {}", number(*v), reading.unit)).collect::<Vec<_>>();
+    let is_same = written == value || written == each.join(" .. ") || written == format!("[{}]", each.join(", "));
+    if is_same { format!("`{written}`") } else { format!("`{written}` = **{value}**") }
 }
 
 /// Values in SI: `0.6109 rad`, `[0, 0, 2] m`, `1 .. 30 m`.
@@ -175,7 +199,9 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
         _ => definition.name.as_str(),
     };
     let title = definition.title.as_ref().map_or(String::new(), |title| format!(" “{title}”"));
-    let mut parts = vec![format!("{} **{name}**{title}", definition.kind.phrase())];
+    // One of the modes of an `every` is one mode.
+    let kind = if name == definition.name { definition.kind } else { Kind::Mode };
+    let mut parts = vec![format!("{} **{name}**{title}", kind.phrase())];
     parts.extend(definition.doc.clone());
     let mut wanted = None;
     match definition.kind {
@@ -207,9 +233,21 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
                 parts.push("Verdicts show once the spec has no errors.".into());
             }
         }
-        Kind::Waypoint | Kind::Parameter => {}
+        Kind::Waypoint => {
+            parts.extend(position(spec, definition).map(|reading| format!("at {}", valued(spec, reading))))
+        }
+        Kind::Parameter => {}
     }
     Some(Shown { span: mention.span, text: parts.join("\n\n"), wanted })
+}
+
+/// Where a waypoint is: what stands behind its `at`.
+fn position<'s>(spec: &'s Spec, definition: &Definition) -> Option<&'s Reading> {
+    let clauses = spec.mentions().within(definition.statement).iter();
+    let at = clauses.into_iter().find(|m| matches!(m.what, What::Field(_)) && spec.snippet(m.span) == "at")?;
+    let readings = spec.understanding.readings.iter().filter(|r| r.span.file == at.span.file);
+    let whole = readings.filter(|r| r.span.start >= at.span.end && r.span.end <= definition.statement.end);
+    whole.filter(|r| belongs(spec, at.span, r.span)).max_by_key(|r| r.span.end)
 }
 
 /// The verdicts that were wanted, as a line or a table.

@@ -42,6 +42,16 @@ pub struct Server<'c> {
     tickets: u64,
     is_shut_down: bool,
     watches_files: bool,
+    pub client: Client,
+}
+
+/// What the editor can take beyond the least.
+#[derive(Debug, Clone, Copy)]
+pub struct Client {
+    /// Completions with places for the cursor.
+    pub snippets: bool,
+    /// Edits of several texts that name the version of each.
+    pub versioned_edits: bool,
 }
 
 struct Waiting {
@@ -54,7 +64,11 @@ struct Waiting {
 impl<'c> Server<'c> {
     /// Answers `initialize`.
     pub fn new(connection: &'c Connection, id: RequestId, params: Value) -> Self {
-        let watches = params.pointer("/capabilities/workspace/didChangeWatchedFiles/dynamicRegistration");
+        let can = |what: &str| params.pointer(&format!("/capabilities/{what}")) == Some(&Value::Bool(true));
+        let client = Client {
+            snippets: can("textDocument/completion/completionItem/snippetSupport"),
+            versioned_edits: can("workspace/workspaceEdit/documentChanges"),
+        };
         let folders = params.get("workspaceFolders").and_then(Value::as_array).into_iter().flatten();
         let folders = folders.filter_map(|folder| folder.get("uri")).chain(params.get("rootUri"));
         let mut server = Server {
@@ -69,7 +83,8 @@ impl<'c> Server<'c> {
             waiting: HashMap::new(),
             tickets: 0,
             is_shut_down: false,
-            watches_files: watches == Some(&Value::Bool(true)),
+            watches_files: can("workspace/didChangeWatchedFiles/dynamicRegistration"),
+            client,
         };
         server.folders.dedup();
         let version = env!("CARGO_PKG_VERSION");

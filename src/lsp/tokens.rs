@@ -99,7 +99,12 @@ pub fn tokens(spec: &Spec, file: FileId) -> Vec<SemanticToken> {
                 }
                 Token::Keyword
             }
-            (None, Lexical::Mark('=' | '<' | '>' | '+' | '-' | '*' | '/' | '^')) => Token::Operator,
+            (None, Lexical::Mark('=' | '<' | '>' | '+' | '-' | '*' | '/' | '^')) => {
+                // `<=`, `>=` and `+-` are one mark each.
+                let two = text.get(lexeme.start..lexeme.end + 1);
+                end += usize::from(two.is_some_and(|two| matches!(two, "<=" | ">=" | "+-")));
+                Token::Operator
+            }
             (None, Lexical::Mark(_)) => continue,
         };
         until = end;

@@ -2,6 +2,7 @@
 //! that is being typed has no tree.
 
 use crate::lsp::lexemes::{Kind, Lexeme, lexemes};
+use crate::model::vocabulary::mode_numbers;
 use crate::syntax::Place;
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -43,6 +44,8 @@ pub struct Context {
     /// The parameter of the curve around.
     pub parameter: Option<String>,
     pub in_brackets: bool,
+    /// Inside brackets, the other words of the statement.
+    pub listed: BTreeSet<String>,
 }
 
 /// A block that is open at the cursor.
@@ -65,14 +68,16 @@ impl Context {
     /// The context of a byte offset; `None` inside comments and texts, where nothing is offered.
     pub fn at(text: &str, offset: usize) -> Option<Self> {
         let all = lexemes(text);
-        let touches = |l: &Lexeme| l.start < offset && offset <= l.end;
-        let under = all.iter().find(|l| touches(l));
-        if under.is_some_and(|l| matches!(l.kind, Kind::Comment | Kind::Doc) || l.kind == Kind::Text && offset < l.end)
-        {
+        // A comment goes to the end of its line, whatever blanks end it.
+        let begun = all[..all.partition_point(|l| l.start < offset)].last();
+        let under = begun.filter(|l| offset <= l.end);
+        let is_comment = begun.is_some_and(|l| matches!(l.kind, Kind::Comment | Kind::Doc));
+        if is_comment || under.is_some_and(|l| l.kind == Kind::Text && offset < l.end) {
             return None;
         }
         let word = under.filter(|l| l.kind == Kind::Word).map_or(offset..offset, |l| l.start..l.end);
-        let cut = all.iter().position(|l| l.start >= word.start).unwrap_or(all.len());
+        let word = unit_before(text, &all, offset).map_or(word.clone(), |start| start..word.end);
+        let cut = all.partition_point(|l| l.start < word.start);
         let mut frames = vec![Frame::top()];
         let mut statement: Vec<Lexeme> = Vec::new();
         let mut brackets = 0usize;
@@ -82,6 +87,12 @@ impl Context {
         let frame = frames.pop().unwrap_or_else(Frame::top);
         let mut present = frame.present;
         rest_of_block(text, &all[cut..], &word, &mut present);
+        let mut listed = BTreeSet::new();
+        if brackets > 0 {
+            let behind = all[cut..].iter().take_while(|l| !(l.is(']') || l.is('\n') || l.is(';') || l.is('}')));
+            let others = statement.iter().chain(behind).filter(|l| l.kind == Kind::Word && l.start != word.start);
+            listed.extend(others.map(|l| l.text(text).to_string()));
+        }
         let mut context = Context {
             place: frame.place,
             before: Before::Nothing,
@@ -92,6 +103,7 @@ impl Context {
             next: Vec::new(),
             parameter: frame.parameter,
             in_brackets: brackets > 0,
+            listed,
         };
         context.before = context.look(text, &statement);
         Some(context)
@@ -102,6 +114,8 @@ impl Context {
         match (self.place, self.opener.as_deref()) {
             (Place::Faults, Some("every")) => Place::Faults,
             (Place::Mission, Some("curve")) if field == "points" => Place::Curve,
+            // `against = where rate > ...`
+            (Place::Plan, Some("against")) if mode_numbers().contains(&field) => Place::Mode,
             (place, _) => place,
         }
     }
@@ -206,6 +220,25 @@ impl Context {
             _ => Before::Words(&[]),
         }
     }
+}
+
+/// Where the unit begins that ends at `offset` in a mark which goes on, or in the word behind one: the `m/` of `3 m/`,
+/// the `N*s` of `2 N*s`. A unit stands behind a number, a `)` or a `]`, as one run without blanks.
+fn unit_before(text: &str, all: &[Lexeme], offset: usize) -> Option<usize> {
+    let end = all.partition_point(|l| l.start < offset);
+    let joins = |l: &Lexeme| l.is('/') || l.is('*') || l.is('^');
+    let mut first = end.checked_sub(1).filter(|&k| all[k].end >= offset)?;
+    while let Some(before) = first.checked_sub(1)
+        && all[before].end == all[first].start
+        && (joins(&all[before]) || joins(&all[first]) && matches!(all[before].kind, Kind::Word | Kind::Number))
+    {
+        first = before;
+    }
+    let run = &all[first..end];
+    let begins = run[0].kind == Kind::Word || run[0].text(text) == "1" && run.get(1).is_some_and(|l| l.is('/'));
+    let behind = first.checked_sub(1).map(|k| all[k])?;
+    let has_number = behind.kind == Kind::Number || behind.is(')') || behind.is(']');
+    (run.len() > 1 && begins && has_number).then_some(run[0].start)
 }
 
 /// Takes one word or mark before the cursor into account.

@@ -4,9 +4,10 @@ use super::Spec;
 use crate::actuation::Wrench;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::lsp::names::Kind;
 use crate::model::{FaultMode, Model, Rotor};
 use crate::report::number::{number, percent, significant};
-use crate::source::Span;
+use crate::source::{FileId, Span};
 
 /// Modes that are named; of more the first and the last.
 const NAMED: usize = 6;
@@ -52,6 +53,19 @@ pub fn mission(spec: &Spec, span: Span) -> Option<String> {
     let hold: f64 = mission.waypoints.iter().map(|w| w.hold).sum();
     let holds = if hold > 0.0 { format!(", {} s of holds", number(hold)) } else { String::new() };
     Some(format!("{} waypoints, {} m along straight lines{holds}", mission.waypoints.len(), significant(length, 4)))
+}
+
+/// A file that `use` brings in, by the names that it declares.
+pub fn file(spec: &Spec, file: FileId) -> String {
+    let declared: Vec<String> = spec
+        .names()
+        .definitions
+        .iter()
+        .filter(|d| d.span.file == file && !matches!(d.kind, Kind::Waypoint | Kind::Parameter))
+        .map(|d| format!("{} `{}`", d.kind.phrase(), d.name))
+        .collect();
+    let names = if declared.is_empty() { "declares no name".to_string() } else { declared.join(", ") };
+    format!("`{}`\n\n{names}", spec.source(file).name)
 }
 
 /// What modes do to the rotors; their names, where they are several.

@@ -37,7 +37,7 @@ fn bash_completes_commands_and_options() {
     std::fs::write(&script, mavc(&["completions", "bash"]).stdout).unwrap();
     let complete = |words: &str, current: &str| {
         let call =
-            r#"COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _mavc mavc "$1" "${COMP_WORDS[-2]}"; echo ${COMPREPLY[@]}"#;
+            r#"COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _mavc_words mavc "$1" "${COMP_WORDS[-2]}"; echo ${COMPREPLY[@]}"#;
         let run = format!("source {}; COMP_WORDS=({words} '{current}'); {call}", text(&script));
         let ran = Command::new("bash").args(["--norc", "-c", &run, "bash", current]).output().unwrap();
         assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
@@ -46,12 +46,19 @@ fn bash_completes_commands_and_options() {
     assert_eq!(complete("mavc", "che"), ["check"]);
     assert_eq!(complete("mavc fmt", "--ch"), ["--check"]);
     assert_eq!(complete("mavc check --format", "j"), ["json"]);
+    assert_eq!(complete("mavc emit", "a"), ["ast", "actuation"]);
+    // Where no word of mavc is due, bash is left to offer files, or nothing.
+    let none: [&str; 0] = [];
+    assert_eq!(complete("mavc plan", ""), none);
+    assert_eq!(complete("mavc emit ast", ""), none);
+    assert_eq!(complete("mavc compare --rounds", ""), none);
 }
 
 #[test]
 fn every_command_has_a_manual_page() {
     let ran = mavc(&["man"]);
     assert_eq!(code(&ran), 0);
+    assert!(out(&ran).contains(".SH \"EXIT STATUS\"") && !out(&ran).contains("EXTRA"), "{}", out(&ran));
     assert!(out(&ran).contains(".TH mavc 1") && out(&ran).contains("Exit codes: 0 fine"), "{}", out(&ran));
     let dir = folder();
     let ran = mavc(&["man", text(dir.path())]);

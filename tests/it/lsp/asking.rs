@@ -138,7 +138,7 @@ fn modes_words_functions_and_names_are_offered_where_they_may_stand() {
         .replace("    time    = 20 s\n", "    planner = |\n    time = 2*|\n    vehicle = |\n");
     let all = offers(&spec);
     let of = |k: usize| labels(&all[k]);
-    assert!(of(0).contains(&"weak3") && of(0).contains(&"worn") && !of(0).contains(&"sin"), "{:?}", of(0));
+    assert!(of(0).contains(&"weak3") && !of(0).contains(&"worn") && !of(0).contains(&"sin"), "{:?}", of(0));
     assert_eq!(of(1), ["rcp", "rip", "rsp"]);
     assert!(of(2).contains(&"top") && of(2).contains(&"sqrt") && of(2).contains(&"g0"), "{:?}", of(2));
     assert_eq!(of(3), ["quad"]);
@@ -157,6 +157,135 @@ fn modes_words_functions_and_names_are_offered_where_they_may_stand() {
     assert!(of(7).contains(&"a"), "{:?}", of(7));
     assert!(of(8).contains(&"rpn") && of(8).contains(&"rate"), "{:?}", of(8));
     assert!(all[9].is_empty() && all[10].is_empty());
+}
+
+#[test]
+fn comments_are_offered_nothing() {
+    let all = offers(
+        "// A |\n/// A |\nvehicle a {\n    // the |\n    mass = 1 kg // all |\n}\nplan { against = [M1, // x |\n] }\n// b\n|",
+    );
+    let (last, comments) = all.split_last().unwrap();
+    assert!(comments.iter().all(Vec::is_empty), "{comments:?}");
+    assert_eq!(labels(last)[0], "vehicle", "behind a comment's line something may be written");
+}
+
+#[test]
+fn a_list_is_offered_what_it_does_not_have() {
+    let spec = SPEC.replace("[worn, weak1]", "[worn, |, weak1]").replace("    time ", "    planner = |\n    time ");
+    let all = offers(&spec);
+    let inside = labels(&all[0]);
+    assert!(inside.contains(&"weak2") && !inside.contains(&"worn") && !inside.contains(&"weak1"), "{inside:?}");
+    assert!(!inside.contains(&"all"), "{inside:?}");
+    let whole =
+        labels(&offers(&SPEC.replace("[worn, weak1]", "|"))[0]).iter().map(|l| l.to_string()).collect::<Vec<_>>();
+    assert!(whole.contains(&"all".to_string()) && whole.contains(&"where".to_string()), "{whole:?}");
+    let planners = offers("campaign { planners = [rip, |] }\n");
+    assert_eq!(labels(&planners[0]), ["rcp", "rsp"]);
+}
+
+#[test]
+fn shares_plain_numbers_and_units_that_go_on_are_told_apart() {
+    let all = offers(
+        "faults {\n mode a { rotor 1 reduced to 60 |; severity = 7 | }\n every 1 rotor stuck at 5 |\n}\nlet v = 3 m/|\n\
+         mission m {\n limits { speed <= 3 m/|; acceleration <= 2 m/s^| }\n}\nplan { samples = 40 |; against = where rate > 2 1/| }\n",
+    );
+    let of = |k: usize| labels(&all[k]);
+    assert_eq!(of(0), ["%"]);
+    assert!(of(1).is_empty(), "{:?}", of(1));
+    assert_eq!(of(2), ["%"]);
+    assert!(of(3).contains(&"m/s") && !of(3).contains(&"sin"), "{:?}", of(3));
+    assert!(of(4).contains(&"m/s") && !of(4).contains(&"m"), "{:?}", of(4));
+    assert!(of(5).contains(&"m/s^2") && !of(5).contains(&"m/s"), "{:?}", of(5));
+    assert!(of(6).is_empty(), "{:?}", of(6));
+    assert!(of(7).contains(&"1/h") && !of(7).contains(&"sin"), "{:?}", of(7));
+}
+
+#[test]
+fn what_is_needed_comes_first() {
+    let all = offers("|vehicle a {\n |\n rotor {\n max_thrust = 1 N\n |\n }\n}\nvehicle b {\n |\n}\n");
+    assert_eq!(labels(&all[0])[..3], ["vehicle", "faults", "mission"]);
+    let vehicle = labels(&all[1]);
+    assert_eq!(vehicle[..4], ["arm", "inertia", "layout", "mass"]);
+    let rotor = labels(&all[2]);
+    assert!(!rotor.contains(&"thrust_coefficient") && !rotor.contains(&"max_thrust"), "{rotor:?}");
+    assert!(rotor[..3].contains(&"max_speed"), "{rotor:?}");
+    let other = labels(&all[3]);
+    assert_eq!(other[..5], ["arm", "inertia", "layout", "mass", "rotor"]);
+}
+
+#[test]
+fn editors_that_know_snippets_get_the_cursor_inside_the_braces() {
+    for (knows, wanted) in [(true, "rotor {\n\t$0\n}"), (false, "rotor {\n}")] {
+        let item = json!({ "completionItem": { "snippetSupport": knows } });
+        let mut client = Client::start_with(json!({ "capabilities": { "textDocument": { "completion": item } } }));
+        client.open(URI, "vehicle a {\n \n}\n");
+        let params = json!({ "textDocument": { "uri": URI }, "position": { "line": 1, "character": 1 } });
+        let items = client.ask("textDocument/completion", params).unwrap();
+        let rotor = items.as_array().unwrap().iter().find(|i| i["label"] == "rotor").unwrap();
+        assert_eq!(rotor["textEdit"]["newText"], wanted);
+        assert_eq!(rotor["insertTextFormat"], if knows { json!(2) } else { Value::Null });
+        client.stop();
+    }
+}
+
+#[test]
+fn paths_are_offered_from_their_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().canonicalize().unwrap();
+    std::fs::create_dir(path.join("parts")).unwrap();
+    for name in ["root.mav", "quad.mav", "points.csv", "notes.txt", ".hidden.mav", "parts/hexa.mav"] {
+        std::fs::write(path.join(name), "").unwrap();
+    }
+    let text = "use \"|\"\nuse \"parts/h|\"\nmission m {\n waypoints from \"|\n}\nplan { vehicle = \"|\" }\n";
+    let (text, places) = marked(text);
+    let uri = super::client::uri_of(&path.join("root.mav"));
+    let mut client = Client::start();
+    client.open(&uri, &text);
+    let mut of = |place: &Value| {
+        let params = json!({ "textDocument": { "uri": uri }, "position": place });
+        let items = client.ask("textDocument/completion", params).unwrap();
+        let mut items: Vec<String> =
+            items.as_array().unwrap().iter().map(|i| i["textEdit"]["newText"].as_str().unwrap().to_string()).collect();
+        items.sort();
+        items
+    };
+    assert_eq!(of(&places[0]), ["parts/", "quad.mav"]);
+    assert_eq!(of(&places[1]), ["hexa.mav"]);
+    assert_eq!(of(&places[2]), ["parts/", "points.csv"]);
+    assert!(of(&places[3]).is_empty());
+    client.stop();
+}
+
+#[test]
+fn words_and_waypoints_have_a_hover_and_units_of_si_no_tautology() {
+    let spec = SPEC
+        .replace("    time ", "    planner = rs|p\n    time ")
+        .replace("weak1]", "wea|k1]")
+        .replace("1.6 kg", "1.6 k|g")
+        .replace("tilt <= 20 deg", "tilt <= 20 deg; altitud|e in 1 m .. 20 m")
+        .replace("waypoint mast", "waypoint ma|st");
+    let shown = hovers(&spec);
+    assert!(shown[0].contains("`1.6 kg`") && shown[0].contains("`kg`, a mass, as in SI"), "{}", shown[0]);
+    assert!(!shown[0].contains('='), "{}", shown[0]);
+    assert!(shown[1].starts_with("waypoint **mast**") && shown[1].contains("**[12, 3, 8] m**"), "{}", shown[1]);
+    assert!(shown[2].contains("`1 m .. 20 m`") && !shown[2].contains("1 .. 20"), "{}", shown[2]);
+    assert!(shown[4].contains("a word of `planner`, unless said") && shown[4].contains("`rip` plan"), "{}", shown[4]);
+    assert!(shown[3].starts_with("fault mode **weak1**"), "{}", shown[3]);
+}
+
+#[test]
+fn a_path_shows_what_its_file_declares() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().canonicalize().unwrap();
+    std::fs::write(path.join("quad.mav"), SPEC).unwrap();
+    let uri = super::client::uri_of(&path.join("root.mav"));
+    let mut client = Client::start();
+    client.open(&uri, "use \"quad.mav\"\n");
+    let params = json!({ "textDocument": { "uri": uri }, "position": { "line": 0, "character": 8 } });
+    let shown = client.ask("textDocument/hover", params).unwrap();
+    let text = shown["contents"]["value"].as_str().unwrap();
+    assert!(text.contains("vehicle `quad`") && text.contains("fault mode `worn`"), "{text}");
+    client.stop();
 }
 
 #[test]
@@ -187,7 +316,7 @@ fn hints_count_modes_and_give_values_in_si() {
 
 #[test]
 fn tokens_say_what_every_word_is() {
-    let text = "/// α😀\nlet a = 2 m // b\nvehicle v { mass = a*sin(1)\nmode ???\n";
+    let text = "/// α😀\nlet a = 2 m // b\nvehicle v { mass = a*sin(1)\n<= +- mode ???\n";
     let mut client = Client::start();
     client.open(URI, text);
     let legend = client.capabilities["semanticTokensProvider"]["legend"]["tokenTypes"].clone();
@@ -221,6 +350,8 @@ fn tokens_say_what_every_word_is() {
             "*:operator",
             "sin:function",
             "1:number",
+            "<=:operator",
+            "+-:operator",
             "mode:keyword",
         ]
     );

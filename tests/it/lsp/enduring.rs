@@ -2,10 +2,12 @@
 //! closed texts, cancelled questions, and edits faster than it answers.
 
 use super::client::{Client, SPEC};
-use lsp_server::RequestId;
-use mavc::lsp::Ending;
+use lsp_server::{Connection, Message, Notification, Request, RequestId};
+use mavc::lsp::{Ending, serve};
 use proptest::prelude::*;
 use serde_json::{Value, json};
+use std::io::Write;
+use std::process::{Command, Stdio};
 
 const TEXTS: [&str; 6] = [
     SPEC,
@@ -167,6 +169,34 @@ fn questions_that_nobody_knows_and_late_ones_are_refused() {
     assert_eq!(client.stop_at_once(), Ending::Agreed);
     let client = Client::start();
     assert_eq!(client.stop_at_once(), Ending::Abrupt);
+}
+
+#[test]
+fn requests_before_initialize_are_refused_in_words() {
+    let (ours, theirs) = Connection::memory();
+    let server = std::thread::spawn(move || serve(&theirs));
+    let request = Request { id: 1.into(), method: "textDocument/hover".into(), params: json!({}) };
+    ours.sender.send(request.into()).unwrap();
+    let Message::Response(refused) = ours.receiver.recv().unwrap() else { panic!("no response") };
+    let error = refused.response_result.unwrap_err();
+    assert_eq!((error.code, error.message.as_str()), (-32002, "`textDocument/hover` came before `initialize`"));
+    ours.sender.send(Notification::new("exit".into(), Value::Null).into()).unwrap();
+    assert_eq!(server.join().unwrap(), Ending::Abrupt);
+}
+
+/// What is no message of the protocol ends the server, and it says why.
+#[test]
+fn messages_that_cannot_be_read_are_told_of() {
+    for wrong in ["Content-Length: 3\r\n\r\n{a}", "Content-Length: many\r\n\r\n{}", "hello\r\n\r\n"] {
+        let mut server = Command::new(env!("CARGO_BIN_EXE_mavc"));
+        let pipes = server.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut server = pipes.spawn().unwrap();
+        server.stdin.take().unwrap().write_all(wrong.as_bytes()).unwrap();
+        let ended = server.wait_with_output().unwrap();
+        let told = String::from_utf8(ended.stderr).unwrap();
+        assert_eq!(ended.status.code(), Some(2), "{wrong:?}");
+        assert!(told.starts_with("mavc: ") && told.lines().count() == 1, "{wrong:?}: {told:?}");
+    }
 }
 
 #[test]

@@ -69,6 +69,32 @@ fn every_clear_mistake_has_a_fix_that_mends_it() {
     }
 }
 
+/// The first quick fix of a text at its first error.
+fn first_fix(text: &str) -> Value {
+    let mut client = Client::start();
+    client.open(URI, text);
+    let range = client.wait(URI, Some(1), |told| !told.is_empty())[0]["range"].clone();
+    let params = json!({ "textDocument": { "uri": URI }, "range": range, "context": { "diagnostics": [] } });
+    let actions = client.ask("textDocument/codeAction", params).unwrap();
+    client.stop();
+    actions[0].clone()
+}
+
+#[test]
+fn an_invented_value_is_not_preferred() {
+    assert_eq!(first_fix(&SPEC.replace("    arm     = 25 cm\n", ""))["isPreferred"], false);
+    assert_eq!(first_fix(&SPEC.replace("1.6 kg", "1.6"))["isPreferred"], true);
+}
+
+#[test]
+fn titles_say_what_is_done_and_signs_stand_apart() {
+    let product = first_fix(&SPEC.replace("kg*m^2", "kg m^2"));
+    let (title, text) = (&product["title"], &product["edit"]["changes"][URI][0]["newText"]);
+    assert_eq!(*title, format!("Write `{}`", text.as_str().unwrap()));
+    let sign = first_fix(&SPEC.replace("mass    = 1.6", "mass: 1.6"));
+    assert_eq!(sign["edit"]["changes"][URI][0]["newText"], " =");
+}
+
 #[test]
 fn a_fix_is_offered_where_its_diagnostic_stands_and_nowhere_else() {
     let mut client = Client::start();

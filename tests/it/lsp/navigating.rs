@@ -123,6 +123,23 @@ fn renaming_changes_every_file_and_keeps_the_meaning() {
 }
 
 #[test]
+fn edits_name_the_versions_of_open_texts_where_the_editor_asks_for_it() {
+    let edit = json!({ "workspace": { "workspaceEdit": { "documentChanges": true } } });
+    let mut client = Client::start_with(json!({ "capabilities": edit }));
+    let uri = "untitled:a";
+    client.open(uri, "let a = 1 m\n");
+    client.replace(uri, 7, "let a = 1 m\nlet b = a\n");
+    let position = json!({ "line": 0, "character": 4 });
+    let params = json!({ "textDocument": { "uri": uri }, "position": position, "newName": "c" });
+    let edit = client.ask("textDocument/rename", params).unwrap();
+    assert!(edit.get("changes").is_none(), "{edit}");
+    let change = &edit["documentChanges"][0];
+    assert_eq!(change["textDocument"], json!({ "uri": uri, "version": 7 }));
+    assert_eq!(change["edits"].as_array().unwrap().len(), 2, "{edit}");
+    client.stop();
+}
+
+#[test]
 fn renaming_reaches_files_that_are_not_open() {
     let mut pair = pair(ROOT);
     let text = std::fs::read_to_string(&pair.library).unwrap();
