@@ -8,7 +8,7 @@ const UNITS: [&str; 15] =
 
 /// Text in which what stands between backticks is code.
 pub fn prose(text: &str) -> Markup {
-    let whole = text.matches('`').count() % 2 == 0;
+    let whole = text.matches('`').count().is_multiple_of(2);
     html! {
         @if whole {
             @for (i, part) in text.split('`').enumerate() {
