@@ -108,15 +108,21 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
     let Some((mut model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     resize(args, &mut model)?;
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Common, options) else {
-        return nothing_flown(&loaded, &model, &[], report.as_ref(), html.as_ref());
+        let silent = [&report, &html].into_iter().flatten().any(Target::is_stdout);
+        let code = nothing_flown(&loaded, &model, &[], report.as_ref(), html.as_ref())?;
+        plan::tell_page(!silent, &html, args.html.as_deref(), options)?;
+        return Ok(code);
     };
     let design = match Design::new(&model, &comparison, &(loaded.sha256() + &binary())) {
         Ok(design) => design,
         Err(missing) => {
-            if ![&report, &html].into_iter().flatten().any(Target::is_stdout) {
+            let silent = [&report, &html].into_iter().flatten().any(Target::is_stdout);
+            if !silent {
                 files::print(campaign_text::left_out(&missing).trim_start())?;
             }
-            return nothing_flown(&loaded, &model, &missing, report.as_ref(), html.as_ref());
+            let code = nothing_flown(&loaded, &model, &missing, report.as_ref(), html.as_ref())?;
+            plan::tell_page(!silent, &html, args.html.as_deref(), options)?;
+            return Ok(code);
         }
     };
     if cannot_fly(&mut loaded, &model, design.time, options) {

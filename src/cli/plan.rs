@@ -16,6 +16,7 @@ use crate::report::conflict_record::ConflictRecord;
 use crate::report::page::{self, Kind, Subject};
 use crate::report::record::{Record, RoundRecord};
 use crate::report::{self, comparison_text, terminal, trajectory_csv};
+use std::io::ErrorKind;
 use std::path::Path;
 use std::time::Instant;
 
@@ -29,11 +30,12 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let html = args.html.as_deref().map(Target::new).transpose()?;
     apart(("the certificate", "--certificate"), &proof, &[&table, &report])?;
     apart(PAGE, &html, &[&table, &report, &proof])?;
+    args.svg.as_deref().map_or(Ok(()), is_folder)?;
     let mut loaded = spec::read(&args.spec, options)?;
     spare(&loaded, &[&table, &report, &proof, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
-        return refused(&loaded, &model, report.as_ref(), html.as_ref());
+        return refused(&loaded, &model, &report, &html, args.html.as_deref(), options);
     };
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
     // Where only the required risk is not met there is a plan for every statement that could be blamed.
@@ -110,6 +112,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     tell_page(told, &html, args.html.as_deref(), options)?;
     if let Some(folder) = &args.svg {
         figures(folder, &subject(&loaded, &model, &mission, &[]), &comparison)?;
+        tell_written("Figures", told, Some(folder), options)?;
     }
     timing(options, "report", begin);
     Ok(code)
@@ -120,11 +123,12 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let (_, report) = targets(None, args.report.as_deref())?;
     let html = args.html.as_deref().map(Target::new).transpose()?;
     apart(PAGE, &html, &[&report])?;
+    args.svg.as_deref().map_or(Ok(()), is_folder)?;
     let mut loaded = spec::read(&args.spec, options)?;
     spare(&loaded, &[&report, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(mut comparison) = plan_for(&loaded, &model, &mission, Scope::Everything, options) else {
-        return refused(&loaded, &model, report.as_ref(), html.as_ref());
+        return refused(&loaded, &model, &report, &html, args.html.as_deref(), options);
     };
     let rounds = wanted.map(|wanted| {
         let progress = Progress::new(options);
@@ -156,6 +160,7 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     tell_page(told, &html, args.html.as_deref(), options)?;
     if let Some(folder) = &args.svg {
         figures(folder, &subject(&loaded, &model, &mission, &[]), &comparison)?;
+        tell_written("Figures", told, Some(folder), options)?;
     }
     let any = |wanted: fn(&Ending) -> bool| comparison.runs.iter().any(|r| wanted(&r.ending));
     Ok(if any(|e| matches!(e, Ending::Inconclusive { .. })) {
@@ -189,6 +194,15 @@ pub(super) fn subject<'a>(
     Subject { model, mission, sources: &loaded.files.sources, diagnostics }
 }
 
+/// Says early that no folder can be there: something else is, or stands in its way.
+fn is_folder(name: &Path) -> Result<(), Problem> {
+    let standing = name.ancestors().find(|a| a.as_os_str().is_empty() || a.symlink_metadata().is_ok());
+    match standing.filter(|a| !a.as_os_str().is_empty()) {
+        Some(place) if !place.is_dir() => Err(cannot_write(name, &ErrorKind::NotADirectory.into())),
+        _ => Ok(()),
+    }
+}
+
 /// Writes the charts into a folder, which is made where it is missing.
 fn figures(folder: &Path, subject: &Subject, comparison: &Comparison) -> Result<(), Problem> {
     std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
@@ -205,10 +219,12 @@ pub(super) fn tell_page(
     name: Option<&Path>,
     options: &Options,
 ) -> Result<(), Problem> {
-    match (page, name) {
-        (Some(_), Some(name)) if told && !options.quiet => {
-            files::print(&format!("Page written to {}\n", name.display()))
-        }
+    tell_written("Page", told && page.is_some(), name, options)
+}
+
+fn tell_written(what: &str, told: bool, name: Option<&Path>, options: &Options) -> Result<(), Problem> {
+    match name {
+        Some(name) if told && !options.quiet => files::print(&format!("{what} written to {}\n", name.display())),
         _ => Ok(()),
     }
 }
@@ -297,8 +313,10 @@ pub(super) fn no_plan_code(comparison: &Comparison) -> u8 {
 pub(super) fn refused(
     loaded: &Loaded,
     model: &Model,
-    report: Option<&Target>,
-    page: Option<&Target>,
+    report: &Option<Target>,
+    page: &Option<Target>,
+    name: Option<&Path>,
+    options: &Options,
 ) -> Result<u8, Problem> {
     let record = Record::refused(model, loaded.sha256());
     let mut results = Vec::new();
@@ -310,6 +328,8 @@ pub(super) fn refused(
         results.push((target, page::refused(&subject, &record)));
     }
     write(&results)?;
+    let told = !results.iter().any(|(target, _)| target.is_stdout());
+    tell_page(told, page, name, options)?;
     Ok(NO_PLAN)
 }
 

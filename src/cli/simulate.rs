@@ -27,7 +27,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     spare(&loaded, &[&table, &report, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
-        return refused(&loaded, &model, report.as_ref(), html.as_ref());
+        return refused(&loaded, &model, &report, &html, args.html.as_deref(), options);
     };
     let Some(Ending::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
         // Where nothing is flown the report is that of the plan.
@@ -44,6 +44,8 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
             results.push((target, page::plans(Kind::Plan, &subject, &comparison, &record)));
         }
         write(&results)?;
+        let told = !results.iter().any(|(target, _)| target.is_stdout());
+        tell_page(told, &html, args.html.as_deref(), options)?;
         return Ok(no_plan_code(&comparison));
     };
     if cannot_fly(&mut loaded, &model, solved.time, options) {

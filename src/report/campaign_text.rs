@@ -272,7 +272,7 @@ fn scope(scope: &Scope) -> String {
 }
 
 /// What phi says, good or bad.
-fn by_flight(t: &Contingency) -> String {
+pub fn by_flight(t: &Contingency) -> String {
     let lost = t.hits + t.misses;
     match (Worth::of(t.phi()), t.phi()) {
         (Worth::Undefined, _) if t.total() == 0 => "No flight lived to its fault: nothing can be said.".into(),

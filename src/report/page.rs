@@ -11,6 +11,7 @@ mod embed;
 mod flown;
 mod motion;
 mod planners;
+mod prose;
 mod sets;
 mod spec;
 mod summary;
@@ -87,13 +88,13 @@ pub fn refused(subject: &Subject, record: &Record) -> String {
     let model = subject.model;
     let analyses = analyze_all(model, &AdmissibleSet::all(model));
     let content = Content::of_sets(subject, &sets::declared(model), record);
+    let found = summary::refused(model, &analyses, subject.diagnostics);
     let sections = vec![
         Section::new("modes", "Modes", verdicts::refused(model, &analyses)),
         document::sets(),
         Section::new("spec", "Spec", spec::section(subject)),
     ];
-    Document { subject: *subject, comparison: None, found: summary::refused(model, &analyses), sections, content }
-        .render()
+    Document { subject: *subject, comparison: None, found, sections, content }.render()
 }
 
 /// The page of `mavc simulate`: the flight first, and the plan it was flown along.

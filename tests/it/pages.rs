@@ -164,11 +164,22 @@ fn a_page_without_a_plan_explains_itself_in_the_spec() {
     assert!(text.contains("mavc::plan::conflict") && text.contains("class=\"remark error\""));
     assert!(content(&text)["runs"].as_array().unwrap().is_empty());
     assert!(text.contains("cannot hold together"));
+    assert!(String::from_utf8_lossy(&ran.stdout).contains("Page written to "));
+    // Statements in the order of the text, and no columns of dashes for a plan that is not there.
+    let found = between(&text, "id=\"found\"", "</section>");
+    let lines: Vec<usize> =
+        found.split("line ").skip(1).filter_map(|after| after.split(':').next()?.parse().ok()).collect();
+    assert!(lines.len() > 1 && lines.is_sorted(), "{lines:?} in {found}");
+    assert!(!found.contains('`'), "{found}");
+    assert!(!text.contains("Committed"));
     // A mode that cannot be stood.
     let spec = HOSTILE.replace("rotor 1 lost", "rotors [1, 2, 3, 4] lost");
     let (ran, text) = page(&["plan", &written(dir.path(), &spec)], dir.path());
     assert_eq!(ran.status.code(), Some(3));
     assert!(text.contains("Nothing was planned") && text.contains("mavc::analysis::cannot_hover"));
+    assert!(String::from_utf8_lossy(&ran.stdout).contains("Page written to "));
+    assert!(between(&text, "id=\"found\"", "</section>").contains("To mend it: "));
+    assert!(text.contains("against bad, ") && !text.contains("Committed"));
     // Mistakes are told where they were made: nothing is written.
     std::fs::remove_file(dir.path().join("report.html")).unwrap();
     let (ran, text) = page(&["plan", &written(dir.path(), &HOSTILE.replace("1.8 kg", "1.8 m"))], dir.path());
@@ -243,6 +254,25 @@ fn flights_and_campaigns_have_pages() {
     let cell = |k: usize| format!("{}/{}</td>", map[k]["lost"], map[k]["struck"]);
     assert!((0..3).all(|k| map[k]["struck"] == 0 || text.contains(&cell(k))));
     assert!(!own(&text).contains("<img"));
+    // Why there is no phi, in words.
+    let undefined = recorded()["agreement"][0]["by_flight"][0]["phi"].is_null();
+    assert_eq!(undefined, text.contains("the prediction cannot be judged") || text.contains("tells nothing"));
+}
+
+/// Modes with one margin: whatever tells the nearest names the first.
+#[test]
+fn of_equal_modes_the_first_is_named_everywhere() {
+    let dir = tempfile::tempdir().unwrap();
+    let modes: String = (0..4).map(|k| format!("    mode m{k} {{ rotor 1 lost }}\n")).collect();
+    let spec = HOSTILE.replace("faults {\n", &format!("faults {{\n{modes}")).replace("[bad]", "[m0, m1, m2, m3]");
+    let (ran, text) = page(&["plan", &written(dir.path(), &spec)], dir.path());
+    assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
+    assert!(text.contains("to the edge of m0,"));
+    let charts = content(&text)["runs"][0]["charts"].clone();
+    let headline = charts[0]["headline"].as_str().unwrap();
+    assert!(headline.ends_with("m0"), "{headline}");
+    // A number and its unit stay on one line.
+    assert!(between(&text, "<h2 class=\"headline\">", "</h2>").contains("6\u{a0}s"));
 }
 
 #[test]
@@ -253,6 +283,8 @@ fn charts_become_svg_files() {
     for folder in [&one, &two] {
         let ran = mavc(&["plan", &spec, "--svg", folder.to_str().unwrap()]);
         assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
+        let told = format!("Figures written to {}", folder.display());
+        assert!(String::from_utf8_lossy(&ran.stdout).contains(&told));
     }
     let mut names: Vec<String> =
         std::fs::read_dir(&one).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
@@ -268,7 +300,12 @@ fn charts_become_svg_files() {
         assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>") && !text.contains("<script"));
         assert!(text.contains("<poly"), "{name} has no curve");
     }
-    let ran = mavc(&["plan", &spec, "--svg", &spec]);
-    assert_eq!(ran.status.code(), Some(2));
+    // What cannot be a folder is refused before anything is planned or written.
+    let page = dir.path().join("page.html");
+    for folder in [spec.clone(), format!("{spec}/deep")] {
+        let ran = mavc(&["plan", &spec, "--html", page.to_str().unwrap(), "--svg", &folder]);
+        assert_eq!((ran.status.code(), ran.stdout.len()), (Some(2), 0), "{folder}");
+        assert!(!page.exists());
+    }
     assert_eq!(std::fs::read_to_string(&spec).unwrap(), HOSTILE);
 }

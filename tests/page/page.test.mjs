@@ -211,6 +211,50 @@ test("the theme can be turned over, and paper is light", () =>
     if (shots) writeFileSync(join(shots, "plan.pdf"), pdf);
   }));
 
+for (const name of Object.keys(pages)) {
+  test(`${name} fits paper`, () =>
+    open(name, { width: 703 }, async (page) => {
+      await page.emulateMedia({ media: "print" });
+      await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+      const beyond = await page.evaluate(() => {
+        const right = document.body.getBoundingClientRect().right + 0.5;
+        return [...document.querySelectorAll("main :is(th, td, canvas, h2, pre, .line)")].filter((e) => e.getBoundingClientRect().right > right).map((e) => e.outerHTML.slice(0, 80));
+      });
+      assert.deepEqual(beyond, []);
+      // The words of names stay whole.
+      const split = await page.evaluate(() =>
+        [...document.querySelectorAll("tbody th[scope=row]")].filter((e) => /^[a-z0-9]{1,9}$/i.test(e.firstChild.data ?? "") && e.childNodes.length === 1 && e.getBoundingClientRect().height > 2.6 * parseFloat(getComputedStyle(e).lineHeight)).map((e) => e.textContent),
+      );
+      assert.deepEqual(split, []);
+    }));
+}
+
+test("without scripts the page says so, and shows no empty places", async () => {
+  const context = await browsers.webgl.newContext({ javaScriptEnabled: false });
+  const page = await context.newPage();
+  await page.goto(pathToFileURL(files.plan).href);
+  assert.match(await page.locator("body").innerText(), /runs no scripts/);
+  for (const id of ["flight", "heat", "sets", "motion"]) assert.equal(await page.locator(`#${id}`).isVisible(), false, id);
+  for (const id of ["found", "modes", "spec"]) assert.equal(await page.locator(`#${id}`).isVisible(), true, id);
+  await context.close();
+});
+
+test("the margin of an instant is the same wherever it is told", () =>
+  open("plan", {}, async (page) => {
+    for (const t of ["0.3", "7.77", "15.12"]) {
+      await page.locator("#time").evaluate((s, value) => {
+        s.value = value;
+        s.dispatchEvent(new Event("input"));
+      }, t);
+      const told = [
+        (await text(page, "#strips .readout")).match(/M1 (.* %)/)[1],
+        (await text(page, "#space-readout")).match(/margin (.* %) to M1/)[1],
+        (await text(page, "#room caption")).match(/margin (.* %)/)[1],
+      ];
+      assert.deepEqual(new Set(told).size, 1, told.join(", "));
+    }
+  }));
+
 test("without WebGL the path is flat, and the page says so", () =>
   open("plan", { browser: "flat" }, async (page) => {
     assert.match(await text(page, "#space-note"), /no WebGL/);

@@ -9,8 +9,14 @@ const FONT = '12px system-ui, "Segoe UI", Roboto, Helvetica, Arial, sans-serif';
 /** @type {Set<() => void>} */
 const fits = new Set();
 
-/** Makes every chart as wide as its place. */
+/** Makes everything drawn as wide as its place, at once. */
 export const fitAll = () => fits.forEach((fit) => fit());
+
+/** Calls `fit` whenever all is fitted; returns what ends that. */
+export function whenFitting(fit) {
+  fits.add(fit);
+  return () => fits.delete(fit);
+}
 
 export const axis = (label, more = {}) => ({
   stroke: () => css("--soft"),
@@ -39,11 +45,11 @@ export function chart(place, name, height, options, values) {
     const now = size();
     if (now.width !== made.width || now.height !== made.height) made.setSize(now);
   };
-  fits.add(fit);
+  const forget = whenFitting(fit);
   const watch = new ResizeObserver(fit);
   watch.observe(place);
   const remove = () => {
-    fits.delete(fit);
+    forget();
     watch.disconnect();
     made.destroy();
   };

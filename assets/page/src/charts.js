@@ -1,9 +1,9 @@
 // Charts over time: curves, limits, and the room that the chosen mode's set leaves around a component of the wrench.
 
 import { axis, chart, marker, timeAxis } from "./axes.js";
-import { byId, content, element, indexAt, number } from "./content.js";
-import { css, dash, line } from "./palette.js";
-import { chord } from "./polytope.js";
+import { byId, content, element, indexAt, number, valueAt } from "./content.js";
+import { css, dash, line, sample } from "./palette.js";
+import { chord, margin } from "./polytope.js";
 import { on, run, set, setTime, state } from "./state.js";
 
 const AXES = ["thrust", "tau_x", "tau_y", "tau_z"];
@@ -11,6 +11,12 @@ let drawn = [];
 
 /** The wrench at instant k of a run. */
 export const wrenchAt = (columns, k) => AXES.map((name) => columns[name][k]);
+
+/** The wrench at any instant of a run. */
+export const wrenchAtTime = (columns, t) => AXES.map((name) => valueAt(columns.t, columns[name], t));
+
+/** A run's margin to a set at any instant, in percent: one number wherever it is told. */
+export const marginAt = (columns, index, t) => margin(content.sets[index], wrenchAtTime(columns, t));
 
 function bands(spec, columns) {
   if (spec.axis === null || content.sets.length === 0) return null;
@@ -98,11 +104,16 @@ function draw(spec, columns, place) {
   const room = bands(spec, columns);
   const many = spec.lines.length > 4;
   const value = (u, v, _, i) => (v === null || i === null ? "–" : number(v, 4));
+  // What was to be lies as dots over what came of it.
+  const paired = spec.lines.some((l) => l.aim);
+  const placeOf = (i) => spec.lines.slice(0, i + 1).filter((l) => !l.aim).length - 1;
+  const dashes = (i) => (paired ? (spec.lines[i].aim ? [2, 5] : dash(placeOf(i))) : dash(i));
+  const stroke = (i) => (spec.lines[i].aim ? css("--ink") : line(paired ? placeOf(i) : i));
   const curves = spec.lines.map((l, i) => ({
     label: l.label,
-    stroke: () => line(i),
-    width: many ? 1.25 : 1.75,
-    dash: many ? [] : dash(i),
+    stroke: () => stroke(i),
+    width: paired && !l.aim ? 3 : many ? 1.25 : 1.75,
+    dash: dashes(i),
     value,
     points: { show: false },
   }));
@@ -120,7 +131,13 @@ function draw(spec, columns, place) {
     axes: [timeAxis(), axis(`[${spec.unit}]`)],
     cursor: { sync: { key: "time" }, focus: { prox: 24 }, drag: { x: true, y: false } },
     focus: { alpha: 0.35 },
-    legend: { live: true },
+    legend: {
+      live: true,
+      markers: {
+        width: 0,
+        fill: (_, i) => (i > spec.lines.length ? css("--band-edge") : sample(stroke(i - 1), dashes(i - 1))),
+      },
+    },
     hooks: { draw: [(u) => drawBounds(u, spec), drawMarks] },
     series,
   };
@@ -176,5 +193,6 @@ export function charts() {
   on("run", build);
   on("set", redraw);
   on("time", show);
-  on("theme", () => drawn.forEach((d) => d.made.redraw(false)));
+  // Samples in the legends keep the colours that they were made with.
+  on("theme", build);
 }

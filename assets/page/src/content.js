@@ -17,8 +17,11 @@ export function element(name, attributes = {}, ...children) {
 export function number(x, digits = 3) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";
   if (x === 0) return "0";
-  const text = Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6 ? String(Number(x.toPrecision(digits))) : x.toExponential(digits - 1);
-  return text.replace("-", "\u2212");
+  // As the compiler writes numbers: few small ones with an exponent, and no zeros at the end.
+  const [mantissa, exponent] = x.toExponential(digits - 1).split("e");
+  const text = exponent >= -4 && exponent < 6 ? Number(x.toPrecision(digits)).toFixed(Math.max(digits - 1 - exponent, 0)) : mantissa;
+  const short = text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  return (exponent >= -4 && exponent < 6 ? short : `${short}e${Number(exponent)}`).replaceAll("-", "\u2212");
 }
 
 /** A margin in percent, with its sign; what is smaller than a hundredth of a percent is none. */

@@ -21,8 +21,15 @@ export const isDark = () => getComputedStyle(document.documentElement).getProper
 /** The colour of the i-th line. */
 export const line = (i) => (isDark() ? DARK : LIGHT)[i % LIGHT.length];
 
-/** Its dashes: lines differ by more than colour. */
-export const dash = (i) => DASHES[i % DASHES.length];
+/** Its dashes: lines differ by more than colour, and where colours come again, their dashes are others. */
+export const dash = (i) => DASHES[(i + Math.floor(i / LIGHT.length)) % DASHES.length];
+
+/** A sample of a line as a background. */
+export function sample(color, dashes) {
+  let at = 0;
+  const stops = dashes.map((length, k) => `${k % 2 === 0 ? color : "transparent"} ${at}px ${(at += length)}px`);
+  return stops.length === 0 ? color : `repeating-linear-gradient(90deg, ${stops.join(", ")})`;
+}
 
 /** A colour of the style sheet, such as `--ink`. */
 export const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();

@@ -1,8 +1,8 @@
 // Sections of the admissible sets, as the paper's Figures 7 to 9 for every mode, and the planned wrench moving through them.
 
-import { wrenchAt } from "./charts.js";
+import { wrenchAt, wrenchAtTime } from "./charts.js";
 import { body as bodyOf } from "./body.js";
-import { byId, content, element, indexAt, number, percent, seconds, valueAt } from "./content.js";
+import { byId, content, element, indexAt, number, percent, seconds } from "./content.js";
 import { css } from "./palette.js";
 import { plane } from "./plane.js";
 import { chord, margin, section, whole } from "./polytope.js";
@@ -28,8 +28,7 @@ let solid = null;
 /** The planned wrench now; hover where nothing is planned. */
 export function wrenchNow() {
   if (!moves) return content.hover;
-  const { columns } = run();
-  return COLUMNS.map((name) => valueAt(columns.t, columns[name], state.time));
+  return wrenchAtTime(run().columns, state.time);
 }
 
 /** What the section goes through. */
@@ -161,7 +160,7 @@ function tell() {
       ? `${where} is on the edge of ${what}`
       : `${where} is ${m < 0 ? "outside" : "inside"} ${what}, by ${number(Math.abs(m))} % of the healthy width`;
   headline.classList.toggle("bad", m < -0.01);
-  const held = planeChoice?.value === "hover" ? "at hover, T = m g without torque" : "through the wrench shown: the two components not drawn are as at this instant";
+  const held = planeChoice?.value === "hover" || !moves ? "at hover, T = m g without torque" : "through the wrench shown: the two components not drawn are as at this instant";
   const kept = content.reserve > 0 ? ` Solid: what plans keep to, shrunk about hover by the reserve of ${number(100 * content.reserve)} %; dashed: all of it.` : "";
   byId("sets-note").textContent = `Sections ${held}. Grey: the healthy vehicle. Blue: ${body.name}${body.title ? ` (${body.title})` : ""}.${kept} Cross: hover.${moves ? ` Dot: the ${called}, with the way it came.` : ""}`;
   room(body, w, m);

@@ -1,6 +1,7 @@
 // The flight in space: three.js where there is WebGL, two flat views where there is none.
 
 import { byId, content, element, indexAt, number, percent, seconds } from "./content.js";
+import { marginAt } from "./charts.js";
 import { classOf, css, line } from "./palette.js";
 import { classLegend, legend } from "./strips.js";
 import { on, run, setTime, state } from "./state.js";
@@ -20,6 +21,14 @@ function smallest(k) {
     if (values[k] !== null && values[k] < found.margin) found = { margin: values[k], mode: name };
   }
   return found;
+}
+
+/** The mode nearest to its edge at the instant shown; of equal ones the first. */
+function nearest() {
+  const all = run().strips.map(({ set }) => ({ margin: marginAt(run().columns, set, state.time), mode: content.sets[set].name }));
+  const least = Math.min(...all.map((m) => m.margin));
+  // Thousandths of a percent tell nothing apart.
+  return all.find((m) => m.margin < least + 1e-3) ?? { margin: Infinity, mode: null };
 }
 
 /** Ways to colour the path: each gives every instant's colour, and its legend. */
@@ -46,7 +55,7 @@ function colorings() {
 function tell() {
   const { columns } = run();
   const k = indexAt(columns.t, state.time);
-  const { margin, mode } = smallest(k);
+  const { margin, mode } = nearest();
   const place = ["x", "y", "z"].map((name) => `${name} ${number(columns[name][k])}`).join(", ");
   const near = mode === null ? "" : `; margin ${percent(margin)} to ${mode}`;
   byId("space-readout").textContent = `At ${seconds(state.time)}: ${place} m; ${number(columns.speed[k])} m/s; tilt ${number(columns.tilt[k])} deg${near}`;

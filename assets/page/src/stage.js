@@ -2,6 +2,7 @@
 
 import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { whenFitting } from "./axes.js";
 import { element } from "./content.js";
 
 const FIELD = 38;
@@ -54,18 +55,26 @@ export function stage(place, middle, size, lost) {
     return { x: ((p.x + 1) / 2) * place.clientWidth, y: ((1 - p.y) / 2) * place.clientHeight, z: p.z };
   }
 
+  function draw() {
+    const [width, height] = [place.clientWidth, place.clientHeight];
+    renderer.render(world, camera);
+    for (const { text, at } of texts) {
+      const p = project(at);
+      text.hidden = p.z > 1 || p.x < 0 || p.y < 0 || p.x > width;
+      // Shares of the place: labels stay with what they name where the picture is stretched.
+      text.style.left = `${(100 * p.x) / width}%`;
+      text.style.top = `${(100 * p.y) / height}%`;
+      const beyond = p.x + 8 + text.offsetWidth > width;
+      text.style.transform = `translate(${beyond ? "calc(-100% - 8px)" : "8px"}, ${p.y < 24 ? "4px" : "-22px"})`;
+    }
+  }
   let asked = false;
   function render() {
     if (asked) return;
     asked = true;
     requestAnimationFrame(() => {
       asked = false;
-      renderer.render(world, camera);
-      for (const { text, at } of texts) {
-        const p = project(at);
-        text.style.transform = `translate(${Math.round(p.x) + 8}px, ${Math.round(p.y) - 22}px)`;
-        text.hidden = p.z > 1 || p.x < 0 || p.y < 0 || p.x > place.clientWidth - 20;
-      }
+      draw();
     });
   }
   controls.addEventListener("change", render);
@@ -83,6 +92,21 @@ export function stage(place, middle, size, lost) {
   }
   const watch = new ResizeObserver(fit);
   watch.observe(place);
+  // Paper does not wait for the next frame.
+  let copy = null;
+  const forget = whenFitting(() => {
+    fit();
+    draw();
+    copy?.remove();
+    copy = null;
+    if (!document.documentElement.classList.contains("printing")) return;
+    // Browsers print what WebGL showed last, at its size on the screen: paper gets a copy.
+    canvas.classList.add("screen");
+    copy = element("canvas", { "aria-hidden": "true" });
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    copy.getContext("2d").drawImage(canvas, 0, 0);
+    place.prepend(copy);
+  });
 
   function look(name) {
     const away = new Vector3(...DIRECTIONS[name]).normalize();
@@ -122,6 +146,7 @@ export function stage(place, middle, size, lost) {
   look("free");
   const remove = () => {
     watch.disconnect();
+    forget();
     controls.dispose();
     renderer.dispose();
   };

@@ -1,6 +1,7 @@
 // Heat strips: time across, modes down, the smallest margin in each cell.
 
 import { axis, chart, marker, timeAxis } from "./axes.js";
+import { marginAt } from "./charts.js";
 import { byId, content, element, percent, seconds } from "./content.js";
 import { CLASSES, classOf } from "./palette.js";
 import { on, run, setSet, setTime, state } from "./state.js";
@@ -120,8 +121,9 @@ function draw(shownRun, place) {
   const mark = marker(made);
   const show = () => {
     mark(Math.min(state.time, end));
-    const all = strips.map((_, row) => cell(state.time, row));
-    readout.textContent = `${span(state.time, 0)}: ${all.slice(0, 4).join("; ")}${all.length > 4 ? "; …" : ""}`;
+    const now = Math.min(state.time, end);
+    const all = strips.map(({ set }, row) => `${names[row]} ${percent(marginAt(shownRun.columns, set, now))}`);
+    readout.textContent = `At ${seconds(now)}: ${all.slice(0, 4).join("; ")}${all.length > 4 ? "; …" : ""}`;
   };
   made.hooks.setSize = [...(made.hooks.setSize ?? []), () => requestAnimationFrame(show)];
   return { made, show };

@@ -23,15 +23,15 @@ export function theme() {
     chosen = root.dataset.theme;
     root.dataset.theme = "light";
     root.classList.add("printing");
-    fitAll();
     show();
+    fitAll();
   });
   addEventListener("afterprint", () => {
     if (chosen === undefined) delete root.dataset.theme;
     else root.dataset.theme = chosen;
     root.classList.remove("printing");
-    fitAll();
     show();
+    fitAll();
   });
   button.textContent = isDark() ? "Light theme" : "Dark theme";
 }

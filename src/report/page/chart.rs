@@ -21,17 +21,33 @@ pub struct Chart {
     pub axis: Option<usize>,
 }
 
+impl Chart {
+    /// The same, its headline with numbers and units on one line.
+    pub fn set(mut self) -> Self {
+        self.headline = super::prose::unbroken(&self.headline);
+        self
+    }
+}
+
 /// One curve.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Line {
     pub label: String,
     /// Of the columns.
     pub column: String,
+    /// What the line before it was to be.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub aim: bool,
 }
 
 impl Line {
     pub fn new(label: impl Into<String>, column: impl Into<String>) -> Self {
-        Line { label: label.into(), column: column.into() }
+        Line { label: label.into(), column: column.into(), aim: false }
+    }
+
+    /// What the line before it was to be.
+    pub fn aim(label: impl Into<String>, column: impl Into<String>) -> Self {
+        Line { aim: true, ..Line::new(label, column) }
     }
 }
 
@@ -54,12 +70,11 @@ impl Bound {
     }
 }
 
-/// A small length in the unit that suits it.
+/// A length in m, below one in cm, as errors are told in the terminal.
 pub fn length(metres: f64) -> String {
     match metres.abs() {
         m if m >= 1.0 => format!("{} m", crate::report::number::significant(metres, 3)),
-        m if m >= 0.01 => format!("{} cm", crate::report::number::significant(1e2 * metres, 3)),
-        _ => format!("{} mm", crate::report::number::significant(1e3 * metres, 3)),
+        _ => format!("{} cm", crate::report::number::significant(1e2 * metres, 3)),
     }
 }
 

@@ -173,7 +173,7 @@ fn run_content(subject: &Subject, run: &PlannerRun, solved: &Solved, shown: &[Sh
     RunContent {
         label: run_label(run, solved.time),
         columns: motion::columns(model, solved, shown, most),
-        charts: motion::charts(model, mission, solved, shown),
+        charts: motion::charts(model, mission, solved, shown).into_iter().map(Chart::set).collect(),
         passed: trajectory.waypoint_nodes.iter().map(|&n| rounded(trajectory.times[n])).collect(),
         strips: measured.map(|(i, s)| strip(i, s)).collect(),
         wrench: "planned wrench",

@@ -1,6 +1,7 @@
 //! The page's skeleton: head, sections in order, the time slider, and what the script needs.
 
 use super::content::Content;
+use super::prose::{prose, unbroken};
 use super::summary::Found;
 use super::{Subject, embed};
 use crate::planner::compare::Comparison;
@@ -43,7 +44,7 @@ impl Document<'_> {
                     meta http-equiv="Content-Security-Policy" content=(embed::policy());
                     meta name="color-scheme" content="light dark";
                     meta name="generator" content={ "mavc " (env!("CARGO_PKG_VERSION")) };
-                    title { (mission.name) ": " (self.found.headline) }
+                    title { (mission.name) ": " (self.found.headline.replace('`', "")) }
                     style { (PreEscaped(embed::STYLE)) }
                 }
                 body {
@@ -62,6 +63,14 @@ impl Document<'_> {
                         ul {
                             li { a href="#found" { "Result" } }
                             @for section in &self.sections { li { a href={ "#" (section.id) } { (section.name) } } }
+                        }
+                    }
+                    @if moves || !self.content.sets.is_empty() {
+                        noscript {
+                            p.warning {
+                                "This browser runs no scripts, so the path, the sets and the charts are not drawn. Text, tables and the "
+                                "spec stand below."
+                            }
                         }
                     }
                     main #main {
@@ -85,11 +94,12 @@ impl Document<'_> {
 
     fn setting(&self) -> String {
         let plan = &self.subject.model.plan;
-        let against = match self.comparison.map(|c| c.modes.as_slice()) {
-            None => String::new(),
-            Some([]) => "no fault modes, ".to_string(),
-            Some(modes) if modes.len() > 12 => format!("against {} fault modes, ", modes.len()),
-            Some(modes) => format!("against {}, ", modes.join(", ")),
+        let declared = || plan.against.iter().map(|&i| self.subject.model.modes[i].name.clone()).collect();
+        let modes: Vec<String> = self.comparison.map_or_else(declared, |c| c.modes.clone());
+        let against = match modes.len() {
+            0 => "no fault modes, ".to_string(),
+            n if n > 12 => format!("against {n} fault modes, "),
+            _ => format!("against {}, ", modes.join(", ")),
         };
         format!(
             "{against}{} model, reserve {} of each set, {} samples",
@@ -102,19 +112,19 @@ impl Document<'_> {
 
 fn found(found: &Found) -> Markup {
     html! {
-        h2.headline { (found.headline) }
+        h2.headline { (prose(&found.headline)) }
         @if !found.figures.is_empty() {
             dl.figures {
                 @for figure in &found.figures {
                     div {
                         dt { (figure.name) }
-                        dd.value.bad[figure.is_bad] { (figure.value) }
-                        dd.note { (figure.note) }
+                        dd.value.bad[figure.is_bad] { (unbroken(&figure.value)) }
+                        dd.note { (unbroken(&figure.note)) }
                     }
                 }
             }
         }
-        @for warning in &found.warnings { p.warning { (warning) } }
+        @for warning in &found.warnings { p.warning { (prose(warning)) } }
     }
 }
 

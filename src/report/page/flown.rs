@@ -63,7 +63,7 @@ impl Track {
     /// The flight as the page shows it; `record` says what became of it.
     pub fn run(self, model: &Model, record: &FlightRecord) -> RunContent {
         let columns: Columns = self.columns.into_iter().map(|(name, v)| (name, column(v.into_iter()))).collect();
-        let charts = charts(model, &columns, record);
+        let charts = charts(model, &columns, record).into_iter().map(Chart::set).collect();
         RunContent {
             label: "the flight".into(),
             wrench: "wrench given",
@@ -123,7 +123,7 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
             "Position",
             format!("The vehicle keeps within {} of its place, {rms} root mean square", length(record.max_error_m)),
             "m",
-            places.flat_map(|n| [Line::new(n, n), Line::new(format!("{n} planned"), format!("{n}_ref"))]).collect(),
+            places.flat_map(|n| [Line::new(n, n), Line::aim(format!("{n} planned"), format!("{n}_ref"))]).collect(),
         ),
         Chart {
             bounds: vec![Bound::limit("lost beyond", model.simulation.lost_beyond)],
@@ -167,7 +167,7 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
             title,
             format!("{title} given reaches {} {unit}", significant(most(id), 3)),
             unit,
-            vec![Line::new("given", id), Line::new("asked for", format!("{id}_cmd"))],
+            vec![Line::new("given", id), Line::aim("asked for", format!("{id}_cmd"))],
         )
     }));
     let rotors = model.vehicle.rotors.len();

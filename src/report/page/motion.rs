@@ -135,10 +135,7 @@ fn at(value: f64, unit: &str, t: f64) -> String {
 
 fn margins(solved: &Solved, shown: &[ShownSet]) -> Chart {
     let sets = || shown.iter().enumerate().filter_map(|(i, s)| Some((i, s, s.against?)));
-    let least = sets().min_by(|a, b| {
-        let margin = |against: usize| -solved.outside[against].max_violation;
-        margin(a.2).total_cmp(&margin(b.2))
-    });
+    let least = nearest(solved).and_then(|n| sets().find(|(.., against)| *against == n));
     let headline = match least.map(|(_, s, against)| (s, -solved.outside[against].max_violation)) {
         Some((set, margin)) if margin < 0.0 => {
             format!("The smallest margin is {}: outside {}", signed_percent(margin), set.name)
@@ -155,6 +152,13 @@ fn margins(solved: &Solved, shown: &[ShownSet]) -> Chart {
         bounds: vec![Bound::limit("edge", 0.0)],
         axis: None,
     }
+}
+
+/// Of the modes planned against the one with the smallest margin; of those that no report tells apart the first.
+pub fn nearest(solved: &Solved) -> Option<usize> {
+    let worst = solved.outside.iter().map(|o| o.max_violation).max_by(f64::total_cmp)?;
+    // Thousandths of a percent, as the columns of margins have them.
+    solved.outside.iter().position(|o| o.max_violation >= worst - 1e-5)
 }
 
 /// `+3.2 %`, `−14.6 %`: margins have a sign.

@@ -69,7 +69,10 @@ fn headline(comparison: &Comparison) -> String {
     match common.len() {
         0 => "No planner has a plan at a common time".into(),
         n if comparison.modes.is_empty() => format!("{n} plans at one time"),
-        n => format!("At one time, {inside} of {n} plans stay inside every fault set"),
+        n => {
+            let stay = if inside == 1 { "stays" } else { "stay" };
+            format!("At one time, {inside} of {n} plans {stay} inside every fault set")
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The spec as it was read, with every diagnostic below the line that it points to.
 
 use super::Subject;
+use super::prose::prose;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::source::{FileId, Source, Span};
 use maud::{Markup, html};
@@ -188,13 +189,13 @@ fn remark(remark: &Remark, source: &Source) -> Markup {
             @match &remark.said {
                 Said::Diagnostic(d) => {
                     p {
-                        strong { span.severity { (severity) } " " (d.message) }
-                        @if !d.label.is_empty() { ": " (d.label) }
+                        strong { span.severity { (severity) } " " (prose(&d.message)) }
+                        @if !d.label.is_empty() { ": " (prose(&d.label)) }
                     }
-                    @if let Some(help) = &d.help { p.help { "help: " (help) } }
+                    @if let Some(help) = &d.help { p.help { "help: " (prose(help)) } }
                     p.code { (d.code) ", line " (place.line) ", column " (place.column) }
                 }
-                Said::Label(label, d) => p { (label) " " span.code { "(" (d.code) ")" } },
+                Said::Label(label, d) => p { (prose(label)) " " span.code { "(" (d.code) ")" } },
             }
         }
     }

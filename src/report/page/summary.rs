@@ -2,9 +2,10 @@
 
 use super::chart::length;
 use super::flown::headline;
-use super::motion::signed_percent;
+use super::motion::{nearest, signed_percent};
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::certificate::between::Shown;
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::report::flight::{FlightRecord, OutcomeRecord};
@@ -129,7 +130,7 @@ pub fn flight(record: &FlightRecord) -> Found {
 }
 
 /// Some mode that the plan must stand cannot hover.
-pub fn refused(model: &Model, analyses: &[ModeAnalysis]) -> Found {
+pub fn refused(model: &Model, analyses: &[ModeAnalysis], diagnostics: &[Diagnostic]) -> Found {
     let lost: Vec<&str> = model
         .plan
         .against
@@ -143,7 +144,12 @@ pub fn refused(model: &Model, analyses: &[ModeAnalysis]) -> Found {
         [one] => format!("mode {one} does not keep full control at hover"),
         [first, rest @ ..] => format!("{first} and {} more modes do not keep full control at hover", rest.len()),
     };
-    Found { headline: format!("Nothing was planned: {which}"), ..Found::default() }
+    let said = diagnostics.iter().filter(|d| d.severity == Severity::Error);
+    let warnings = said.map(|d| match &d.help {
+        Some(help) => format!("{}. To mend it: {help}", d.message),
+        None => d.message.clone(),
+    });
+    Found { headline: format!("Nothing was planned: {which}"), warnings: warnings.collect(), ..Found::default() }
 }
 
 /// `and stays inside every fault set`, or when it does not.
@@ -178,8 +184,8 @@ fn time(model: &Model, run: &PlannerRun, solved: &Solved) -> Figure {
 }
 
 fn margin(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
-    let (name, outside) =
-        comparison.modes.iter().zip(&solved.outside).max_by(|a, b| a.1.max_violation.total_cmp(&b.1.max_violation))?;
+    let mode = nearest(solved)?;
+    let (name, outside) = (comparison.modes.get(mode)?, &solved.outside[mode]);
     let margin = -outside.max_violation;
     let note = format!("to the edge of {name}, in widths of the healthy set");
     Some(Figure::new("Smallest margin", signed_percent(margin), note).bad_if(outside.last.is_some()))
@@ -220,8 +226,9 @@ fn shown_between(told: &PlannerRecord) -> Option<Figure> {
 /// What the report says of statements that cannot hold together.
 fn conflict(record: &Record) -> Vec<String> {
     let Some(conflict) = &record.conflict else { return Vec::new() };
-    let statements: Vec<String> =
-        conflict.statements.iter().map(|s| format!("line {}: {}", s.line, s.message)).collect();
+    let mut ordered: Vec<_> = conflict.statements.iter().collect();
+    ordered.sort_by_key(|s| s.line);
+    let statements: Vec<String> = ordered.iter().map(|s| format!("line {}: {}", s.line, s.message)).collect();
     let told = match conflict.proved {
         true => "These statements cannot hold together",
         false => "These statements were not satisfied together in our attempts",

@@ -1,7 +1,9 @@
 //! A campaign: who survives, the map of when, and whether the plans told.
 
 use super::summary::{Figure, Found};
+use crate::campaign::statistics::{Share, wilson};
 use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord, ModeRecord, PlannerRecord};
+use crate::report::campaign_text::by_flight;
 use crate::report::number::{number, percent, significant};
 use maud::{Markup, html};
 
@@ -16,7 +18,7 @@ const CLASSES: [(&str, f64); 5] =
 /// What the campaign comes to.
 pub fn found(record: &CampaignRecord) -> Found {
     let shares: Vec<(String, f64)> =
-        record.planners.iter().filter_map(|p| Some((p.name.to_uppercase(), faulted(p)?))).collect();
+        record.planners.iter().filter_map(|p| Some((p.name.to_uppercase(), survival(p)?.share))).collect();
     let list: Vec<String> = shares.iter().map(|(name, share)| format!("{} with {name}", percent(*share))).collect();
     let headline = match list.is_empty() {
         true => "Nothing was flown: no planner has a plan".to_string(),
@@ -42,10 +44,16 @@ pub fn found(record: &CampaignRecord) -> Found {
 }
 
 /// Share of flights with a fault that survive.
-fn faulted(planner: &PlannerRecord) -> Option<f64> {
+fn survival(planner: &PlannerRecord) -> Option<Share> {
     let flights: usize = planner.modes.iter().map(|m| m.flights.flights).sum();
     let lost: usize = planner.modes.iter().map(|m| m.flights.lost).sum();
-    (flights > 0).then(|| 1.0 - lost as f64 / flights as f64)
+    wilson(flights.saturating_sub(lost), flights)
+}
+
+/// `85.7 (60.1 to 96)`, in percent.
+fn with_interval(share: Option<Share>) -> String {
+    let percent = |x: f64| significant(100.0 * x, 3);
+    share.map_or("\u{2013}".into(), |s| format!("{} ({} to {})", percent(s.share), percent(s.low), percent(s.high)))
 }
 
 /// Who survives, planner by planner.
@@ -61,7 +69,7 @@ pub fn table(record: &CampaignRecord) -> Markup {
                         th scope="col" { "Planner" }
                         th scope="col" { "Plan" }
                         th.n scope="col" { "Flights with a fault" }
-                        th.n scope="col" { "Survive" br; span.unit { "%" } }
+                        th.n scope="col" { "Survive" br; span.unit { "%, 95 % interval" } }
                         th.n scope="col" { "Lost by position" }
                         th.n scope="col" { "Upside down" }
                         th.n scope="col" { "To the ground" }
@@ -74,19 +82,11 @@ pub fn table(record: &CampaignRecord) -> Markup {
                             th scope="row" { (p.name.to_uppercase()) }
                             td { (p.status.replace('_', " ")) }
                             td.n { (lost(p, |m| m.flights.flights)) }
-                            td.n { (faulted(p).map_or("\u{2013}".into(), |s| significant(100.0 * s, 3))) }
+                            td.n { (with_interval(survival(p))) }
                             td.n { (lost(p, |m| m.flights.lost_by_position)) }
                             td.n { (lost(p, |m| m.flights.lost_upside_down)) }
                             td.n { (lost(p, |m| m.flights.lost_to_ground)) }
-                            td.n {
-                                @match p.healthy.as_ref().and_then(|h| h.survival) {
-                                    Some(s) => {
-                                        (significant(100.0 * s.share, 3)) " (" (significant(100.0 * s.low, 3)) " to "
-                                        (significant(100.0 * s.high, 3)) ")"
-                                    }
-                                    None => { "\u{2013}" }
-                                }
-                            }
+                            td.n { (with_interval(p.healthy.as_ref().and_then(|h| h.survival))) }
                         }
                     }
                 }
@@ -197,6 +197,7 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
                     }
                 }
             }
+            @if let Some(all) = a.by_flight.first() { p.note { (by_flight(&all.counts)) } }
         }
     }
 }

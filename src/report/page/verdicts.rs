@@ -63,6 +63,8 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Solved
     let others = (1..analyses.len()).filter(|i| !model.plan.against.contains(&(i - 1)));
     let order: Vec<usize> = std::iter::once(0).chain(model.plan.against.iter().map(|i| i + 1)).chain(others).collect();
     let rows: Vec<Row> = order.iter().take(MOST_ROWS).filter_map(|&i| row(i)).collect();
+    // A table says nothing by columns of dashes.
+    let columns = Columns { of_plan: solved.is_some(), after: !model.plan.against.is_empty() };
     html! {
         h2 { (headline(analyses)) }
         div.scroll tabindex="0" role="region" aria-label="Table of modes" {
@@ -77,25 +79,40 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Solved
                         th scope="col" { "Verdict" }
                         th.n scope="col" { "Hover margin" br; span.unit { "N, N m" } }
                         th.n scope="col" { "Heaviest" br; span.unit { "kg" } }
-                        th.n scope="col" { "Plan's margin" br; span.unit { "healthy widths" } }
-                        th.n scope="col" { "Outside" br; span.unit { "s" } }
-                        th.n scope="col" { "Last outside" br; span.unit { "s" } }
-                        th scope="col" { "After it" }
-                        th.n scope="col" { "Committed" br; span.unit { "s" } }
+                        @if columns.of_plan {
+                            th.n scope="col" { "Plan's margin" br; span.unit { "healthy widths" } }
+                            th.n scope="col" { "Outside" br; span.unit { "s" } }
+                            th.n scope="col" { "Last outside" br; span.unit { "s" } }
+                        }
+                        @if columns.after { th scope="col" { "After it" } }
+                        @if columns.of_plan { th.n scope="col" { "Committed" br; span.unit { "s" } } }
                     }
                 }
-                tbody { @for row in &rows { (cells(model, row)) } }
+                tbody { @for row in &rows { (cells(model, row, columns)) } }
             }
         }
         @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are left out here; " code { "mavc analyze" } " lists all." } }
         p.note {
-            "Hover margin: signed distance from hover to the edge of the mode's set, every axis held. Plan's margin: the smallest over "
-            "the flight, negative outside, measured against the set that plans keep to."
+            "Hover margin: signed distance from hover to the edge of the mode's set, every axis held."
+            @if columns.of_plan {
+                " Plan's margin: the smallest over the flight, negative outside, measured against the set that plans keep to."
+            }
+            @if analyses.iter().any(|a| a.verdict == Verdict::Stabilizable) {
+                " Stabilizable without yaw: the vehicle stays up and level while it turns about z. With every axis held, yaw too, as "
+                "in the sets drawn here, hover may be far outside."
+            }
         }
     }
 }
 
-fn cells(model: &Model, row: &Row) -> Markup {
+/// Columns beside those of hover.
+#[derive(Clone, Copy)]
+struct Columns {
+    of_plan: bool,
+    after: bool,
+}
+
+fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     let Row { analysis: a, title, mode, outside, committed } = row;
     let verdict = match (a.verdict, a.interior) {
         (Verdict::Controllable, true) => ("good", "controllable"),
@@ -113,13 +130,17 @@ fn cells(model: &Model, row: &Row) -> Markup {
             td { span.verdict.(verdict.0) { (verdict.1) } }
             td.n { (a.acai.map_or("flat".into(), |m| signed(m, 4))) }
             td.n { (a.critical_mass_kg.map_or("none".into(), |m| significant(m, 4))) }
-            td.n.bad[outside.is_some_and(|o| o.last.is_some())] {
-                (outside.map_or_else(dash, |o| signed_percent(-o.max_violation)))
+            @if columns.of_plan {
+                td.n.bad[outside.is_some_and(|o| o.last.is_some())] {
+                    (outside.map_or_else(dash, |o| signed_percent(-o.max_violation)))
+                }
+                td.n { (outside.map_or_else(dash, |o| if o.last.is_some() { fixed(o.seconds, 2) } else { "0".into() })) }
+                td.n { (outside.map_or_else(dash, |o| o.last.map_or("never".into(), |l| fixed(l, 2)))) }
             }
-            td.n { (outside.map_or_else(dash, |o| if o.last.is_some() { fixed(o.seconds, 2) } else { "0".into() })) }
-            td.n { (outside.map_or_else(dash, |o| o.last.map_or("never".into(), |l| fixed(l, 2)))) }
-            td { (after) }
-            td.n { (committed.map_or_else(dash, |c| if c > 0.0 { fixed(c, 2) } else { "never".into() })) }
+            @if columns.after { td { (after) } }
+            @if columns.of_plan {
+                td.n { (committed.map_or_else(dash, |c| if c > 0.0 { fixed(c, 2) } else { "never".into() })) }
+            }
         }
     }
 }
