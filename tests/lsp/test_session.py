@@ -174,8 +174,11 @@ async def test_a_session(client: LanguageClient, folder: pathlib.Path):
         types.RenameParams(text_document=root.identifier, position=root.position("top]"), new_name="summit")
     )
     library = (folder / "library.mav").as_uri()
-    assert set(edit.changes) == {root.uri, library}
-    assert "[12 m, 3 m, summit]" in root.apply(edit.changes[root.uri])
+    # The client takes document changes, so each file's edits name the version of the text they are for.
+    changes = {change.text_document.uri: change for change in edit.document_changes}
+    assert set(changes) == {root.uri, library}
+    assert changes[root.uri].text_document.version is not None and changes[library].text_document.version is None
+    assert "[12 m, 3 m, summit]" in root.apply(changes[root.uri].edits)
     place = await client.text_document_definition_async(
         types.DefinitionParams(text_document=root.identifier, position=root.position("top]"))
     )
