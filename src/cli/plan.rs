@@ -40,8 +40,10 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
     // Where only the required risk is not met there is a plan for every statement that could be blamed.
     let explanation = if solved || !comparison.trade_off.is_empty() { None } else { why(&model, &mission, options) };
+    let progress = Progress::new(options);
     let certified = proof.as_ref().map(|target| {
         let begin = Instant::now();
+        progress.say("making the certificate".into());
         let certificate = certificate::of(&model, &mission, &comparison, loaded.sha256());
         timing(options, "certify", begin);
         (target, certificate)
@@ -51,7 +53,9 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         Ending::Solved(solved) => Some((run, solved)),
         _ => None,
     });
+    progress.say("looking for a proof of every instant".into());
     let between = plan.map(|(run, solved)| between::between(&model, &mission, run, solved));
+    progress.done();
     timing(options, "prove", begin);
     let begin = Instant::now();
     let mut results = Vec::new();

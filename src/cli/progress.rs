@@ -55,8 +55,13 @@ impl Progress {
         Progress { shown: Shown::new(options, bar) }
     }
 
+    /// A planner tries a mission time, s.
     pub fn tell(&self, planner: &str, time: f64) {
-        let message = format!("{planner}: is {time:.2} s enough?");
+        self.say(format!("{planner}: is {time:.2} s enough?"));
+    }
+
+    /// What is done now.
+    pub fn say(&self, message: String) {
         match &self.shown {
             Shown::Bar(bar) => bar.set_message(message),
             Shown::Lines(lines) => lines.tell(message),

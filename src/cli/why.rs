@@ -6,13 +6,18 @@ use super::{Options, files};
 use crate::explain::planners::Planners;
 use crate::explain::{Explanation, explain};
 use crate::model::{Mission, Model};
+use std::cell::Cell;
 use std::time::Instant;
 
 /// Asks the planner of the spec.
 pub fn why(model: &Model, mission: &Mission, options: &Options) -> Option<Explanation> {
     let begin = Instant::now();
     let progress = Progress::new(options);
-    let tell = |time: f64| progress.tell("why is there no plan", time);
+    let asked = Cell::new(0);
+    let tell = |time: f64| {
+        asked.set(asked.get() + 1);
+        progress.say(format!("no plan; which statements are in the way? Variant {} of the spec, {time:.2} s", asked.get()));
+    };
     let mut planner = Planners::new(Some(&tell));
     let explanation = explain(model, mission, &mut planner);
     let effort = planner.effort;

@@ -49,7 +49,7 @@ const WIDER_WITHIN: f64 = 10.0;
 /// Bounds are widened up to this many times.
 const WIDER: f64 = 10.0;
 /// The lightest vehicle looked at, as a share of the spec's.
-const LIGHTEST: f64 = 0.2;
+const LIGHTEST: f64 = 0.5;
 /// A tilt limit is below 90 degrees.
 const MOST_TILT: f64 = 89.0;
 

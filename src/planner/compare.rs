@@ -22,6 +22,7 @@ use crate::trajectory::Trajectory;
 use crate::trajectory::outside::{Outside, outside};
 use rayon::prelude::*;
 use std::iter;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// Each planner at its own shortest time, or all at one.
@@ -98,6 +99,9 @@ pub struct Comparison {
     pub selected: Vec<SetRow>,
     /// Where the spec requires a risk: the plan without protection, then what each addition gives.
     pub trade_off: Vec<Addition>,
+    /// The plans of RIP and of the tightest RCP at their own shortest times, where they were sought: what further plans can
+    /// be begun from.
+    pub known: Vec<Planned>,
     pub effort: Effort,
 }
 
@@ -112,7 +116,7 @@ pub enum Scope {
     Everything,
 }
 
-/// Told the planner's name and each mission time (s) before it is tried.
+/// Told the planner's name, how much of a comparison is done, and each mission time (s) before it is tried.
 pub type Progress<'a> = Option<&'a (dyn Fn(&str, f64) + Sync)>;
 
 struct Setting<'a> {
@@ -124,6 +128,9 @@ struct Setting<'a> {
     weighs_risk: bool,
     /// Spent on stops after faults.
     stopping: Mutex<Effort>,
+    /// Runs of a whole comparison that are done, and how many there are; 0 of 0 where it is not one.
+    done: AtomicUsize,
+    all: usize,
 }
 
 /// A search's result with what later searches can use.
@@ -141,7 +148,10 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
         .then(|| times::with_better_times(model, mission, progress))
         .flatten();
     let mission = timed.as_ref().unwrap_or(mission);
-    let setting = Setting { weighs_risk: scope != Scope::Common, ..Setting::new(model, mission, progress) };
+    let mut setting = Setting { weighs_risk: scope != Scope::Common, ..Setting::new(model, mission, progress) };
+    if scope == Scope::Everything {
+        setting.all = setting.runs_of_everything();
+    }
     let mut comparison = match scope {
         Scope::Plan => match model.plan.require_risk {
             Some(bound) => setting.protect(bound),
@@ -157,7 +167,7 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
 impl<'a> Setting<'a> {
     fn new(model: &'a Model, mission: &'a Mission, progress: Progress<'a>) -> Self {
         let (sets, stopping) = (PlanningSets::of(model), Mutex::default());
-        Setting { model, mission, sets, progress, weighs_risk: false, stopping }
+        Setting { model, mission, sets, progress, weighs_risk: false, stopping, done: AtomicUsize::new(0), all: 0 }
     }
 
     /// The time that the spec asks for or determines.
@@ -169,9 +179,11 @@ impl<'a> Setting<'a> {
     }
 
     fn with_engine<T>(&self, what: &str, work: impl FnOnce(&mut Engine) -> T) -> (T, Effort) {
-        let tell = |t: f64| {
-            if let Some(progress) = self.progress {
-                progress(what, t);
+        let tell = |t: f64| match (self.progress, self.all) {
+            (None, _) => {}
+            (Some(progress), 0) => progress(what, t),
+            (Some(progress), all) => {
+                progress(&format!("{what} ({} of {all} plans done)", self.done.load(Ordering::Relaxed)), t);
             }
         };
         let mut engine = Engine::new(self.model, self.mission, &self.sets.healthy);
@@ -179,6 +191,11 @@ impl<'a> Setting<'a> {
         let value = work(&mut engine);
         let effort = engine.effort;
         (value, effort)
+    }
+
+    /// Counts runs as done.
+    fn ended(&self, runs: usize) {
+        self.done.fetch_add(runs, Ordering::Relaxed);
     }
 
     fn search(&self, what: &str, set: &PlanningSet, hint: Hint, pool: Pool) -> Found {
@@ -260,6 +277,7 @@ impl<'a> Setting<'a> {
             common_time: self.fixed_time(),
             selected: Vec::new(),
             trade_off: Vec::new(),
+            known: Vec::new(),
             effort: Effort::default(),
         }
     }
@@ -369,13 +387,16 @@ impl<'a> Setting<'a> {
                 let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
                 // With rotors that lag a wrench inside is not enough.
                 if out.max_violation <= ACCEPTED && self.model.thrust_lag().is_none() {
+                    self.ended(1);
                     return Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
                 }
             }
             let pool = rip.pool.translated(&self.sets.rip, set);
             let begins = hint.begins.iter().chain(plan_found(rip)).cloned().collect();
             let hint = Hint { begins, ..hint.clone() };
-            self.search(&format!("RCP {name}"), set, hint, pool)
+            let found = self.search(&format!("RCP {name}"), set, hint, pool);
+            self.ended(1);
+            found
         };
         self.sets.names.par_iter().zip(self.sets.singles.par_iter()).map(work).collect()
     }

@@ -11,15 +11,29 @@ use rayon::prelude::*;
 use std::cmp::Ordering::Equal;
 
 impl Setting<'_> {
+    /// How many runs [`Self::everything`] makes where there is a T_d.
+    pub(super) fn runs_of_everything(&self) -> usize {
+        let modes = self.sets.names.len();
+        let conservative = if modes > 1 { modes + 1 } else { modes };
+        2 * (conservative + 2)
+    }
+
     /// RIP, RCP per mode, RCP jointly and RSP, at their own shortest times and at T_d.
     pub(super) fn everything(&self) -> Comparison {
         // RIP and the tightest RCP first, side by side: they bound all others.
         let several = self.sets.names.len() > 1;
         let (rip, tightest) = rayon::join(
-            || self.search("RIP", &self.sets.rip, Hint::default(), Pool::default()),
             || {
-                (!self.sets.names.is_empty())
-                    .then(|| self.search("RCP", &self.sets.joint, Hint::default(), Pool::default()))
+                let found = self.search("RIP", &self.sets.rip, Hint::default(), Pool::default());
+                self.ended(1);
+                found
+            },
+            || {
+                (!self.sets.names.is_empty()).then(|| {
+                    let found = self.search("RCP", &self.sets.joint, Hint::default(), Pool::default());
+                    self.ended(1);
+                    found
+                })
             },
         );
         let mut effort = rip.effort;
@@ -49,11 +63,13 @@ impl Setting<'_> {
         for (against, set, found) in &conservative {
             runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
         }
-        let mut out = Comparison { runs, common_time, effort, ..self.begun() };
+        let known = [Some(&rip), tightest.as_ref()].into_iter().flatten().filter_map(plan_found).cloned().collect();
+        let mut out = Comparison { runs, common_time, known, effort, ..self.begun() };
         if let Some(at) = common_time {
             let binding = tightest.as_ref().and_then(plan_found);
             let (decision, spent) = self.at_or_own("RIP", &self.sets.rip, at, &rip, binding);
             out.effort += spent;
+            self.ended(1);
             let rsp_set = match &decision {
                 Decision::Feasible(planned) => self.select(at, planned, binding, &mut out),
                 _ => self.sets.rip.clone(),
@@ -83,6 +99,7 @@ impl Setting<'_> {
                         let label = label(PlannerKind::Rcp, against);
                         let (decision, spent) = self.at_or_own(&label, set, at, found, binding);
                         let ending = self.common(at, &decision);
+                        self.ended(1);
                         (self.run(PlannerKind::Rcp, against, Run::Common, ending, set), spent)
                     };
                     conservative.par_iter().map(work).collect::<Vec<_>>()
@@ -140,6 +157,7 @@ impl Setting<'_> {
             },
         );
         let ending = self.common(at, &decision);
+        self.ended(1);
         let mut hint = hint_from(at, decision);
         if let Some((shorter, spent)) = shorter {
             effort += spent;

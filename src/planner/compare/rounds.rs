@@ -1,7 +1,8 @@
 //! Rounds of selection, the paper's dial: step (e) of section 5.3 done again and again at one mission time.
 //!
-//! RIP is no round, RSP one. Facets are selected at all nodes. In the hover model, at a time at which RCP has a plan,
-//! rounds end at RCP's plan: each program is a relaxation of RCP's, and a plan that passes no facet solves it.
+//! RIP is no round, RSP one. Facets passed at any node are selected, in the exact model at any instant, and stand at all of
+//! them. In the hover model, at a time at which RCP has a plan, rounds end at RCP's plan: each program is a relaxation of
+//! RCP's, and a plan that passes no facet solves it.
 
 use super::{Comparison, Ending, Progress, Setting};
 use crate::model::{Mission, Model};
@@ -43,8 +44,9 @@ pub fn rounds(
 ) -> Vec<Round> {
     let setting = Setting::new(model, mission, progress);
     let Some(common) = comparison.common_time else { return Vec::new() };
-    let mut search = Search { setting: &setting, last, chains: BTreeMap::new(), effort: Effort::default() };
-    let at_common = setting.chain(common, last, &mut search.effort);
+    let known = comparison.known.clone();
+    let mut search = Search { setting: &setting, last, known: &known, chains: BTreeMap::new(), effort: Effort::default() };
+    let at_common = setting.chain(common, last, &known, &mut search.effort);
     let mut found = Vec::new();
     for k in first..=last {
         let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
@@ -61,6 +63,8 @@ pub fn rounds(
 struct Search<'s, 'a> {
     setting: &'s Setting<'a>,
     last: usize,
+    /// What plans can be begun from.
+    known: &'s [Planned],
     /// By mission time in multiples of [`RESOLUTION`].
     chains: BTreeMap<i64, Chain>,
     effort: Effort,
@@ -68,8 +72,8 @@ struct Search<'s, 'a> {
 
 impl Search<'_, '_> {
     fn at(&mut self, ticks: i64, rounds: usize) -> Option<&Planned> {
-        let (setting, last, effort) = (self.setting, self.last, &mut self.effort);
-        let chain = self.chains.entry(ticks).or_insert_with(|| setting.chain(seconds(ticks), last, effort));
+        let (setting, last, known, effort) = (self.setting, self.last, self.known, &mut self.effort);
+        let chain = self.chains.entry(ticks).or_insert_with(|| setting.chain(seconds(ticks), last, known, effort));
         super::planned_of(&chain[rounds.min(chain.len() - 1)].1)
     }
 
@@ -142,15 +146,16 @@ impl Setting<'_> {
         self.sets.rip.with(out.selected.clone())
     }
 
-    /// Rounds 0 to `last` at one time.
-    fn chain(&self, time: f64, last: usize, effort: &mut Effort) -> Chain {
+    /// Rounds 0 to `last` at one time, each begun from the one before or from plans that are known.
+    fn chain(&self, time: f64, last: usize, known: &[Planned], effort: &mut Effort) -> Chain {
         let mut selected: Vec<SetRow> = Vec::new();
         let mut chain: Chain = Vec::new();
         let mut before: Option<Planned> = None;
         for _ in 0..=last {
             let set = self.sets.rip.with(selected.clone());
             let name = format!("round {}", chain.len());
-            let (decision, spent) = self.at(&name, &set, time, Pool::default(), before.as_ref().as_slice());
+            let begins: Vec<&Planned> = before.iter().chain(known).collect();
+            let (decision, spent) = self.at(&name, &set, time, Pool::default(), &begins);
             *effort += spent;
             before = super::planned_of(&decision).cloned();
             chain.push((selected.clone(), decision));

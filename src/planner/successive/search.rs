@@ -226,10 +226,15 @@ impl Successive<'_, '_> {
         let samples = self.engine.model.plan.samples;
         let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
         self.engine.progress(total);
-        match self.at(&full, begins) {
+        if let Some(planned) = self.at_once(&full, begins) {
+            return Decision::Feasible(Box::new(planned));
+        }
+        // What is shown of one division of the time is not shown of all. A proof is cheaper than a plan from further away.
+        if !self.chooses_times() && self.shown_infeasible(&full.flown()) {
+            return Decision::Infeasible;
+        }
+        match self.from_further_away(total, begins) {
             Some(planned) => Decision::Feasible(Box::new(planned)),
-            // What is shown of one division of the time is not shown of all.
-            None if !self.chooses_times() && self.shown_infeasible(&full.flown()) => Decision::Infeasible,
             None => Decision::Inconclusive(NOT_FOUND.into()),
         }
     }
@@ -258,30 +263,38 @@ impl Successive<'_, '_> {
         }
     }
 
-    fn at(&mut self, full: &Profile, begins: &[&Planned]) -> Option<Planned> {
+    /// A plan over a profile about the smooth motion there, or about another plan flown in the same time: the first that is
+    /// found, or one about a cheaper plan that is inside as it is. So no plan costs more than one of a smaller set at its time.
+    fn at_once(&mut self, full: &Profile, begins: &[&Planned]) -> Option<Planned> {
         let flown = full.total - self.held();
         let fixed = has_fixed_times(self.engine.mission);
         let mut pool = BTreeSet::new();
+        let mut found = None;
         if fixed || !self.chooses_times() {
             let smooth = self.smooth(&full.flown())?;
-            let kept = self.kept_near(smooth, full.total, CLOSELY, &mut pool);
-            if kept.is_some() {
-                return kept;
-            }
+            found = self.kept_near(smooth, full.total, CLOSELY, &mut pool);
         }
         for planned in begins.iter().filter(|_| !fixed) {
             let other = self.motion_of(planned);
             let scaled = other.slower(flown / other.profile.total);
-            let kept = self.kept_near(scaled, full.total, CLOSELY, &mut pool);
-            if kept.is_some() {
-                return kept;
+            let worth = |found: &Planned| self.cost(&scaled) < found.objective && self.excess(&scaled) <= 0.0;
+            if found.as_ref().is_none_or(worth) {
+                let kept = self.kept_near(scaled, full.total, CLOSELY, &mut pool);
+                found = kept.into_iter().chain(found).min_by(|a, b| a.objective.total_cmp(&b.objective));
             }
         }
-        if fixed {
+        found
+    }
+
+    /// A plan at one mission time about motions that fit at another: other plans flown slower, or one made from nothing.
+    /// Where waypoints have times of their own no motion can be flown slower as a whole.
+    fn from_further_away(&mut self, total: f64, begins: &[&Planned]) -> Option<Planned> {
+        if has_fixed_times(self.engine.mission) {
             return None;
         }
-        let from_plans = self.slowed(begins, &mut pool).and_then(|first| self.brought_to(first, full.total));
-        from_plans.or_else(|| self.first(flown).and_then(|first| self.brought_to(first, full.total)))
+        let slowed = self.slowed(begins, &mut BTreeSet::new());
+        let from_plans = slowed.and_then(|first| self.brought_to(first, total));
+        from_plans.or_else(|| self.first(total - self.held()).and_then(|first| self.brought_to(first, total)))
     }
 
     /// The plan of least cost at a mission time about a motion inside the set at another.
