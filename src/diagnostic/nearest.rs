@@ -7,13 +7,17 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         return None;
     }
     let word_letters: Vec<char> = word.to_lowercase().chars().collect();
-    candidates
-        .into_iter()
-        .filter(|c| *c != word)
-        .map(|c| (distance(&word_letters, &c.to_lowercase().chars().collect::<Vec<_>>()), c))
-        .filter(|(d, c)| *d <= (word_letters.len().max(c.chars().count()) / 3).clamp(1, 3) && *d < word_letters.len())
-        .min()
-        .map(|(_, c)| c)
+    let most = |letters: usize| (word_letters.len().max(letters) / 3).clamp(1, 3).min(word_letters.len().max(1) - 1);
+    let near = |candidate: &'a str| {
+        let letters = candidate.chars().count();
+        // So many letters more or less are so many changes at least.
+        if candidate == word || letters.abs_diff(word_letters.len()) > most(letters) {
+            return None;
+        }
+        let changes = distance(&word_letters, &candidate.to_lowercase().chars().collect::<Vec<_>>());
+        (changes <= most(letters)).then_some((changes, candidate))
+    };
+    candidates.into_iter().filter_map(near).min().map(|(_, c)| c)
 }
 
 /// Edits, where a swap of two neighbours counts one (optimal string alignment).

@@ -77,11 +77,16 @@ impl<'a> Context<'a> {
 
     /// Keeps a diagnostic; past [`MAX_DIAGNOSTICS`] it is only counted.
     pub fn report(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() < MAX_DIAGNOSTICS {
-            self.diagnostics.push(diagnostic);
-        } else {
+        if self.is_full() {
             self.dropped += 1;
+        } else {
+            self.diagnostics.push(diagnostic);
         }
+    }
+
+    /// Whether further diagnostics are only counted: what they would say need not be found out.
+    pub fn is_full(&self) -> bool {
+        self.diagnostics.len() >= MAX_DIAGNOSTICS
     }
 
     /// Whether `name` may be declared in a place that could not be read.
@@ -194,7 +199,7 @@ impl<'a> Context<'a> {
             return;
         }
         // Looking for near names takes time, and nobody reads hundreds of errors.
-        let known = if self.diagnostics.len() < MAX_DIAGNOSTICS { known } else { &[] };
+        let known = if self.is_full() { &[] } else { known };
         let mut error = Diagnostic::error("mavc::name::unknown", span, format!("no {what} is called `{name}`"))
             .here("not declared");
         if let Some(near) = nearest(name, known.iter().copied().filter(|k| open(k))) {

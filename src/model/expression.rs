@@ -122,7 +122,10 @@ impl<'a> Context<'a> {
         } else {
             // A `let` that is being evaluated is not what it is made of.
             let waits = |name: &str| self.lets.get(name).is_some_and(|l| matches!(l.state, State::Busy));
-            let names: Vec<&str> = self.names_in_scope().into_iter().filter(|name| !waits(name)).collect();
+            let names = match self.is_full() {
+                true => Vec::new(),
+                false => self.names_in_scope().into_iter().filter(|name| !waits(name)).collect(),
+            };
             self.unknown("`let`", name, span, &names);
         }
         None

@@ -271,7 +271,8 @@ impl Scanner<'_> {
         .here("`/*` starts no comment")
         .help("write `//` before each line of the comment");
         // Only where nothing stands behind the comment, which would become a part of it.
-        let is_last = close.is_some() && self.text[end..self.line_end(end)].trim().is_empty();
+        let behind = self.text.as_bytes().get(self.skip_while(end, is_blank));
+        let is_last = close.is_some() && matches!(behind, None | Some(b'\n' | b'\r'));
         self.report(match is_last {
             true => {
                 let lines = self.text[start + 2..end - 2].trim().lines();

@@ -29,7 +29,7 @@ mission hop {
     waypoint at [3, 1, 4] m  within 5 cm
     limits { speed <= 9 m/s; tilt <= 60 deg; yaw_rate <= 90 deg/s }
 }
-plan { planner = rip; against = [bad]; time = 6 s; samples = 40; reserve = 5 % }
+plan { model = hover; planner = rip; against = [bad]; time = 6 s; samples = 40; reserve = 5 % }
 "#;
 
 fn page(args: &[&str], dir: &Path) -> (Output, String) {

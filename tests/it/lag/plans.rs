@@ -139,7 +139,7 @@ fn time_grows_with_the_constant_and_vanishes_with_it() {
 #[test]
 fn the_exact_models_time_grows_too() {
     let mut instant = planning(shuttle(), PlanModel::Exact, MissionTime::Minimum);
-    instant.plan.samples = 24;
+    instant.plan.samples = 16;
     let at_once = shortest(&instant);
     let [quick, slow] = [1e-6, 0.3].map(|tau| shortest(&lagging(instant.clone(), tau)));
     // Both are found, not proved.
