@@ -22,6 +22,7 @@ use crate::model::{Allocation, FaultMode, Model, PlanModel, PlanRotors, PlannerK
 use crate::report::number::number;
 use crate::source::Span;
 use plan::Checker;
+use proof::Failure;
 
 pub use read::{MALFORMED, read};
 
@@ -47,6 +48,16 @@ impl Rejection {
         Rejection { claim: claim.into(), detail: detail.into(), at: None, span: None }
     }
 
+    /// A bound that does not stand; `place` says where beside the instant.
+    fn of_bound(bound: &Bound, failure: &Failure, place: String) -> Self {
+        let (claimed, found) = (kept_or_passed(bound.excess), kept_or_passed(failure.excess));
+        let detail = match failure.refuted {
+            true => format!("it is {found}{place}; claimed: {claimed}"),
+            false => format!("that it is {claimed} could not be proved{place}"),
+        };
+        Rejection { at: Some(failure.at), ..Rejection::new("", detail) }
+    }
+
     fn diagnostic(&self, claim: &Claim, model: &Model) -> Diagnostic {
         let at = self.at.map_or(String::new(), |t| format!(" at {} s", number(t)));
         let message = format!("the certificate is rejected: {}{at}: {}", self.claim, self.detail);
@@ -58,6 +69,14 @@ impl Rejection {
         error.here("not shown for this").help(format!(
             "write the certificate anew with `mavc plan --certificate`; if that one is rejected too, {unproved}"
         ))
+    }
+}
+
+/// What an excess says of a bound.
+fn kept_or_passed(excess: f64) -> String {
+    match excess > 0.0 {
+        true => format!("passed by {}", number(excess)),
+        false => format!("kept with {} to spare", number(-excess)),
     }
 }
 

@@ -4,10 +4,10 @@ use super::facets::{few, named};
 use super::interval::{Interval, exceeds};
 use super::limits;
 use super::motion::{Motion, State, X, Y, YAW, Z};
-use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds, kept};
+use super::proof::{Budget, Family, MAX_GRID, Rated, holds, kept};
 use super::sets::{Generators, MAX_TRIPLES, Plane, along};
 use super::wrench::Dynamics;
-use super::{Reach, Rejection, Shown, mode_named, required};
+use super::{Reach, Rejection, Shown, kept_or_passed, mode_named, required};
 use crate::certificate::{Bound, DynamicModel, FacetClaim, LimitClaim, MotionRecord, PlanClaim, Scope, SetClaim};
 use crate::model::{Mission, MissionTime, Model};
 use crate::report::caveats::limit_words;
@@ -358,7 +358,8 @@ impl<'a> Checker<'a> {
             if matches!(bound.scope, Scope::Grid(points) if points > MAX_GRID) {
                 return Err(Rejection::new("", format!("a grid has at most {MAX_GRID} points a piece")));
             }
-            holds(family, &self.motion, bound, &mut self.budget).map_err(|f| failed(bound, &f, named(f.member)))?;
+            holds(family, &self.motion, bound, &mut self.budget)
+                .map_err(|f| Rejection::of_bound(bound, &f, named(f.member)))?;
         }
         let close = bounds.iter().filter(|b| b.excess <= most).map(|b| b.scope);
         let scope = close.max_by_key(rank).unwrap_or(Scope::Nodes);
@@ -373,23 +374,6 @@ fn rank(scope: &Scope) -> usize {
         Scope::Nodes => 0,
         Scope::Grid(points) => *points,
         Scope::EveryInstant => usize::MAX,
-    }
-}
-
-fn failed(bound: &Bound, failure: &Failure, place: String) -> Rejection {
-    let (claimed, found) = (kept_or_passed(bound.excess), kept_or_passed(failure.excess));
-    let detail = match failure.refuted {
-        true => format!("it is {found}{place}; claimed: {claimed}"),
-        false => format!("that it is {claimed} could not be proved{place}"),
-    };
-    Rejection { at: Some(failure.at), ..Rejection::new("", detail) }
-}
-
-/// What an excess says of a bound.
-fn kept_or_passed(excess: f64) -> String {
-    match excess > 0.0 {
-        true => format!("passed by {}", number(excess)),
-        false => format!("kept with {} to spare", number(-excess)),
     }
 }
 
