@@ -25,16 +25,18 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Certificate, Box<Diagnostic>> 
     }
     let text = std::str::from_utf8(bytes)
         .map_err(|e| malformed(e.valid_up_to(), "it is no text", "no UTF-8 from here on".into()))?;
+    if text.trim().is_empty() {
+        return Err(malformed(0, "it is empty", String::new()));
+    }
     let certificate: Certificate = serde_json::from_str(text).map_err(|e| {
         let why = match e.classify() {
-            Category::Eof if text.trim().is_empty() => "it is empty",
             Category::Eof => "it ends too early",
             Category::Data => "it is JSON of another kind",
             Category::Syntax | Category::Io => "it is no JSON",
         };
-        // Where it ends is shown on its last line with something on it.
-        let at = if e.is_eof() { text.trim_end().len() } else { place(text, e.line(), e.column()) };
-        malformed(at, why, words(&e.to_string()))
+        // The end is shown at the last thing before it: behind the text no label can stand.
+        let at = if e.is_eof() { text.trim_end().len() - 1 } else { place(text, e.line(), e.column()) };
+        malformed(boundary(text, at), why, words(&e.to_string()))
     })?;
     if certificate.schema != SCHEMA {
         let at = text.find("\"schema\"").unwrap_or(0);
@@ -47,8 +49,12 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Certificate, Box<Diagnostic>> 
 /// The byte that a parser's line and column, which counts bytes, mean.
 fn place(text: &str, line: usize, column: usize) -> usize {
     let begins: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
-    let at = (begins + column.saturating_sub(1)).min(text.len());
-    (0..=at).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0)
+    begins + column.saturating_sub(1)
+}
+
+/// The last place at or before `at` where a character begins.
+fn boundary(text: &str, at: usize) -> usize {
+    (0..=at.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0)
 }
 
 /// The parser's words without the place, which is shown.
