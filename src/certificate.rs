@@ -17,7 +17,7 @@ pub const MAX_BYTES: usize = 64 << 20;
 pub const SCHEMA: u32 = 1;
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a certificate")]
 pub struct Certificate {
     pub schema: u32,
     /// Over all files of the spec and its overrides, as in reports.

@@ -10,24 +10,26 @@ pub mod limits;
 pub mod motion;
 pub mod plan;
 pub mod proof;
+mod read;
 mod schedule;
 pub mod series;
 pub mod sets;
 pub mod wrench;
 
-use crate::certificate::{Bound, Certificate, Claim, DynamicModel, MAX_BYTES, SCHEMA, Scope};
+use crate::certificate::{Bound, Certificate, Claim, DynamicModel, Scope};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Allocation, FaultMode, Model, PlanModel, PlanRotors, PlannerKind};
 use crate::report::number::number;
 use crate::source::Span;
 use plan::Checker;
+use proof::Failure;
+
+pub use read::{MALFORMED, read};
 
 /// A certificate that does not show what it claims.
 pub const REJECTED: &str = "mavc::verify::rejected";
 /// A certificate of another spec.
 pub const OTHER_SPEC: &str = "mavc::verify::other_spec";
-/// What was given as a certificate is none.
-pub const MALFORMED: &str = "mavc::verify::malformed";
 
 /// The first claim found that does not stand.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,14 +48,35 @@ impl Rejection {
         Rejection { claim: claim.into(), detail: detail.into(), at: None, span: None }
     }
 
-    fn diagnostic(&self, model: &Model) -> Diagnostic {
+    /// A bound that does not stand; `place` says where beside the instant.
+    fn of_bound(bound: &Bound, failure: &Failure, place: String) -> Self {
+        let (claimed, found) = (kept_or_passed(bound.excess), kept_or_passed(failure.excess));
+        let detail = match failure.refuted {
+            true => format!("it is {found}{place}; claimed: {claimed}"),
+            false => format!("that it is {claimed} could not be proved{place}"),
+        };
+        Rejection { at: Some(failure.at), ..Rejection::new("", detail) }
+    }
+
+    fn diagnostic(&self, claim: &Claim, model: &Model) -> Diagnostic {
         let at = self.at.map_or(String::new(), |t| format!(" at {} s", number(t)));
         let message = format!("the certificate is rejected: {}{at}: {}", self.claim, self.detail);
         let error = Diagnostic::error(REJECTED, self.span.unwrap_or(model.plan.span), message);
-        let error = error.here("not shown for this");
-        error.help(
-            "write the certificate anew with `mavc plan --certificate`; if it fails again, the plan does not hold",
-        )
+        let unproved = match claim {
+            Claim::Plan(_) => "the plan does not hold",
+            Claim::Infeasible(_) => "it is open whether there is a plan",
+        };
+        error.here("not shown for this").help(format!(
+            "write the certificate anew with `mavc plan --certificate`; if that one is rejected too, {unproved}"
+        ))
+    }
+}
+
+/// What an excess says of a bound.
+fn kept_or_passed(excess: f64) -> String {
+    match excess > 0.0 {
+        true => format!("passed by {}", number(excess)),
+        false => format!("kept with {} to spare", number(-excess)),
     }
 }
 
@@ -131,25 +154,17 @@ pub struct Verdict {
     pub unclaimed: Vec<String>,
 }
 
-/// Reads a certificate and decides it for a checked spec with the given hash.
-pub fn verify(bytes: &[u8], model: &Model, spec_sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
-    let malformed = |why: String| {
-        let error = Diagnostic::error(MALFORMED, model.plan.span, format!("this is no certificate: {why}"));
-        error.here("the plan it should be about").help("give the file that `mavc plan --certificate` wrote").into()
-    };
-    if bytes.len() > MAX_BYTES {
-        return Err(malformed(format!("it has more than {} MiB", MAX_BYTES >> 20)));
-    }
-    let certificate: Certificate = serde_json::from_slice(bytes).map_err(|e| malformed(e.to_string()))?;
-    if certificate.schema != SCHEMA {
-        return Err(malformed(format!("its schema is {}, and this program reads {SCHEMA}", certificate.schema)));
-    }
+/// Decides a certificate for a checked spec with the given hash.
+///
+/// # Errors
+/// It was written for another spec, or shows less than it claims.
+pub fn verify(certificate: &Certificate, model: &Model, spec_sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
     if certificate.spec_sha256 != spec_sha256 {
         let error = Diagnostic::error(OTHER_SPEC, model.plan.span, "the certificate was written for another spec");
         let error = error.here("this spec's hash is another one");
         return Err(error.help("give the spec it was written for, with the same files and the same `--set`").into());
     }
-    decide(&certificate, model).map_err(|r| r.diagnostic(model).into())
+    decide(certificate, model).map_err(|r| r.diagnostic(&certificate.claim, model).into())
 }
 
 /// What of a plan the checker does not know, if anything.
@@ -172,7 +187,10 @@ pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejec
     };
     if certificate.model != asked {
         let name = model.plan.model.name();
-        return Err(Rejection::new("the model", format!("the spec plans with `model = {name}`")));
+        return Err(Rejection::new(
+            "the model",
+            format!("the certificate has another, the spec plans with `model = {name}`"),
+        ));
     }
     match &certificate.claim {
         Claim::Plan(claim) => {

@@ -131,8 +131,19 @@ fn is_written(model: &Model, field: &str) -> bool {
     model.defaults.iter().all(|default| default.field != field)
 }
 
+/// The masses with which a mode hovers, where the spec's is none of them, kg.
+#[derive(Clone, Copy)]
+enum Possible {
+    UpTo(f64),
+    /// Rotors that may not stop, or are stuck, lift more than the weight.
+    From(f64),
+    Never,
+}
+
 fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
     let is_healthy = mode.name == HEALTHY;
+    // Hover on the edge at less than the heaviest mass lies on it at all masses.
+    let at_heaviest = mode.critical_mass_kg.is_some_and(|most| most <= model.vehicle.mass * (1.0 + 1e-6));
     let answer = |severity, code, what: &str, label: String, help| {
         Some(Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new() })
     };
@@ -162,9 +173,10 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                 HOVER_ON_EDGE,
                 "hover lies on the edge of what the vehicle can do, so no reserve is left",
                 format!("nothing of the {share} % reserve can be kept"),
-                match is_healthy {
-                    true => "set `reserve = 0 %` in `plan`, make the vehicle lighter or change its layout",
-                    false => "set `reserve = 0 %` in `plan`, or leave the mode out of `against`",
+                match (is_healthy, at_heaviest) {
+                    (true, true) => "set `reserve = 0 %` in `plan`, make the vehicle lighter or change its layout",
+                    (true, false) => "set `reserve = 0 %` in `plan`, or change the vehicle's layout",
+                    (false, _) => "set `reserve = 0 %` in `plan`, or leave the mode out of `against`",
                 },
             );
             error.map(|error| Answer { reserve: true, ..error })
@@ -174,38 +186,40 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             HOVER_ON_EDGE,
             "hover lies on the edge of what the vehicle can do",
             "the smallest disturbance in one direction cannot be countered".into(),
-            "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
+            match at_heaviest {
+                true => "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
+                false => "another layout moves hover inside; `mavc analyze` shows by how much",
+            },
         ),
         (verdict, _) => {
-            let light = mode.least_mass_kg.filter(|least| *least > model.vehicle.mass);
-            let mass = match mode.critical_mass_kg.filter(|_| light.is_none()) {
-                Some(m) if m > 0.0 => format!(
-                    "it could at {} kg or less; the spec says {} kg",
-                    significant(m, 4),
-                    number(model.vehicle.mass)
-                ),
-                _ => match light {
-                    Some(least) => {
-                        format!(
-                            "it could from {} kg on; the spec says {} kg",
-                            significant(least, 4),
-                            number(model.vehicle.mass)
-                        )
-                    }
-                    None => "no mass makes it possible".to_string(),
-                },
+            let mass = model.vehicle.mass;
+            let possible = match (mode.critical_mass_kg, mode.least_mass_kg) {
+                (_, Some(least)) if least > mass => Possible::From(least),
+                (Some(most), _) if most > 0.0 => Possible::UpTo(most),
+                _ => Possible::Never,
+            };
+            let says = format!("; the spec says {} kg", number(mass));
+            let label = match possible {
+                Possible::UpTo(most) => format!("it could at {} kg or less{says}", significant(most, 4)),
+                Possible::From(least) => format!("it could from {} kg on{says}", significant(least, 4)),
+                Possible::Never => "no mass makes it possible".to_string(),
             };
             let what = match verdict {
                 Verdict::Stabilizable => "the vehicle cannot hold its yaw",
                 _ => "the vehicle cannot hover",
             };
-            let help = match (is_healthy, light) {
-                (true, None) => "make the vehicle lighter or change its layout",
-                (true, Some(_)) => "lower `min_speed` or change the layout",
-                (false, None) => "leave the mode out of `against`, make the vehicle lighter or change its layout",
-                (false, Some(_)) => "leave the mode out of `against`, or lower `min_speed`",
+            let idles = model.vehicle.rotors.iter().any(|r| r.min_speed > 0.0);
+            let help = match (possible, is_healthy) {
+                (Possible::UpTo(_), true) => "make the vehicle lighter or change its layout",
+                (Possible::UpTo(_), false) => {
+                    "leave the mode out of `against`, make the vehicle lighter or change its layout"
+                }
+                (Possible::From(_), true) if idles => "lower `min_speed` or change the layout",
+                (Possible::From(_), false) if idles => "leave the mode out of `against`, or lower `min_speed`",
+                (_, true) => "change the vehicle's layout",
+                (_, false) => "leave the mode out of `against`, or change the vehicle's layout",
             };
-            answer(Severity::Error, CANNOT_HOVER, what, mass, help)
+            answer(Severity::Error, CANNOT_HOVER, what, label, help)
         }
     }
 }

@@ -2,18 +2,24 @@
 
 use super::target::{Target, write};
 use super::{Cli, FINE, Problem, files};
+use crate::diagnostic::codes;
 use clap::CommandFactory;
+use clap::builder::PossibleValuesParser;
 use clap_complete::Shell;
 use clap_mangen::Man;
 use std::path::Path;
 
 /// `mavc completions`
 pub fn completions(shell: Shell) -> Result<u8, Problem> {
+    // Which code is none `explain` says better than clap: here alone is the list part of the command line.
+    let codes: PossibleValuesParser = codes::all().iter().map(|page| page.code).into();
+    let mut command = Cli::command().mut_subcommand("explain", |c| c.mut_arg("code", |code| code.value_parser(codes)));
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Cli::command(), "mavc", &mut script);
+    clap_complete::generate(shell, &mut command, "mavc", &mut script);
     let script = String::from_utf8_lossy(&script);
     match shell {
         Shell::Bash => files::print(&choosy(&script))?,
+        Shell::Fish => files::print(&(script.into_owned() + &codes_for_fish()))?,
         _ => files::print(&script)?,
     }
     Ok(FINE)
@@ -24,6 +30,12 @@ fn choosy(script: &str) -> String {
     let (functions, registration) = script.split_once("\nif [[ \"${BASH_VERSINFO").unwrap_or((script, ""));
     let registration = registration.replace("complete -F _mavc ", "complete -F _mavc_words ");
     format!("{functions}\n{}if [[ \"${{BASH_VERSINFO{registration}", include_str!("shell/words.bash"))
+}
+
+/// The script of clap for fish offers no values of arguments without a name.
+fn codes_for_fish() -> String {
+    let codes: Vec<&str> = codes::all().iter().map(|page| page.code).collect();
+    format!("complete -c mavc -n \"__fish_mavc_using_subcommand explain\" -f -a \"{}\"\n", codes.join(" "))
 }
 
 /// `mavc man`: the page of the whole on standard output, or that and one for each command in a folder.

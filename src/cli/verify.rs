@@ -3,10 +3,12 @@
 use super::spec::{self, timing};
 use super::{FINE, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, files};
 use crate::certificate::{MAX_BYTES, Scope};
+use crate::model::PlannerKind;
 use crate::report::number::number;
 use crate::report::table::Table;
 use crate::report::terminal::WIDTH;
-use crate::verify::{Reach, Verdict, verify};
+use crate::source::{FileId, Source};
+use crate::verify::{Reach, Verdict, read, verify};
 use std::time::Instant;
 
 pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
@@ -18,17 +20,23 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     let mut loaded = spec::read(&args.spec, options)?;
     let sha256 = loaded.sha256();
     let Some(model) = loaded.model.clone() else {
+        let text = loaded.files.sources.iter().next().map_or("", |(_, spec)| &spec.text);
+        if read(text.as_bytes(), FileId::default()).is_ok() {
+            return Err(format!("{} is a certificate; give the certificate first, then its spec", args.spec.spec));
+        }
         loaded.tell(options);
         return Ok(SPEC_ERRORS);
     };
     // Remarks on the spec are `mavc check`'s to make.
     loaded.diagnostics.clear();
     let begin = Instant::now();
-    let verdict = verify(&bytes, &model, &sha256);
+    let text = Source::from_bytes(spec::name(&name), &bytes).unwrap_or_else(|broken| broken.source);
+    let file = loaded.files.sources.add(text);
+    let verdict = read(&bytes, file).and_then(|certificate| verify(&certificate, &model, &sha256));
     timing(options, "verify", begin);
     match verdict {
         Ok(verdict) => {
-            files::print(&table(&verdict))?;
+            files::print(&table(&verdict, model.plan.planner))?;
             files::print(&format!("{name}: every claim holds\n"))?;
             Ok(FINE)
         }
@@ -41,7 +49,7 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
 }
 
 /// Every claim and how far it is shown, then what is not claimed.
-fn table(verdict: &Verdict) -> String {
+fn table(verdict: &Verdict, planner: PlannerKind) -> String {
     let mut table = Table::new(&["shown", "where"]);
     for shown in &verdict.shown {
         let count = if shown.count > 1 { format!("{} ", shown.count) } else { String::new() };
@@ -49,7 +57,11 @@ fn table(verdict: &Verdict) -> String {
     }
     let mut out = table.render_left(0);
     if !verdict.unclaimed.is_empty() {
-        let text = format!("Not shown: no facet of {} is claimed.", verdict.unclaimed.join(", "));
+        let why = match planner {
+            PlannerKind::Rip => "RIP does not look at faults",
+            _ => "`mavc plan` says which facets RSP guards, if any",
+        };
+        let text = format!("Not claimed: that a facet of {} is kept; {why}.", verdict.unclaimed.join(", "));
         out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
     }
     out

@@ -2,7 +2,8 @@
 
 use super::{Explanation, Statement};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Mission, Model, is_override};
+use crate::model::{Mission, MissionTime, Model, is_override};
+use crate::planner::profile::determined;
 use crate::report::number::number;
 use crate::source::{SourceMap, Span};
 
@@ -40,19 +41,28 @@ pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission, sou
     }
     // The spec's own text first, so that its labels stand in one excerpt.
     labels.sort_by_key(|(span, _)| is_override(sources, *span));
-    let headline = headline(explanation, labels.len());
+    let headline = headline(explanation, labels.len(), asked_for(model, mission));
     let mut labels = labels.into_iter();
     let (span, label) = labels.next().unwrap_or((mission.span, String::new()));
     let error = Diagnostic::error(CONFLICT, span, headline).here(label);
     labels.fold(error, |error, (span, label)| error.also(span, label)).help(help(explanation, model, mission, sources))
 }
 
-/// `places`: the labels.
-fn headline(explanation: &Explanation, places: usize) -> String {
+/// The mission time that the spec fixes, s.
+fn asked_for(model: &Model, mission: &Mission) -> Option<f64> {
+    determined(mission).or(match model.plan.time {
+        MissionTime::Fixed(time) => Some(time),
+        MissionTime::Minimum => None,
+    })
+}
+
+/// `places`: the labels; `asked_for`: the mission time of the spec, s.
+fn headline(explanation: &Explanation, places: usize, asked_for: Option<f64>) -> String {
     let conflict = &explanation.conflict;
-    let time = match conflict.any_time {
-        true => format!(", even in {} s", number(conflict.time)),
-        false => String::new(),
+    let time = match (conflict.any_time, asked_for.filter(|asked| *asked < conflict.time)) {
+        (true, Some(asked)) => format!(", even in {} s instead of {} s", number(conflict.time), number(asked)),
+        (true, None) => format!(", even in {} s", number(conflict.time)),
+        (false, _) => String::new(),
     };
     match (conflict.proved, places) {
         (true, 1) => format!("a statement of the spec cannot be met{time}"),

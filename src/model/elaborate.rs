@@ -360,8 +360,12 @@ fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize], looked_
         // What is chosen stays: a list of this mode alone would leave the others out.
         let chosen = against.iter().map(|&k| modes.modes[k].name.as_str());
         let all: Vec<&str> = chosen.chain([mode.name.as_str()]).collect();
-        let (some, them) = if count == 1 { ("it", "it") } else { ("some", "them") };
-        cx.report(warning.help(format!("add {some} to `against`, as in `[{}]`, or take {them} out", all.join(", "))));
+        // Which modes leave control the sets say, and here there are none.
+        let list = format!("as in `[{}]`", all.join(", "));
+        cx.report(warning.help(match count {
+            1 => format!("take it out, or add it to `against`, {list}, if `mavc analyze` calls it controllable"),
+            _ => format!("take them out, or add some to `against`, {list}, if `mavc analyze` calls them controllable"),
+        }));
     }
 }
 

@@ -4,8 +4,18 @@ use super::number::significant;
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::admissible::parallel::{Parallel, least_angle};
-use crate::admissible::verdict::ModeAnalysis;
+use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::{Allocation, Model};
+
+/// What the columns after the verdict mean.
+const LEGEND: &str = "
+yaw free  what counts once yaw is given up: the vehicle may spin
+margin    from hover to the edge of what the mode can do [N, N m]; below 0 outside, flat where that has no volume
+heaviest  the largest mass that hovers
+facets    the inequalities that bound what the mode can do
+rank      its dimension: 4 where thrust and each torque can be moved by themselves
+|e_p|     from hover to the nearest thrust and torques that the mode can give [N, N m]
+";
 
 /// The table of `mavc analyze`.
 pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
@@ -34,10 +44,12 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         let mut cells = vec![
             m.name.clone(),
             m.verdict.name().into(),
-            match (m.interior, m.residual4.iter().all(|v| *v == 0.0), m.residual3.iter().all(|v| *v == 0.0)) {
-                (true, ..) => "inside".into(),
-                (false, true, _) | (false, _, true) => "on the edge".into(),
-                _ => "outside".into(),
+            match (m.verdict, m.interior) {
+                (Verdict::Controllable, true) => "inside".into(),
+                (Verdict::Controllable, false) => "on the edge".into(),
+                (Verdict::Stabilizable, true) => "inside, yaw free".into(),
+                (Verdict::Stabilizable, false) => "on the edge, yaw free".into(),
+                (Verdict::Unstable, _) => "outside".into(),
             },
             optional(m.acai, 4),
             optional(m.acai_yaw_free, 4),
@@ -56,6 +68,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         table.row(cells);
     }
     out.push_str(&table.render(0));
+    out.push_str(LEGEND);
     if gives_away {
         out.push_str(
             "\nOf each set only what the pseudo-inverse gives without clipping counts here and in plans; the last column is\n\
@@ -88,7 +101,8 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         let both = |b: [f64; 2]| format!("{}/{}", significant(b[0], 3), significant(b[1], 3));
         match &m.headroom {
             Some(h) => table.row(vec![m.name.clone(), both(h.thrust), both(h.tau_x), both(h.tau_y), both(h.tau_z)]),
-            None => table.row(vec![m.name.clone(), "hover is out of reach".into()]),
+            None if m.verdict == Verdict::Stabilizable => table.row(vec![m.name.clone(), "yaw is lost".into()]),
+            None => table.row(vec![m.name.clone(), "no hover".into()]),
         }
     }
     out.push_str(&table.render(0));

@@ -10,6 +10,7 @@ use crate::planner::compare::protect::{Protection, UNMET};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
+use crate::trajectory::outside::Outside;
 use crate::trajectory::risk::rated_risk;
 
 /// Columns of running text.
@@ -195,9 +196,15 @@ fn risk_lines(model: &Model, solved: &Solved) -> String {
         1 => " 1 mode has no rate and does not count.".to_string(),
         n => format!(" {n} modes have no rate and do not count."),
     };
+    // A mode that never strikes threatens nothing.
+    let leaves = |(rate, out): (&Option<f64>, &Outside)| rate.is_some_and(|r| r > 0.0) && out.last.is_some();
     let meaning = match (risk == 0.0, holds(model)) {
-        (true, false) => "no mode with a rate has an instant outside.",
-        (true, true) => "no mode with a rate has an instant outside, or one without a stop where the mission holds.",
+        (true, true) if rates.iter().zip(&solved.outside).any(leaves) => {
+            "the plan is outside only for modes after which the mission holds, and from every node before that a stop \
+             inside the mode's set was found."
+        }
+        (true, _) if rates.contains(&Some(0.0)) => "no mode with a rate above zero has an instant outside.",
+        (true, _) => "no mode with a rate has an instant outside.",
         (false, false) => {
             "that some mode strikes before its last instant outside, and so meets that excursion if the mission goes on. \
              Modes are taken as independent."

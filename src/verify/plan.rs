@@ -4,10 +4,10 @@ use super::facets::{few, named};
 use super::interval::{Interval, exceeds};
 use super::limits;
 use super::motion::{Motion, State, X, Y, YAW, Z};
-use super::proof::{Budget, Failure, Family, MAX_GRID, Rated, holds, kept};
+use super::proof::{Budget, Family, MAX_GRID, Rated, holds, kept};
 use super::sets::{Generators, MAX_TRIPLES, Plane, along};
 use super::wrench::Dynamics;
-use super::{Reach, Rejection, Shown, mode_named, required};
+use super::{Reach, Rejection, Shown, kept_or_passed, mode_named, required};
 use crate::certificate::{Bound, DynamicModel, FacetClaim, LimitClaim, MotionRecord, PlanClaim, Scope, SetClaim};
 use crate::model::{Mission, MissionTime, Model};
 use crate::report::caveats::limit_words;
@@ -201,6 +201,9 @@ impl<'a> Checker<'a> {
 
     fn joins(&self, claim: &PlanClaim) -> Result<(), Rejection> {
         allowed("joins_within", claim.joins_within, MOST_GAP)?;
+        if claim.joins_within < 0.0 {
+            return Err(Rejection::new("joins_within", format!("{} is below zero", number(claim.joins_within))));
+        }
         for piece in 0..self.motion.pieces() {
             let gap = self.motion.gap(piece);
             if exceeds(gap, claim.joins_within) {
@@ -259,11 +262,11 @@ impl<'a> Checker<'a> {
             let position = distance - Interval::point(point.within);
             let yaw = apart(YAW, point.yaw).abs() - Interval::point(point.yaw_within);
             let missed = |what: &str, by: Interval, most: f64, unit: &str| {
-                let why = format!(
-                    "the {what} is missed by {} {unit} beside its tolerance, not by {}",
-                    number(by.high),
-                    number(most)
-                );
+                let tolerance = |by: f64| match by > 0.0 {
+                    true => format!("missed by {} {unit} more than its tolerance", number(by)),
+                    false => format!("met with {} {unit} to spare", number(-by)),
+                };
+                let why = format!("the {what} is {}; claimed: {}", tolerance(by.high), tolerance(most));
                 Err(Rejection {
                     at: Some(self.motion.times[node]),
                     span: Some(point.span),
@@ -341,13 +344,22 @@ impl<'a> Checker<'a> {
     ) -> Result<Reach, Rejection> {
         let tightest = bounds.iter().map(|b| b.excess).fold(f64::INFINITY, f64::min);
         if exceeds(tightest, most) {
-            return Err(Rejection::new("", format!("no bound is claimed that is at most {}", number(most))));
+            let why = match tightest.is_finite() {
+                true => format!(
+                    "the claim lets it be {}, and more than {} is not kept",
+                    kept_or_passed(tightest),
+                    number(most)
+                ),
+                false => "no bound is claimed".into(),
+            };
+            return Err(Rejection::new("", why));
         }
         for bound in bounds {
             if matches!(bound.scope, Scope::Grid(points) if points > MAX_GRID) {
                 return Err(Rejection::new("", format!("a grid has at most {MAX_GRID} points a piece")));
             }
-            holds(family, &self.motion, bound, &mut self.budget).map_err(|f| failed(bound, &f, named(f.member)))?;
+            holds(family, &self.motion, bound, &mut self.budget)
+                .map_err(|f| Rejection::of_bound(bound, &f, named(f.member)))?;
         }
         let close = bounds.iter().filter(|b| b.excess <= most).map(|b| b.scope);
         let scope = close.max_by_key(rank).unwrap_or(Scope::Nodes);
@@ -363,16 +375,6 @@ fn rank(scope: &Scope) -> usize {
         Scope::Grid(points) => *points,
         Scope::EveryInstant => usize::MAX,
     }
-}
-
-fn failed(bound: &Bound, failure: &Failure, place: String) -> Rejection {
-    let (claimed, found) = (number(bound.excess), number(failure.excess));
-    let detail = if failure.refuted {
-        format!("the excess is {found}, above the {claimed} claimed{place}")
-    } else {
-        format!("an excess of at most {claimed} could not be proved{place}")
-    };
-    Rejection { at: Some(failure.at), ..Rejection::new("", detail) }
 }
 
 /// A tolerance that a certificate allows itself, and no more than means something.

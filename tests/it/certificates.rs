@@ -13,11 +13,19 @@ mod wrench;
 
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::certificate::Certificate;
+use mavc::diagnostic::Diagnostic;
 use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::{Comparison, Scope, compare};
+use mavc::source::FileId;
+use mavc::verify::Verdict;
 
 /// The hash that certificates in these tests carry.
 const SHA: &str = "0123";
+
+/// Reads bytes and decides what they claim.
+fn verify(bytes: &[u8], model: &Model, sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
+    mavc::verify::verify(&mavc::verify::read(bytes, FileId::default())?, model, sha256)
+}
 
 /// Numbers that look random and are the same in every run (splitmix64).
 struct Numbers(u64);

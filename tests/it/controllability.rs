@@ -1,12 +1,13 @@
 //! Verdicts and margins against the reference file (computed by independent code), closed forms and
 //! brute force.
 
+use mavc::admissible::diagnose::diagnose;
 use mavc::admissible::verdict::analyze;
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::model::Model;
 use serde_json::Value;
 
-use crate::vehicles::{lost, octocopter, ring_model};
+use crate::vehicles::{hexacopter, lost, mission, octocopter, ring_model, waypoint};
 
 #[derive(Debug)]
 struct Case {
@@ -81,6 +82,35 @@ fn documented_acai_of_a_quadrotor_plus_and_cross() {
         let acai = analyze(&model, &AdmissibleSet::healthy(&model)).acai.unwrap();
         assert!((acai - 0.7299473938200366).abs() < 1e-12, "{acai}");
     }
+}
+
+/// Where no mass hovers, or none hovers off the edge, nobody is told to make the vehicle lighter.
+#[test]
+fn a_lighter_vehicle_is_asked_for_only_where_it_helps() {
+    let told = |mut model: Model, gone: &[usize], reserve: f64| {
+        model.modes.push(lost(&model, gone));
+        model.plan.against = vec![0];
+        model.plan.reserve = reserve;
+        model.mission = Some(mission(vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([3.0, 0.0, 2.0], 0.0)]));
+        let found = diagnose(&model).pop().unwrap();
+        (found.label, found.help.unwrap())
+    };
+    // A quadcopter without a rotor lifts nothing with its torques balanced; PPNNPN would without 0.2 of its 1.54 kg.
+    let quad = ring_model("PNPN", 1.32, [0.0128, 0.0128, 0.0239], 9.9865e-6, 1.5978e-7, 840.0);
+    let (label, help) = told(quad, &[1], 0.0);
+    assert_eq!(label, "no mass makes it possible");
+    assert!(help.contains("change the vehicle's layout") && !help.contains("lighter"), "{help}");
+    let (label, help) = told(hexacopter("PPNNPN"), &[5], 0.0);
+    assert!(label.starts_with("it could at 1.3") && help.contains("make the vehicle lighter"), "{label}: {help}");
+    // PNPNPN hovers on the edge of yaw up to 2.66 kg.
+    let (label, help) = told(hexacopter("PNPNPN"), &[1], 0.0);
+    assert!(label.starts_with("the smallest disturbance") && !help.contains("lighter"), "{label}: {help}");
+    // Rotors that may not stop lift more than the weight: only then is their lowest speed to blame.
+    let mut idle = octocopter("PNPNPNPN");
+    idle.vehicle.rotors.iter_mut().for_each(|rotor| rotor.min_speed = 500.0);
+    idle.vehicle.mass = 1.2;
+    let (label, help) = told(idle, &[1], 0.0);
+    assert!(label.starts_with("it could from ") && help.contains("`min_speed`"), "{label}: {help}");
 }
 
 #[test]

@@ -86,7 +86,7 @@ fn a_plan_is_certified_and_verified() {
     let false_claim = mavc(&["verify", &proof, &spec]);
     assert_eq!(code(&false_claim), 5);
     let message = said(&false_claim);
-    for part in ["mavc::verify::rejected", "limit 1 (speed) at ", "above the -4 claimed", "speed <= 3 m/s"] {
+    for part in ["mavc::verify::rejected", "limit 1 (speed) at ", "claimed: kept with 4 to spare", "speed <= 3 m/s"] {
         assert!(message.contains(part), "{part}: {message}");
     }
 }
@@ -104,7 +104,7 @@ fn modes_of_which_nothing_is_claimed_are_named() {
     };
     let whole = verified();
     assert!(whole.contains("facets of M1 kept") && whole.contains("facets of M2 kept"), "{whole}");
-    assert!(!whole.contains("Not shown"), "{whole}");
+    assert!(!whole.contains("Not claimed"), "{whole}");
     let without = |modes: &[&str]| {
         let mut value: serde_json::Value = serde_json::from_slice(&std::fs::read(&proof).unwrap()).unwrap();
         let facets = value["claim"]["plan"]["facets"].as_array_mut().unwrap();
@@ -113,15 +113,15 @@ fn modes_of_which_nothing_is_claimed_are_named() {
     };
     without(&["M1"]);
     let fewer = verified();
-    assert!(fewer.contains("Not shown: no facet of M1 is claimed.") && fewer.contains("of M2 kept"), "{fewer}");
+    assert!(fewer.contains("Not claimed: that a facet of M1 is kept;") && fewer.contains("of M2 kept"), "{fewer}");
     without(&["M1", "M2"]);
-    assert!(verified().contains("Not shown: no facet of M1, M2 is claimed."));
+    assert!(verified().contains("that a facet of M1, M2 is kept; `mavc plan` says which facets RSP guards"));
     // Under RCP whole sets are claimed.
     let ran = mavc(&["plan", &spec, "--set", "plan.planner=rcp", "--set", "plan.time=9s", "--certificate", &proof]);
     assert_eq!(code(&ran), 0, "{}", said(&ran));
     let ran = mavc(&["verify", &proof, &spec, "--set", "plan.planner=rcp", "--set", "plan.time=9s"]);
     let told = String::from_utf8(ran.stdout).unwrap();
-    assert!(told.contains("inside the set of M1") && !told.contains("Not shown"), "{told}");
+    assert!(told.contains("inside the set of M1") && !told.contains("Not claimed"), "{told}");
 }
 
 #[test]
@@ -177,6 +177,62 @@ fn what_is_no_certificate_is_told() {
     assert!(seen >= 5);
 }
 
+/// The excerpt is the certificate's, at the place that breaks it, and the words are about it alone.
+#[test]
+fn what_breaks_a_certificate_is_shown_in_it() {
+    let folder = Folder::new(SPEC);
+    let proof = folder.at("cert.json");
+    for (text, told, label) in [
+        ("{\n  \"schema\": 1,\n", "it ends too early", "the file ends in a value"),
+        ("{ \"claim\": { \"plan\": { \"sets\": [", "it ends too early", "the file ends in"),
+        (" \n", "it is empty", ""),
+        ("t,x,y\n0,1,2\n", "it is no JSON", "expected ident"),
+        ("\u{feff}{\n  \"schema\": 1,\n  \"sets\": []\n}", "it is JSON of another kind", "unknown field `sets`"),
+        ("[]", "it is JSON of another kind", "expected a certificate"),
+    ] {
+        std::fs::write(&proof, text).unwrap();
+        let ran = mavc(&["verify", &proof, &folder.spec()]);
+        let message = said(&ran);
+        assert_eq!(code(&ran), 5, "{message}");
+        assert!(message.contains(&format!("this is no certificate: {told}")) && message.contains(label), "{message}");
+        assert!(message.contains("cert.json") && !message.contains("spec.mav"), "{message}");
+    }
+    std::fs::write(&proof, b"{ \"schema\": \xff").unwrap();
+    let message = said(&mavc(&["verify", &proof, &folder.spec()]));
+    assert!(message.contains("it is no text") && message.contains("no UTF-8 from here on"), "{message}");
+}
+
+/// Claims of the plan changed by hand: numbers below zero are said as room to spare.
+#[test]
+fn false_claims_read_as_what_they_say() {
+    let folder = Folder::new(&SPEC.replace("planner = rsp", "model = hover; planner = rsp"));
+    let (spec, proof) = (folder.spec(), folder.at("cert.json"));
+    assert_eq!(code(&mavc(&["plan", &spec, "--quiet", "--certificate", &proof])), 0);
+    let text = std::fs::read_to_string(&proof).unwrap();
+    let whole: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let plan = "/claim/plan";
+    for (place, value, told) in [
+        ("position_excess_m", serde_json::json!(-0.3), "m to spare; claimed: met with 0.3 m to spare"),
+        ("yaw_excess_rad", serde_json::json!(-1), "rad to spare; claimed: met with 1 rad to spare"),
+        ("joins_within", serde_json::json!(-1), "joins_within: -1 is below zero"),
+        ("limits/0/bounds", serde_json::json!([]), "limit 1 (speed): no bound is claimed"),
+        ("limits/0/bounds", serde_json::json!([{ "scope": "nodes", "excess": 5 }]), "the claim lets it be passed by 5"),
+        ("sets/0/bounds/0/excess", serde_json::json!(-1), "claimed: kept with 1 to spare"),
+    ] {
+        let mut changed = whole.clone();
+        *changed.pointer_mut(&format!("{plan}/{place}")).unwrap() = value;
+        std::fs::write(&proof, changed.to_string()).unwrap();
+        let ran = mavc(&["verify", &proof, &spec]);
+        assert_eq!(code(&ran), 5, "{place}: {}", said(&ran));
+        assert!(said(&ran).contains(told), "{place}: {}", said(&ran));
+    }
+    // Given in the wrong order.
+    std::fs::write(&proof, text).unwrap();
+    let ran = mavc(&["verify", &spec, &proof]);
+    assert_eq!(code(&ran), 2);
+    assert!(said(&ran).contains("is a certificate; give the certificate first, then its spec"), "{}", said(&ran));
+}
+
 /// Bytes of a certificate changed at random: a verdict, never a panic.
 #[test]
 fn hostile_bytes_end_in_a_verdict() {
@@ -201,7 +257,7 @@ fn hostile_bytes_end_in_a_verdict() {
                 break;
             }
         }
-        let _ = mavc::verify::verify(&bytes, &model, super::SHA);
+        let _ = super::verify(&bytes, &model, super::SHA);
     }
     for extreme in ["1e308", "-1e308", "1e-320", "0", "18446744073709551615", "1e400"] {
         for at in [100, 1_000, 5_000, 20_000] {
@@ -209,7 +265,7 @@ fn hostile_bytes_end_in_a_verdict() {
             let begin = changed[at..].find(',').unwrap() + at + 1;
             let end = begin + changed[begin..].find([',', ']', '}']).unwrap();
             changed.replace_range(begin..end, extreme);
-            let verdict = mavc::verify::verify(changed.as_bytes(), &model, super::SHA);
+            let verdict = super::verify(changed.as_bytes(), &model, super::SHA);
             // What is nearly nothing may stand where nearly nothing stood.
             assert!(verdict.is_err() || ["1e-320", "0"].contains(&extreme), "{extreme} at {at}");
         }

@@ -1,11 +1,11 @@
 //! Certificates that there is no plan.
 
-use super::{Numbers, SHA, certified, hop, planned};
+use super::{Numbers, SHA, certified, hop, planned, verify};
 use crate::vehicles::{inspection, paper_case};
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, RowRecord, Side};
 use mavc::model::{Allocation, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::Ending;
-use mavc::verify::{decide, verify};
+use mavc::verify::decide;
 
 fn claim(certificate: &mut Certificate) -> &mut InfeasibleClaim {
     match &mut certificate.claim {

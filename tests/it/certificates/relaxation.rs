@@ -1,11 +1,11 @@
 //! Certificates that the exact model has no plan: multipliers of its convex relaxation.
 
-use super::{Numbers, SHA, certified, planned};
+use super::{Numbers, SHA, certified, planned, verify};
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, RowRecord, Side};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::planner::compare::Ending;
-use mavc::verify::{decide, verify};
+use mavc::verify::decide;
 
 /// One leg from rest to rest in the exact model.
 fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model {

@@ -1,7 +1,7 @@
 //! A thousand certificates changed at random. Whether a change makes a claim false is decided in plain `f64` by the
 //! planner's sets and wrench maps, none of which the checker uses; every certificate found false has to be rejected.
 
-use super::{Numbers, SHA, certified, hop};
+use super::{Numbers, SHA, certified, hop, verify};
 use mavc::actuation::Wrench;
 use mavc::admissible::{AdmissibleSet, FacetOf, faults_only_take};
 use mavc::certificate::{Bound, Certificate, Claim, DynamicModel, FacetClaim, FacetRecord, PlanClaim, Scope};
@@ -12,7 +12,6 @@ use mavc::planner::transcribe::NodeState;
 use mavc::planner::wrench_model::WrenchModel;
 use mavc::trajectory::Trajectory;
 use mavc::trajectory::checks::past;
-use mavc::verify::verify;
 use serde_json::{Value, json};
 
 /// What is off by no more than this is not told apart from rounding.

@@ -68,9 +68,8 @@ fn the_legend_of_strips_is_printed_once() {
 /// One line where there is nothing to explain.
 #[test]
 fn no_risk_takes_one_line() {
-    for (hold, meaning) in
-        [("continue", "no mode with a rate has an instant outside."), ("hold", "or one without a stop")]
-    {
+    for hold in ["continue", "hold"] {
+        let meaning = "no mode with a rate has an instant outside.";
         let ran = mavc_with(&["plan", "-", "--set", &format!("plan.after_fault={hold}")], TURN);
         let text = out(&ran);
         let line = text.lines().find(|line| line.trim_start().starts_with("Risk ")).unwrap();
@@ -81,6 +80,39 @@ fn no_risk_takes_one_line() {
     assert!(text.contains("Modes are taken as independent"), "{text}");
     let apart = compared(&["plan.reserve=30%", "plan.time=20s", "plan.planner=rip"]);
     assert_eq!(apart.matches("risk 0: no mode").count() + apart.matches("risk: that some").count(), 1, "{apart}");
+}
+
+/// A plan that is outside, while a stop is found wherever a fault may strike.
+#[test]
+fn no_risk_by_stops_is_told_as_that() {
+    let fast = ["plan", "-", "--set", "plan.time=1.7s", "--set", "plan.planner=rip", "--set", "plan.after_fault=hold"];
+    let told = |spec: &str| flat(&out(&mavc_with(&fast, spec)));
+    let text = told(TURN);
+    assert!(text.contains("1.70 s hold never"), "{text}");
+    assert!(
+        text.contains("Risk 0: the plan is outside only for modes after which the mission holds, and from"),
+        "{text}"
+    );
+    // What never strikes may well be outside.
+    let text = told(&TURN.replace("rate = 1e-5 1/h", "rate = 0 1/h"));
+    assert!(text.contains("Risk 0: no mode with a rate above zero has an instant outside."), "{text}");
+}
+
+#[test]
+fn the_analysis_says_what_its_words_mean() {
+    let spec =
+        format!("{TURN}faults {{ mode near {{ rotors [1, 2] lost }}; mode half {{ rotors [1, 2, 3, 4] lost }} }}");
+    let text = out(&mavc_with(&["analyze", "-"], &spec));
+    let row = |mode: &str| text.lines().filter(move |line| line.starts_with(mode)).map(flat).collect::<Vec<_>>();
+    let [one, left] = &row("near")[..] else { panic!("{text}") };
+    assert!(one.starts_with("near stabilizable inside, yaw free"), "{one}");
+    assert_eq!(left, "near yaw is lost");
+    let [one, left] = &row("half")[..] else { panic!("{text}") };
+    assert!(one.starts_with("half unstable outside"), "{one}");
+    assert_eq!(left, "half no hover");
+    for word in ["yaw free", "margin", "heaviest", "facets", "rank", "|e_p|"] {
+        assert_eq!(text.lines().filter(|line| line.starts_with(&format!("{word} "))).count(), 1, "{word}: {text}");
+    }
 }
 
 #[test]

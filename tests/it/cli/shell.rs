@@ -25,6 +25,9 @@ fn completions_know_every_command() {
             assert!(out(&ran).contains(&command), "{shell} {command}");
         }
         assert!(out(&ran).contains("explain-defaults"), "{shell}");
+        // The others complete no values of arguments without a name. zsh wants colons escaped.
+        let codes = out(&ran).replace("\\:", ":").contains("mavc::unit::mismatch");
+        assert_eq!(codes, ["bash", "zsh", "fish"].contains(&shell), "{shell}");
     }
     assert_eq!(code(&mavc(&["completions", "cobol"])), 2);
 }
@@ -47,6 +50,19 @@ fn bash_completes_commands_and_options() {
     assert_eq!(complete("mavc fmt", "--ch"), ["--check"]);
     assert_eq!(complete("mavc check --format", "j"), ["json"]);
     assert_eq!(complete("mavc emit", "a"), ["ast", "actuation"]);
+    // bash parts a code at its colons; here it is handed over as bash does.
+    assert!(complete("mavc explain", "").contains(&"mavc::unit::mismatch".to_string()));
+    let coded = |line: &str, words: &str, current: &str| {
+        let run = format!(
+            "source {}; COMP_LINE='{line}'; COMP_POINT=${{#COMP_LINE}}; COMP_WORDS=({words} '{current}'); \
+             COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); _mavc_words mavc \"$1\" x; echo ${{COMPREPLY[@]}}",
+            text(&script)
+        );
+        let ran = Command::new("bash").args(["--norc", "-c", &run, "bash", current]).output().unwrap();
+        String::from_utf8(ran.stdout).unwrap().trim_end().to_string()
+    };
+    assert_eq!(coded("mavc explain mavc::unit::mism", "mavc explain mavc :: unit ::", "mism"), "mismatch");
+    assert_eq!(coded("mavc explain mavc::analysis::ca", "mavc explain mavc :: analysis ::", "ca"), "cannot_hover");
     // Where no word of mavc is due, bash is left to offer files, or nothing.
     let none: [&str; 0] = [];
     assert_eq!(complete("mavc plan", ""), none);

@@ -1,0 +1,64 @@
+//! From a file's bytes to a certificate, or the place in them where it is none.
+
+use crate::certificate::{Certificate, MAX_BYTES, SCHEMA};
+use crate::diagnostic::Diagnostic;
+use crate::source::{FileId, Span};
+use serde_json::error::Category;
+
+/// What was given as a certificate is none.
+pub const MALFORMED: &str = "mavc::verify::malformed";
+
+/// Reads a certificate; `file` is its text, for the places in messages.
+///
+/// # Errors
+/// What is wrong with it, at its place.
+pub fn read(bytes: &[u8], file: FileId) -> Result<Certificate, Box<Diagnostic>> {
+    // Texts in messages begin after it too.
+    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+    let malformed = |at: usize, why: &str, here: String| {
+        let error = Diagnostic::error(MALFORMED, Span::new(file, at, at), format!("this is no certificate: {why}"));
+        Box::new(error.here(here).help("give the file that `mavc plan --certificate` wrote"))
+    };
+    if bytes.len() > MAX_BYTES {
+        let why = format!("it has more than {} MiB", MAX_BYTES >> 20);
+        return Err(malformed(0, &why, "it begins here".into()));
+    }
+    let text = std::str::from_utf8(bytes)
+        .map_err(|e| malformed(e.valid_up_to(), "it is no text", "no UTF-8 from here on".into()))?;
+    if text.trim().is_empty() {
+        return Err(malformed(0, "it is empty", String::new()));
+    }
+    let certificate: Certificate = serde_json::from_str(text).map_err(|e| {
+        let why = match e.classify() {
+            Category::Eof => "it ends too early",
+            Category::Data => "it is JSON of another kind",
+            Category::Syntax | Category::Io => "it is no JSON",
+        };
+        // The end is shown at the last thing before it: behind the text no label can stand.
+        let at = if e.is_eof() { text.trim_end().len() - 1 } else { place(text, e.line(), e.column()) };
+        malformed(boundary(text, at), why, words(&e.to_string()))
+    })?;
+    if certificate.schema != SCHEMA {
+        let at = text.find("\"schema\"").unwrap_or(0);
+        let here = format!("schema {}, and this program reads {SCHEMA}", certificate.schema);
+        return Err(malformed(at, "it is of another version", here));
+    }
+    Ok(certificate)
+}
+
+/// The byte that a parser's line and column, which counts bytes, mean.
+fn place(text: &str, line: usize, column: usize) -> usize {
+    let begins: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    begins + column.saturating_sub(1)
+}
+
+/// The last place at or before `at` where a character begins.
+fn boundary(text: &str, at: usize) -> usize {
+    (0..=at.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0)
+}
+
+/// The parser's words without the place, which is shown.
+fn words(told: &str) -> String {
+    let words = told.rsplit_once(" at line ").map_or(told, |(words, _)| words);
+    words.replace("EOF while parsing", "the file ends in")
+}
