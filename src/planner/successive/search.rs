@@ -233,7 +233,7 @@ impl Successive<'_, '_> {
         if !self.chooses_times() && self.shown_infeasible(&full.flown()) {
             return Decision::Infeasible;
         }
-        match self.from_further_away(total, begins) {
+        match self.begun_further_away(total, begins) {
             Some(planned) => Decision::Feasible(Box::new(planned)),
             None => Decision::Inconclusive(NOT_FOUND.into()),
         }
@@ -288,7 +288,7 @@ impl Successive<'_, '_> {
 
     /// A plan at one mission time about motions that fit at another: other plans flown slower, or one made from nothing.
     /// Where waypoints have times of their own no motion can be flown slower as a whole.
-    fn from_further_away(&mut self, total: f64, begins: &[&Planned]) -> Option<Planned> {
+    fn begun_further_away(&mut self, total: f64, begins: &[&Planned]) -> Option<Planned> {
         if has_fixed_times(self.engine.mission) {
             return None;
         }
