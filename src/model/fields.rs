@@ -163,6 +163,9 @@ impl<'a> Fields<'a> {
         } else if known.is_empty() {
             let place = if self.owner.starts_with("mission") { Place::Mission } else { Place::Faults };
             error = error.help(format!("take it out: only {} stand here", listed(place.openers())));
+        } else if matches!(word, "at" | "position") && known.contains(&"x") {
+            error = error.help("write its coordinates one by one: `x = ..`, `y = ..` and `z = ..`");
+            self.accounted.extend(["x", "y", "z"]);
         } else {
             error = error.help(format!("its fields are {}", listed(known)));
         }

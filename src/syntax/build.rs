@@ -309,7 +309,8 @@ impl Builder<'_> {
         if late.is_none() {
             let below = start + head.len();
             let brace_below = self.late_brace.map(|(brace, _)| &self.text[below..brace]);
-            self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below });
+            let around = [&self.text[..start], &self.text[below..]];
+            self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below, around });
         }
         let Some(body) = body else { return Statement::Broken(span) };
         let mut statements = self.body(body, inside);

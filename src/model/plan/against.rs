@@ -33,6 +33,12 @@ pub(super) fn read<'a>(
             one
         }
         ExprKind::List { elements, unit: None } => elements,
+        ExprKind::Text(text) if text == "all" || modes.iter().any(|m| m.name == *text) => {
+            let mended = if text == "all" { text.clone() } else { format!("[{text}]") };
+            let error = Diagnostic::error(CHOICE, expr.span, "`against` lists fault modes by name").here("a text");
+            cx.report(error.help(format!("write `{mended}`")).fix(expr.span, mended));
+            return None;
+        }
         _ => {
             let message = "`against` takes `all`, a list of fault modes, or `where` and a condition";
             let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
@@ -49,7 +55,13 @@ pub(super) fn read<'a>(
         let index = match &element.kind {
             ExprKind::Name(name) => match by_name.get(name.as_str()) {
                 Some(&index) => Some(index),
-                None if matches!(name.as_str(), "healthy" | "all" | "none") => {
+                None if name == "all" => {
+                    let error = Diagnostic::error(CHOICE, element.span, "`all` is not a fault mode");
+                    let error = error.here("stands in a list").help("write `all` without `[ ]`");
+                    cx.report(if elements.len() == 1 { error.fix(expr.span, "all") } else { error });
+                    None
+                }
+                None if matches!(name.as_str(), "healthy" | "none") => {
                     let message = format!("`{name}` is not a fault mode");
                     let error = Diagnostic::error(CHOICE, element.span, message).here("not a fault");
                     cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
@@ -64,6 +76,11 @@ pub(super) fn read<'a>(
                     None
                 }
             },
+            ExprKind::Text(text) if by_name.contains_key(text.as_str()) => {
+                let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
+                cx.report(error.here("a text").help(format!("write `{text}`")).fix(element.span, text.as_str()));
+                None
+            }
             _ => {
                 let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
                 cx.report(error.here("not a name").help("write names of modes, as in `[M1, M2]`"));

@@ -31,7 +31,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     wrong_start,
 ];
 
-pub(super) const CLAUSES: [&str; 15] = [
+pub(in crate::syntax) const CLAUSES: [&str; 15] = [
     "at",
     "yaw",
     "yaw_within",
@@ -152,6 +152,15 @@ fn uncounted(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let rest = statement.text.strip_prefix("every")?.trim_start();
     let at = statement.text.len() - rest.len();
     let rotors = token(rest, 0, is_name);
+    let numbered = rest[rotors.len()..].trim_start();
+    if rotors == "rotor" && numbered.starts_with(|c: char| c.is_ascii_digit()) {
+        let number = token(numbered, 0, |c| c.is_ascii_digit());
+        let span = statement.span(at, statement.text.len() - numbered.len() + number.len());
+        let error = Diagnostic::error("mavc::syntax::unexpected", span, "`every` says how many rotors, not which one")
+            .here("names one rotor")
+            .help("write it like `every 1 rotor lost as M`");
+        return Some(if number == "1" { error.fix(span, "1 rotor") } else { error });
+    }
     matches!(rotors, "rotor" | "rotors").then(|| {
         let span = statement.span(at, at + rotors.len());
         Diagnostic::error("mavc::syntax::missing_value", span, "`every` does not say how many rotors")

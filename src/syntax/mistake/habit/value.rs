@@ -178,9 +178,7 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
     if !failure.expects(Expected::Operator) || !(found.starts_with(is_name) || found == "%") {
         return None;
     }
-    // Longer words, and these, are no units but the beginning of something else.
-    let short = found.len() <= 3 && !["and", "or", "to", "of", "for", "let", "use", "as"].contains(&found);
-    if found.starts_with(|c: char| c.is_ascii_digit()) || CLAUSES.contains(&found) || !short {
+    if !is_factor(found) {
         return None;
     }
     let before = statement.text[..failure.at].trim_end();
@@ -190,30 +188,48 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
     if !follows_operand || !unit.starts_with(|c: char| c.is_ascii_alphabetic() || c == '%') {
         return None;
     }
-    let found = token(statement.text, failure.at, |c| is_name(c) || "*/^%".contains(c));
-    // `s^-1`, where the sign belongs to the exponent.
-    let exponent = statement.text[failure.at + found.len()..].strip_prefix('-').filter(|_| found.ends_with('^'));
-    let digits = exponent.map_or("", |rest| token(rest, 0, |c| c.is_ascii_digit()));
-    let end = failure.at + found.len() + if digits.is_empty() { 0 } else { 1 + digits.len() };
+    let (mended, end) = joined(unit, statement.text, failure.at);
     let span = statement.span(start, end);
-    let whole = &statement.text[failure.at..end];
-    let (unit, found) = (cut(unit), cut(whole));
-    if let Some((word, _)) = whole.split_once("^-").filter(|(word, _)| word.chars().all(is_name)) {
-        let factor = if digits == "1" { word.to_string() } else { format!("{word}^{digits}") };
-        let mended = format!("{unit}/{}", cut(&factor));
-        return Some(
-            Diagnostic::error("mavc::syntax::unit_blank", span, format!("the unit `{unit} {found}` has a blank in it"))
-                .here("a unit is one run without blanks")
-                .help(format!("write `{mended}`, which is `{unit}*{found}`"))
-                .fix(span, mended),
-        );
-    }
+    let divides = mended[unit.len()..].starts_with('/');
+    let (written, factor) = (cut(&statement.text[start..end]), cut(&statement.text[failure.at..end]));
+    let (unit, shown) = (cut(unit), cut(&mended));
+    let help = match factor.contains([' ', '\t']) {
+        false if divides => format!("write `{shown}`, which is `{unit}*{factor}`"),
+        false => format!("write `{unit}*{factor}` for a product, `{unit}/{factor}` for a quotient"),
+        true => format!("write `{shown}`, with `/` before what divides"),
+    };
     Some(
-        Diagnostic::error("mavc::syntax::unit_blank", span, format!("the unit `{unit} {found}` has a blank in it"))
+        Diagnostic::error("mavc::syntax::unit_blank", span, format!("the unit `{written}` has a blank in it"))
             .here("a unit is one run without blanks")
-            .help(format!("write `{unit}*{found}` for a product, `{unit}/{found}` for a quotient"))
-            .fix(span, format!("{unit}*{found}")),
+            .help(help)
+            .fix(span, mended),
     )
+}
+
+/// Whether a word can be a factor of a unit; longer words, and some short ones, begin something else.
+fn is_factor(word: &str) -> bool {
+    let other = ["and", "or", "to", "of", "for", "let", "use", "as", "in"].contains(&word) || CLAUSES.contains(&word);
+    word == "%" || word.len() <= 3 && word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && !other
+}
+
+/// A unit and the factors that follow it from `at` on, in one run; and where they end. `s^-1` is said with `/`.
+fn joined(unit: &str, text: &str, mut at: usize) -> (String, usize) {
+    let (mut whole, mut end) = (unit.to_string(), at);
+    while is_factor(token(text, at, is_name)) || text[at..].starts_with('%') {
+        let factor = token(text, at, |c| is_name(c) || "*/^%".contains(c));
+        let exponent = text[at + factor.len()..].strip_prefix('-').filter(|_| factor.ends_with('^'));
+        let power = exponent.map_or("", |rest| token(rest, 0, |c| c.is_ascii_digit()));
+        let word = factor.trim_end_matches('^');
+        end = at + factor.len() + if power.is_empty() { 0 } else { 1 + power.len() };
+        match power {
+            "" => whole += &format!("*{factor}"),
+            "1" if word.chars().all(is_name) => whole += &format!("/{word}"),
+            _ if word.chars().all(is_name) => whole += &format!("/{word}^{power}"),
+            _ => whole += &format!("*{factor}-{power}"),
+        }
+        at = end + (text[end..].len() - text[end..].trim_start().len());
+    }
+    (whole, end)
 }
 
 /// `a m` with a name: only numbers and brackets take a unit.
