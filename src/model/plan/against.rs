@@ -11,8 +11,8 @@ use crate::model::mend;
 use crate::source::Spanned;
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
 
-/// The modes that `field` chooses, by index; `None` where it has an error. Where `incomplete`, an unknown name may be
-/// that of a mode with an error of its own.
+/// The modes that `field` chooses, by index; `None` where it has an error. Where `incomplete`, modes are missing that have
+/// errors of their own.
 pub(super) fn read<'a>(
     cx: &mut Context<'a>,
     field: &'a Field,
@@ -64,13 +64,14 @@ pub(super) fn read<'a>(
                 None if matches!(name.as_str(), "healthy" | "none") => {
                     let message = format!("`{name}` is not a fault mode");
                     let error = Diagnostic::error(CHOICE, element.span, message).here("not a fault");
-                    cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
+                    let error = error.help("the healthy vehicle is always planned for; `[]` plans against no fault");
+                    cx.report(if element.span == expr.span { error.fix(expr.span, "[]") } else { error });
                     None
                 }
                 None => {
                     // One that is listed already was not meant, and a number is rarely misspelt.
                     let open = |mode: &str| !is_listed(mode) && without_digits(mode) != without_digits(name);
-                    if !incomplete {
+                    if !cx.modes_unnamed {
                         cx.unknown_among("fault mode", name, element.span, &names, open);
                     }
                     None

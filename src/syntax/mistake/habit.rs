@@ -282,7 +282,8 @@ fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let after_number = failure.expects(Expected::Effect) && !words.contains(&before.1);
     let candidates = [(failure.at, found), if after_number { before } else { (failure.at, "") }];
     let (at, word, meant) = candidates.into_iter().find_map(|(at, word)| {
-        let is_word = word.starts_with(|c: char| c.is_ascii_alphabetic());
+        // `as` is a word of the language, said too early.
+        let is_word = word != "as" && word.starts_with(|c: char| c.is_ascii_alphabetic());
         nearest(word, words.iter().copied()).filter(|_| is_word).map(|meant| (at, word, meant))
     })?;
     let span = statement.span(at, at + word.len());
