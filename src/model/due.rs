@@ -141,10 +141,7 @@ impl<'a> Context<'a> {
         let [x, y, z] = list[..] else {
             let message = format!("`{}` takes three numbers, not {}", due.what, list.len());
             let error = Diagnostic::error("mavc::unit::kind", expr.span, message);
-            let more =
-                if due.what == "at" && list.len() > 3 { ", and what else is due as a clause behind it" } else { "" };
-            let help = format!("write `[x, y, z] {}`{more}", due.unit);
-            self.report(error.here(format!("{} here", list.len())).help(help));
+            self.report(error.here(format!("{} here", list.len())).help(format!("write `[x, y, z] {}`", due.unit)));
             return None;
         };
         // Three of one wrong kind are one mistake.
@@ -405,7 +402,8 @@ pub(super) fn joined_unit<'e>(
         (_, Some(unit)) => format!("{unit}*{factor}"),
         (_, None) => factor,
     };
-    Some((value, unit))
+    // No unit that people write is longer, and a long product is looked at again for each of its factors.
+    (unit.len() <= 48).then_some((value, unit))
 }
 
 /// A field by its name in backquotes, anything else as it is said.

@@ -11,6 +11,7 @@ mod strike;
 mod wording;
 
 pub(super) use block::{check_head, misplaced, unknown_block};
+pub(super) use flight::is_foreign;
 pub(super) use habit::CLAUSES;
 pub(super) use separator::{Separation, separations};
 

@@ -2,7 +2,7 @@
 
 use super::{Scanner, is_name_byte};
 use crate::diagnostic::Diagnostic;
-use crate::syntax::mistake::CLAUSES;
+use crate::syntax::mistake::{CLAUSES, is_foreign};
 use crate::syntax::place::Place;
 
 impl Scanner<'_> {
@@ -107,7 +107,9 @@ impl Scanner<'_> {
             Some(b'=' | b'<' | b'>' | b'"' | b'[' | b'{') => true,
             Some(b) if b.is_ascii_alphanumeric() || *b == b'_' => true,
             // A keyword alone, where an element is over and no comma says that another follows.
-            None | Some(b'\r' | b'\n') => Place::opens_statement(name) && self.element_is_over(at),
+            None | Some(b'\r' | b'\n') => {
+                (Place::opens_statement(name) || is_foreign(name)) && self.element_is_over(at)
+            }
             Some(_) => false,
         }
     }

@@ -6,9 +6,17 @@ use crate::source::Span;
 use crate::syntax::cut;
 use crate::syntax::place::Place;
 
+const LANDINGS: [&str; 2] = ["land", "touchdown"];
+const TAKEOFFS: [&str; 3] = ["takeoff", "take_off", "liftoff"];
+
+/// Whether a word stands for a statement that missions have elsewhere.
+pub(in crate::syntax) fn is_foreign(word: &str) -> bool {
+    LANDINGS.contains(&word) || TAKEOFFS.contains(&word)
+}
+
 /// `land`, `land at [6, 4, 0] m`
 pub(super) fn landing(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
-    let rest = statement_of(statement, &["land", "touchdown"])?;
+    let rest = statement_of(statement, &LANDINGS)?;
     let error = unknown(statement).here("a mission ends at its last waypoint");
     Some(match token(rest, 0, is_name) {
         _ if rest.is_empty() => error.help("take it out").fix(line(statement), ""),
@@ -19,7 +27,7 @@ pub(super) fn landing(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
 
 /// `takeoff`, `takeoff 2 m`, `takeoff to 2 m`
 pub(super) fn takeoff(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
-    let rest = statement_of(statement, &["takeoff", "take_off", "liftoff"])?;
+    let rest = statement_of(statement, &TAKEOFFS)?;
     let error = unknown(statement);
     if token(rest, 0, is_name) == "at" {
         return Some(error.here("did you mean `start`?").help("write `start`").fix(first_word(statement), "start"));
