@@ -185,7 +185,9 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             _ => {}
         }
         if route.broken {
-            sure.get_or_insert(before);
+            // A `hold` is of the waypoint before it.
+            let holds = matches!(statement, Statement::Hold { .. });
+            sure.get_or_insert(before.saturating_sub(usize::from(holds)));
         }
     }
     let mut sure = sure.unwrap_or(route.waypoints.len());
