@@ -1,6 +1,6 @@
 //! `( )` and `[ ]`: one statement must close what it opens.
 
-use super::{Scanner, is_name_byte};
+use super::Scanner;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::mistake::{CLAUSES, is_foreign};
 use crate::syntax::place::Place;
@@ -88,7 +88,7 @@ impl Scanner<'_> {
         // A name takes no unit; a number's is its own, unless the others have none.
         let others = || inside[..last].trim_end_matches(',').split(',').map(str::trim);
         let for_all = || !others().any(|e| e.contains(' ')) && others().any(|e| e.parse::<f64>().is_ok());
-        let is_name = operand.ends_with(|c: char| is_name_byte(c as u8)) && !is_number;
+        let is_name = operand.ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_') && !is_number;
         let length = if is_unit && (is_name || is_number && for_all()) { element.len() } else { inside.len() };
         opener + 1 + length
     }
