@@ -6,6 +6,10 @@ use super::workspace::{Spec, Workspace};
 use crate::diagnostic::Diagnostic;
 use gen_lsp_types::{CodeAction, CodeActionKind, CodeActionResponse, Range, TextEdit, WorkspaceEdit};
 use std::collections::HashMap;
+use url::Url;
+
+/// Makes an edit of what changes in each text, as the editor can take it.
+pub type Edit<'a> = dyn Fn(HashMap<Url, Vec<TextEdit>>) -> WorkspaceEdit + 'a;
 
 /// The fixes of those of `told` that a range of one file touches.
 pub fn fixes(
@@ -14,6 +18,7 @@ pub fn fixes(
     name: &str,
     asked: Range,
     told: &[Diagnostic],
+    edit: &Edit,
 ) -> Vec<CodeActionResponse> {
     let Some(file) = spec.file(name) else { return Vec::new() };
     let (start, end) = offsets(spec.source(file), asked);
@@ -23,25 +28,25 @@ pub fn fixes(
             |span: crate::source::Span| span.file == file && (span.start as usize) <= end && start <= span.end as usize;
         near(d.span) || d.fix.as_ref().is_some_and(|fix| near(fix.span))
     });
-    touched.filter_map(|d| fix(workspace, spec, d)).map(CodeActionResponse::CodeAction).collect()
+    touched.filter_map(|d| fix(workspace, spec, d, edit)).map(CodeActionResponse::CodeAction).collect()
 }
 
-fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic) -> Option<CodeAction> {
+fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic, edit: &Edit) -> Option<CodeAction> {
     let fix = told.fix.as_ref()?;
     let source = spec.source(fix.span.file);
     let (start, end) = (fix.span.start as usize, fix.span.end as usize);
     // `mass: 1` becomes `mass = 1`, as everybody writes it.
     let is_glued = fix.text == "=" && spec.snippet(fix.span) == ":" && !source.text[..start].ends_with([' ', '\t']);
     let new_text = if is_glued { " =".to_string() } else { fix.text.clone() };
-    let edit = TextEdit { range: range(source, start, end), new_text };
-    let changes = HashMap::from([(workspace.uri(&source.name)?, vec![edit])]);
+    let change = TextEdit { range: range(source, start, end), new_text };
+    let changes = HashMap::from([(workspace.uri(&source.name)?, vec![change])]);
     Some(CodeAction {
         title: title(told, &fix.text, spec.snippet(fix.span)),
         kind: Some(CodeActionKind::QuickFix),
         diagnostics: Some(vec![diagnostic(workspace, spec, told)]),
         // The value of a field that is missing is only an example, to be looked at before it is taken.
         is_preferred: Some(told.code != "mavc::name::missing_field"),
-        edit: Some(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }),
+        edit: Some(edit(changes)),
         ..CodeAction::default()
     })
 }

@@ -282,7 +282,9 @@ fn code_actions(server: &mut Server, params: CodeActionParams) -> Answered<Optio
     let name = name_of(&params.text_document.uri);
     let Some((spec, _)) = look_up(server, &params.text_document.uri) else { return Ok(None) };
     let told = server.told(&spec);
-    Ok(Some(actions::fixes(&server.workspace, &spec, &name, params.range, &told)))
+    let server = &*server;
+    let edit = |changes| workspace_edit(server, changes);
+    Ok(Some(actions::fixes(&server.workspace, &spec, &name, params.range, &told, &edit)))
 }
 
 fn inlay_hints(server: &mut Server, params: InlayHintParams) -> Answered<Option<Vec<InlayHint>>> {

@@ -51,16 +51,16 @@ impl<'a> Context<'a> {
 
     /// A unit after an operator where it should follow its number, `2e-5 / h`: reported here.
     fn stands_apart(&mut self, operator: &Spanned<Operator>, left: &Expr, right: &Expr) -> bool {
-        let name = self.sources.snippet(right.span);
-        let is_known = self.in_scope(name) || CONSTANTS.contains(&name) || self.may_exist(name);
-        let Some((number, unit)) = joined_unit(operator.value, left, right).filter(|_| !is_known) else {
+        let may_be_unit = |name: &str| !(self.in_scope(name) || CONSTANTS.contains(&name) || self.may_exist(name));
+        let Some((value, unit)) = joined_unit(operator.value, left, right, &may_be_unit) else {
             return false;
         };
         if parse_unit(&unit, self.gravity).is_err() {
             return false;
         }
+        let name = self.sources.snippet(right.span).split([' ', '^']).next().unwrap_or("");
         let message = format!("no `let` is called `{name}`, and a unit cannot stand alone");
-        let mended = format!("{number} {unit}");
+        let mended = format!("{} {unit}", self.without_unit(value));
         self.report(
             Diagnostic::error("mavc::name::unknown", right.span, message)
                 .here("a unit stands directly after a number, `)` or `]`")

@@ -29,6 +29,8 @@ pub(super) struct Context<'a> {
     pub gravity: f64,
     /// A file could not be brought in: what seems to be missing may stand there.
     pub incomplete: bool,
+    /// There are fault modes whose names nobody knows, for what makes them has an error.
+    pub modes_unnamed: bool,
     /// Every word of the statements that could not be read.
     lost_words: BTreeSet<&'a str>,
     /// Diagnostics past the limit.
@@ -65,6 +67,7 @@ impl<'a> Context<'a> {
             diagnostics: Vec::new(),
             gravity: GRAVITY,
             incomplete,
+            modes_unnamed: false,
             lost_words: words.collect(),
             dropped: 0,
             readings: Vec::new(),

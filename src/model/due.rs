@@ -6,7 +6,7 @@ use super::expression::{Value, is_bare, trailing_unit};
 use super::overrides::OVERRIDE;
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
-use crate::source::Span;
+use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Operator};
 use crate::unit::{Dimension, Quantity, mismatch, parse_unit};
 
@@ -327,14 +327,24 @@ impl<'a> Context<'a> {
             return Some("`g` is the gram; for gravity write `2*g0`".into());
         }
         if let ExprKind::Binary { operator, left, right } = &expr.kind
-            && let Some((number, unit)) = joined_unit(operator.value, left, right)
+            && let Some((value, unit)) = joined_unit(operator.value, left, right, &|_| true)
             && parse_unit(&unit, self.gravity).is_ok_and(|unit| unit.dimension == expected)
         {
-            let name = self.sources.snippet(right.span);
+            let (name, number) = (self.sources.snippet(right.span), self.without_unit(value));
             return Some(format!("`{name}` is a name here; with the unit `{name}`, write `{number} {unit}`"));
         }
         let name = units.into_iter().find(|unit| self.in_scope(unit))?;
         Some(format!("`{name}` after a number is the unit; to multiply by the name `{name}`, write `2*{name}`"))
+    }
+
+    /// A value as written, its unit aside.
+    pub(super) fn without_unit(&self, expr: &Expr) -> &'a str {
+        let unit = match &expr.kind {
+            ExprKind::Number { unit, .. } | ExprKind::List { unit, .. } | ExprKind::Paren { unit, .. } => unit.as_ref(),
+            _ => None,
+        };
+        let end = unit.map_or(expr.span.end, |unit| unit.span.start);
+        self.sources.snippet(Span { end, ..expr.span }).trim_end()
     }
 
     pub(super) fn in_scope(&self, name: &str) -> bool {
@@ -355,19 +365,45 @@ fn sole_name(expr: &Expr) -> Option<&str> {
     }
 }
 
-/// A number and a name joined as if the name were a unit, `2e-5 / h` or `2 m / s`: the number and that unit.
-pub(super) fn joined_unit<'e>(operator: Operator, left: &'e Expr, right: &Expr) -> Option<(&'e str, String)> {
-    let (ExprKind::Number { text, unit, .. }, ExprKind::Name(name)) = (&left.kind, &right.kind) else {
-        return None;
-    };
-    let unit = match (operator, unit) {
-        (Operator::Divide, None) => format!("1/{name}"),
-        (Operator::Divide, Some(unit)) => format!("{}/{name}", unit.value),
-        (Operator::Multiply, None) => name.clone(),
-        (Operator::Multiply, Some(unit)) => format!("{}*{name}", unit.value),
+/// A value and names joined to it as if they were its unit, `2e-5 / h` or `[1, 2, 3] kg * m ^ 2`: the value and that unit.
+/// All the names are such as `may_be_unit` lets pass.
+pub(super) fn joined_unit<'e>(
+    operator: Operator,
+    left: &'e Expr,
+    right: &Expr,
+    may_be_unit: &impl Fn(&str) -> bool,
+) -> Option<(&'e Expr, String)> {
+    let (name, power) = match &right.kind {
+        ExprKind::Name(name) => (name, None),
+        ExprKind::Binary { operator: Spanned { value: Operator::Power, .. }, left, right } => {
+            match (&left.kind, &right.kind) {
+                (ExprKind::Name(name), ExprKind::Number { text, unit: None, .. }) => (name, Some(text)),
+                _ => return None,
+            }
+        }
         _ => return None,
     };
-    Some((text, unit))
+    if !matches!(operator, Operator::Divide | Operator::Multiply) || !may_be_unit(name) {
+        return None;
+    }
+    let factor = power.map_or(name.clone(), |power| format!("{name}^{power}"));
+    let (value, before) = match &left.kind {
+        ExprKind::Number { unit, .. } | ExprKind::List { unit, .. } | ExprKind::Paren { unit, .. } => {
+            (left, unit.as_ref().map(|unit| unit.value.clone()))
+        }
+        ExprKind::Binary { operator, left, right } => {
+            let (value, unit) = joined_unit(operator.value, left, right, may_be_unit)?;
+            (value, Some(unit))
+        }
+        _ => return None,
+    };
+    let unit = match (operator, before) {
+        (Operator::Divide, unit) => format!("{}/{factor}", unit.as_deref().unwrap_or("1")),
+        (_, Some(unit)) => format!("{unit}*{factor}"),
+        (_, None) => factor,
+    };
+    // No unit that people write is longer, and a long product is looked at again for each of its factors.
+    (unit.len() <= 48).then_some((value, unit))
 }
 
 /// A field by its name in backquotes, anything else as it is said.

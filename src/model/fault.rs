@@ -41,7 +41,12 @@ impl Modes {
                 Statement::Every { count, effect, prefix, body, doc, span } => {
                     self.every(cx, count, effect, prefix, body, doc, *span, rotors)
                 }
-                Statement::Broken(_) => self.incomplete = true,
+                Statement::Broken(span) => {
+                    self.incomplete = true;
+                    // The words of a `mode` are known to be lost; the names that an `every` makes are not among them.
+                    let text = cx.sources.snippet(*span);
+                    cx.modes_unnamed |= text.is_empty() || text.contains("every");
+                }
                 _ => continue,
             }
             self.statements += 1;
@@ -51,7 +56,7 @@ impl Modes {
     fn single<'a>(&mut self, cx: &mut Context<'a>, block: &'a Block, rotors: Option<usize>) {
         let Some(name) = &block.name else {
             // Its head could not be read; what it says may have mistakes of its own.
-            self.incomplete = true;
+            (self.incomplete, cx.modes_unnamed) = (true, true);
             let owner = format!("this `{}`", block.keyword.value);
             if block.keyword.value == "mode" {
                 Effects::read(cx, block, &owner, rotors);
@@ -64,6 +69,7 @@ impl Modes {
         let numbers = Numbers::read(cx, owner, name.span, &block.body);
         let known = self.admit(cx, name, &name.value);
         let (Some(effects), Some(numbers), Some(rotors), true) = (effects, numbers, rotors, known) else {
+            cx.lose(&name.value);
             self.incomplete = true;
             return;
         };
@@ -91,7 +97,7 @@ impl Modes {
         let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
         let count = cx.whole("the number of rotors", count, 1..=most, "mavc::fault::count").map(|k| (k, count.span));
         let (Some(effect), Some(numbers), Some((k, at)), Some(n)) = (effect, numbers, count, rotors) else {
-            self.incomplete = true;
+            (self.incomplete, cx.modes_unnamed) = (true, true);
             return;
         };
         let total = (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64).round();
@@ -102,14 +108,14 @@ impl Modes {
             );
             let error = Diagnostic::error("mavc::fault::too_many", at, message);
             cx.report(error.here("too many combinations").help("choose fewer rotors, or name the modes that matter"));
-            self.incomplete = true;
+            (self.incomplete, cx.modes_unnamed) = (true, true);
             return;
         }
         for rotors in combinations(n, k) {
             let numbers_text: Vec<String> = rotors.iter().map(usize::to_string).collect();
             let name = format!("{}{}", prefix.value, numbers_text.join("_"));
             if !self.admit(cx, prefix, &name) {
-                self.incomplete = true;
+                (self.incomplete, cx.modes_unnamed) = (true, true);
                 return;
             }
             let mut mode = numbers.mode(name, n, span);

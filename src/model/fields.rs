@@ -92,9 +92,17 @@ impl<'a> Fields<'a> {
         body: &'a [Statement],
         known: &[&'static str],
     ) -> Self {
-        let broken = body.iter().any(|s| matches!(s, Statement::Broken(_)));
         let room = Room::Block(body.last().map(Statement::span));
-        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken, room };
+        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, room };
+        for statement in body {
+            if let Statement::Broken(span) = statement {
+                // What plainly is one field is no other.
+                match meant_field(cx.sources.snippet(*span), known) {
+                    Some(field) => fields.accounted.push(field),
+                    None => fields.broken = true,
+                }
+            }
+        }
         for statement in body {
             if let Statement::Field(field) = statement {
                 fields.take_field(cx, field, known);
@@ -163,6 +171,9 @@ impl<'a> Fields<'a> {
         } else if known.is_empty() {
             let place = if self.owner.starts_with("mission") { Place::Mission } else { Place::Faults };
             error = error.help(format!("take it out: only {} stand here", listed(place.openers())));
+        } else if matches!(word, "at" | "position") && known.contains(&"x") {
+            error = error.help("write its coordinates one by one: `x = ..`, `y = ..` and `z = ..`");
+            self.accounted.extend(["x", "y", "z"]);
         } else {
             error = error.help(format!("its fields are {}", listed(known)));
         }
@@ -256,4 +267,14 @@ impl<'a> Fields<'a> {
             None => error,
         }
     }
+}
+
+/// The field that a statement which could not be read was to give, if it begins with its name and speaks of no other.
+fn meant_field(text: &str, known: &[&'static str]) -> Option<&'static str> {
+    let mut words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).filter(|word| !word.is_empty());
+    let first = words.next()?;
+    let field =
+        known.iter().copied().find(|field| *field == first).or_else(|| nearest(first, known.iter().copied()))?;
+    let is_one = !text.contains(['{', '}', '\n']) && !words.any(|word| known.contains(&word));
+    is_one.then_some(field)
 }

@@ -136,7 +136,10 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     let (mut start_at_rest, mut end_at_rest) = (true, true);
     let mut limit_block: Option<&Block> = None;
     let mut limits = Some(Vec::new());
+    // The waypoints before the first statement with an error: which they are and when, they say for themselves.
+    let mut sure = None;
     for (index, statement) in block.body.iter().enumerate() {
+        let before = route.waypoints.len();
         match statement {
             Statement::Start(clauses) => {
                 if !route.waypoints.is_empty() {
@@ -181,7 +184,13 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             Statement::Broken(_) => route.broken = true,
             _ => {}
         }
+        if route.broken {
+            // A `hold` is of the waypoint before it.
+            let holds = matches!(statement, Statement::Hold { .. });
+            sure.get_or_insert(before.saturating_sub(usize::from(holds)));
+        }
     }
+    let mut sure = sure.unwrap_or(route.waypoints.len());
     if route.waypoints.len() < 2 && !route.broken {
         let message = format!("mission `{name}` needs at least two waypoints");
         let error = Diagnostic::error("mavc::mission::too_few_waypoints", span, message);
@@ -193,17 +202,18 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             Some((span, text)) => error.fix(span, text),
             None => error,
         });
-        route.broken = true;
+        (route.broken, sure) = (true, 0);
     }
     let yaw_defaulted = matches!(route.yaws.first(), Some(None));
     unwrap_yaw(&mut route.waypoints, &route.yaws);
+    let in_order = check_times(cx, &route.waypoints[..sure]);
     if !route.broken {
-        route.broken = !check_times(cx, &route.waypoints);
         warn_close(cx, &route.waypoints);
-        if let Some(limits) = &limits {
-            limits::check(cx, limits, &route.waypoints);
-        }
     }
+    if let Some(limits) = &limits {
+        limits::check(cx, limits, &route.waypoints[..sure]);
+    }
+    route.broken |= !in_order;
     let legs = shares(&route.waypoints, &route.curves, manner.timing);
     let mission = match limits {
         Some(limits) if !route.broken => Some(Mission {

@@ -318,7 +318,8 @@ impl<'a> Draft<'a> {
             return Some(MissionTime::Minimum);
         }
         if let ExprKind::Name(name) = &expr.kind
-            && nearest(name, ["minimum"]).is_some()
+            && !cx.in_scope(name)
+            && (["min", "shortest", "fastest"].contains(&name.as_str()) || nearest(name, ["minimum"]).is_some())
         {
             let error = Diagnostic::error(CHOICE, expr.span, "`time` is `minimum` or a time such as `20 s`");
             cx.report(error.here("neither").help("did you mean `minimum`?").fix(expr.span, "minimum"));

@@ -247,7 +247,12 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
         let span = Span::new(expr.span.file, start, start + letter.len_utf8());
         let message = format!("a layout is made of P and N, not `{letter}`");
         let mut error = Diagnostic::error("mavc::vehicle::layout", span, message).here("neither P nor N");
+        let capitals = text.to_ascii_uppercase();
         error = match letter.to_ascii_uppercase() {
+            _ if capitals.chars().all(|c| matches!(c, 'P' | 'N')) => {
+                let mended = format!("\"{capitals}\"");
+                error.help(format!("write `{mended}`")).fix(expr.span, mended)
+            }
             upper @ ('P' | 'N') => error.help(format!("write `{upper}`")).fix(span, upper.to_string()),
             _ => error.help("write `P` (counter-clockwise seen from above) or `N` (clockwise)"),
         };

@@ -99,13 +99,20 @@ enum Any {
 impl Builder<'_> {
     fn file(&mut self, pair: Pair<Rule>) -> Vec<Item> {
         let body = pair.into_inner().next().expect("a file has a body");
-        let items = self.statements(body, Place::Top, |any, span| match any {
+        let unsure = self.blocks_unsure;
+        let mut items = self.statements(body, Place::Top, |any, span| match any {
             Any::Use(path) => Item::Use(path),
             Any::Let(field) => Item::Let(field),
             Any::Statement(Statement::Field(field)) => Item::Field(field),
             Any::Statement(Statement::Block(block)) => Item::Block(block),
             Any::Statement(_) => Item::Broken(span),
         });
+        // A field behind a brace too many belongs to the block that ended there.
+        for item in items.iter_mut().filter(|_| unsure) {
+            if let Item::Field(field) = item {
+                *item = Item::Broken(field.span);
+            }
+        }
         self.drop_docs(self.text.len());
         self.beside_the_only_one(&items);
         items
@@ -309,7 +316,8 @@ impl Builder<'_> {
         if late.is_none() {
             let below = start + head.len();
             let brace_below = self.late_brace.map(|(brace, _)| &self.text[below..brace]);
-            self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below });
+            let around = [&self.text[..start], &self.text[below..]];
+            self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below, around });
         }
         let Some(body) = body else { return Statement::Broken(span) };
         let mut statements = self.body(body, inside);

@@ -68,6 +68,7 @@ fn scan(file: FileId, text: &str, taken: Vec<Guess>) -> Scanner<'_> {
         blocks: Vec::new(),
         left_open: None,
         last_close: None,
+        too_early: None,
         unopened: None,
         guesses: Guesses::new(taken),
         line_start: 0,
@@ -103,6 +104,8 @@ struct Scanner<'a> {
     left_open: Option<OpenBlock>,
     /// The last top-level block and its closing brace.
     last_close: Option<(OpenBlock, usize)>,
+    /// The one behind which a statement stands that belongs into a block.
+    too_early: Option<(OpenBlock, usize)>,
     /// The last head of a block after which no `{` has come.
     unopened: Option<Unopened>,
     guesses: Guesses,
@@ -167,6 +170,9 @@ impl Scanner<'_> {
             self.statements += 1;
             if byte != b'{' {
                 self.note_head(start);
+            }
+            if self.blocks.is_empty() {
+                self.note_outside(start);
             }
         }
         self.tokens += 1;
@@ -293,7 +299,7 @@ impl Scanner<'_> {
             self.at = start + 1 + length + 1;
             return;
         }
-        let end = self.line_end(start);
+        let end = self.text_end(start);
         let content = start + self.text[start..end].trim_end().len();
         let span = self.span(start, content);
         let diagnostic = Diagnostic::error("mavc::syntax::unclosed_text", span, "this text is never closed")
@@ -305,6 +311,15 @@ impl Scanner<'_> {
         });
         self.blank(start + 1, end);
         self.at = end;
+    }
+
+    /// Where a text that starts at `start` and is never closed probably ends: before a comment, a `;`, or the `{` behind
+    /// the title of a mode.
+    fn text_end(&self, start: usize) -> usize {
+        let line = &self.text[start..self.line_end(start)];
+        let is_title = self.statement.is_some_and(|head| self.name_at(head).0 == "mode");
+        let ends = [line.find(" //"), line.find(';'), line.find('{').filter(|_| is_title)];
+        start + ends.into_iter().flatten().min().unwrap_or(line.len())
     }
 
     /// Keeps a diagnostic, up to the number that is shown.

@@ -4,12 +4,15 @@
 //! in units, misspelt words; `wording`: what is said so elsewhere); what is left is told by what was expected and what was found.
 
 mod block;
+mod flight;
 mod habit;
 mod separator;
 mod strike;
 mod wording;
 
 pub(super) use block::{check_head, misplaced, unknown_block};
+pub(super) use flight::is_foreign;
+pub(super) use habit::CLAUSES;
 pub(super) use separator::{Separation, separations};
 
 use super::cut;
@@ -58,6 +61,8 @@ pub(super) struct Broken<'a> {
     pub has_body: bool,
     /// The blanks before the `{` that is the next thing in the file, if it is one.
     pub brace_below: Option<&'a str>,
+    /// The file before and behind the statement.
+    pub around: [&'a str; 2],
 }
 
 impl Broken<'_> {
@@ -149,11 +154,6 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
     }
     let diagnostic = with_form(diagnostic, statement);
     match (statement.word(), before) {
-        ("use", "use") if quotable(&statement.text[failure.at..]) => {
-            let path = statement.text[failure.at..].trim_end();
-            let whole = statement.span(failure.at, failure.at + path.len());
-            diagnostic.help(format!("write `use \"{}\"`", cut(path))).fix(whole, format!("\"{path}\""))
-        }
         ("end", "end") if found == "at" || found.starts_with('[') => {
             let at = if found == "at" { "" } else { " at" };
             diagnostic
@@ -162,12 +162,6 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
         }
         _ => diagnostic,
     }
-}
-
-/// Whether a text is a path that lacks its quotes.
-fn quotable(path: &str) -> bool {
-    let path = path.trim_end();
-    path.ends_with(".mav") && path.chars().all(|c| is_name(c) || "./-\\".contains(c))
 }
 
 fn with_form(diagnostic: Diagnostic, statement: &Broken) -> Diagnostic {

@@ -227,6 +227,7 @@ fn meant(word: &str, gravity: f64) -> Option<String> {
     habit
         .or_else(|| singular(word, gravity))
         .or_else(|| run_together(word, gravity))
+        .or_else(|| powered(word, gravity))
         .or_else(|| other_case(word, gravity))
 }
 
@@ -247,6 +248,16 @@ fn run_together(word: &str, gravity: f64) -> Option<String> {
         let rest = if lookup(rest, gravity).is_some() { rest.to_string() } else { run_together(rest, gravity)? };
         Some(format!("{first}*{rest}"))
     })
+}
+
+/// `m2` for `m^2`, `kgm2` for `kg*m^2`.
+fn powered(word: &str, gravity: f64) -> Option<String> {
+    let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
+    let power = word[stem.len()..].parse::<u8>().ok().filter(|power| (2..=4).contains(power))?;
+    // What stands in `ms2` is an acceleration as often as not.
+    let known = stem != "ms" && lookup(stem, gravity).is_some();
+    let base = if known { stem.to_string() } else { run_together(stem, gravity)? };
+    Some(format!("{base}^{power}"))
 }
 
 /// `Kg` for `kg`, `RPM` for `rpm`.

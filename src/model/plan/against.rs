@@ -11,8 +11,8 @@ use crate::model::mend;
 use crate::source::Spanned;
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
 
-/// The modes that `field` chooses, by index; `None` where it has an error. Where `incomplete`, an unknown name may be
-/// that of a mode with an error of its own.
+/// The modes that `field` chooses, by index; `None` where it has an error. Where `incomplete`, modes are missing that have
+/// errors of their own.
 pub(super) fn read<'a>(
     cx: &mut Context<'a>,
     field: &'a Field,
@@ -33,6 +33,12 @@ pub(super) fn read<'a>(
             one
         }
         ExprKind::List { elements, unit: None } => elements,
+        ExprKind::Text(text) if text == "all" || modes.iter().any(|m| m.name == *text) => {
+            let mended = if text == "all" { text.clone() } else { format!("[{text}]") };
+            let error = Diagnostic::error(CHOICE, expr.span, "`against` lists fault modes by name").here("a text");
+            cx.report(error.help(format!("write `{mended}`")).fix(expr.span, mended));
+            return None;
+        }
         _ => {
             let message = "`against` takes `all`, a list of fault modes, or `where` and a condition";
             let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
@@ -49,21 +55,33 @@ pub(super) fn read<'a>(
         let index = match &element.kind {
             ExprKind::Name(name) => match by_name.get(name.as_str()) {
                 Some(&index) => Some(index),
-                None if matches!(name.as_str(), "healthy" | "all" | "none") => {
+                None if name == "all" => {
+                    let error = Diagnostic::error(CHOICE, element.span, "`all` is not a fault mode");
+                    let error = error.here("stands in a list").help("write `all` without `[ ]`");
+                    cx.report(if elements.len() == 1 { error.fix(expr.span, "all") } else { error });
+                    None
+                }
+                None if matches!(name.as_str(), "healthy" | "none") => {
                     let message = format!("`{name}` is not a fault mode");
                     let error = Diagnostic::error(CHOICE, element.span, message).here("not a fault");
-                    cx.report(error.help("the healthy vehicle is always planned for; `[]` plans against no fault"));
+                    let error = error.help("the healthy vehicle is always planned for; `[]` plans against no fault");
+                    cx.report(if element.span == expr.span { error.fix(expr.span, "[]") } else { error });
                     None
                 }
                 None => {
                     // One that is listed already was not meant, and a number is rarely misspelt.
                     let open = |mode: &str| !is_listed(mode) && without_digits(mode) != without_digits(name);
-                    if !incomplete {
+                    if !cx.modes_unnamed {
                         cx.unknown_among("fault mode", name, element.span, &names, open);
                     }
                     None
                 }
             },
+            ExprKind::Text(text) if by_name.contains_key(text.as_str()) => {
+                let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
+                cx.report(error.here("a text").help(format!("write `{text}`")).fix(element.span, text.as_str()));
+                None
+            }
             _ => {
                 let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
                 cx.report(error.here("not a name").help("write names of modes, as in `[M1, M2]`"));

@@ -111,7 +111,7 @@ fn instant<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<f64> {
 /// The index of the mode that is called `name`.
 fn mode(cx: &mut Context, name: &str, span: Span, around: &Around) -> Option<usize> {
     let index = around.modes.iter().position(|mode| mode.name == name);
-    if index.is_some() || around.incomplete {
+    if index.is_some() || cx.modes_unnamed {
         return index;
     }
     if matches!(name, "healthy" | "all" | "none") {

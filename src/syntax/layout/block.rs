@@ -2,7 +2,9 @@
 
 use super::{Scanner, is_blank};
 use crate::diagnostic::Diagnostic;
+use crate::source::Span;
 use crate::syntax::cut;
+use crate::syntax::place::Place;
 
 /// A block whose closing brace has not been met.
 #[derive(Clone, Copy)]
@@ -85,15 +87,35 @@ impl Scanner<'_> {
         let span = self.span(at, at + 1);
         let mut diagnostic =
             Diagnostic::error("mavc::syntax::stray_brace", span, "`}` closes nothing").here("no block is open here");
-        if let Some((block, close)) = self.last_close {
+        if let Some((block, close)) = self.too_early.or(self.last_close) {
             let message = format!("`{}` was closed here", self.head_text(block));
             diagnostic = diagnostic.also(self.span(close, close + 1), message);
         }
-        self.report(diagnostic.help("remove the brace that is one too many"));
+        // Where statements of a block stand at the top level, the brace before them came too early.
+        let extra = self.alone(self.too_early.map_or(at, |(_, close)| close));
+        self.report(diagnostic.help("remove the brace that is one too many").fix(extra, ""));
         self.guesses.errors += 1;
         self.guesses.stray.get_or_insert(at);
         self.layout.blocks_unsure = true;
         self.out[at] = b' ';
+    }
+
+    /// The brace at `at`, with its line where nothing else stands on it.
+    fn alone(&self, at: usize) -> Span {
+        let (before, behind) = (self.text[..at].trim_end_matches([' ', '\t']), &self.text[at + 1..]);
+        let above = before.strip_suffix("\r\n").or(before.strip_suffix('\n'));
+        let is_alone = behind.is_empty() || behind.starts_with(['\n', '\r']);
+        self.span(above.filter(|_| is_alone).map_or(at, str::len), at + 1)
+    }
+
+    /// Notes what a statement that starts at `start`, outside all blocks, says of the brace before it.
+    pub(super) fn note_outside(&mut self, start: usize) {
+        let (word, _) = self.name_at(start);
+        self.too_early = match word {
+            "gravity" => self.too_early,
+            _ if Place::Top.openers().contains(&word) => None,
+            _ => self.too_early.or(self.last_close),
+        };
     }
 
     /// A brace that begins its line and lines up with an outer block rather than with the one it closes.

@@ -2,6 +2,7 @@
 
 use super::Scanner;
 use crate::diagnostic::Diagnostic;
+use crate::syntax::mistake::{CLAUSES, is_foreign};
 use crate::syntax::place::Place;
 
 impl Scanner<'_> {
@@ -55,6 +56,7 @@ impl Scanner<'_> {
         let opened = self.text.as_bytes()[last] as char;
         let closers: String = open.iter().rev().map(|&o| self.closer_of(o) as char).collect();
         let kept = self.out[..end].iter().rposition(|b| !b.is_ascii_whitespace()).map_or(end, |i| i + 1);
+        let kept = if others.is_empty() { self.closing_place(last, kept) } else { kept };
         let mut diagnostic = Diagnostic::error(
             "mavc::syntax::unclosed_bracket",
             self.span(last, last + 1),
@@ -67,6 +69,28 @@ impl Scanner<'_> {
             diagnostic = diagnostic.also(self.span(other, other + 1), "neither is this one");
         }
         self.report(diagnostic);
+    }
+
+    /// Where the bracket at `opener` should close, if the statement ends at `end`: before the words that go on with the
+    /// statement, and before a unit that is meant for the whole list.
+    fn closing_place(&self, opener: usize, end: usize) -> usize {
+        let Ok(inside) = std::str::from_utf8(&self.out[opener + 1..end]) else { return end };
+        let goes_on = |word: &str| CLAUSES.contains(&word) || ["lost", "reduced", "stuck"].contains(&word);
+        let words = inside.split([' ', '\t']).map(|word| (word.as_ptr() as usize - inside.as_ptr() as usize, word));
+        let over = words.filter(|(at, word)| *at > 0 && goes_on(word)).map(|(at, _)| at).next();
+        let inside = inside[..over.unwrap_or(inside.len())].trim_end();
+        let last = inside.rfind([',', '+', '(', '[']).map_or(0, |comma| comma + 1);
+        let unit = inside.rfind([' ', '\t']).map_or(0, |blank| blank + 1);
+        let element = inside[..unit].trim_end();
+        let is_unit = inside[unit..].starts_with(|c: char| c.is_ascii_alphabetic() || c == '%');
+        let operand = element.get(last..).unwrap_or("").trim();
+        let is_number = operand.ends_with(|c: char| c.is_ascii_digit()) && operand.parse::<f64>().is_ok();
+        // A name takes no unit; a number's is its own, unless the others have none.
+        let others = || inside[..last].trim_end_matches(',').split(',').map(str::trim);
+        let for_all = || !others().any(|e| e.contains(' ')) && others().any(|e| e.parse::<f64>().is_ok());
+        let is_name = operand.ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_') && !is_number;
+        let length = if is_unit && (is_name || is_number && for_all()) { element.len() } else { inside.len() };
+        opener + 1 + length
     }
 
     fn closer_of(&self, opener: usize) -> u8 {
@@ -83,7 +107,9 @@ impl Scanner<'_> {
             Some(b'=' | b'<' | b'>' | b'"' | b'[' | b'{') => true,
             Some(b) if b.is_ascii_alphanumeric() || *b == b'_' => true,
             // A keyword alone, where an element is over and no comma says that another follows.
-            None | Some(b'\r' | b'\n') => Place::opens_statement(name) && self.element_is_over(at),
+            None | Some(b'\r' | b'\n') => {
+                (Place::opens_statement(name) || is_foreign(name)) && self.element_is_over(at)
+            }
             Some(_) => false,
         }
     }

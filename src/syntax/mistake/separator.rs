@@ -1,6 +1,6 @@
 //! Statements that follow one another on a line with nothing between them: `mass = 1 kg  arm = 0.2 m`.
 
-use super::{Broken, Expected, Failure, is_name, token};
+use super::{Broken, CLAUSES, Expected, Failure, is_name, token};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::cut;
 use crate::syntax::place::Place;
@@ -46,6 +46,10 @@ fn split(
     }
     let text = statement.text;
     let found = statement.found(fails.at);
+    // `within = 10 cm` behind a waypoint is a clause with a mark too many.
+    if found == "=" && fails.expects(Expected::Value) && CLAUSES.contains(&statement.before(fails.at).1) {
+        return None;
+    }
     if found == "," {
         let next = fails.at + 1 + blanks(&text[fails.at + 1..]);
         let whole = fails.expects(Expected::End) && failure(&text[..fails.at], false).is_none();

@@ -9,10 +9,14 @@ use crate::syntax::place::Place;
 pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     keyword_colon,
     super::strike::recognise,
+    super::flight::landing,
+    super::flight::takeoff,
+    bare_path,
     name_form,
     inch,
     position_in_parentheses,
     rotor_numbers,
+    motors,
     effect_word,
     reduced_by,
     joined_conditions,
@@ -44,6 +48,19 @@ fn keyword_colon(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             diagnostic.help(format!("a block stands in braces: `{}`", form.split(" {").next()?.to_owned() + " { .. }"))
         }
         false => diagnostic.help("remove it").fix(statement.span(failure.at, failure.at + 1), ""),
+    })
+}
+
+/// `use parts/quad.mav`
+fn bare_path(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let path = statement.text[failure.at..].trim_end();
+    let is_path = path.ends_with(".mav") && path.chars().all(|c| is_name(c) || "./-\\".contains(c));
+    (statement.word() == "use" && is_path && statement.before(failure.at).1 == "use").then(|| {
+        let end = failure.at + path.len();
+        unexpected(statement, failure.at, end, "a path stands in double quotes")
+            .here("has none")
+            .help(format!("write `use \"{}\"`", cut(path)))
+            .fix(statement.span(failure.at, end), format!("\"{path}\""))
     })
 }
 
@@ -145,6 +162,20 @@ fn rotor_numbers(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     })
 }
 
+/// `every 1 motor lost as M`, where any word after a number looks like a unit.
+fn motors(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, word) = statement.before(failure.at);
+    let is_rotor = matches!(word, "motor" | "motors" | "propeller" | "propellers" | "prop" | "props");
+    (statement.word() == "every" && is_rotor && failure.expects(Expected::Word("rotors"))).then(|| {
+        let span = statement.span(start, start + word.len());
+        let ours = if word.ends_with('s') { "rotors" } else { "rotor" };
+        unexpected(statement, start, start + word.len(), format!("no `{word}` stands in an `every`"))
+            .here(format!("expected `{ours}`"))
+            .help(format!("write `{ours}`"))
+            .fix(span, ours)
+    })
+}
+
 /// `rotor 1 fails`, where any word after a number looks like a unit.
 fn effect_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if !matches!(statement.word(), "rotor" | "rotors" | "every") || !failure.expects(Expected::Effect) {
@@ -162,9 +193,8 @@ fn effect_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         _ => return None,
     };
     let meant = match word {
-        "fails" | "failed" | "fail" | "dead" | "dies" | "off" | "out" | "broken" | "gone" | "missing" | "stops" => {
-            "lost"
-        }
+        "fails" | "failed" | "fail" | "failing" | "failure" | "dead" | "dies" | "off" | "out" | "broken" | "gone"
+        | "missing" | "stops" => "lost",
         "jammed" | "locked" | "fixed" | "frozen" => "stuck at 50 %",
         "limited" | "degraded" | "weak" | "worn" | "down" => "reduced to 60 %",
         _ if nearest(word, ["lost", "reduced", "stuck"]).is_some() => return None,
@@ -174,6 +204,7 @@ fn effect_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let diagnostic = unexpected(statement, at, at + word.len(), message);
     let diagnostic = diagnostic.here("expected `lost`, `reduced to` or `stuck at`");
     Some(match meant {
+        "" if statement.word() == "every" => diagnostic.help("write it like `every 1 rotor lost as M`"),
         "" => diagnostic.help("write it like `rotor 3 lost`, `rotor 3 reduced to 60 %` or `rotor 3 stuck at 50 %`"),
         meant => diagnostic.help(format!("write `{meant}`")).fix(statement.span(at, at + word.len()), meant),
     })

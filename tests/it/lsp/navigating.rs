@@ -136,6 +136,16 @@ fn edits_name_the_versions_of_open_texts_where_the_editor_asks_for_it() {
     let change = &edit["documentChanges"][0];
     assert_eq!(change["textDocument"], json!({ "uri": uri, "version": 7 }));
     assert_eq!(change["edits"].as_array().unwrap().len(), 2, "{edit}");
+    // So do quick fixes.
+    client.replace(uri, 8, "let a 1 m\nlet b = a\n");
+    let (start, end) = (json!({ "line": 0, "character": 6 }), json!({ "line": 0, "character": 7 }));
+    let params = json!({ "textDocument": { "uri": uri }, "range": { "start": start, "end": end }, "context": { "diagnostics": [] } });
+    let actions = client.ask("textDocument/codeAction", params).unwrap();
+    let edit = &actions[0]["edit"];
+    assert!(edit.get("changes").is_none(), "{edit}");
+    let change = &edit["documentChanges"][0];
+    assert_eq!(change["textDocument"], json!({ "uri": uri, "version": 8 }));
+    assert_eq!(change["edits"][0]["newText"], "= ", "{edit}");
     client.stop();
 }
 

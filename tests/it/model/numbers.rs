@@ -215,6 +215,7 @@ fn all_mistakes_come_in_one_run() {
             "mavc::mission::tolerance",
             "mavc::name::missing_field",
             "mavc::name::missing_field",
+            "mavc::name::unknown",
             "mavc::name::unknown_field",
             "mavc::plan::choice",
             "mavc::plan::samples",
