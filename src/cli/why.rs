@@ -16,7 +16,8 @@ pub fn why(model: &Model, mission: &Mission, options: &Options) -> Option<Explan
     let asked = Cell::new(0);
     let tell = |time: f64| {
         asked.set(asked.get() + 1);
-        progress.say(format!("no plan; which statements are in the way? Variant {} of the spec, {time:.2} s", asked.get()));
+        progress
+            .say(format!("no plan; which statements are in the way? Variant {} of the spec, {time:.2} s", asked.get()));
     };
     let mut planner = Planners::new(Some(&tell));
     let explanation = explain(model, mission, &mut planner);

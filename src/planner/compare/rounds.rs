@@ -45,7 +45,8 @@ pub fn rounds(
     let setting = Setting::new(model, mission, progress);
     let Some(common) = comparison.common_time else { return Vec::new() };
     let known = comparison.known.clone();
-    let mut search = Search { setting: &setting, last, known: &known, chains: BTreeMap::new(), effort: Effort::default() };
+    let mut search =
+        Search { setting: &setting, last, known: &known, chains: BTreeMap::new(), effort: Effort::default() };
     let at_common = setting.chain(common, last, &known, &mut search.effort);
     let mut found = Vec::new();
     for k in first..=last {
