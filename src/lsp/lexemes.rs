@@ -53,8 +53,10 @@ pub fn lexemes(text: &str) -> Vec<Lexeme> {
                 (if is_doc { Kind::Doc } else { Kind::Comment }, line.len())
             }
             '"' => {
-                let line = rest.split('\n').next().unwrap_or(rest);
-                (Kind::Text, line[1..].find('"').map_or(line.trim_end().len(), |end| end + 2))
+                // Not beyond the closing quote: many texts on one long line would take quadratic time.
+                let inside = rest[1..].find(['"', '\n']).unwrap_or(rest.len() - 1);
+                let closed = rest[1 + inside..].starts_with('"');
+                (Kind::Text, if closed { inside + 2 } else { rest[..1 + inside].trim_end().len() })
             }
             c if c.is_ascii_digit() => (Kind::Number, number_length(rest)),
             c if c.is_ascii_alphabetic() || c == '_' => {
@@ -106,5 +108,8 @@ mod tests {
         assert_eq!(all[0].kind, Kind::Doc);
         assert_eq!(all[6].kind, Kind::Comment);
         assert_eq!(lexemes("\u{1F600}").len(), 1);
+        let texts: Vec<Lexeme> = lexemes("\"a\" \"b  \n\"\" \"");
+        let ends: Vec<(usize, usize)> = texts.iter().map(|l| (l.start, l.end)).collect();
+        assert_eq!(ends, [(0, 3), (4, 6), (8, 9), (9, 11), (12, 13)]);
     }
 }

@@ -152,7 +152,7 @@ async def test_a_session(client: LanguageClient, folder: pathlib.Path):
         )
     )
     assert [action.title for action in actions] == ["Write `20 s`"]
-    assert "time = 20 s" in root.apply(actions[0].edit.changes[root.uri])
+    assert "time = 20 s" in root.apply(actions[0].edit.document_changes[0].edits)
     root.type("time = 20", "time = 20 s")
     root.type("M9", "M1")
     await root.codes()

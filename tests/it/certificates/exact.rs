@@ -143,7 +143,10 @@ fn exact_motions_are_proved_at_every_instant() {
     // A little less than what was sampled is false, and found to be.
     let tighter = changed(&certificate, |c| c.sets[0].bounds[0].excess -= 2e-3);
     let rejection = decide(&tighter, &model).unwrap_err();
-    assert!(rejection.claim == "the set of healthy" && rejection.detail.contains("claimed: kept with"), "{rejection:?}");
+    assert!(
+        rejection.claim == "the set of healthy" && rejection.detail.contains("claimed: kept with"),
+        "{rejection:?}"
+    );
     for limit in 0..3 {
         let tighter = changed(&certificate, |c| c.limits[limit].bounds[0].excess -= 2e-3);
         assert!(decide(&tighter, &model).unwrap_err().claim.starts_with(&format!("limit {}", limit + 1)));
