@@ -40,6 +40,9 @@ impl Exponent {
 
     /// `numerator / denominator`; `None` past the limit or for a zero denominator.
     pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
+        if denominator == 1 {
+            return (numerator.abs() <= Self::LIMIT).then_some(Exponent { numerator, denominator });
+        }
         if denominator == 0 {
             return None;
         }
