@@ -27,10 +27,7 @@ const EVALUATIONS_EACH: usize = 20;
 
 /// By how much a limit may be passed, in shares of itself or in its SI unit if that is more: tried in turn. Up to the
 /// second it counts as kept.
-const PAST: [f64; 3] = [1e-6, MOST_PAST_LIMIT, MOST_CLAIMED_PAST];
-
-/// The most that is claimed of a limit passed, in the same shares.
-pub(super) const MOST_CLAIMED_PAST: f64 = 1e-4;
+const PAST: [f64; 3] = [1e-6, 1e-5, MOST_PAST_LIMIT];
 
 /// The rows of one kind, and how far they are shown to hold.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -101,7 +101,9 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
         Ok(None) => return Err(NO_TIME.into()),
         Err(_) => return Err("yaw alone has no plan".into()),
     };
-    let YawPlan::Free { .. } = layout.yaw else { return Err("yaw changes, and was planned first".into()) };
+    let YawPlan::Free { .. } = layout.yaw else {
+        return Err("that there is no plan is not certified where yaw changes in the hover model, which plans it first; `model = exact` may be".into());
+    };
     let maps = layout.yaw.maps(model, layout.flown.nodes());
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());
     Ok(Asked {

@@ -1,7 +1,7 @@
 //! A certificate for a plan, from what the planner found. Bounds are the planner's own figures, rounded up; how far
 //! they reach between the nodes is asked of the checker.
 
-use super::between::{GRID, MOST_CLAIMED_PAST};
+use super::between::GRID;
 use super::{
     Bound, Certificate, Claim, DynamicModel, FacetClaim, FacetRecord, LimitClaim, MotionRecord, PlanClaim, SCHEMA,
     Scope, SetClaim,
@@ -83,7 +83,7 @@ pub fn certificate(
         };
         let seen = states.largest(|state| limit_excess(limit, state, model.gravity));
         let size = limit.size();
-        let most = [MOST_PAST_LIMIT, MOST_CLAIMED_PAST].map(|share| share * size);
+        let most = [MOST_PAST_LIMIT * size];
         let bounds = strongest(seen, size, &most, |bounds| {
             let claimed = LimitClaim { bounds, ..told.clone() };
             spent(&mut checker, OF_ONE.min(left), |checker| checker.limit(index, &claimed).is_ok())

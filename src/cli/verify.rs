@@ -52,8 +52,12 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
 fn table(verdict: &Verdict, planner: PlannerKind) -> String {
     let mut table = Table::new(&["shown", "where"]);
     for shown in &verdict.shown {
-        let count = if shown.count > 1 { format!("{} ", shown.count) } else { String::new() };
-        table.row(vec![count + &shown.statement, words(shown.reach)]);
+        let statement = match (shown.count, shown.statement.strip_prefix("facets of")) {
+            (1, Some(rest)) => format!("1 facet of{rest}"),
+            (1, None) => shown.statement.clone(),
+            (count, _) => format!("{count} {}", shown.statement),
+        };
+        table.row(vec![statement, words(shown.reach)]);
     }
     let mut out = table.render_left(0);
     if !verdict.unclaimed.is_empty() {

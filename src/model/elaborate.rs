@@ -363,7 +363,7 @@ fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize], looked_
         // Which modes leave control the sets say, and here there are none.
         let list = format!("as in `[{}]`", all.join(", "));
         cx.report(warning.help(match count {
-            1 => format!("take it out, or add it to `against`, {list}, if `mavc analyze` calls it controllable"),
+            1 => format!("take it out, or add it to `against`, {list}, if `mavc analyze` calls it controllable and not on the edge"),
             _ => format!("take them out, or add some to `against`, {list}, if `mavc analyze` calls them controllable"),
         }));
     }

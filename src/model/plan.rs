@@ -350,12 +350,16 @@ fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, span: S
     let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
     let least = mission.legs.len() + holds;
     if samples < least {
-        let and_holds = if holds > 0 { format!(" and {holds} holds") } else { String::new() };
+        let and_holds = match holds {
+            0 => String::new(),
+            1 => " and 1 hold".into(),
+            _ => format!(" and {holds} holds"),
+        };
         let legs = mission.legs.len();
         let message = format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
         let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
         let enough = least.max(200);
-        let error = error.also(mission.span, "this mission").help(format!("write `samples = {enough}` or more"));
+        let error = error.also(mission.span, "this mission").help(format!("write `samples = {enough}`"));
         cx.report(match given {
             Some(expr) => error.fix(expr.span, enough.to_string()),
             None => error,

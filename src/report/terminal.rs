@@ -66,6 +66,12 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
                 if model.plan.model == PlanModel::Hover { "has every node inside" } else { "stays inside" }
             ),
             1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s passes\n", number(time)),
+            n if model.plan.rounds > 1 => format!(
+                "RSP guards {n} facets of the fault sets: those passed at {} s by the RIP plan and the plans of up to {} \
+                 further rounds\n",
+                number(time),
+                model.plan.rounds - 1
+            ),
             n => format!("RSP guards {n} facets of the fault sets: those the RIP plan at {} s passes\n", number(time)),
         });
     }
@@ -238,7 +244,7 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table 
                 out.facets.len().to_string(),
                 out.positions.to_string(),
                 percent(out.max_violation),
-                format!("{} s", fixed(out.seconds, 2)),
+                if out.seconds < 0.005 { "< 0.01 s".into() } else { format!("{} s", fixed(out.seconds, 2)) },
                 format!("{} s", fixed(last, 2)),
             ],
         };

@@ -19,7 +19,7 @@ pub const MOST_GAP: f64 = 1e-5;
 /// A waypoint may be missed by this beside its tolerance, m and rad.
 pub const MOST_MISS: f64 = 1e-5;
 /// A limit may be passed by this at the nodes, in its SI unit, and by this share of itself.
-pub const MOST_PAST_LIMIT: f64 = 1e-5;
+pub const MOST_PAST_LIMIT: f64 = 1e-4;
 /// A set may be left by this share of the healthy set's width, as reports count violations.
 pub const MOST_OUTSIDE: f64 = 1e-4;
 /// Two instants are one, s.

@@ -90,7 +90,7 @@ impl Setting<'_> {
                         at,
                         &rip,
                         Hint { begins, ..above_rip.clone() },
-                        selected.is_empty(),
+                        Some(&decision).filter(|_| selected.is_empty()),
                         pool,
                     )
                 },
@@ -131,21 +131,21 @@ impl Setting<'_> {
         if again.result.is_ok() { again } else { rip }
     }
 
-    /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there.
+    /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there. Where nothing is
+    /// selected it is RIP, whose decision at T_d is `rip_at`.
     fn rsp_own_and_common(
         &self,
         set: &PlanningSet,
         at: f64,
         rip: &Found,
         above_rip: Hint,
-        same_as_rip: bool,
+        rip_at: Option<&Decision>,
         pool: Pool,
     ) -> (Found, Ending, Effort) {
         let begins: Vec<&Planned> = above_rip.begins.iter().collect();
-        if same_as_rip {
-            let (decision, effort) = self.at_or_own("RSP", set, at, rip, None);
+        if let Some(same) = rip_at {
             let own = Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
-            return (own, self.common(at, &decision), effort);
+            return (own, self.common(at, same), Effort::default());
         }
         // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
         let below = at - RESOLUTION;

@@ -81,13 +81,19 @@ impl Setting<'_> {
     }
 
     /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before.
-    fn plan_of(&self, set: &PlanningSet, before: Option<&Step>) -> (Result<(Solved, Planned), Ending>, Effort) {
+    /// `what` is tried, for whoever follows the progress.
+    fn plan_of(
+        &self,
+        what: &str,
+        set: &PlanningSet,
+        before: Option<&Step>,
+    ) -> (Result<(Solved, Planned), Ending>, Effort) {
         let begins = before.map(|step| &step.planned);
         let time = self.fixed_time().or(before.map(|step| step.solved.time));
         let mut effort = Effort::default();
         let mut hint = Hint::default();
         if let Some(time) = time {
-            let (decision, spent) = self.at("RSP", set, time, Pool::default(), begins.as_slice());
+            let (decision, spent) = self.at(what, set, time, Pool::default(), begins.as_slice());
             effort += spent;
             if let Some(planned) = planned_of(&decision) {
                 // What was shown infeasible for the larger set is so for this one.
@@ -100,7 +106,7 @@ impl Setting<'_> {
             let infeasible = matches!(decision, Decision::Infeasible).then_some(time);
             hint = Hint { near: Some(time), infeasible, begins: begins.cloned().into_iter().collect(), ..hint };
         }
-        let found = self.search("RSP", set, hint, Pool::default());
+        let found = self.search(what, set, hint, Pool::default());
         effort += found.effort;
         let ending = self.own(&found);
         match (ending, found.result) {
@@ -155,7 +161,7 @@ impl Setting<'_> {
     fn tried(&self, before: &Step, candidate: Candidate) -> (Result<Step, Ending>, Effort) {
         let Candidate { added, rows, whole, single } = candidate;
         let set = before.set.with(rows);
-        let (result, effort) = self.plan_of(&set, Some(before));
+        let (result, effort) = self.plan_of(&before.trying(&added), &set, Some(before));
         let whole = before.whole.iter().copied().chain(whole).collect();
         let step = result.map(|(solved, planned)| {
             let risk = self.risk_of(&solved);
@@ -172,7 +178,7 @@ impl Setting<'_> {
             out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, which, ending, set));
             out
         };
-        let (first, effort) = self.plan_of(&self.sets.rip, None);
+        let (first, effort) = self.plan_of("RIP", &self.sets.rip, None);
         out.effort += effort;
         let mut step = match first {
             Ok((solved, planned)) => {
@@ -213,6 +219,19 @@ impl Setting<'_> {
                 None => return finish(out, unmet(&step), &step.set),
             };
         }
+    }
+}
+
+impl Step {
+    /// What is tried next, for whoever follows the progress.
+    fn trying(&self, added: &Protection) -> String {
+        let protected = match added {
+            Protection::Nothing => "nothing".into(),
+            Protection::Facets { mode, facets } => format!("{facets} facets of {mode}"),
+            Protection::Mode { mode } => mode.clone(),
+            Protection::All => "every mode".into(),
+        };
+        format!("risk {:.2e}, protecting {protected}", self.risk)
     }
 }
 
