@@ -5,7 +5,7 @@ use crate::vehicles::{limit, lost, mission, octocopter, paper_case, ring_model, 
 use mavc::admissible::{AdmissibleSet, faults_only_take};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::planner::compare::rounds::rounds;
-use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
+use mavc::planner::compare::{Comparison, Ending, Run, Scope, Solved, compare};
 use mavc::planner::pool::Pool;
 use mavc::planner::rows::{ACCEPTED, Decision, Engine};
 use mavc::planner::search::Hint;
@@ -216,6 +216,24 @@ fn facets_passed_only_between_nodes_are_selected() {
         between += passed.iter().filter(|row| !seen.outside[0].facets.contains(row)).count();
     }
     assert!(between > 0, "every facet is passed at a node: nothing is shown");
+}
+
+/// Where RIP's plan passes nothing RSP's is the same, in comparisons as alone.
+#[test]
+fn rsp_without_facets_is_rip() {
+    let mut model = short();
+    model.plan.samples = 12;
+    model.plan.time = MissionTime::Fixed(2.5);
+    let all = run(&model, Scope::Everything);
+    assert!(all.selected.is_empty(), "{:?}", all.selected);
+    let plan = |planner: PlannerKind, which: Run| {
+        let run = all.runs.iter().find(|r| r.planner == planner && r.run == which).unwrap();
+        let Ending::Solved(solved) = &run.ending else { panic!("{:?}", run.ending) };
+        solved.trajectory.clone()
+    };
+    for which in [Run::Common, Run::Own] {
+        assert!(plan(PlannerKind::Rip, which) == plan(PlannerKind::Rsp, which), "{which:?}");
+    }
 }
 
 /// No round is RIP, and the report says why nothing is guarded.
