@@ -1,6 +1,6 @@
 //! What shells and `man` want to know of the command line; clap knows it.
 
-use super::target::{Target, write};
+use super::target::{Target, cannot_write, write};
 use super::{Cli, FINE, Problem, files};
 use crate::diagnostic::codes;
 use clap::CommandFactory;
@@ -38,7 +38,8 @@ fn codes_for_fish() -> String {
     format!("complete -c mavc -n \"__fish_mavc_using_subcommand explain\" -f -a \"{}\"\n", codes.join(" "))
 }
 
-/// `mavc man`: the page of the whole on standard output, or that and one for each command in a folder.
+/// `mavc man`: the page of the whole on standard output, or that and one for each command in a folder, which is made where
+/// it is missing.
 pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
     let mut command = Cli::command().disable_help_subcommand(true);
     command.build();
@@ -48,6 +49,7 @@ pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
     };
     let commands = std::iter::once(&command).chain(command.get_subcommands());
     let pages = commands.map(page).collect::<Result<Vec<_>, _>>()?;
+    std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
     let targets = pages.iter().map(|(name, _)| Target::new(&folder.join(name))).collect::<Result<Vec<_>, _>>()?;
     write(&targets.iter().zip(pages).map(|(target, (_, text))| (target, text)).collect::<Vec<_>>())?;
     Ok(FINE)

@@ -44,8 +44,9 @@ fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic, edit: &Edit) -> Op
         title: title(told, &fix.text, spec.snippet(fix.span)),
         kind: Some(CodeActionKind::QuickFix),
         diagnostics: Some(vec![diagnostic(workspace, spec, told)]),
-        // The value of a field that is missing is only an example, to be looked at before it is taken.
-        is_preferred: Some(told.code != "mavc::name::missing_field"),
+        // The value of a field that is missing is only an example, and a missing unit one of several: to be looked at before
+        // they are taken.
+        is_preferred: Some(!matches!(told.code, "mavc::name::missing_field" | "mavc::unit::missing")),
         edit: Some(edit(changes)),
         ..CodeAction::default()
     })

@@ -239,7 +239,14 @@ fn exact_sin_cos(angle: f64) -> (f64, f64) {
 fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     let ExprKind::Text(text) = &expr.kind else {
         let error = Diagnostic::error("mavc::vehicle::layout", expr.span, "`layout` is a text of the letters P and N");
-        cx.report(error.here("not a text").help("write `layout = \"PNPN\"`"));
+        let error = error.here("not a text");
+        cx.report(match &expr.kind {
+            ExprKind::Name(name) if name.chars().all(|c| matches!(c.to_ascii_uppercase(), 'P' | 'N')) => {
+                let mended = format!("\"{}\"", name.to_ascii_uppercase());
+                error.help(format!("write `{mended}`")).fix(expr.span, mended)
+            }
+            _ => error.help("write `layout = \"PNPN\"`"),
+        });
         return None;
     };
     if let Some((at, letter)) = text.char_indices().find(|(_, c)| !matches!(c, 'P' | 'N')) {

@@ -16,6 +16,7 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     doubled,
     chained_limit,
     uncounted,
+    braceless,
     assignment,
     relation,
     value::decimal_comma,
@@ -167,6 +168,31 @@ fn uncounted(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
             .here("a number must stand before this")
             .help("write it like `every 1 rotor lost as M`")
             .fix(statement.span(at, at), "1 ")
+    })
+}
+
+/// Statements that are blocks wherever they stand.
+const BLOCKS: [&str; 5] = ["vehicle", "faults", "mode", "mission", "limits"];
+
+/// `mode worn rotor 3 lost`
+fn braceless(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let word = statement.word();
+    let marks_value = statement.text[word.len()..].trim_start().starts_with(['=', ':']);
+    let is_block = BLOCKS.contains(&word) && !statement.has_body && !statement.text.contains(['{', '}', '\n']);
+    if !is_block || marks_value || !failure.expects(Expected::Equals) {
+        return None;
+    }
+    let message = format!("what a block `{word}` says stands in braces");
+    let error =
+        Diagnostic::error("mavc::syntax::block_head", statement.span(0, word.len()), message).here("no `{` follows");
+    Some(match statement.text.find(" rotor").filter(|_| word == "mode") {
+        Some(before) => {
+            let body = statement.text[before + 1..].trim_end();
+            let mended = format!("{{ {body} }}");
+            let span = statement.span(before + 1, before + 1 + body.len());
+            error.help(format!("put braces around `{}`", cut(body))).fix(span, mended)
+        }
+        None => error.help("open them with `{` on this line, and close them with `}` on a line of its own"),
     })
 }
 

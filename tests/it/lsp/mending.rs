@@ -83,7 +83,8 @@ fn first_fix(text: &str) -> Value {
 #[test]
 fn an_invented_value_is_not_preferred() {
     assert_eq!(first_fix(&SPEC.replace("    arm     = 25 cm\n", ""))["isPreferred"], false);
-    assert_eq!(first_fix(&SPEC.replace("1.6 kg", "1.6"))["isPreferred"], true);
+    assert_eq!(first_fix(&SPEC.replace("1.6 kg", "1.6"))["isPreferred"], false);
+    assert_eq!(first_fix(&SPEC.replace("arm     =", "arm     :"))["isPreferred"], true);
 }
 
 #[test]
