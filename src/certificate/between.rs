@@ -26,7 +26,7 @@ const EVALUATIONS: usize = 3_000_000;
 const EVALUATIONS_EACH: usize = 20;
 
 /// By how much a limit may be passed, in shares of itself or in its SI unit if that is more: tried in turn. Up to the
-/// second it counts as kept.
+/// last it counts as kept.
 const PAST: [f64; 3] = [1e-6, 1e-5, MOST_PAST_LIMIT];
 
 /// The rows of one kind, and how far they are shown to hold.

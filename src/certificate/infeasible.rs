@@ -20,6 +20,10 @@ use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use crate::solve::{Outcome, solve};
 use crate::verify;
 
+/// Of a plan that is missing for one motion of yaw only.
+const YAW_FIRST: &str = "in the hover model a yaw that changes is planned first, and that there is no plan is shown for that \
+                         yaw alone; with `model = exact` it may be shown for all";
+
 const NO_TIME: &str = "fixed times and holds leave some leg no time";
 
 /// Weight of the inputs' cost beside the overshoot: enough to make the solution unique, too little to matter.
@@ -102,7 +106,7 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
         Err(_) => return Err("yaw alone has no plan".into()),
     };
     let YawPlan::Free { .. } = layout.yaw else {
-        return Err("that there is no plan is not certified where yaw changes in the hover model, which plans it first; `model = exact` may be".into());
+        return Err(YAW_FIRST.into());
     };
     let maps = layout.yaw.maps(model, layout.flown.nodes());
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());

@@ -83,8 +83,8 @@ pub fn certificate(
         };
         let seen = states.largest(|state| limit_excess(limit, state, model.gravity));
         let size = limit.size();
-        let most = [MOST_PAST_LIMIT * size];
-        let bounds = strongest(seen, size, &most, |bounds| {
+        let most = MOST_PAST_LIMIT * size;
+        let bounds = strongest(seen, size, most, |bounds| {
             let claimed = LimitClaim { bounds, ..told.clone() };
             spent(&mut checker, OF_ONE.min(left), |checker| checker.limit(index, &claimed).is_ok())
         });
@@ -101,7 +101,7 @@ pub fn certificate(
             let excess = rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, f64::max);
             excess.max(0.0) / margin
         });
-        let bounds = strongest(seen, 1.0, &[MOST_OUTSIDE], |bounds| {
+        let bounds = strongest(seen, 1.0, MOST_OUTSIDE, |bounds| {
             let claimed = SetClaim { mode: set.name.clone(), bounds };
             spent(&mut checker, OF_A_SET.min(left), |checker| checker.set(&claimed).is_ok())
         });
@@ -111,7 +111,7 @@ pub fn certificate(
         let Some(facet) = facet_of(model, row) else { continue };
         let seen = wrenches.largest(|wrench| row.excess(wrench));
         let index = claim.facets.len();
-        let bounds = strongest(seen, 1.0, &[MOST_OUTSIDE], |bounds| {
+        let bounds = strongest(seen, 1.0, MOST_OUTSIDE, |bounds| {
             let claimed = FacetClaim { facet: facet.clone(), bounds };
             spent(&mut checker, OF_ONE.min(left), |checker| checker.facet(index, &claimed).is_ok())
         });
@@ -221,17 +221,17 @@ impl<T> Looks<T> {
 }
 
 /// A bound at the nodes and the best found beyond them, with the evaluations that they cost together: for every instant if
-/// the first of `most` can be shown, which is what means that the rows are kept; else on the grid if that shows as much,
+/// `most` can be shown, which is what means that the rows are kept; else on the grid if that shows as much,
 /// with whatever can be shown for every instant. `stands` gives the evaluations that a check takes, or `None`.
 fn strongest(
     seen: Seen,
     size: f64,
-    most: &[f64],
+    most: f64,
     mut stands: impl FnMut(Vec<Bound>) -> Option<usize>,
 ) -> (Vec<Bound>, usize) {
     let at_nodes = Bound { scope: Scope::Nodes, excess: up(seen.nodes) };
     let missed = MISSED.map(|share| up(seen.all + share * size));
-    let mut tried: Vec<f64> = [at_nodes.excess].iter().chain(&missed).chain(most).copied().collect();
+    let mut tried: Vec<f64> = [at_nodes.excess].iter().chain(&missed).chain([&most]).copied().collect();
     // What is seen to be false is not tried.
     tried.retain(|&excess| seen.all <= excess);
     tried.sort_by(f64::total_cmp);
@@ -240,7 +240,7 @@ fn strongest(
         bounds.find_map(|bound| Some((bound, stands(vec![at_nodes, bound])?)))
     };
     let throughout = first(Scope::EveryInstant, &tried);
-    let kept = |found: &Option<(Bound, usize)>| found.is_some_and(|(bound, _)| bound.excess <= most[0]);
+    let kept = |found: &Option<(Bound, usize)>| found.is_some_and(|(bound, _)| bound.excess <= most);
     let on_grid = match kept(&throughout) {
         true => None,
         false => {

@@ -224,7 +224,14 @@ fn rsp_without_facets_is_rip() {
     let mut model = short();
     model.plan.samples = 12;
     model.plan.time = MissionTime::Fixed(2.5);
-    let all = run(&model, Scope::Everything);
+    let told = std::sync::Mutex::new(Vec::new());
+    let tell = |name: &str, _: f64| told.lock().unwrap().push(name.to_string());
+    let all = compare(&model, model.mission.as_ref().unwrap(), Scope::Everything, Some(&tell));
+    // Progress counts the runs that are in the end there: six with one mode.
+    let told = told.into_inner().unwrap();
+    assert_eq!(all.runs.len(), 6);
+    assert!(told.iter().all(|name| name.ends_with(" of 6 plans done)")), "{told:?}");
+    assert!(told[0].contains("(0 of") && told.iter().any(|name| name.contains("(2 of")), "{told:?}");
     assert!(all.selected.is_empty(), "{:?}", all.selected);
     let plan = |planner: PlannerKind, which: Run| {
         let run = all.runs.iter().find(|r| r.planner == planner && r.run == which).unwrap();

@@ -145,6 +145,7 @@ impl Setting<'_> {
         let begins: Vec<&Planned> = above_rip.begins.iter().collect();
         if let Some(same) = rip_at {
             let own = Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
+            self.ended(2);
             return (own, self.common(at, same), Effort::default());
         }
         // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
@@ -170,6 +171,7 @@ impl Setting<'_> {
         hint.infeasible = hint.infeasible.or(above_rip.infeasible);
         hint.begins = above_rip.begins;
         let own = self.search("RSP", set, hint, pool);
+        self.ended(1);
         effort += own.effort;
         (own, ending, effort)
     }

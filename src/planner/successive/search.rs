@@ -264,7 +264,7 @@ impl Successive<'_, '_> {
     }
 
     /// A plan over a profile about the smooth motion there, or about another plan flown in the same time: the first that is
-    /// found, or one about a cheaper plan that is inside as it is. So no plan costs more than one of a smaller set at its time.
+    /// found, or one about a cheaper plan that is inside as it is, so that plans of smaller sets are seldom cheaper.
     fn at_once(&mut self, full: &Profile, begins: &[&Planned]) -> Option<Planned> {
         let flown = full.total - self.held();
         let fixed = has_fixed_times(self.engine.mission);

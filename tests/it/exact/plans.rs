@@ -394,7 +394,6 @@ fn fine_grids_are_no_dearer_than_coarse_ones() {
     };
     for (mission, time) in [(hop(), 3.6), (lift(), 16.0)] {
         let (coarse, fine) = (objective(&mission, time, 48), objective(&mission, time, 200));
-        println!("{fine} with 200 samples and {coarse} with 48 in {time} s");
         assert!(fine <= 1.01 * coarse, "{fine} with 200 samples and {coarse} with 48 in {time} s");
     }
 }

@@ -1,0 +1,109 @@
+//! What comes of planners side by side.
+
+use super::protect::Addition;
+use crate::model::PlannerKind;
+use crate::planner::rows::Planned;
+use crate::planner::select::{PlanningSet, SetRow};
+use crate::solve::Effort;
+use crate::trajectory::Trajectory;
+use crate::trajectory::outside::Outside;
+
+/// Each planner at its own shortest time, or all at one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Run {
+    Own,
+    Common,
+}
+
+/// What a planner's run ended in.
+#[derive(Debug, Clone)]
+pub enum Ending {
+    Solved(Box<Solved>),
+    /// No plan at the time in question, or at no time at all.
+    Infeasible {
+        at: f64,
+    },
+    Inconclusive {
+        at: f64,
+        status: String,
+    },
+}
+
+/// A plan with what is reported of it.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    pub time: f64,
+    pub trajectory: Trajectory,
+    /// Value of (48).
+    pub objective: f64,
+    /// Rows in the last program (facets and limits, each at one node).
+    pub rows: usize,
+    /// Against every mode of the comparison, in their order.
+    pub outside: Vec<Outside>,
+    /// How long the mission is committed to each of them, s, by what it does after a fault
+    /// ([`Model::after_fault`]). Empty under [`Scope::Common`] and for rounds, which weigh no risk.
+    pub committed: Vec<f64>,
+    /// For an own shortest time: the shorter time shown infeasible.
+    pub infeasible_at: Option<f64>,
+    /// Longer times that were tried and found infeasible.
+    pub infeasible_above: Vec<f64>,
+}
+
+impl Solved {
+    /// The smallest margin to any mode's set, in widths of the healthy set; `None` without modes.
+    pub fn smallest_margin(&self) -> Option<f64> {
+        self.outside.iter().map(|o| -o.max_violation).min_by(f64::total_cmp)
+    }
+}
+
+#[derive(Debug, Clone)]
+pub struct PlannerRun {
+    pub planner: PlannerKind,
+    /// Mode names; empty for RIP.
+    pub against: Vec<String>,
+    pub run: Run,
+    pub ending: Ending,
+    /// What is imposed on the wrench at each node.
+    pub set: PlanningSet,
+}
+
+/// All runs of one spec.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    /// Names of the modes the plan must stand, in the order of `against`.
+    pub modes: Vec<String>,
+    pub runs: Vec<PlannerRun>,
+    /// T_d, s: the spec's time, else the joint RCP's shortest, else the largest single-mode one.
+    pub common_time: Option<f64>,
+    /// Each mode's set alone, in the order of `modes`.
+    pub sets: Vec<PlanningSet>,
+    /// Facets (of `against` modes) that RSP selects at T_d, as rows: those the RIP plan violates, and with more rounds those
+    /// that the plans of the rounds before violate.
+    pub selected: Vec<SetRow>,
+    /// Where the spec requires a risk: the plan without protection, then what each addition gives.
+    pub trade_off: Vec<Addition>,
+    /// The plans of RIP and of the tightest RCP at their own shortest times, where they were sought: what further plans can
+    /// be begun from.
+    pub known: Vec<Planned>,
+    pub effort: Effort,
+}
+
+/// Which runs are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// Only what the spec's planner needs for its one trajectory.
+    Plan,
+    /// RIP, RCP jointly and RSP at T_d, without their own shortest times: what a campaign flies.
+    Common,
+    /// RIP, RCP per mode, RCP jointly and RSP, at their own times and at T_d.
+    Everything,
+}
+
+/// `RCP M1`, `RSP`.
+pub fn label(kind: PlannerKind, against: &[String]) -> String {
+    let name = kind.name().to_uppercase();
+    match (kind, against) {
+        (PlannerKind::Rcp, [one]) => format!("{name} {one}"),
+        _ => name,
+    }
+}
