@@ -16,7 +16,7 @@ fn about(share: f64) -> Spread {
 
 /// The vehicle with mass, thrusts and torque ratios at places (-1 to 1) in their intervals: the mass, then of each rotor
 /// the thrust at full speed and the ratio. Nothing of it is uncertain.
-fn at(model: &Model, mass: f64, places: &[(f64, f64)]) -> Model {
+pub fn at(model: &Model, mass: f64, places: &[(f64, f64)]) -> Model {
     let within = |s: Spread, place: f64| 0.5 * (s.low + s.high) + 0.5 * (s.high - s.low) * place;
     let mut model = model.clone();
     model.vehicle.mass *= within(model.vehicle.mass_spread, mass);
@@ -32,7 +32,7 @@ fn at(model: &Model, mass: f64, places: &[(f64, f64)]) -> Model {
 }
 
 /// Intervals of these half widths on every rotor: on b, and on the torque per thrust.
-fn uncertain(mut model: Model, mass: f64, thrust: f64, ratio: f64) -> Model {
+pub fn uncertain(mut model: Model, mass: f64, thrust: f64, ratio: f64) -> Model {
     model.vehicle.mass_spread = about(mass);
     for rotor in &mut model.vehicle.rotors {
         rotor.spread =

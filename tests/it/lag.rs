@@ -5,10 +5,13 @@ mod motors;
 mod plans;
 mod spec;
 mod theory;
+mod vehicles;
 
 use crate::vehicles::{mission, octocopter, waypoint};
+use mavc::actuation::Wrench;
 use mavc::model::{Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind};
 use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
+use mavc::trajectory::Trajectory;
 
 /// The model with rotors whose thrusts are planned to follow in `tau` s.
 fn lagging(mut model: Model, tau: f64) -> Model {
@@ -61,4 +64,22 @@ fn solved(comparison: &Comparison) -> &Solved {
 
 fn shortest(model: &Model) -> f64 {
     solved(&compared(model)).time
+}
+
+/// w and w + tau w' along a plan, with w' by differences of the planned wrench inside an interval: near both its ends and at
+/// `looks` instants between.
+fn with_leads(model: &Model, plan: &Trajectory, tau: f64, looks: usize) -> Vec<(Wrench, Wrench)> {
+    let mut all = Vec::new();
+    for k in 0..plan.intervals() {
+        let h = plan.times[k + 1] - plan.times[k];
+        let d = 1e-3 * h;
+        let w = |t: f64| plan.wrench(&model.vehicle, model.gravity, &plan.within(k, t));
+        let inner = h - 4.0 * d;
+        for i in 0..=looks + 1 {
+            let t = 2.0 * d + inner * i as f64 / (looks + 1) as f64;
+            let rate = ((w(t + d) - w(t - d)) * 8.0 - (w(t + 2.0 * d) - w(t - 2.0 * d))) / (12.0 * d);
+            all.push((w(t), w(t) + rate * tau));
+        }
+    }
+    all
 }

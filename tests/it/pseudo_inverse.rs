@@ -16,7 +16,7 @@ fn pseudo(mut model: Model) -> Model {
 }
 
 /// `A_theta^+ (w - c)` of (42) by a singular value decomposition; c is what stuck rotors give.
-fn squares(model: &Model, mode: Option<usize>, w: &Wrench) -> DVector<f64> {
+pub fn squares(model: &Model, mode: Option<usize>, w: &Wrench) -> DVector<f64> {
     let a = Actuation::of(&model.vehicle).effectiveness;
     let n = model.vehicle.rotors.len();
     let fault = mode.map(|i| &model.modes[i]);

@@ -1,6 +1,6 @@
 //! Plans for rotors that lag keep their rows at every instant, and cost time.
 
-use super::{compared, lagging, planning, shortest, shuttle, solved, turning};
+use super::{compared, lagging, planning, shortest, shuttle, solved, turning, with_leads};
 use crate::vehicles::lost;
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
@@ -28,25 +28,12 @@ fn imposed(model: &Model) -> Vec<SetRow> {
     PlanningSet::of(&shrunk.iter().collect::<Vec<_>>(), &healthy).rows
 }
 
-/// The largest excess of w and of w + tau w' over all rows, with w' by differences of the planned wrench inside an interval:
-/// near both its ends and at `looks` instants between.
+/// The largest excess of w and of w + tau w' over all rows.
 fn excesses(model: &Model, plan: &Trajectory, tau: f64, looks: usize) -> (f64, f64) {
     let rows = imposed(model);
-    let (mut own, mut lead) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    for k in 0..plan.intervals() {
-        let h = plan.times[k + 1] - plan.times[k];
-        let d = 1e-3 * h;
-        let w = |t: f64| plan.wrench(&model.vehicle, model.gravity, &plan.within(k, t));
-        let inner = h - 4.0 * d;
-        for i in 0..=looks + 1 {
-            let t = 2.0 * d + inner * i as f64 / (looks + 1) as f64;
-            let rate: Wrench = ((w(t + d) - w(t - d)) * 8.0 - (w(t + 2.0 * d) - w(t - 2.0 * d))) / (12.0 * d);
-            let (here, ahead) = (w(t), w(t) + rate * tau);
-            own = rows.iter().map(|r| r.excess(&here)).fold(own, f64::max);
-            lead = rows.iter().map(|r| r.excess(&ahead)).fold(lead, f64::max);
-        }
-    }
-    (own, lead)
+    let most = |w: &Wrench, so_far: f64| rows.iter().map(|r| r.excess(w)).fold(so_far, f64::max);
+    let nothing = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+    with_leads(model, plan, tau, looks).iter().fold(nothing, |(own, lead), (w, c)| (most(w, own), most(c, lead)))
 }
 
 /// A plan with lagging rotors, and how far it would pass the lag's rows had it been made for instant ones.
