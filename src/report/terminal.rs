@@ -5,6 +5,7 @@ use super::heat;
 use super::number::{fixed, number, percent, significant};
 use super::record::{errors, rates};
 use super::table::Table;
+use crate::flight::twins::listed;
 use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::{Protection, UNMET};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
@@ -168,7 +169,7 @@ fn solved_run(
     if !comparison.modes.is_empty() {
         out.push_str("\n  If a fault strikes, when is the plan outside what is left?\n");
         out.push_str(&mode_table(model, comparison, solved).render(2));
-        out.push_str(&risk_lines(model, solved));
+        out.push_str(&risk_lines(model, comparison, solved));
         out.push_str("\n  How near the plan comes to the edge of what is left, in shares of the healthy set's width\n");
         out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
         out.push_str(&heat::legend(color));
@@ -193,7 +194,7 @@ pub(super) fn holds(model: &Model) -> bool {
 }
 
 /// What the modes' rates make of the time committed to them; nothing where no mode has a rate.
-fn risk_lines(model: &Model, solved: &Solved) -> String {
+fn risk_lines(model: &Model, comparison: &Comparison, solved: &Solved) -> String {
     let rates = rates(model);
     let Some(risk) = rated_risk(&rates, &solved.committed) else { return String::new() };
     let without = rates.iter().filter(|r| r.is_none()).count();
@@ -221,9 +222,29 @@ fn risk_lines(model: &Model, solved: &Solved) -> String {
              sought at the nodes; one that is not found may exist, and counts as none. Modes are taken as independent."
         }
     };
-    let text = format!("Risk {}: {meaning}{unrated}", significant(risk, 3));
+    let text =
+        format!("Risk {}: {meaning}{unrated}{}", significant(risk, 3), between_samples(&rates, comparison, solved));
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     format!("\n{}\n", textwrap::fill(&text, options))
+}
+
+/// Which modes the risk counts only for what lies between samples: not what the planner chose, but what the grid leaves.
+fn between_samples(rates: &[Option<f64>], comparison: &Comparison, solved: &Solved) -> String {
+    let counts = |i: &usize| {
+        let out = &solved.outside[*i];
+        rates[*i].is_some_and(|r| r > 0.0) && solved.committed[*i] > 0.0 && out.positions == 0
+    };
+    let modes: Vec<usize> = (0..rates.len()).filter(counts).collect();
+    if modes.is_empty() {
+        return String::new();
+    }
+    let most = modes.iter().map(|&i| solved.outside[i].max_violation).fold(0.0, f64::max);
+    let names: Vec<&str> = modes.iter().map(|&i| comparison.modes[i].as_str()).collect();
+    format!(
+        " For {} it counts only what lies between samples, at most {} of the width; more samples make it less.",
+        listed(&names),
+        percent(most)
+    )
 }
 
 fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table {

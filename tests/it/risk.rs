@@ -263,6 +263,42 @@ fn reports_tell_what_the_mission_does_after_each_fault() {
     assert_eq!(json["planners"][0]["modes"][0]["after_fault"], "continue");
 }
 
+/// Under a turning yaw the hover model's wrench bends between nodes, where even RCP passes its rows by a little.
+#[test]
+fn risk_says_where_it_counts_only_what_lies_between_samples() {
+    let spec = r#"
+vehicle octo {
+    layout = "PPNNPPNN"
+    arm = 0.211 m
+    mass = 1.8 kg
+    inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+}
+faults { every 1 rotor lost as M { rate = 1e-5 1/h } }
+mission turning {
+    start at [0, 0, 2] m
+    waypoint at [8, 2, 4] m yaw 120 deg
+    waypoint at [3, 6, 3] m yaw -40 deg
+    limits { tilt <= 20 deg }
+}
+plan { planner = rcp; model = hover; against = [M1, M2]; time = 5.1 s; samples = 40 }
+"#;
+    let said = "For M1 and M2 it counts only what lies between samples, at most";
+    let told_of = |arguments: &[&str]| {
+        let (code, text, json) = told("plan", spec, arguments);
+        assert_eq!(code, 0, "{text}");
+        let modes = json["planners"][0]["modes"].as_array().unwrap();
+        let at_nodes = modes.iter().any(|mode| mode["positions"].as_u64().unwrap() > 0);
+        let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        (flat.contains(said), at_nodes, json["planners"][0]["risk"].as_f64().unwrap(), text)
+    };
+    let (is_told, at_nodes, risk, text) = told_of(&[]);
+    assert!(is_told && !at_nodes && risk > 0.0, "{text}");
+    // RIP is outside at nodes too, and a mode that never strikes counts for nothing.
+    let (is_told, at_nodes, _, text) = told_of(&["--set", "plan.planner=rip", "--set", "plan.time=4.95s"]);
+    assert!(!is_told && at_nodes, "{text}");
+}
+
 #[test]
 fn comparisons_count_risk_by_what_is_done_after_a_fault() {
     let (code, text, json) = told("compare", DROP, &["--set", "plan.model=hover", "--set", "plan.against=[weak]"]);
