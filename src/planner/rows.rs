@@ -3,12 +3,16 @@
 //! Few rows ever bind. A program that lacks rows is a relaxation: where it is infeasible, so is the
 //! full one; where its solution passes no row, it solves the full one.
 
+mod reach;
+
+pub(super) use reach::LEEWAY;
+
 use super::lead::{LeadMaps, Slope};
 use super::limits::place;
 use super::pool::Pool;
 use super::profile::{Profile, profile};
 use super::select::PlanningSet;
-use super::transcribe::{NodeState, Purpose, Row, RowAt, Transcription, UNBOUNDED};
+use super::transcribe::{NodeState, Purpose, Row, RowAt, Transcription};
 use super::wrench_model::WrenchModel;
 use super::yaw::{YawPlan, plan_yaw};
 use crate::actuation::Wrench;
@@ -37,17 +41,11 @@ const MOST_STIFFNESS: f64 = 1e9;
 /// After this many rounds every row is imposed.
 const MOST_ROUNDS: usize = 30;
 
-/// Bounds on inputs are widened by this factor where they prove something: rows hold to tolerances.
-pub(super) const LEEWAY: f64 = 1.001;
-
 /// The share of [`Purpose::Overshoot`]'s objective that the inputs' cost may take at most, m.
 const COST_SHARE: f64 = 1e-3;
 
 /// The share of [`Purpose::Excess`]'s objective that the inputs' cost may take at most.
 const EXCESS_COST: f64 = 0.05;
-
-/// Directions in which the largest torque is looked for.
-const DIRECTIONS: usize = 64;
 
 /// A mission laid out in time, with yaw planned: all that does not depend on the planner.
 #[derive(Debug, Clone, PartialEq)]
@@ -283,68 +281,6 @@ impl<'a> Engine<'a> {
             Outcome::Infeasible { .. } => Decision::Infeasible,
             _ => Decision::Inconclusive(status),
         }
-    }
-
-    /// An upper bound on (48) over all feasible plans: inputs that the healthy set allows, waypoints at the edge
-    /// of their tolerance. `None` where yaw was planned first, for then the rows hold states too.
-    fn largest_cost(&self, layout: &Layout) -> Option<f64> {
-        let bounded = self.mission.waypoints.iter().all(|w| w.within < UNBOUNDED || w.weight == 0.0);
-        (bounded && matches!(layout.yaw, YawPlan::Free { .. })).then(|| self.cost_scale(layout))
-    }
-
-    /// The bound itself; where yaw was planned first, only a figure of the right size.
-    fn cost_scale(&self, layout: &Layout) -> f64 {
-        let [snap, climb, turn] = self.largest_inputs();
-        let plan = &self.model.plan;
-        let inputs = plan.snap_weight * snap * snap + plan.acceleration_weight * (climb * climb + turn * turn);
-        let misses =
-            self.mission.waypoints.iter().map(|w| {
-                w.weight * ((w.within + FEASIBLE).powi(2) + (w.yaw_within * (1.0 + FEASIBLE / w.within)).powi(2))
-            });
-        inputs * layout.flown.total + misses.sum::<f64>()
-    }
-
-    /// Upper bounds on the inputs that the healthy set allows: |(x'''', y'''')| (m/s^4, with one yaw throughout),
-    /// |z''| (m/s^2) and |psi''| (rad/s^2).
-    fn largest_inputs(&self) -> [f64; 3] {
-        let zonotope = &self.healthy.zonotope;
-        let reach = |n: Wrench| zonotope.support(&n).abs().max(zonotope.support(&-n).abs());
-        let extent = |axis: usize| reach(Wrench::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 }));
-        let vehicle = &self.model.vehicle;
-        let [ixx, iyy, izz] = vehicle.inertia;
-        // x^2 + y^2 does not depend on psi: it is (g tau_x / Ixx)^2 + (g tau_y / Iyy)^2. Its root is at most
-        // the largest support over directions, and a circle about 2 n supporting lines is a little larger.
-        let (roll, pitch) = (self.model.gravity / ixx, self.model.gravity / iyy);
-        let slice = std::f64::consts::PI / DIRECTIONS as f64;
-        let widest = (0..DIRECTIONS)
-            .map(|i| {
-                let (sin, cos) = (slice * i as f64).sin_cos();
-                reach(Wrench::new(0.0, roll * cos, pitch * sin, 0.0))
-            })
-            .fold(0.0, f64::max);
-        let snap = widest / (slice / 2.0).cos();
-        let climb = (extent(0) / vehicle.mass - self.model.gravity).abs().max(self.model.gravity);
-        let turn = extent(3) / izz;
-        [snap, climb, turn]
-    }
-
-    /// Whether some waypoint lies further from the start than the largest inputs carry the vehicle from rest:
-    /// |x(t) - x(0)| <= t^4/4! max |x''''| and |z(t) - z(0)| <= t^2/2! max |z''|. Such short times are beyond the
-    /// solver, whose numbers then span too many decades.
-    fn out_of_reach(&self, layout: &Layout) -> bool {
-        if !self.mission.start_at_rest {
-            return false;
-        }
-        let [snap, climb, _] = self.largest_inputs().map(|u| LEEWAY * u);
-        let start = &self.mission.waypoints[0];
-        self.mission.waypoints.iter().zip(&layout.flown.waypoint_nodes).any(|(w, &node)| {
-            let t = layout.flown.node_times[node];
-            let apart: [f64; 3] = std::array::from_fn(|i| w.position[i] - start.position[i]);
-            let allowed = LEEWAY * (start.within + w.within + 2.0 * FEASIBLE);
-            let horizontally = matches!(layout.yaw, YawPlan::Free { .. })
-                && apart[0].hypot(apart[1]) - allowed > snap * t.powi(4) / 24.0;
-            horizontally || apart[2].abs() - allowed > climb * t.powi(2) / 2.0
-        })
     }
 
     /// Solves with rows added where they are passed by more than [`ACCEPTED`], until none is.
