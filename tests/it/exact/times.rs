@@ -5,6 +5,7 @@ use super::{last, planning, solved, turning};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::model::{Leg, LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::Ending;
+use std::sync::LazyLock;
 
 /// Legs of very different lengths.
 fn uneven() -> Mission {
@@ -26,10 +27,14 @@ fn shortest(model: &Model) -> f64 {
     solved(last(&planned(model))).time
 }
 
+/// Of [`uneven`], with even and with chosen times; several tests ask.
+static EVEN: LazyLock<f64> = LazyLock::new(|| shortest(&quick(uneven(), false)));
+static CHOSEN: LazyLock<f64> = LazyLock::new(|| shortest(&quick(uneven(), true)));
+
 /// The shortest time over shares of the first leg from 15 % to 60 %, each planned for itself.
 #[test]
 fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
-    let chosen = shortest(&quick(uneven(), true));
+    let chosen = *CHOSEN;
     let with_share = |percent: u32| -> Option<f64> {
         let first = f64::from(percent) / 100.0;
         let legs = vec![Leg { share: first }, Leg { share: 1.0 - first }];
@@ -49,8 +54,8 @@ fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
 
 #[test]
 fn chosen_times_are_never_slower_than_even_ones() {
-    for mission in [turning(), uneven()] {
-        let [given, chosen] = [false, true].map(|chooses| shortest(&quick(mission.clone(), chooses)));
+    let turned = [false, true].map(|chooses| shortest(&quick(turning(), chooses)));
+    for [given, chosen] in [turned, [*EVEN, *CHOSEN]] {
         assert!(chosen <= given, "{chosen} s, {given} s with even times");
     }
 }
@@ -59,8 +64,7 @@ fn chosen_times_are_never_slower_than_even_ones() {
 #[test]
 fn a_time_too_short_for_even_legs_is_met() {
     let mut model = quick(uneven(), true);
-    let even = shortest(&quick(uneven(), false));
-    model.plan.time = MissionTime::Fixed((0.9 * even * 100.0).round() / 100.0);
+    model.plan.time = MissionTime::Fixed((0.9 * *EVEN * 100.0).round() / 100.0);
     planned(&model);
 }
 

@@ -139,7 +139,7 @@ fn motors_stay_near_the_quickest_plan() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// (87) and (88) for commands of any kind: where thrusts stay above a ninth motors give them, elsewhere they lag by little.
     #[test]
