@@ -1,7 +1,7 @@
 //! A flight as a run of the page: what was flown, beside what was planned.
 
 use super::chart::{Bound, Chart, Columns, Line, column, length};
-use super::content::{Mark, RunContent};
+use super::content::{Mark, Phase, RunContent};
 use super::motion::WRENCH;
 use crate::admissible::hover;
 use crate::flight::Sample;
@@ -72,6 +72,7 @@ impl Track {
             passed: Vec::new(),
             strips: Vec::new(),
             marks: marks(record),
+            phases: phases(record),
         }
     }
 }
@@ -102,6 +103,35 @@ fn marks(record: &FlightRecord) -> Vec<Mark> {
         marks.push(Mark { t: at_s, label: "lost".into() });
     }
     marks
+}
+
+/// Stretches of the flight under the same faults.
+fn phases(record: &FlightRecord) -> Vec<Phase> {
+    let changes = struck(record)
+        .flat_map(|f| [Some(f.at_s), f.detected_after_s.map(|d| f.at_s + d), f.until_s].into_iter().flatten());
+    let mut instants: Vec<f64> = std::iter::once(0.0).chain(changes.filter(|t| *t <= record.end_s)).collect();
+    instants.sort_by(f64::total_cmp);
+    let mut phases: Vec<Phase> =
+        instants.into_iter().map(|from| Phase { from, label: faults_at(record, from) }).collect();
+    // Of changes at one instant the last says what holds.
+    phases.reverse();
+    phases.dedup_by(|next, kept| next.from == kept.from);
+    phases.reverse();
+    phases.dedup_by(|next, kept| next.label == kept.label);
+    phases
+}
+
+/// `no fault`, `M3 undetected`, `M3 detected`; just `M3` where nothing is there to detect it.
+fn faults_at(record: &FlightRecord, t: f64) -> String {
+    let present = struck(record).filter(|f| f.at_s <= t && f.until_s.is_none_or(|until| t < until));
+    let words: Vec<String> = present
+        .map(|f| match f.detected_after_s {
+            Some(after) if f.at_s + after <= t => format!("{} detected", f.mode),
+            _ if record.detection == "never" => f.mode.clone(),
+            _ => format!("{} undetected", f.mode),
+        })
+        .collect();
+    if words.is_empty() { "no fault".into() } else { words.join(", ") }
 }
 
 fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart> {
@@ -218,8 +248,8 @@ pub fn section(record: &FlightRecord) -> Markup {
             }
         }
         div.scroll tabindex="0" role="region" aria-label="Table of faults" {
-            table {
-                caption { "Detection: " (record.detection) "; after a fault: " (record.after_fault) }
+            table.compact {
+                caption { span { "Detection: " (record.detection) "; after a fault: " (record.after_fault) } }
                 thead {
                     tr {
                         th scope="col" { "Mode" }

@@ -6,10 +6,10 @@ use super::motion::{nearest, signed_percent};
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::certificate::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Model, OVERRIDE};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::report::flight::{FlightRecord, OutcomeRecord};
-use crate::report::number::{fixed, number, significant};
+use crate::report::number::{fixed, number, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::terminal::no_plan;
 
@@ -165,9 +165,9 @@ fn outside(comparison: &Comparison, solved: &Solved) -> String {
     match left.as_slice() {
         _ if comparison.modes.is_empty() => "and stands against no fault mode".into(),
         [] => "and stays inside every fault set".into(),
-        [(name, seconds)] => format!("and leaves the set of {name} for {} s", fixed(*seconds, 2)),
+        [(name, seconds)] => format!("and leaves the set of {name} for {} s", short_seconds(*seconds)),
         [(name, seconds), rest @ ..] => {
-            format!("and leaves the sets of {} modes, that of {name} for {} s", rest.len() + 1, fixed(*seconds, 2))
+            format!("and leaves the sets of {} modes, that of {name} for {} s", rest.len() + 1, short_seconds(*seconds))
         }
     }
 }
@@ -205,7 +205,7 @@ fn stays(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
             Figure::new(
                 "Last outside a fault set",
                 format!("{} s", fixed(last, 2)),
-                format!("that of {name}, {} s in all", fixed(o.seconds, 2)),
+                format!("that of {name}, {} s in all", short_seconds(o.seconds)),
             )
             .bad_if(true),
         ),
@@ -227,8 +227,9 @@ fn shown_between(told: &PlannerRecord) -> Option<Figure> {
 fn conflict(record: &Record) -> Vec<String> {
     let Some(conflict) = &record.conflict else { return Vec::new() };
     let mut ordered: Vec<_> = conflict.statements.iter().collect();
-    ordered.sort_by_key(|s| s.line);
-    let statements: Vec<String> = ordered.iter().map(|s| format!("line {}: {}", s.line, s.message)).collect();
+    // As they stand in the text, what the command line says last.
+    ordered.sort_by_key(|s| (s.file == OVERRIDE, &s.file, s.line));
+    let statements: Vec<String> = ordered.iter().map(|s| format!("{}: {}", s.place, s.message)).collect();
     let told = match conflict.proved {
         true => "These statements cannot hold together",
         false => "These statements were not satisfied together in our attempts",
