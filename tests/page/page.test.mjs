@@ -212,11 +212,13 @@ test("what is cut off shows at its edge that there is more, until it is scrolled
         assert.ok(await place.evaluate((e) => e.scrollWidth > e.clientWidth + 5), selector);
         const edges = async () => {
           const shot = (await place.screenshot()).toString("base64");
-          // Brightness of the lowest row of pixels at both ends, against the paper's.
+          // Brightness of the upper row of pixels at both ends, against the paper's.
           return page.evaluate(async (data) => {
-            const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+            const image = new Image();
+            image.src = `data:image/png;base64,${data}`;
+            await image.decode();
             const canvas = new OffscreenCanvas(image.width, image.height);
-            const pen = canvas.getContext("2d");
+            const pen = canvas.getContext("2d", { willReadFrequently: true });
             pen.drawImage(image, 0, 0);
             const at = (x) => pen.getImageData(x, 1, 1, 1).data.slice(0, 3).reduce((sum, v) => sum + v, 0) / 3;
             const paper = getComputedStyle(document.body).backgroundColor.match(/\d+/g).slice(0, 3).reduce((sum, v) => sum + Number(v), 0) / 3;
@@ -283,6 +285,11 @@ for (const name of Object.keys(pages)) {
         return [...document.querySelectorAll("main :is(th, td, canvas, h2, pre, .line)")].filter((e) => e.getBoundingClientRect().right > right).map((e) => e.outerHTML.slice(0, 80));
       });
       assert.deepEqual(beyond, []);
+      // No heading ends a page.
+      const alone = await page.evaluate(() =>
+        [...document.querySelectorAll("main :is(h2, h3, figcaption, h2 + .note)")].filter((e) => getComputedStyle(e).breakAfter !== "avoid").map((e) => e.outerHTML.slice(0, 80)),
+      );
+      assert.deepEqual(alone, []);
       // The words of names stay whole.
       const split = await page.evaluate(() =>
         [...document.querySelectorAll("tbody th[scope=row]")].filter((e) => /^[a-z0-9]{1,9}$/i.test(e.firstChild.data ?? "") && e.childNodes.length === 1 && e.getBoundingClientRect().height > 2.6 * parseFloat(getComputedStyle(e).lineHeight)).map((e) => e.textContent),

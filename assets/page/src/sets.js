@@ -234,7 +234,7 @@ export function sets() {
     refresh();
   });
   showSolid();
-  solid?.move(wrenchNow(), css("--accent"));
+  solid?.move(wrenchNow(), stateColor(margin(set(), wrenchNow())));
   tell();
   tellMultiples();
 }

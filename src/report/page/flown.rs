@@ -1,12 +1,12 @@
 //! A flight as a run of the page: what was flown, beside what was planned.
 
-use super::chart::{Bound, Chart, Columns, Line, column, length};
+use super::chart::{Bound, Chart, Columns, Line, column};
 use super::content::{Mark, Phase, RunContent};
 use super::motion::WRENCH;
 use crate::admissible::hover;
 use crate::flight::Sample;
 use crate::model::Model;
-use crate::report::flight::{FaultRecord, FlightRecord, OutcomeRecord};
+use crate::report::flight::{FaultRecord, FlightRecord, OutcomeRecord, duration, length};
 use crate::report::number::{fixed, number, significant};
 use maud::{Markup, html};
 
@@ -151,7 +151,7 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
         plain(
             "position",
             "Position",
-            format!("The vehicle keeps within {} of its place, {rms} root mean square", length(record.max_error_m)),
+            format!("The vehicle is {rms} off its place, root mean square; largest {}", length(record.max_error_m)),
             "m",
             places.flat_map(|n| [Line::new(n, n), Line::aim(format!("{n} planned"), format!("{n}_ref"))]).collect(),
         ),
@@ -216,7 +216,7 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
             "estimates",
             "Estimated capacities of the rotors",
             estimates(record),
-            "1",
+            "share",
             numbered("theta"),
         ));
     }
@@ -230,7 +230,9 @@ fn estimates(record: &FlightRecord) -> String {
         n => format!("{n} false alarms"),
     };
     match struck(record).next().map(|f| (&f.mode, f.isolated_after_s)) {
-        Some((mode, Some(after))) => format!("{mode} is isolated after {} s, with {alarms}", number(after)),
+        Some((mode, Some(after))) => {
+            format!("{mode} is isolated after {}, with {alarms}", duration(after))
+        }
         Some((mode, None)) => format!("{mode} is never isolated, with {alarms}"),
         None => format!("No fault strikes; {alarms}"),
     }

@@ -38,8 +38,8 @@ pub fn unbroken(text: &str) -> String {
             out.push(if is_unit { '\u{a0}' } else { ' ' });
         }
         out.push_str(word);
-        // `200 / s` has two joints.
-        joins = word.ends_with(|c: char| c.is_ascii_digit()) || is_unit && word == "/";
+        // `200 / s` and `3 N m` have two joints.
+        joins = word.ends_with(|c: char| c.is_ascii_digit()) || is_unit && matches!(word, "/" | "N");
     }
     out
 }
@@ -60,6 +60,12 @@ pub fn true_minus(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_line_ends_between_a_number_and_its_unit() {
+        assert_eq!(unbroken("0.26 N m at 3 s, 17 N and 2 of"), "0.26\u{a0}N\u{a0}m at 3\u{a0}s, 17\u{a0}N and 2 of");
+        assert_eq!(unbroken("200 / s"), "200\u{a0}/\u{a0}s");
+    }
 
     #[test]
     fn only_negative_numbers_get_a_minus_sign() {
