@@ -258,14 +258,16 @@ fn flights_and_campaigns_have_pages() {
     let told = recorded()["max_error_m"].as_f64().unwrap();
     assert!(worst <= told * 1.001 && worst > 0.9 * told, "{worst} {told}");
     assert_eq!(drawn["runs"][0]["marks"][0]["t"], 3.0);
-    // Nothing detects the fault: the flight has two stretches, before it and under it.
+    // Before the fault, under it, and where it was detected from then on.
     let phases: Vec<(f64, &str)> = drawn["runs"][0]["phases"]
         .as_array()
         .unwrap()
         .iter()
         .map(|p| (p["from"].as_f64().unwrap(), p["label"].as_str().unwrap()))
         .collect();
-    assert_eq!(phases, [(0.0, "no fault"), (3.0, "bad")]);
+    let mut expected = vec![(0.0, "no fault"), (3.0, "bad undetected")];
+    expected.extend(recorded()["faults"][0]["detected_after_s"].as_f64().map(|d| (3.0 + d, "bad detected")));
+    assert_eq!(phases, expected);
     let (ran, text) =
         page(&["campaign", &spec, "--times", "3", "--seeds", "1", "--report", report.to_str().unwrap()], dir.path());
     assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
