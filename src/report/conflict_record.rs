@@ -1,8 +1,8 @@
 //! The explanation of a missing plan in the machine-readable report.
 
 use crate::explain::Explanation;
-use crate::model::{Mission, Model};
-use crate::source::SourceMap;
+use crate::model::{Mission, Model, OVERRIDE};
+use crate::source::{FileId, SourceMap};
 use serde::Serialize;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -27,6 +27,9 @@ pub struct StatementRecord {
     pub kind: &'static str,
     /// The same for people.
     pub message: String,
+    /// Where, for people: `line 13`, `line 4 of octo.mav`, or the `--set` that says it.
+    #[serde(skip)]
+    pub place: String,
     pub file: String,
     pub line: usize,
     pub column: usize,
@@ -57,6 +60,11 @@ impl ConflictRecord {
             StatementRecord {
                 kind: s.kind(),
                 message: s.label(model, mission),
+                place: match (source.name.as_str(), span.file) {
+                    (OVERRIDE, _) => format!("`{OVERRIDE} {}`", source.text),
+                    (_, FileId(0)) => format!("line {}", start.line),
+                    (name, _) => format!("line {} of {name}", start.line),
+                },
                 file: source.name.clone(),
                 line: start.line,
                 column: start.column,

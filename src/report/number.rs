@@ -32,6 +32,11 @@ pub fn percent(x: f64) -> String {
     format!("{} %", significant(100.0 * x, 3))
 }
 
+/// Seconds with two decimals; less than these can show is `< 0.01`, never `0.00`.
+pub fn short_seconds(x: f64) -> String {
+    if x < 0.005 { "< 0.01".into() } else { fixed(x, 2) }
+}
+
 /// Fixed decimals, no `-0`.
 pub fn fixed(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
@@ -70,5 +75,6 @@ mod tests {
         }
         assert_eq!(fixed(-0.0001, 2), "0.00");
         assert_eq!(percent(0.146378), "14.6 %");
+        assert_eq!([0.0, 0.0049, 0.005, 1.2].map(short_seconds), ["< 0.01", "< 0.01", "0.01", "1.20"]);
     }
 }

@@ -103,6 +103,9 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
     let analyses = analyze_all(model, &AdmissibleSet::all(model));
     let shown = sets::shown(model, comparison);
     let mut content = Content::of_plans(subject, comparison, &shown, record);
+    for plan in &mut content.runs {
+        plan.label = format!("the plan ({})", plan.label);
+    }
     content.runs.insert(0, track.run(model, record));
     content.first = 0;
     let mut sections = vec![

@@ -2,7 +2,7 @@
 
 use super::caveats::caveats;
 use super::heat;
-use super::number::{fixed, number, percent, significant};
+use super::number::{fixed, number, percent, short_seconds, significant};
 use super::record::{errors, rates};
 use super::table::Table;
 use crate::flight::twins::listed;
@@ -265,7 +265,7 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table 
                 out.facets.len().to_string(),
                 out.positions.to_string(),
                 percent(out.max_violation),
-                if out.seconds < 0.005 { "< 0.01 s".into() } else { format!("{} s", fixed(out.seconds, 2)) },
+                format!("{} s", short_seconds(out.seconds)),
                 format!("{} s", fixed(last, 2)),
             ],
         };

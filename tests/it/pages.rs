@@ -167,11 +167,24 @@ fn a_page_without_a_plan_explains_itself_in_the_spec() {
     assert!(String::from_utf8_lossy(&ran.stdout).contains("Page written to "));
     // Statements in the order of the text, and no columns of dashes for a plan that is not there.
     let found = between(&text, "id=\"found\"", "</section>");
-    let lines: Vec<usize> =
-        found.split("line ").skip(1).filter_map(|after| after.split(':').next()?.parse().ok()).collect();
-    assert!(lines.len() > 1 && lines.is_sorted(), "{lines:?} in {found}");
+    let lines = |found: &str| -> Vec<usize> {
+        found.split("line ").skip(1).filter_map(|after| after.split(':').next()?.parse().ok()).collect()
+    };
     assert!(!found.contains('`'), "{found}");
     assert!(!text.contains("Committed"));
+    // What the command line says is no line of the spec, and stands after what the spec says.
+    assert_eq!(lines(found), [13], "{found}");
+    assert!(found.contains("<code>--set plan.time=5s</code>: in 5\u{a0}s"), "{found}");
+    let spec_part = between(&text, "<section id=\"spec\">", "</section>");
+    let (_, set) = spec_part.split_once("Set on the command line").unwrap();
+    assert!(set.contains("--set plan.<mark class=\"error\">time=5s</mark>"), "{set}");
+    assert!(!set.contains("line 1"), "{set}");
+    let both = std::fs::read_to_string(CASE_1).unwrap().replace("= minimum", "= 5 s");
+    let both = both.replace("../vehicles/", concat!(env!("CARGO_MANIFEST_DIR"), "/specs/vehicles/"));
+    let (_, text) = page(&["plan", &written(dir.path(), &both)], dir.path());
+    let in_spec = lines(between(&text, "id=\"found\"", "</section>"));
+    assert!(in_spec.len() > 1 && in_spec.is_sorted(), "{in_spec:?}");
+    assert!(!text.contains("Set on the command line"));
     // A mode that cannot be stood.
     let spec = HOSTILE.replace("rotor 1 lost", "rotors [1, 2, 3, 4] lost");
     let (ran, text) = page(&["plan", &written(dir.path(), &spec)], dir.path());
@@ -245,6 +258,16 @@ fn flights_and_campaigns_have_pages() {
     let told = recorded()["max_error_m"].as_f64().unwrap();
     assert!(worst <= told * 1.001 && worst > 0.9 * told, "{worst} {told}");
     assert_eq!(drawn["runs"][0]["marks"][0]["t"], 3.0);
+    // Before the fault, under it, and where it was detected from then on.
+    let phases: Vec<(f64, &str)> = drawn["runs"][0]["phases"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|p| (p["from"].as_f64().unwrap(), p["label"].as_str().unwrap()))
+        .collect();
+    let mut expected = vec![(0.0, "no fault"), (3.0, "bad undetected")];
+    expected.extend(recorded()["faults"][0]["detected_after_s"].as_f64().map(|d| (3.0 + d, "bad detected")));
+    assert_eq!(phases, expected);
     let (ran, text) =
         page(&["campaign", &spec, "--times", "3", "--seeds", "1", "--report", report.to_str().unwrap()], dir.path());
     assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));

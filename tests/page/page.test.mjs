@@ -184,6 +184,70 @@ test("a flight is shown beside its plan", () =>
     assert.notEqual(await text(page, "#chart-position"), flown);
   }));
 
+test("a flight's path is coloured by its faults, and by how far off it is", () =>
+  open("flight", {}, async (page) => {
+    const entries = () => page.locator("#space-legend .entry").allTextContents();
+    const picture = () => page.locator("#space canvas").evaluate((c) => c.toDataURL());
+    assert.deepEqual(await entries(), ["no fault", "M3 undetected", "M3 detected"]);
+    const faults = await picture();
+    await page.selectOption("#colour", { label: "distance from its place" });
+    await page.waitForTimeout(200);
+    assert.deepEqual(await entries(), ["below 2 cm", "2 cm to 5 cm", "5 cm to 10 cm", "10 cm or more"]);
+    assert.notEqual(await picture(), faults);
+    // In words too, for whom colours say nothing.
+    await page.locator("#time").evaluate((s) => {
+      s.value = "12";
+      s.dispatchEvent(new Event("input"));
+    });
+    assert.match(await text(page, "#space-readout"), /cm from its place; M3 detected$/);
+    assert.match(await text(page, "#strips-headline"), /^The plan \(RIP, 30 s\): the smallest margin is/);
+  }));
+
+test("what is cut off shows at its edge that there is more, until it is scrolled to", () =>
+  open("compare", { width: 390 }, async (page) => {
+    for (const theme of ["light", "dark"]) {
+      await page.emulateMedia({ colorScheme: theme });
+      for (const selector of ["#planners .scroll", "nav.contents ul"]) {
+        const place = page.locator(selector).first();
+        assert.ok(await place.evaluate((e) => e.scrollWidth > e.clientWidth + 5), selector);
+        const edges = async () => {
+          const shot = (await place.screenshot()).toString("base64");
+          // Brightness of the upper row of pixels at both ends, against the paper's.
+          return page.evaluate(async (data) => {
+            const image = new Image();
+            image.src = `data:image/png;base64,${data}`;
+            await image.decode();
+            const canvas = new OffscreenCanvas(image.width, image.height);
+            const pen = canvas.getContext("2d", { willReadFrequently: true });
+            pen.drawImage(image, 0, 0);
+            const at = (x) => pen.getImageData(x, 1, 1, 1).data.slice(0, 3).reduce((sum, v) => sum + v, 0) / 3;
+            const paper = getComputedStyle(document.body).backgroundColor.match(/\d+/g).slice(0, 3).reduce((sum, v) => sum + Number(v), 0) / 3;
+            return [at(1), at(image.width - 2)].map((v) => Math.abs(v - paper) > 20);
+          }, shot);
+        };
+        const to = (end) => place.evaluate((e, x) => (e.scrollLeft = x === 1 ? e.scrollWidth : 0), end);
+        assert.deepEqual(await edges(), [false, true], `${selector}, ${theme}, at its start`);
+        await to(1);
+        assert.deepEqual(await edges(), [true, false], `${selector}, ${theme}, at its end`);
+        await to(0);
+      }
+    }
+  }));
+
+test("what scrolls is in reach of the keyboard, and has a name", () =>
+  open("reserve", { width: 390 }, async (page) => {
+    const unreachable = await page.evaluate(() =>
+      [...document.querySelectorAll("main *")]
+        .filter((e) => e.scrollWidth > e.clientWidth + 1 && ["auto", "scroll"].includes(getComputedStyle(e).overflowX))
+        .filter((e) => e.tabIndex !== 0 || !e.getAttribute("aria-label"))
+        .map((e) => e.outerHTML.slice(0, 80)),
+    );
+    assert.deepEqual(unreachable, []);
+    // The table of modes is described by what its columns mean.
+    const described = await page.locator("#modes table").getAttribute("aria-describedby");
+    assert.match(await text(page, `#${described}`), /Last outside/);
+  }));
+
 test("hovering a chart reads its curves", () =>
   open("plan", {}, async (page) => {
     const over = page.locator("#chart-speed .u-over");
@@ -221,6 +285,11 @@ for (const name of Object.keys(pages)) {
         return [...document.querySelectorAll("main :is(th, td, canvas, h2, pre, .line)")].filter((e) => e.getBoundingClientRect().right > right).map((e) => e.outerHTML.slice(0, 80));
       });
       assert.deepEqual(beyond, []);
+      // No heading ends a page.
+      const alone = await page.evaluate(() =>
+        [...document.querySelectorAll("main :is(h2, h3, figcaption, h2 + .note)")].filter((e) => getComputedStyle(e).breakAfter !== "avoid").map((e) => e.outerHTML.slice(0, 80)),
+      );
+      assert.deepEqual(alone, []);
       // The words of names stay whole.
       const split = await page.evaluate(() =>
         [...document.querySelectorAll("tbody th[scope=row]")].filter((e) => /^[a-z0-9]{1,9}$/i.test(e.firstChild.data ?? "") && e.childNodes.length === 1 && e.getBoundingClientRect().height > 2.6 * parseFloat(getComputedStyle(e).lineHeight)).map((e) => e.textContent),

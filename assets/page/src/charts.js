@@ -95,7 +95,15 @@ function drawMarks(u) {
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);
     ctx.stroke();
-    ctx.fillText(label, x + 3 * px, bbox.top + 2 * px);
+    // Beside the line, on the side that has room, and legible over curves.
+    const fits = x + 6 * px + ctx.measureText(label).width < bbox.left + bbox.width;
+    ctx.textAlign = fits ? "left" : "right";
+    const text = [label, x + (fits ? 3 : -3) * px, bbox.top + 2 * px];
+    ctx.setLineDash([]);
+    ctx.strokeStyle = css("--paper");
+    ctx.lineWidth = 3 * px;
+    ctx.strokeText(...text);
+    ctx.fillText(...text);
   }
   ctx.restore();
 }
@@ -103,7 +111,8 @@ function drawMarks(u) {
 function draw(spec, columns, place) {
   const room = bands(spec, columns);
   const many = spec.lines.length > 4;
-  const value = (u, v, _, i) => (v === null || i === null ? "–" : number(v, 4));
+  // What no pixel can show is nothing: rounding is no motion.
+  const value = (u, v, _, i) => (v === null || i === null ? "–" : number(Math.abs(v) < 1e-5 * (u.scales.y.max - u.scales.y.min) ? 0 : v, 4));
   // What was to be lies as dots over what came of it.
   const paired = spec.lines.some((l) => l.aim);
   const placeOf = (i) => spec.lines.slice(0, i + 1).filter((l) => !l.aim).length - 1;

@@ -1,6 +1,8 @@
 // Colours. Lines: Okabe and Ito's set, told apart by colour-blind people. Margins: ColorBrewer's RdYlBu, likewise, and
 // what is outside is hatched as well.
 
+import { number } from "./content.js";
+
 /** From the upper end of each class, in percent of the healthy set's width; the same classes as in the terminal. */
 export const CLASSES = [
   { below: -0.01, name: "outside", color: "#c8281f" },
@@ -9,6 +11,27 @@ export const CLASSES = [
   { below: 10, name: "5 to 10 %", color: "#9cc7e0" },
   { below: Infinity, name: "10 % or more", color: "#4a78b5" },
 ];
+
+/** Of distances, smallest first: the same colours, without the one of what is outside. */
+const DISTANCES = CLASSES.slice(1).reverse();
+
+/** The largest of 1, 2 and 5 times a power of ten that is at most `x`. */
+export function round(x) {
+  const power = 10 ** Math.floor(Math.log10(x));
+  return [5, 2, 1].map((f) => f * power).find((v) => v <= x) ?? power;
+}
+
+/** Classes of distances up to `most` m, with round limits: `below` m, name and colour of each. */
+export function distanceClasses(most) {
+  const steps = [round(0.7 * most)];
+  while (steps.length < DISTANCES.length - 1) steps.unshift(round(0.6 * steps[0]));
+  const text = (m) => (m < 1 ? `${number(100 * m)} cm` : `${number(m)} m`);
+  return DISTANCES.map(({ color }, i) => ({
+    below: steps[i] ?? Infinity,
+    color,
+    name: i === 0 ? `below ${text(steps[0])}` : i < steps.length ? `${text(steps[i - 1])} to ${text(steps[i])}` : `${text(steps[i - 1])} or more`,
+  }));
+}
 
 export const classOf = (margin) => CLASSES.find((c) => margin < c.below) ?? CLASSES.at(-1);
 

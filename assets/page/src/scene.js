@@ -24,7 +24,7 @@ import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { indexAt, number } from "./content.js";
-import { css } from "./palette.js";
+import { css, round } from "./palette.js";
 import { stage } from "./stage.js";
 
 /** Named waypoints get a label, as long as there are few. */
@@ -79,7 +79,8 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
   world.add(vehicle);
 
   note(
-    `One square of the ground is ${number(step)} m wide, at z = ${number(floor)} m; the thin line on it is the path's shadow. Spheres are tolerances. The ring is the vehicle, its mast points along the thrust. Drag or use the arrow keys to turn; click the path to go to an instant.`,
+    `One square of the ground is ${number(step)} m wide, at z = ${number(floor)} m; the thin line on it is the path's shadow. Spheres are tolerances. The ring is the vehicle, its mast points along the thrust.`,
+    " Drag or use the arrow keys to turn; click the path to go to an instant.",
   );
 
   /** The instant whose place lies under the pointer; null where none is near. */
@@ -186,12 +187,6 @@ function extent(points) {
     high.max(p);
   }
   const size = Math.max(high.distanceTo(low), 0.5);
-  const step = nice(size / 8);
+  const step = round(size / 8);
   return { middle: low.clone().add(high).multiplyScalar(0.5), size, step, floor: Math.floor(low.z / step) * step };
-}
-
-/** 1, 2 or 5 times a power of ten, at most `x`. */
-function nice(x) {
-  const power = 10 ** Math.floor(Math.log10(x));
-  return [5, 2, 1].map((f) => f * power).find((v) => v <= x) ?? power;
 }

@@ -182,7 +182,7 @@ function room(body, w, m) {
   const table = element(
     "table",
     {},
-    element("caption", {}, `Room of each component alone in ${body.name}, margin ${percent(m)}`),
+    element("caption", {}, element("span", {}, `Room of each component alone in ${body.name}, margin ${percent(m)}`)),
     element("thead", {}, element("tr", {}, ...heads.map((h, i) => element("th", i === 0 ? { scope: "col" } : { scope: "col", class: "n" }, h)))),
     element("tbody", {}, ...rows),
   );
@@ -234,7 +234,7 @@ export function sets() {
     refresh();
   });
   showSolid();
-  solid?.move(wrenchNow(), css("--accent"));
+  solid?.move(wrenchNow(), stateColor(margin(set(), wrenchNow())));
   tell();
   tellMultiples();
 }

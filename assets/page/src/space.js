@@ -2,7 +2,7 @@
 
 import { byId, content, element, indexAt, number, percent, seconds } from "./content.js";
 import { marginAt } from "./charts.js";
-import { classOf, css, line } from "./palette.js";
+import { classOf, css, distanceClasses, line } from "./palette.js";
 import { classLegend, legend } from "./strips.js";
 import { on, run, setTime, state } from "./state.js";
 import { flat } from "./flat.js";
@@ -46,11 +46,37 @@ function colorings() {
       found.push({ name: "mode with the smallest margin", colors: least.map((l) => color(l.mode)), legend: seen.map((mode) => ({ name: mode, color: color(mode) })) });
       for (const { name, values } of modes) found.push({ name: `margin to ${name}`, ...byMargin(values) });
     }
-  } else {
-    found.push({ name: "one colour", colors: columns.t.map(() => css("--accent")), legend: [] });
   }
+  // Of a flight: what it flies under, and how far off it is.
+  if (run().phases.length > 1) {
+    const color = phaseColors();
+    const seen = [...new Set(run().phases.map((p) => p.label))];
+    found.push({ name: "faults", colors: columns.t.map((t) => color(phaseAt(t))), legend: seen.map((label) => ({ name: label, color: color(label) })) });
+  }
+  if (columns.error) {
+    const classes = distanceClasses(Math.max(...columns.error, 1e-6));
+    const color = (error) => classes.find((c) => error < c.below).color;
+    found.push({ name: "distance from its place", colors: columns.error.map(color), legend: classes });
+  }
+  if (found.length === 0) found.push({ name: "one colour", colors: columns.t.map(() => css("--accent")), legend: [] });
   return found;
 }
+
+/** Colours of what a flight is under: the first, then what lasts longest has the colours that differ most. */
+function phaseColors() {
+  const { phases, columns } = run();
+  const lasts = new Map();
+  phases.forEach(({ from, label }, i) => {
+    const end = phases[i + 1]?.from ?? columns.t.at(-1);
+    lasts.set(label, (lasts.get(label) ?? 0) + end - from);
+  });
+  const [first, ...others] = lasts.keys();
+  const order = [first, ...others.sort((a, b) => lasts.get(b) - lasts.get(a))];
+  return (label) => (order.indexOf(label) < MOST_COLORS ? line(order.indexOf(label)) : css("--soft"));
+}
+
+/** The faults that a flight is under; nothing of a plan. */
+const phaseAt = (t) => run().phases.findLast((p) => p.from <= t + 1e-9)?.label;
 
 function tell() {
   const { columns } = run();
@@ -58,7 +84,10 @@ function tell() {
   const { margin, mode } = nearest();
   const place = ["x", "y", "z"].map((name) => `${name} ${number(columns[name][k])}`).join(", ");
   const near = mode === null ? "" : `; margin ${percent(margin)} to ${mode}`;
-  byId("space-readout").textContent = `At ${seconds(state.time)}: ${place} m; ${number(columns.speed[k])} m/s; tilt ${number(columns.tilt[k])} deg${near}`;
+  const off = columns.error ? `; ${number(100 * columns.error[k])} cm from its place` : "";
+  const phase = phaseAt(columns.t[k]);
+  const under = phase ? `; ${phase}` : "";
+  byId("space-readout").textContent = `At ${seconds(state.time)}: ${place} m; ${number(columns.speed[k])} m/s; tilt ${number(columns.tilt[k])} deg${near}${off}${under}`;
 }
 
 export function space() {
@@ -66,7 +95,8 @@ export function space() {
   if (!place) return;
   const choice = byId("colour");
   let view;
-  const note = (text) => (byId("space-note").textContent = text);
+  // Paper cannot be turned.
+  const note = (text, hint = "") => byId("space-note").replaceChildren(text, element("span", { class: "hint" }, hint));
   const views = { place, run, state, setTime, content, note };
   const fill = () => {
     const kept = choice.selectedIndex;

@@ -132,8 +132,11 @@ function draw(shownRun, place) {
 function build() {
   // A flight has no strips of its own: those of the plans are shown.
   const measured = content.runs.filter((r) => r.strips.length > 0);
-  const margin = (run().strips.length > 0 ? run() : measured[0]).charts.find((c) => c.id === "margin");
-  if (margin) byId("strips-headline").textContent = measured.length > 1 ? `${run().label}: ${margin.headline.replace(/^T/, "t")}` : margin.headline;
+  const told = run().strips.length > 0 ? run() : measured[0];
+  const margin = told.charts.find((c) => c.id === "margin");
+  // Beside other runs it is said whose margin this is.
+  const said = content.runs.length > 1 ? `${told.label}: ${margin.headline.replace(/^T/, "t")}` : margin.headline;
+  byId("strips-headline").textContent = said.replace(/^t/, "T");
   const place = byId("strips");
   for (const d of drawn) d.made.remove();
   place.replaceChildren();

@@ -120,7 +120,7 @@ fn words(model: &Model, cause: &str) -> String {
 }
 
 /// Metres as people say them.
-fn length(metres: f64) -> String {
+pub fn length(metres: f64) -> String {
     match metres {
         m if m < 0.01 => format!("{} mm", significant(1000.0 * m, 2)),
         m if m < 1.0 => format!("{} cm", significant(100.0 * m, 2)),
@@ -129,7 +129,7 @@ fn length(metres: f64) -> String {
 }
 
 /// Seconds as people say them.
-fn duration(seconds: f64) -> String {
+pub fn duration(seconds: f64) -> String {
     if seconds < 1.0 {
         format!("{} ms", significant(1000.0 * seconds, 3))
     } else {

@@ -67,6 +67,15 @@ pub struct RunContent {
     pub strips: Vec<Strip>,
     /// What happened when.
     pub marks: Vec<Mark>,
+    /// Of a flight: which faults it flies under, in order of time, the first from 0 s.
+    pub phases: Vec<Phase>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Phase {
+    /// s
+    pub from: f64,
+    pub label: String,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -106,7 +115,10 @@ impl Content {
             kept.sort_by_key(|(i, ..)| *i);
         }
         let most = (MOST_NUMBERS / (width * kept.len().max(1))).clamp(FEWEST_INSTANTS, MOST_INSTANTS);
-        let runs = kept.iter().map(|(_, run, solved)| run_content(subject, run, solved, shown, most)).collect();
+        let runs = kept
+            .iter()
+            .map(|(i, _, solved)| run_content(subject, run_label(comparison, *i, solved.time), solved, shown, most))
+            .collect();
         Content {
             runs,
             first: kept.iter().position(|(i, ..)| Some(*i) == first).unwrap_or(0),
@@ -146,19 +158,21 @@ fn extents(model: &Model) -> [[f64; 2]; 4] {
     })
 }
 
-/// `RSP, own time 16 s`, `RCP jointly at T_d = 16.4 s`.
-pub fn run_label(run: &PlannerRun, time: f64) -> String {
+/// `RSP, own time 16 s`, `RCP jointly, at T_d = 16.4 s`; of a single plan `RSP, 16 s`.
+pub fn run_label(comparison: &Comparison, index: usize, time: f64) -> String {
+    let run = &comparison.runs[index];
     let name = match run.against.len() {
         n if n > 1 && run.planner == crate::model::PlannerKind::Rcp => "RCP jointly".to_string(),
         _ => label(run.planner, &run.against),
     };
     match run.run {
+        _ if comparison.runs.len() == 1 => format!("{name}, {} s", number(time)),
         Run::Own => format!("{name}, own time {} s", number(time)),
         Run::Common => format!("{name}, at T_d = {} s", number(time)),
     }
 }
 
-fn run_content(subject: &Subject, run: &PlannerRun, solved: &Solved, shown: &[ShownSet], most: usize) -> RunContent {
+fn run_content(subject: &Subject, label: String, solved: &Solved, shown: &[ShownSet], most: usize) -> RunContent {
     let Subject { model, mission, .. } = *subject;
     let trajectory = &solved.trajectory;
     let strip = |set: usize, s: &ShownSet| Strip {
@@ -171,12 +185,13 @@ fn run_content(subject: &Subject, run: &PlannerRun, solved: &Solved, shown: &[Sh
     };
     let measured = shown.iter().enumerate().filter(|(_, s)| s.against.is_some());
     RunContent {
-        label: run_label(run, solved.time),
+        label,
         columns: motion::columns(model, solved, shown, most),
         charts: motion::charts(model, mission, solved, shown).into_iter().map(Chart::set).collect(),
         passed: trajectory.waypoint_nodes.iter().map(|&n| rounded(trajectory.times[n])).collect(),
         strips: measured.map(|(i, s)| strip(i, s)).collect(),
         wrench: "planned wrench",
         marks: Vec::new(),
+        phases: Vec::new(),
     }
 }

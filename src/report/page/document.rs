@@ -202,7 +202,7 @@ fn player() -> Markup {
             button #play type="button" aria-label="Play" { "Play" }
             input #time type="range" min="0" max="1" step="any" value="0" aria-label="Time in the flight";
             output #clock for="time" { "0 s" }
-            label #run-label { "Plan " select #run { } }
+            label #run-label { "Shown " select #run { } }
         }
     }
 }

@@ -1,12 +1,12 @@
 //! A flight as a run of the page: what was flown, beside what was planned.
 
-use super::chart::{Bound, Chart, Columns, Line, column, length};
-use super::content::{Mark, RunContent};
+use super::chart::{Bound, Chart, Columns, Line, column};
+use super::content::{Mark, Phase, RunContent};
 use super::motion::WRENCH;
 use crate::admissible::hover;
 use crate::flight::Sample;
 use crate::model::Model;
-use crate::report::flight::{FaultRecord, FlightRecord, OutcomeRecord};
+use crate::report::flight::{FaultRecord, FlightRecord, OutcomeRecord, duration, length};
 use crate::report::number::{fixed, number, significant};
 use maud::{Markup, html};
 
@@ -72,6 +72,7 @@ impl Track {
             passed: Vec::new(),
             strips: Vec::new(),
             marks: marks(record),
+            phases: phases(record),
         }
     }
 }
@@ -104,6 +105,35 @@ fn marks(record: &FlightRecord) -> Vec<Mark> {
     marks
 }
 
+/// Stretches of the flight under the same faults.
+fn phases(record: &FlightRecord) -> Vec<Phase> {
+    let changes = struck(record)
+        .flat_map(|f| [Some(f.at_s), f.detected_after_s.map(|d| f.at_s + d), f.until_s].into_iter().flatten());
+    let mut instants: Vec<f64> = std::iter::once(0.0).chain(changes.filter(|t| *t <= record.end_s)).collect();
+    instants.sort_by(f64::total_cmp);
+    let mut phases: Vec<Phase> =
+        instants.into_iter().map(|from| Phase { from, label: faults_at(record, from) }).collect();
+    // Of changes at one instant the last says what holds.
+    phases.reverse();
+    phases.dedup_by(|next, kept| next.from == kept.from);
+    phases.reverse();
+    phases.dedup_by(|next, kept| next.label == kept.label);
+    phases
+}
+
+/// `no fault`, `M3 undetected`, `M3 detected`; just `M3` where nothing is there to detect it.
+fn faults_at(record: &FlightRecord, t: f64) -> String {
+    let present = struck(record).filter(|f| f.at_s <= t && f.until_s.is_none_or(|until| t < until));
+    let words: Vec<String> = present
+        .map(|f| match f.detected_after_s {
+            Some(after) if f.at_s + after <= t => format!("{} detected", f.mode),
+            _ if record.detection == "never" => f.mode.clone(),
+            _ => format!("{} undetected", f.mode),
+        })
+        .collect();
+    if words.is_empty() { "no fault".into() } else { words.join(", ") }
+}
+
 fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart> {
     let most = |name: &str| columns.get(name).map_or(0.0, |v| v.iter().fold(0.0, |m: f64, x| m.max(x.abs())));
     let plain = |id, title, headline: String, unit, lines: Vec<Line>| Chart {
@@ -121,7 +151,7 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
         plain(
             "position",
             "Position",
-            format!("The vehicle keeps within {} of its place, {rms} root mean square", length(record.max_error_m)),
+            format!("The vehicle is {rms} off its place, root mean square; largest {}", length(record.max_error_m)),
             "m",
             places.flat_map(|n| [Line::new(n, n), Line::aim(format!("{n} planned"), format!("{n}_ref"))]).collect(),
         ),
@@ -186,7 +216,7 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
             "estimates",
             "Estimated capacities of the rotors",
             estimates(record),
-            "1",
+            "share",
             numbered("theta"),
         ));
     }
@@ -200,7 +230,9 @@ fn estimates(record: &FlightRecord) -> String {
         n => format!("{n} false alarms"),
     };
     match struck(record).next().map(|f| (&f.mode, f.isolated_after_s)) {
-        Some((mode, Some(after))) => format!("{mode} is isolated after {} s, with {alarms}", number(after)),
+        Some((mode, Some(after))) => {
+            format!("{mode} is isolated after {}, with {alarms}", duration(after))
+        }
         Some((mode, None)) => format!("{mode} is never isolated, with {alarms}"),
         None => format!("No fault strikes; {alarms}"),
     }
@@ -218,8 +250,8 @@ pub fn section(record: &FlightRecord) -> Markup {
             }
         }
         div.scroll tabindex="0" role="region" aria-label="Table of faults" {
-            table {
-                caption { "Detection: " (record.detection) "; after a fault: " (record.after_fault) }
+            table.compact {
+                caption { span { "Detection: " (record.detection) "; after a fault: " (record.after_fault) } }
                 thead {
                     tr {
                         th scope="col" { "Mode" }

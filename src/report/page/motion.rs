@@ -102,13 +102,13 @@ fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
     let mut found = Vec::new();
     for limit in mission.limits.iter().filter(|l| kinds.contains(&l.kind)) {
         let (name, _, factor) = limit_words(limit.kind);
-        // A descent is drawn among climbs.
-        let sign = if limit.kind == LimitKind::Descent { -1.0 } else { 1.0 };
-        let sides = [(limit.upper, "most"), (limit.lower, "least")];
-        found.extend(sides.into_iter().filter_map(|(side, word)| {
-            let value = side?;
-            Some(Bound::limit(format!("{word} {name}"), sign * factor * value))
-        }));
+        // A descent is drawn as a climb below zero.
+        let (name, factor, words) = match limit.kind {
+            LimitKind::Descent => (limit_words(LimitKind::Climb).0, -factor, ["at least", "at most"]),
+            _ => (name, factor, ["at most", "at least"]),
+        };
+        let sides = [limit.upper, limit.lower].into_iter().zip(words);
+        found.extend(sides.filter_map(|(side, word)| Some(Bound::limit(format!("{name} {word}"), factor * side?))));
     }
     found
 }
@@ -138,7 +138,7 @@ fn margins(solved: &Solved, shown: &[ShownSet]) -> Chart {
     let least = nearest(solved).and_then(|n| sets().find(|(.., against)| *against == n));
     let headline = match least.map(|(_, s, against)| (s, -solved.outside[against].max_violation)) {
         Some((set, margin)) if margin < 0.0 => {
-            format!("The smallest margin is {}: outside {}", signed_percent(margin), set.name)
+            format!("The smallest margin is {}, outside {}", signed_percent(margin), set.name)
         }
         Some((set, margin)) => format!("The smallest margin is {}, to {}", signed_percent(margin), set.name),
         None => "No fault mode is planned against".into(),
@@ -319,7 +319,11 @@ fn wrench(model: &Model, solved: &Solved) -> Vec<Chart> {
         Chart {
             id,
             title,
-            headline: format!("{title} reaches {} either way", at(top.value, "N m", top.at)),
+            headline: format!(
+                "{title} stays within \u{b1}{} N m, farthest at {} s",
+                significant(top.value, 3),
+                fixed(top.at, 2)
+            ),
             unit: "N m",
             lines: vec![Line::new("planned", id)],
             bounds: Vec::new(),
@@ -338,7 +342,7 @@ fn rotors(model: &Model, solved: &Solved) -> Chart {
         shares.fold(0.0, f64::max)
     });
     let mut bounds = Vec::new();
-    for (word, speed) in [("most", 0), ("least", 1)] {
+    for (word, speed) in [("top", 0), ("least", 1)] {
         let of = |k: usize| if speed == 0 { rotors[k].max_speed } else { rotors[k].min_speed };
         let mut values: Vec<f64> = (0..rotors.len()).map(of).collect();
         values.sort_by(f64::total_cmp);

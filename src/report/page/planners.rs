@@ -1,8 +1,10 @@
 //! Planners side by side.
 
 use super::motion::signed_percent;
+use super::prose::terms;
+use super::verdicts::outside_cells;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
-use crate::report::number::{fixed, number, significant};
+use crate::report::number::{number, significant};
 use crate::report::record::{PlannerRecord, Record};
 use maud::{Markup, html};
 
@@ -22,8 +24,8 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
         @for which in [Run::Common, Run::Own] {
             @if has_solved(which) {
                 div.scroll tabindex="0" role="region" aria-label=(title(which)) {
-                    table {
-                        caption { (title(which)) }
+                    table aria-describedby="planners-terms" {
+                        caption { span { (title(which)) } }
                         thead {
                             tr {
                                 th scope="col" { "Planner" }
@@ -50,7 +52,30 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
                 }
             }
         }
+        (terms("planners-terms", meanings(has_modes, has_risk)))
     }
+}
+
+/// What the tables' columns mean.
+fn meanings(has_modes: bool, has_risk: bool) -> Vec<(&'static str, &'static str)> {
+    let mut found = Vec::new();
+    if has_modes {
+        found.extend([
+            ("Smallest margin", "over the flight and all modes, negative outside."),
+            ("Outside, longest", "for how long the plan asks for more than a mode leaves, in the worst mode."),
+            ("Last outside", "of any mode's set; a fault before this instant still meets the plan outside."),
+        ]);
+    }
+    found.extend([
+        ("Sum of errors", "distances from the waypoints when they are passed."),
+        ("Yaw errors", "the same for yaw."),
+        ("Objective", "what the planners minimise."),
+        ("Rows a node", "inequalities on the wrench at each node."),
+    ]);
+    if has_risk {
+        found.push(("Risk", "that a fault strikes while the mission is committed to it."));
+    }
+    found
 }
 
 /// What the comparison comes to.
@@ -87,6 +112,7 @@ fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) 
     };
     let longest = solved.outside.iter().map(|o| o.seconds).fold(0.0, f64::max);
     let last = solved.outside.iter().filter_map(|o| o.last).max_by(f64::total_cmp);
+    let [seconds, last_outside] = outside_cells(longest, last);
     let value = |x: Option<f64>, digits: usize| x.map_or("\u{2013}".into(), |v| significant(v, digits));
     html! {
         tr {
@@ -94,8 +120,8 @@ fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) 
             td.n { (number(solved.time)) }
             @if has_modes {
                 td.n.bad[last.is_some()] { (solved.smallest_margin().map_or("\u{2013}".into(), signed_percent)) }
-                td.n { (fixed(longest, 2)) }
-                td.n { (last.map_or("never".into(), |l| fixed(l, 2))) }
+                td.n { (seconds) }
+                td.n { (last_outside) }
             }
             td.n { (value(told.position_error_m, 4)) }
             td.n { (value(told.max_waypoint_error_m.map(|e| 100.0 * e), 3)) }

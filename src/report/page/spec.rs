@@ -3,6 +3,7 @@
 use super::Subject;
 use super::prose::prose;
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::model::OVERRIDE;
 use crate::source::{FileId, Source, Span};
 use maud::{Markup, html};
 use std::ops::Range;
@@ -39,10 +40,12 @@ pub fn section(subject: &Subject) -> Markup {
     let shown = &subject.diagnostics[..subject.diagnostics.len().min(MOST_DIAGNOSTICS)];
     let remarks: Vec<Remark> = shown.iter().flat_map(remarks).collect();
     let mut left = Budget { any: MOST_TEXT, near: MOST_NEAR };
-    let files: Vec<Markup> = subject.sources.iter().map(|(id, source)| file(id, source, &remarks, &mut left)).collect();
+    let (set, files): (Vec<_>, Vec<_>) = subject.sources.iter().partition(|(_, source)| source.name == OVERRIDE);
+    let files: Vec<Markup> = files.into_iter().map(|(id, source)| file(id, source, &remarks, &mut left)).collect();
     html! {
         h2 { (headline(subject.diagnostics)) }
         @for file in files { (file) }
+        @if !set.is_empty() { (overrides(&set, &remarks)) }
     }
 }
 
@@ -131,6 +134,20 @@ fn file(id: FileId, source: &Source, remarks: &[Remark], left: &mut Budget) -> M
     }
 }
 
+/// What the command line sets: no file, so no lines to count.
+fn overrides(set: &[(FileId, &Source)], remarks: &[Remark]) -> Markup {
+    html! {
+        h3.file { "Set on the command line" }
+        div.source tabindex="0" role="region" aria-label="Fields set on the command line" {
+            @for (id, source) in set {
+                @let here: Vec<&Remark> = remarks.iter().filter(|r| r.span.file == *id).collect();
+                div.line { span.no aria-hidden="true" { } code { (OVERRIDE) " " (text(source, source.line(1), &here)) } }
+                @for r in &here { (remark(r, source)) }
+            }
+        }
+    }
+}
+
 fn gap(hidden: usize) -> Markup {
     html! { div.gap { @if hidden == 1 { "1 line left out" } @else { (hidden) " lines left out" } } }
 }
@@ -193,7 +210,10 @@ fn remark(remark: &Remark, source: &Source) -> Markup {
                         @if !d.label.is_empty() { ": " (prose(&d.label)) }
                     }
                     @if let Some(help) = &d.help { p.help { "help: " (prose(help)) } }
-                    p.code { (d.code) ", line " (place.line) ", column " (place.column) }
+                    p.code {
+                        (d.code)
+                        @if source.name != OVERRIDE { ", line " (place.line) ", column " (place.column) }
+                    }
                 }
                 Said::Label(label, d) => p { (prose(label)) " " span.code { "(" (d.code) ")" } },
             }

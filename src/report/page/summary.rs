@@ -6,10 +6,10 @@ use super::motion::{nearest, signed_percent};
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::certificate::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::model::{Mission, Model};
+use crate::model::{Mission, Model, OVERRIDE};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
-use crate::report::flight::{FlightRecord, OutcomeRecord};
-use crate::report::number::{fixed, number, significant};
+use crate::report::flight::{FlightRecord, OutcomeRecord, length as flown_length};
+use crate::report::number::{fixed, number, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::terminal::no_plan;
 
@@ -109,11 +109,12 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
 pub fn flight(record: &FlightRecord) -> Found {
     let lost = matches!(record.outcome, OutcomeRecord::Lost { .. });
     let mut figures = vec![
-        Figure::new("Off its place", length(record.rms_error_m), "root mean square over the flight"),
-        Figure::new("Largest distance", length(record.max_error_m), "from where the plan is").bad_if(lost),
+        Figure::new("Off its place", flown_length(record.rms_error_m), "root mean square over the flight"),
+        Figure::new("Largest distance", flown_length(record.max_error_m), "from where the plan is").bad_if(lost),
     ];
-    figures
-        .extend(record.rms_error_after_m.map(|e| Figure::new("Since the first fault", length(e), "root mean square")));
+    figures.extend(
+        record.rms_error_after_m.map(|e| Figure::new("Since the first fault", flown_length(e), "root mean square")),
+    );
     let tilt = format!("{} deg", fixed(record.max_tilt_rad.to_degrees(), 1));
     figures.push(Figure::new(
         "Largest tilt",
@@ -146,10 +147,16 @@ pub fn refused(model: &Model, analyses: &[ModeAnalysis], diagnostics: &[Diagnost
     };
     let said = diagnostics.iter().filter(|d| d.severity == Severity::Error);
     let warnings = said.map(|d| match &d.help {
-        Some(help) => format!("{}. To mend it: {help}", d.message),
-        None => d.message.clone(),
+        Some(help) => format!("{}. To mend it: {help}", capital(&d.message)),
+        None => capital(&d.message),
     });
     Found { headline: format!("Nothing was planned: {which}"), warnings: warnings.collect(), ..Found::default() }
+}
+
+/// A sentence's first letter.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// `and stays inside every fault set`, or when it does not.
@@ -165,9 +172,9 @@ fn outside(comparison: &Comparison, solved: &Solved) -> String {
     match left.as_slice() {
         _ if comparison.modes.is_empty() => "and stands against no fault mode".into(),
         [] => "and stays inside every fault set".into(),
-        [(name, seconds)] => format!("and leaves the set of {name} for {} s", fixed(*seconds, 2)),
+        [(name, seconds)] => format!("and leaves the set of {name} for {} s", short_seconds(*seconds)),
         [(name, seconds), rest @ ..] => {
-            format!("and leaves the sets of {} modes, that of {name} for {} s", rest.len() + 1, fixed(*seconds, 2))
+            format!("and leaves the sets of {} modes, that of {name} for {} s", rest.len() + 1, short_seconds(*seconds))
         }
     }
 }
@@ -205,7 +212,7 @@ fn stays(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
             Figure::new(
                 "Last outside a fault set",
                 format!("{} s", fixed(last, 2)),
-                format!("that of {name}, {} s in all", fixed(o.seconds, 2)),
+                format!("that of {name}, {} s in all", short_seconds(o.seconds)),
             )
             .bad_if(true),
         ),
@@ -227,8 +234,9 @@ fn shown_between(told: &PlannerRecord) -> Option<Figure> {
 fn conflict(record: &Record) -> Vec<String> {
     let Some(conflict) = &record.conflict else { return Vec::new() };
     let mut ordered: Vec<_> = conflict.statements.iter().collect();
-    ordered.sort_by_key(|s| s.line);
-    let statements: Vec<String> = ordered.iter().map(|s| format!("line {}: {}", s.line, s.message)).collect();
+    // As they stand in the text, what the command line says last.
+    ordered.sort_by_key(|s| (s.file == OVERRIDE, &s.file, s.line));
+    let statements: Vec<String> = ordered.iter().map(|s| format!("{}: {}", s.place, s.message)).collect();
     let told = match conflict.proved {
         true => "These statements cannot hold together",
         false => "These statements were not satisfied together in our attempts",

@@ -1,5 +1,6 @@
 //! A campaign: who survives, the map of when, and whether the plans told.
 
+use super::prose::true_minus;
 use super::summary::{Figure, Found};
 use crate::campaign::statistics::{Share, wilson};
 use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord, ModeRecord, PlannerRecord};
@@ -13,7 +14,7 @@ const MOST_COLUMNS: usize = 24;
 
 /// Classes of the share lost: name and the largest share of each.
 const CLASSES: [(&str, f64); 5] =
-    [("none", 0.0), ("to 25 %", 0.25), ("to 50 %", 0.5), ("under all", 0.999_999), ("all", 1.0)];
+    [("none", 0.0), ("up to 25 %", 0.25), ("up to 50 %", 0.5), ("over 50 %", 0.999_999), ("all", 1.0)];
 
 /// What the campaign comes to.
 pub fn found(record: &CampaignRecord) -> Found {
@@ -63,7 +64,9 @@ pub fn table(record: &CampaignRecord) -> Markup {
         h2 { "Flights lost, planner by planner" }
         div.scroll tabindex="0" role="region" aria-label="Table of planners" {
             table {
-                caption { "Detection: " (record.detection) "; after a fault: " (record.after_fault) "; controller: " (record.controller) }
+                caption {
+                    span { "Detection: " (record.detection) "; after a fault: " (record.after_fault) "; controller: " (record.controller) }
+                }
                 thead {
                     tr {
                         th scope="col" { "Planner" }
@@ -125,7 +128,7 @@ fn map(planner: &PlannerRecord) -> Markup {
         h3 { (name) }
         div.scroll tabindex="0" role="region" aria-label={ "Map of survival, " (name) } {
             table.map {
-                caption { "Lost of those struck; columns: instant of the fault in s" }
+                caption { span { "Lost of those struck; columns: instant of the fault in s" } }
                 thead {
                     tr {
                         th scope="col" { "Mode" }
@@ -171,14 +174,18 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
     html! {
         h2 { "Whether the plans tell which flights are lost" }
         p.note {
-            "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. Intervals and correlations "
-            "take flights as independent."
+            "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. phi: how flights predicted "
+            "lost and flights lost agree, 1 always, 0 no better than chance. Intervals and correlations take flights as independent."
         }
         @for a in &record.agreement {
             div.scroll tabindex="0" role="region" aria-label={ "Agreement over " (modes(a)) } {
-                table {
-                    caption { "Over " (modes(a)) "; rank correlation of seconds outside with the share lost: "
-                        (a.rank_correlation.map_or("none".into(), |r| significant(r, 3))) }
+                table.compact {
+                    caption {
+                        span {
+                            "Over " (modes(a)) "; rank correlation of seconds outside with the share lost: "
+                            (a.rank_correlation.map_or("none".into(), |r| true_minus(&significant(r, 3))))
+                        }
+                    }
                     thead {
                         tr {
                             th scope="col" { "Planner" }
@@ -191,13 +198,13 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
                             tr {
                                 th scope="row" { (t.planner.map_or("all".into(), str::to_uppercase)) }
                                 td.n { (t.base_rate.map_or("\u{2013}".into(), |r| significant(100.0 * r, 3))) }
-                                td.n { (t.phi.map_or("\u{2013}".into(), |r| significant(r, 3))) }
+                                td.n { (t.phi.map_or("\u{2013}".into(), |r| true_minus(&significant(r, 3)))) }
                             }
                         }
                     }
                 }
             }
-            @if let Some(all) = a.by_flight.first() { p.note { (by_flight(&all.counts)) } }
+            @if let Some(all) = a.by_flight.first() { p.note { (true_minus(&by_flight(&all.counts))) } }
         }
     }
 }

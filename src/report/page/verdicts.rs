@@ -1,10 +1,12 @@
 //! The table of modes: what each leaves at hover, and how the plan stands to it.
 
 use super::motion::signed_percent;
+use super::prose::terms;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::Model;
 use crate::planner::compare::{Comparison, Ending, Solved};
-use crate::report::number::{fixed, significant};
+use crate::report::number::{fixed, short_seconds, significant};
+use crate::report::terminal::holds;
 use crate::trajectory::outside::Outside;
 use maud::{Markup, html};
 
@@ -25,7 +27,7 @@ struct Row<'a> {
 pub fn section(model: &Model, comparison: &Comparison, analyses: &[ModeAnalysis]) -> Markup {
     let shown = super::shown_first(model, comparison);
     let solved = shown.and_then(|i| match &comparison.runs[i].ending {
-        Ending::Solved(solved) => Some((super::content::run_label(&comparison.runs[i], solved.time), solved.as_ref())),
+        Ending::Solved(solved) => Some((super::content::run_label(comparison, i, solved.time), solved.as_ref())),
         _ => None,
     });
     table(model, analyses, solved.as_ref().map(|(label, s)| (label.as_str(), *s)))
@@ -63,15 +65,18 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Solved
     let others = (1..analyses.len()).filter(|i| !model.plan.against.contains(&(i - 1)));
     let order: Vec<usize> = std::iter::once(0).chain(model.plan.against.iter().map(|i| i + 1)).chain(others).collect();
     let rows: Vec<Row> = order.iter().take(MOST_ROWS).filter_map(|&i| row(i)).collect();
-    // A table says nothing by columns of dashes.
-    let columns = Columns { of_plan: solved.is_some(), after: !model.plan.against.is_empty() };
+    // A table says nothing by columns of dashes, nor by one that repeats another: a mission that goes on is committed to
+    // a mode until it is last outside.
+    let columns = Columns { of_plan: solved.is_some(), after: solved.is_some() && holds(model) };
     html! {
         h2 { (headline(analyses)) }
         div.scroll tabindex="0" role="region" aria-label="Table of modes" {
-            table {
+            table aria-describedby="modes-terms" {
                 caption {
-                    "What is left at hover"
-                    @if let Some((label, _)) = solved { ", and how the plan (" (label) ") stands to it" }
+                    span {
+                        "What is left at hover"
+                        @if let Some((label, _)) = solved { ", and how the plan (" (label) ") stands to it" }
+                    }
                 }
                 thead {
                     tr {
@@ -84,25 +89,67 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Solved
                             th.n scope="col" { "Outside" br; span.unit { "s" } }
                             th.n scope="col" { "Last outside" br; span.unit { "s" } }
                         }
-                        @if columns.after { th scope="col" { "After it" } }
-                        @if columns.of_plan { th.n scope="col" { "Committed" br; span.unit { "s" } } }
+                        @if columns.after {
+                            th scope="col" { "After the fault" }
+                            th.n scope="col" { "Committed until" br; span.unit { "s" } }
+                        }
                     }
                 }
                 tbody { @for row in &rows { (cells(model, row, columns)) } }
             }
         }
         @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are left out here; " code { "mavc analyze" } " lists all." } }
-        p.note {
-            "Hover margin: signed distance from hover to the edge of the mode's set, every axis held."
-            @if columns.of_plan {
-                " Plan's margin: the smallest over the flight, negative outside, measured against the set that plans keep to."
-            }
-            @if analyses.iter().any(|a| a.verdict == Verdict::Stabilizable) {
-                " Stabilizable without yaw: the vehicle stays up and level while it turns about z. With every axis held, yaw too, as "
-                "in the sets drawn here, hover may be far outside."
-            }
-        }
+        (terms("modes-terms", meanings(columns, analyses)))
     }
+}
+
+/// What the table's columns and verdicts mean.
+fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &'static str)> {
+    let mut found = vec![
+        ("Hover margin", "signed distance from hover to the edge of the mode's set, every axis held."),
+        ("Heaviest", "the mass up to which the mode keeps hover inside its set."),
+    ];
+    if columns.of_plan {
+        found.extend([
+            ("Plan's margin", "the smallest over the flight, negative outside, against the set that plans keep to."),
+            ("Outside", "for how long the plan asks for more than the mode leaves."),
+            ("Last outside", "a lost rotor stays lost, so a fault before this instant still meets the plan outside."),
+        ]);
+    }
+    if columns.after {
+        found.extend([
+            (
+                "After the fault",
+                "what the plan counts on: the mission goes on as planned (`continue`), or comes to rest and stays (`hold`).",
+            ),
+            (
+                "Committed until",
+                "a fault before this instant may cost the mission. With `continue` it is when the plan is last outside; \
+                 with `hold` the last instant from which no stop inside the set was found.",
+            ),
+        ]);
+    }
+    if analyses.iter().any(|a| a.verdict == Verdict::Stabilizable) {
+        found.push((
+            "Stabilizable without yaw",
+            "the vehicle stays up and level while it turns about z. With every axis held, yaw too, as in the sets drawn \
+             here, hover may be far outside.",
+        ));
+    }
+    found
+}
+
+/// For how long a plan is outside, s, and when last, s: cells of tables.
+pub fn outside_cells(seconds: f64, last: Option<f64>) -> [String; 2] {
+    match last {
+        None => ["never".into(), dash()],
+        Some(last) => [short_seconds(seconds), fixed(last, 2)],
+    }
+}
+
+/// Nothing to say.
+fn dash() -> String {
+    "\u{2013}".into()
 }
 
 /// Columns beside those of hover.
@@ -121,7 +168,7 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
         (Verdict::Stabilizable, false) => ("bad", "stabilizable without yaw, on the edge"),
         (Verdict::Unstable, _) => ("bad", "unstable"),
     };
-    let dash = || "\u{2013}".to_string();
+    let [seconds, last] = outside.map_or_else(|| [dash(), dash()], |o| outside_cells(o.seconds, o.last));
     let after =
         mode.filter(|m| model.plan.against.contains(m)).map_or_else(dash, |m| model.after_fault(m).name().into());
     html! {
@@ -134,11 +181,11 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
                 td.n.bad[outside.is_some_and(|o| o.last.is_some())] {
                     (outside.map_or_else(dash, |o| signed_percent(-o.max_violation)))
                 }
-                td.n { (outside.map_or_else(dash, |o| if o.last.is_some() { fixed(o.seconds, 2) } else { "0".into() })) }
-                td.n { (outside.map_or_else(dash, |o| o.last.map_or("never".into(), |l| fixed(l, 2)))) }
+                td.n { (seconds) }
+                td.n { (last) }
             }
-            @if columns.after { td { (after) } }
-            @if columns.of_plan {
+            @if columns.after {
+                td { (after) }
                 td.n { (committed.map_or_else(dash, |c| if c > 0.0 { fixed(c, 2) } else { "never".into() })) }
             }
         }
