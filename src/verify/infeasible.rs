@@ -7,7 +7,7 @@
 //! start is known to the first waypoint's tolerance, and the inputs are bounded; where the largest value over all of
 //! these is negative, there is no plan.
 //!
-//! In the hover model (one yaw) rows are facets, limits and waypoints. In the exact model facets are not linear in the
+//! In the hover model (one yaw) rows are facets, those of commands among them where rotors lag, limits and waypoints. In the exact model facets are not linear in the
 //! motion; what stands for them is that m |(x'', y'', z'' + g)| is the thrust, and at most the largest of the set.
 
 mod inputs;
@@ -16,7 +16,7 @@ mod rows;
 use super::facets::{few, named};
 use super::interval::Interval;
 use super::motion::{X, Y, YAW, Z};
-use super::schedule;
+use super::{lag, schedule};
 use super::sets::Plane;
 use super::{Rejection, Shown, required};
 use crate::certificate::{DynamicModel, InfeasibleClaim};
@@ -32,6 +32,8 @@ struct Rows<'a> {
     kind: DynamicModel,
     /// sin and cos of the one yaw of the hover model.
     yaw: (Interval, Interval),
+    /// tau of rotors that lag, s.
+    lag: Option<Interval>,
     /// The largest thrust of any plan in the exact model, N.
     thrust: Option<Interval>,
 }
@@ -68,10 +70,10 @@ pub(super) fn decide(
         if !may_bind(model, &facet.mode) {
             return Err(of_facet(Rejection::new("", "the planner does not keep to this mode's set")));
         }
-        planes.push(named(model, facet).map_err(of_facet)?);
+        planes.push(named(model, facet).map_err(of_facet)?.plane);
     }
     let yaw = Interval::point(first.yaw).sin_cos();
-    let mut rows = Rows { model, mission, claim, planes, kind, yaw, thrust: None };
+    let mut rows = Rows { model, mission, claim, planes, kind, yaw, lag: lag::constant(model), thrust: None };
     if kind == DynamicModel::Exact {
         rows.thrust = Some(rows.most_thrust()?);
     }
