@@ -52,9 +52,10 @@ impl Rejection {
     /// A bound that does not stand; `place` says where beside the instant.
     fn of_bound(bound: &Bound, failure: &Failure, measure: Measure, place: String) -> Self {
         let [claimed, found] = [bound.excess, failure.excess].map(|excess| measure.kept_or_passed(excess));
+        let of = measure.whole.map_or(String::new(), |whole| format!(" ({whole})"));
         let detail = match failure.refuted {
-            true => format!("it is {found}{place}; claimed: {claimed}"),
-            false => format!("that it is {claimed} could not be proved{place}"),
+            true => format!("it is {found}{place}; claimed: {claimed}{of}"),
+            false => format!("that it is {claimed} could not be proved{place}{of}"),
         };
         Rejection { at: Some(failure.at), ..Rejection::new("", detail) }
     }
@@ -167,8 +168,7 @@ pub fn verify(read: &Read, model: &Model, spec_sha256: &str) -> Result<Verdict, 
         // As many digits as tell specs apart.
         let [written, given] = [&certificate.spec_sha256, spec_sha256].map(|hash| hash.chars().take(12).collect());
         let (written, given): (String, String) = (written, given);
-        let message =
-            format!("the certificate was written for another spec: it is of {written}, and the spec given is {given}");
+        let message = format!("the certificate was written for another spec: {written}, and this one is {given}");
         let error = Diagnostic::error(OTHER_SPEC, read.hash, message).here("not the SHA-256 of the spec given");
         return Err(error.help("give the spec it was written for, with the same files and the same `--set`").into());
     }

@@ -39,7 +39,8 @@ pub struct Between {
     pub shown: Shown,
     /// Points of each interval, where a grid was looked at.
     pub points: Option<usize>,
-    /// Of so many rows, for the wrench and commands the facets imposed; 1 for a limit.
+    /// Of so many rows, for the wrench and commands the planes imposed, one where facets of several sets lie in one; 1 for a
+    /// limit.
     pub imposed: usize,
     /// So many are proved.
     pub proved: usize,

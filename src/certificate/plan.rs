@@ -131,6 +131,8 @@ pub fn certificate(
         let each = |facet| FacetClaim { facet, bounds: bounds.clone(), commands: commands.clone() };
         claim.facets.extend(facets.into_iter().map(each));
     }
+    // The healthy set's, then the modes' as declared.
+    claim.facets.sort_by_key(|f| model.modes.iter().position(|mode| mode.name == f.facet.mode));
     Ok(Certificate { schema: SCHEMA, spec_sha256: sha256, model: kind, claim: Claim::Plan(claim) })
 }
 

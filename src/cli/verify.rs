@@ -97,5 +97,6 @@ fn words(reach: Reach) -> String {
     };
     let Some((beyond, measure)) = reach.beyond else { return shown };
     let seen = if beyond.scope == Scope::EveryInstant { "at any instant" } else { "on a grid" };
-    format!("{shown}; passed {seen} by at most {}", measure.of(beyond.excess))
+    let of = measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
+    format!("{shown}; passed {seen} by at most {}{of}", measure.of(beyond.excess))
 }

@@ -16,9 +16,9 @@ mod rows;
 use super::facets::{few, named};
 use super::interval::Interval;
 use super::motion::{X, Y, YAW, Z};
-use super::{lag, schedule};
 use super::sets::Plane;
 use super::{Rejection, Shown, required};
+use super::{lag, schedule};
 use crate::certificate::{DynamicModel, InfeasibleClaim};
 use crate::model::{Mission, Model, PlannerKind};
 use crate::report::number::number;
@@ -49,9 +49,6 @@ pub(super) fn decide(
     match kind {
         DynamicModel::Hover if mission.waypoints.iter().any(|w| (w.yaw - first.yaw).abs() >= 1e-12) => {
             return outside("in the hover model multipliers are checked for one yaw throughout");
-        }
-        DynamicModel::Exact if !mission.end_at_rest => {
-            return outside("in the exact model multipliers are checked for missions that end at rest");
         }
         _ if !mission.start_at_rest => return outside("multipliers are checked for a start at rest"),
         _ if model.plan.chooses_times => {

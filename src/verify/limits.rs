@@ -32,8 +32,8 @@ pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
 /// How messages say an excess.
 fn measure(kind: LimitKind) -> Measure {
     match limit_words(kind) {
-        _ if kind == LimitKind::Tilt => Measure { factor: 1.0, unit: "g" },
-        (_, unit, factor) => Measure { factor, unit },
+        _ if kind == LimitKind::Tilt => Measure { factor: 1.0, unit: "g", whole: None },
+        (_, unit, factor) => Measure { factor, unit, whole: None },
     }
 }
 

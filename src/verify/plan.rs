@@ -57,7 +57,16 @@ impl<'a> Checker<'a> {
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
         let dynamics = Dynamics { vehicle: &model.vehicle, gravity: model.gravity, model: kind, one_yaw };
         let commands = lag::constant(model).map(|tau| Held::Commands { tau });
-        Ok(Checker { model, mission, dynamics, motion, commands, budget: Budget(EVALUATIONS), triples: 0, directions: BTreeSet::new() })
+        Ok(Checker {
+            model,
+            mission,
+            dynamics,
+            motion,
+            commands,
+            budget: Budget(EVALUATIONS),
+            triples: 0,
+            directions: BTreeSet::new(),
+        })
     }
 
     /// What turns the motion into wrenches.
@@ -194,7 +203,10 @@ impl<'a> Checker<'a> {
     fn joins(&self, claim: &PlanClaim) -> Result<(), Rejection> {
         allowed("joins_within", claim.joins_within, MOST_GAP, "(m or rad)")?;
         if claim.joins_within < 0.0 {
-            return Err(Rejection::new("joins_within", format!("{} (m or rad) is below zero", number(claim.joins_within))));
+            return Err(Rejection::new(
+                "joins_within",
+                format!("{} (m or rad) is below zero", number(claim.joins_within)),
+            ));
         }
         for piece in 0..self.motion.pieces() {
             let gap = self.motion.gap(piece);

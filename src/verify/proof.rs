@@ -32,12 +32,15 @@ pub struct Measure {
     /// Of the unit in that of the records.
     pub factor: f64,
     pub unit: &'static str,
+    /// What a share is one of.
+    pub whole: Option<&'static str>,
 }
 
 impl Measure {
     /// What excesses over planes are measured in.
-    pub const WIDTH: Measure = Measure { factor: 100.0, unit: "% of the healthy set's width" };
+    pub const WIDTH: Measure = Measure { factor: 100.0, unit: "%", whole: Some("of the healthy set's width") };
 
+    /// A number with its unit.
     pub fn of(self, x: f64) -> String {
         format!("{} {}", number(x * self.factor), self.unit)
     }

@@ -80,8 +80,8 @@ fn a_plan_is_certified_and_verified() {
     // Both hashes are named, and what is shown is the certificate's.
     let value: serde_json::Value = serde_json::from_slice(&text).unwrap();
     let message = said(&other);
-    let told = format!("written for another spec: it is of {}", &value["spec_sha256"].as_str().unwrap()[..12]);
-    assert!(message.contains(&told) && message.contains("and the spec given is "), "{message}");
+    let told = format!("written for another spec: {}, and this one is ", &value["spec_sha256"].as_str().unwrap()[..12]);
+    assert!(message.contains(&told), "{message}");
     assert!(message.contains("cert.json:") && !message.contains("spec.mav"), "{message}");
 
     // A false number: the message says which claim, where, and points to the statement.
@@ -91,7 +91,8 @@ fn a_plan_is_certified_and_verified() {
     let false_claim = mavc(&["verify", &proof, &spec]);
     assert_eq!(code(&false_claim), 5);
     let message = said(&false_claim);
-    for part in ["mavc::verify::rejected", "limit 1 (speed) at ", "claimed: kept with 4 m/s to spare", "speed <= 3 m/s"] {
+    for part in ["mavc::verify::rejected", "limit 1 (speed) at ", "claimed: kept with 4 m/s to spare", "speed <= 3 m/s"]
+    {
         assert!(message.contains(part), "{part}: {message}");
     }
 }
@@ -210,6 +211,13 @@ fn what_breaks_a_certificate_is_shown_in_it() {
         assert!(message.contains(&format!("this is no certificate: {told}")) && message.contains(label), "{message}");
         assert!(message.contains("cert.json") && !message.contains("spec.mav"), "{message}");
     }
+    // Of a line as long as the file the place is shown with a little on both sides.
+    let long = "0123456789".repeat(300);
+    let text = format!("{{\"schema\":1,\"spec_sha256\":\"{long}\",\"model\":oops,\"claim\":\"{long}\"}}");
+    std::fs::write(&proof, text).unwrap();
+    let message = said(&mavc(&["verify", &proof, &folder.spec()]));
+    assert!(message.contains("it is no JSON") && message.contains("\"model\":oops"), "{message}");
+    assert!(message.lines().all(|line| line.chars().count() < 160), "{message}");
     std::fs::write(&proof, b"{ \"schema\": \xff").unwrap();
     let message = said(&mavc(&["verify", &proof, &folder.spec()]));
     assert!(message.contains("it is no text") && message.contains("no UTF-8 from here on"), "{message}");
@@ -229,8 +237,16 @@ fn false_claims_read_as_what_they_say() {
         ("yaw_excess_rad", serde_json::json!(-1), "rad to spare; claimed: met with 1 rad to spare"),
         ("joins_within", serde_json::json!(-1), "joins_within: -1 (m or rad) is below zero"),
         ("limits/0/bounds", serde_json::json!([]), "limit 1 (speed): no bound is claimed"),
-        ("limits/0/bounds", serde_json::json!([{ "scope": "nodes", "excess": 5 }]), "the claim lets it be passed by 5 m/s, and more than"),
-        ("sets/0/bounds/0/excess", serde_json::json!(-1), "claimed: kept with 100 % of the healthy set's width to spare"),
+        (
+            "limits/0/bounds",
+            serde_json::json!([{ "scope": "nodes", "excess": 5 }]),
+            "the claim lets it be passed by 5 m/s, and more than",
+        ),
+        (
+            "sets/0/bounds/0/excess",
+            serde_json::json!(-1),
+            "claimed: kept with 100 % to spare (of the healthy set's width)",
+        ),
     ] {
         let mut changed = whole.clone();
         *changed.pointer_mut(&format!("{plan}/{place}")).unwrap() = value;
