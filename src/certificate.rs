@@ -111,14 +111,18 @@ pub struct LimitClaim {
     pub bounds: Vec<Bound>,
 }
 
-/// The wrench stays inside a mode's set, shrunk by the reserve. The excess is the largest over all planes that bound
+/// The wrench, and what rotors that lag are commanded, stay inside a mode's set, shrunk by the reserve. The excess is the largest over all planes that bound
 /// the set, as a share of the healthy set's width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SetClaim {
     /// `healthy`, or a fault mode's name.
     pub mode: String,
+    /// Of the wrench.
     pub bounds: Vec<Bound>,
+    /// Of what the rotors are commanded, where they lag: w + tau w'.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub commands: Vec<Bound>,
 }
 
 /// There is no motion whose inputs are linear between these nodes and that keeps every row: with these multipliers the
@@ -175,6 +179,13 @@ pub enum RowRecord {
         facet: usize,
         node: usize,
     },
+    /// The same of what rotors that lag are commanded there; `interval`, beside the node, tells which slopes of the
+    /// inputs are meant.
+    Commands {
+        facet: usize,
+        node: usize,
+        interval: usize,
+    },
     /// A bound on one coordinate or rate.
     Limit {
         limit: usize,
@@ -219,8 +230,11 @@ pub struct FacetRecord {
 #[serde(deny_unknown_fields)]
 pub struct FacetClaim {
     pub facet: FacetRecord,
-    /// The reserve taken off; shares of the healthy set's width.
+    /// Of the wrench, the reserve taken off; shares of the healthy set's width.
     pub bounds: Vec<Bound>,
+    /// The same of what the rotors are commanded, where they lag.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub commands: Vec<Bound>,
 }
 
 /// The certificate of the last run's outcome. It is checked before it is given: what is written is accepted.
@@ -233,9 +247,6 @@ pub fn of(
     comparison: &Comparison,
     spec_sha256: String,
 ) -> Result<Certificate, String> {
-    if let Some(why) = crate::verify::not_covered(model) {
-        return Err(why.into());
-    }
     match comparison.runs.last().map(|run| (run, &run.ending)) {
         Some((run, Ending::Solved(solved))) => {
             let certificate = plan::certificate(model, mission, run, solved, spec_sha256)?;

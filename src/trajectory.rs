@@ -8,6 +8,7 @@ pub mod risk;
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
 use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::planner::lead::with_slopes;
 use crate::planner::rows::Planned;
 use crate::planner::transcribe::NodeState;
 use crate::planner::wrench_model::WrenchModel;
@@ -64,6 +65,13 @@ impl Trajectory {
     /// The planning model's wrench for a state of this trajectory.
     pub fn wrench(&self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> Wrench {
         self.model.wrench(vehicle, gravity, state)
+    }
+
+    /// The lead wrench w + tau w' of rotors that lag by `tau` s, for a state in interval `k`, with the slopes there; N and N m.
+    pub fn lead(&self, vehicle: &Vehicle, gravity: f64, tau: f64, k: usize, state: &NodeState) -> Wrench {
+        let ends = [&self.nodes[k], &self.nodes[k + 1]];
+        let sloped = with_slopes(state, ends, self.times[k + 1] - self.times[k], self.model.orders());
+        self.model.lead(vehicle, gravity, tau, &sloped)
     }
 
     /// The wrench at every node.

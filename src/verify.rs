@@ -6,6 +6,7 @@ pub mod dyadic;
 pub mod facets;
 mod infeasible;
 pub mod interval;
+pub mod lag;
 pub mod limits;
 pub mod motion;
 pub mod plan;
@@ -18,13 +19,13 @@ pub mod wrench;
 
 use crate::certificate::{Bound, Certificate, Claim, DynamicModel, Scope};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Allocation, FaultMode, Model, PlanModel, PlanRotors, PlannerKind};
+use crate::model::{Allocation, FaultMode, Model, PlanModel, PlannerKind};
 use crate::report::number::number;
 use crate::source::Span;
 use plan::Checker;
-use proof::Failure;
+use proof::{Failure, Measure};
 
-pub use read::{MALFORMED, read};
+pub use read::{MALFORMED, Read, read};
 
 /// A certificate that does not show what it claims.
 pub const REJECTED: &str = "mavc::verify::rejected";
@@ -49,11 +50,12 @@ impl Rejection {
     }
 
     /// A bound that does not stand; `place` says where beside the instant.
-    fn of_bound(bound: &Bound, failure: &Failure, place: String) -> Self {
-        let (claimed, found) = (kept_or_passed(bound.excess), kept_or_passed(failure.excess));
+    fn of_bound(bound: &Bound, failure: &Failure, measure: Measure, place: String) -> Self {
+        let [claimed, found] = [bound.excess, failure.excess].map(|excess| measure.kept_or_passed(excess));
+        let of = measure.whole.map_or(String::new(), |whole| format!(" ({whole})"));
         let detail = match failure.refuted {
-            true => format!("it is {found}{place}; claimed: {claimed}"),
-            false => format!("that it is {claimed} could not be proved{place}"),
+            true => format!("it is {found}{place}; claimed: {claimed}{of}"),
+            false => format!("that it is {claimed} could not be proved{place}{of}"),
         };
         Rejection { at: Some(failure.at), ..Rejection::new("", detail) }
     }
@@ -72,21 +74,13 @@ impl Rejection {
     }
 }
 
-/// What an excess says of a bound.
-fn kept_or_passed(excess: f64) -> String {
-    match excess > 0.0 {
-        true => format!("passed by {}", number(excess)),
-        false => format!("kept with {} to spare", number(-excess)),
-    }
-}
-
 /// How far a claim is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
     /// `None` where it is about no motion.
     pub scope: Option<Scope>,
     /// A wider scope, and by how much the quantity exceeds what it may be there, where that is more than nothing.
-    pub beyond: Option<Bound>,
+    pub beyond: Option<(Bound, Measure)>,
 }
 
 /// What stands, and where it does.
@@ -150,27 +144,35 @@ fn faults_may_add(model: &Model) -> bool {
 pub struct Verdict {
     /// Every claim, in order.
     pub shown: Vec<Shown>,
-    /// The modes that the spec's plan is against and of which a plan's certificate claims nothing.
-    pub unclaimed: Vec<String>,
+    /// What a plan's certificate claims of each mode that the spec's plan is against.
+    pub guarded: Vec<Guarded>,
+}
+
+/// How much of a mode's set is claimed to be kept to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Guarded {
+    pub mode: String,
+    /// All of it.
+    pub whole: bool,
+    /// So many different facets.
+    pub facets: usize,
 }
 
 /// Decides a certificate for a checked spec with the given hash.
 ///
 /// # Errors
 /// It was written for another spec, or shows less than it claims.
-pub fn verify(certificate: &Certificate, model: &Model, spec_sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
+pub fn verify(read: &Read, model: &Model, spec_sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
+    let certificate = &read.certificate;
     if certificate.spec_sha256 != spec_sha256 {
-        let error = Diagnostic::error(OTHER_SPEC, model.plan.span, "the certificate was written for another spec");
-        let error = error.here("this spec's hash is another one");
+        // As many digits as tell specs apart.
+        let [written, given] = [&certificate.spec_sha256, spec_sha256].map(|hash| hash.chars().take(12).collect());
+        let (written, given): (String, String) = (written, given);
+        let message = format!("the certificate was written for another spec: {written}, and this one is {given}");
+        let error = Diagnostic::error(OTHER_SPEC, read.hash, message).here("not the SHA-256 of the spec given");
         return Err(error.help("give the spec it was written for, with the same files and the same `--set`").into());
     }
     decide(certificate, model).map_err(|r| r.diagnostic(&certificate.claim, model).into())
-}
-
-/// What of a plan the checker does not know, if anything.
-pub fn not_covered(model: &Model) -> Option<&'static str> {
-    let lagging = model.plan.rotors == PlanRotors::Lagging;
-    lagging.then_some("`rotors = lagging` is not covered by certificates yet")
 }
 
 /// Decides a certificate that is known to be about this model.
@@ -178,9 +180,6 @@ pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejec
     let Some(mission) = &model.mission else {
         return Err(Rejection::new("the mission", "the spec has none"));
     };
-    if let Some(why) = not_covered(model) {
-        return Err(Rejection::new("the plan", why));
-    }
     let asked = match model.plan.model {
         PlanModel::Hover => DynamicModel::Hover,
         PlanModel::Exact => DynamicModel::Exact,
@@ -195,11 +194,11 @@ pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejec
     match &certificate.claim {
         Claim::Plan(claim) => {
             let mut checker = Checker::new(model, mission, certificate.model, &claim.motion)?;
-            Ok(Verdict { shown: checker.decide(claim)?, unclaimed: checker.unclaimed(claim) })
+            Ok(Verdict { shown: checker.decide(claim)?, guarded: checker.guarded(claim) })
         }
         Claim::Infeasible(claim) => {
             let shown = infeasible::decide(model, mission, certificate.model, claim)?;
-            Ok(Verdict { shown, unclaimed: Vec::new() })
+            Ok(Verdict { shown, guarded: Vec::new() })
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use super::plan::{limit_excess, model_of, motion};
 use super::{Bound, Scope};
+use crate::actuation::Wrench;
 use crate::model::{Limit, Mission, Model};
 use crate::planner::compare::{PlannerRun, Solved};
-use crate::planner::lead::with_slopes;
 use crate::planner::select::SetRow;
 use crate::planner::transcribe::NodeState;
 use crate::report::caveats::limit_words;
@@ -13,6 +13,7 @@ use crate::verify::interval::Interval;
 use crate::verify::limits;
 use crate::verify::plan::{Checker, MOST_OUTSIDE, MOST_PAST_LIMIT, wrench_family};
 use crate::verify::sets::Plane;
+use crate::verify::wrench::Held;
 use serde::Serialize;
 
 /// Points of each interval, one of its ends included, where nothing is proved: those on which plans of the exact model are
@@ -38,7 +39,8 @@ pub struct Between {
     pub shown: Shown,
     /// Points of each interval, where a grid was looked at.
     pub points: Option<usize>,
-    /// Of so many rows, for the wrench and commands the facets imposed; 1 for a limit.
+    /// Of so many rows, for the wrench and commands the planes imposed, one where facets of several sets lie in one; 1 for a
+    /// limit.
     pub imposed: usize,
     /// So many are proved.
     pub proved: usize,
@@ -76,30 +78,49 @@ pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solv
     };
     let other_sides = rows.iter().filter(|r| r.equality).map(|r| plane(-1.0, r));
     let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
-    let excess = |state: &NodeState| {
-        let wrench = trajectory.wrench(&model.vehicle, model.gravity, state);
-        rows.iter().map(|row| row.excess(&wrench)).fold(f64::NEG_INFINITY, f64::max)
-    };
-    let family = wrench_family(checker.dynamics(), &planes);
-    let enough = EVALUATIONS.max(EVALUATIONS_EACH * planes.len() * trajectory.intervals());
-    checker.allow(enough);
+    let largest = |wrench: &Wrench| rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, f64::max);
+    let mut found = vec![kept_facets(&mut checker, Held::Wrench, &planes, trajectory, |_, state| {
+        largest(&trajectory.wrench(&model.vehicle, model.gravity, state))
+    })];
+    found.extend(mission.limits.iter().map(|limit| kept_limit(&mut checker, limit, trajectory, model.gravity)));
+    if let Some((held, tau)) = checker.commands().zip(model.thrust_lag()) {
+        // Where the wrench stays in a plane its rate does, and so do the commands.
+        let planes: Vec<Plane> = rows.iter().filter(|r| !r.equality).map(|r| plane(1.0, r)).collect();
+        let largest = |lead: &Wrench| {
+            let rows = rows.iter().filter(|r| !r.equality);
+            rows.map(|row| row.excess(lead)).fold(f64::NEG_INFINITY, f64::max)
+        };
+        found.push(kept_facets(&mut checker, held, &planes, trajectory, |k, state| {
+            largest(&trajectory.lead(&model.vehicle, model.gravity, tau, k, state))
+        }));
+    }
+    found
+}
+
+/// Of the facets imposed those that are proved, else what a grid shows; `excess` is the largest at a state of an interval.
+fn kept_facets(
+    checker: &mut Checker,
+    held: Held,
+    planes: &[Plane],
+    trajectory: &Trajectory,
+    excess: impl Fn(usize, &NodeState) -> f64,
+) -> Between {
+    let rows = if held == Held::Wrench { WRENCH } else { COMMANDS };
+    let family = wrench_family(checker.dynamics(), held, planes);
+    checker.allow(EVALUATIONS.max(EVALUATIONS_EACH * planes.len() * trajectory.intervals()));
     let proved = checker.kept(&family, &Bound { scope: Scope::EveryInstant, excess: MOST_OUTSIDE }).len();
-    let wrench = match proved == planes.len() {
+    let (shown, points, excess) = match proved == planes.len() {
         true => (Shown::Proved, None, MOST_OUTSIDE),
         false => (Shown::Checked, Some(GRID), seen(trajectory, excess)),
     };
-    let (shown, points, excess) = wrench;
-    let mut found = vec![Between { rows: WRENCH, shown, points, imposed: planes.len(), proved, excess }];
-    found.extend(mission.limits.iter().map(|limit| kept_limit(&mut checker, limit, trajectory, model.gravity)));
-    found.extend(model.thrust_lag().map(|tau| commands(model, rows, trajectory, tau)));
-    found
+    Between { rows, shown, points, imposed: planes.len(), proved, excess }
 }
 
 /// Of the bounds that may be claimed the first that is proved, else what a grid shows.
 fn kept_limit(checker: &mut Checker, limit: &Limit, trajectory: &Trajectory, gravity: f64) -> Between {
     let rows = limit_words(limit.kind).0;
     let family = limits::family(limit, gravity);
-    let seen = seen(trajectory, |state| limit_excess(limit, state, gravity));
+    let seen = seen(trajectory, |_, state| limit_excess(limit, state, gravity));
     // What is seen to be false is not tried.
     let proved = PAST.map(|share| share * limit.size()).into_iter().filter(|bound| seen <= *bound).find(|&excess| {
         checker.allow(EVALUATIONS);
@@ -112,28 +133,11 @@ fn kept_limit(checker: &mut Checker, limit: &Limit, trajectory: &Trajectory, gra
 }
 
 /// The largest value on the grid, both ends of each interval included.
-fn seen(trajectory: &Trajectory, excess: impl Fn(&NodeState) -> f64) -> f64 {
+fn seen(trajectory: &Trajectory, excess: impl Fn(usize, &NodeState) -> f64) -> f64 {
     let at = |k: usize, i: usize| {
         let h = trajectory.times[k + 1] - trajectory.times[k];
-        excess(&trajectory.within(k, h * i as f64 / GRID as f64))
+        excess(k, &trajectory.within(k, h * i as f64 / GRID as f64))
     };
     let looks = (0..trajectory.intervals()).flat_map(|k| (0..=GRID).map(move |i| (k, i)));
     looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max)
-}
-
-/// The rows on the lead wrench w + tau w' of rotors that lag by `tau` s, both ends of each interval included.
-fn commands(model: &Model, rows: &[SetRow], trajectory: &Trajectory, tau: f64) -> Between {
-    let orders = trajectory.model.orders();
-    let commanded = || rows.iter().filter(|r| !r.equality);
-    let at = |k: usize, i: usize| {
-        let h = trajectory.times[k + 1] - trajectory.times[k];
-        let state = trajectory.within(k, h * i as f64 / GRID as f64);
-        let sloped = with_slopes(&state, [&trajectory.nodes[k], &trajectory.nodes[k + 1]], h, orders);
-        let lead = trajectory.model.lead(&model.vehicle, model.gravity, tau, &sloped);
-        commanded().map(|row| row.excess(&lead)).fold(f64::NEG_INFINITY, f64::max)
-    };
-    let looks = (0..trajectory.intervals()).flat_map(|k| (0..=GRID).map(move |i| (k, i)));
-    let excess = looks.map(|(k, i)| at(k, i)).fold(f64::NEG_INFINITY, f64::max);
-    let imposed = commanded().count();
-    Between { rows: COMMANDS, shown: Shown::Checked, points: Some(GRID), imposed, proved: 0, excess }
 }

@@ -109,7 +109,9 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
         return Err(YAW_FIRST.into());
     };
     let maps = layout.yaw.maps(model, layout.flown.nodes());
-    let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());
+    let leads = layout.leads(model);
+    let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes())
+        .with_leads(leads.as_ref());
     Ok(Asked {
         program: form.full_program(Purpose::Overshoot { epsilon: COST }),
         tau: form.tau(),
@@ -178,11 +180,12 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], tau: f64, mission: &Missio
             let mut values = z[first..first + size].to_vec();
             let row = match program.row_origin[first] {
                 RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Excess => continue,
-                // Rows of the exact model's steps, which are no relaxation of it, of stops and of rotors that lag.
-                RowOrigin::Upright { .. }
-                | RowOrigin::Duration { .. }
-                | RowOrigin::Stop { .. }
-                | RowOrigin::Lag { .. } => return None,
+                // Rows of the exact model's steps, which are no relaxation of it, and of stops.
+                RowOrigin::Upright { .. } | RowOrigin::Duration { .. } | RowOrigin::Stop { .. } => return None,
+                RowOrigin::Lag { facet, node, after } => {
+                    let interval = if after { node } else { node.checked_sub(1)? };
+                    RowRecord::Commands { facet, node, interval }
+                }
                 RowOrigin::Thrust { node } => RowRecord::Thrust { node },
                 RowOrigin::Rest { node, axis, derivative } => {
                     values[0] *= tau.powi(derivative as i32);

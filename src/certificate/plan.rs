@@ -18,6 +18,7 @@ use crate::report::caveats::limit_words;
 use crate::trajectory::Trajectory;
 use crate::trajectory::checks::past;
 use crate::verify::plan::{Checker, EVALUATIONS, MOST_OUTSIDE, MOST_PAST_LIMIT};
+use crate::verify::wrench::Held;
 use nalgebra::Matrix4;
 
 /// Points of each piece at which the planner's figures are taken between nodes: with an end of the piece, the grid of reports.
@@ -73,7 +74,7 @@ pub fn certificate(
     let mut checker = Checker::new(model, mission, kind, &claim.motion).map_err(|r| r.detail)?;
     let mut left = EVALUATIONS - OF_NODES;
     let healthy = AdmissibleSet::healthy(model);
-    let states = Looks::at(trajectory, kind);
+    let states = Looks::at(trajectory, kind, |_, state| *state);
     for (index, limit) in mission.limits.iter().enumerate() {
         let told = LimitClaim {
             limit: limit_words(limit.kind).0.into(),
@@ -90,33 +91,48 @@ pub fn certificate(
         });
         claim.limits.push(LimitClaim { bounds: paid(bounds, &mut left), ..told });
     }
-    let wrenches = states.map(|state| trajectory.wrench(&model.vehicle, model.gravity, state));
+    let wrenches = (Held::Wrench, states.map(|state| trajectory.wrench(&model.vehicle, model.gravity, state)));
+    let commands = checker.commands().zip(model.thrust_lag()).map(|(held, tau)| {
+        let lead = |k: usize, state: &NodeState| trajectory.lead(&model.vehicle, model.gravity, tau, k, state);
+        (held, Looks::at(trajectory, kind, lead))
+    });
     for mode in stood(model) {
         let set = set_of(model, mode).guaranteed(model);
         let rows = PlanningSet::of(&[&set.with_reserve(model.plan.reserve)], &healthy).rows;
         // A wrench that passes the facets by a share leaves the set, seen from hover, by that share over hover's
         // margin.
         let margin = rows.iter().filter(|r| !r.equality).map(|r| -r.excess(&set.hover)).fold(1.0, f64::min);
-        let seen = wrenches.largest(|wrench| {
-            let excess = rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, f64::max);
-            excess.max(0.0) / margin
-        });
-        let bounds = strongest(seen, 1.0, MOST_OUTSIDE, |bounds| {
-            let claimed = SetClaim { mode: set.name.clone(), bounds };
-            spent(&mut checker, OF_A_SET.min(left), |checker| checker.set(&claimed).is_ok())
-        });
-        claim.sets.push(SetClaim { mode: set.name.clone(), bounds: paid(bounds, &mut left) });
+        let mut told = |(held, looks): &(Held, Looks<Wrench>)| {
+            let seen = looks.largest(|wrench| {
+                let excess = rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, f64::max);
+                excess.max(0.0) / margin
+            });
+            let bounds = strongest(seen, 1.0, MOST_OUTSIDE, |bounds| {
+                spent(&mut checker, OF_A_SET.min(left), |checker| checker.set(&set.name, *held, &bounds).is_ok())
+            });
+            paid(bounds, &mut left)
+        };
+        let (bounds, commands) = (told(&wrenches), commands.as_ref().map_or_else(Vec::new, told));
+        claim.sets.push(SetClaim { mode: set.name.clone(), bounds, commands });
     }
     for row in run.set.rows.iter().filter(|r| !r.equality) {
-        let Some(facet) = facet_of(model, row) else { continue };
-        let seen = wrenches.largest(|wrench| row.excess(wrench));
-        let index = claim.facets.len();
-        let bounds = strongest(seen, 1.0, MOST_OUTSIDE, |bounds| {
-            let claimed = FacetClaim { facet: facet.clone(), bounds };
-            spent(&mut checker, OF_ONE.min(left), |checker| checker.facet(index, &claimed).is_ok())
-        });
-        claim.facets.push(FacetClaim { facet, bounds: paid(bounds, &mut left) });
+        let facets = facets_of(model, row);
+        let mut told = |(held, looks): &(Held, Looks<Wrench>)| {
+            let seen = looks.largest(|wrench| row.excess(wrench));
+            let allowed = facets.len() * OF_ONE;
+            let bounds = strongest(seen, 1.0, MOST_OUTSIDE, |bounds| {
+                spent(&mut checker, allowed.min(left), |checker| {
+                    facets.iter().enumerate().all(|(i, facet)| checker.facet(i, facet, *held, &bounds).is_ok())
+                })
+            });
+            paid(bounds, &mut left)
+        };
+        let (bounds, commands) = (told(&wrenches), commands.as_ref().map_or_else(Vec::new, told));
+        let each = |facet| FacetClaim { facet, bounds: bounds.clone(), commands: commands.clone() };
+        claim.facets.extend(facets.into_iter().map(each));
     }
+    // The healthy set's, then the modes' as declared.
+    claim.facets.sort_by_key(|f| model.modes.iter().position(|mode| mode.name == f.facet.mode));
     Ok(Certificate { schema: SCHEMA, spec_sha256: sha256, model: kind, claim: Claim::Plan(claim) })
 }
 
@@ -192,8 +208,9 @@ struct Seen {
     all: f64,
 }
 
-impl Looks<NodeState> {
-    fn at(trajectory: &Trajectory, kind: DynamicModel) -> Self {
+impl<T> Looks<T> {
+    /// What `of` makes of states, each in an interval.
+    fn at(trajectory: &Trajectory, kind: DynamicModel, of: impl Fn(usize, &NodeState) -> T) -> Self {
         let mut looks = Looks { nodes: Vec::new(), between: Vec::new() };
         for k in 0..trajectory.intervals() {
             let h = trajectory.times[k + 1] - trajectory.times[k];
@@ -202,14 +219,13 @@ impl Looks<NodeState> {
                 // z''' is constant over a piece, and jumps at nodes.
                 last[Z][3] = trajectory.within(k, h)[Z][3];
             }
-            looks.nodes.extend([trajectory.within(k, 0.0), last]);
-            looks.between.extend((1..=LOOKS).map(|i| trajectory.within(k, h * i as f64 / (LOOKS + 1) as f64)));
+            looks.nodes.extend([trajectory.within(k, 0.0), last].map(|state| of(k, &state)));
+            let inside = (1..=LOOKS).map(|i| trajectory.within(k, h * i as f64 / (LOOKS + 1) as f64));
+            looks.between.extend(inside.map(|state| of(k, &state)));
         }
         looks
     }
-}
 
-impl<T> Looks<T> {
     fn map<U>(&self, of: impl Fn(&T) -> U) -> Looks<U> {
         Looks { nodes: self.nodes.iter().map(&of).collect(), between: self.between.iter().map(&of).collect() }
     }
@@ -281,9 +297,23 @@ fn set_of(model: &Model, mode: usize) -> AdmissibleSet {
     }
 }
 
-/// The facet that a row stands for; `None` where rotors do not name it: in a flat set, and where T >= 0 is what it says.
+/// The facets that a certificate claims for a row: under RSP those of every mode that has its plane, as they were selected;
+/// RCP's modes have their whole sets claimed, and one of them stands for it.
+fn facets_of(model: &Model, row: &SetRow) -> Vec<FacetRecord> {
+    let named = match model.plan.planner {
+        PlannerKind::Rsp => row.origin.len(),
+        PlannerKind::Rip | PlannerKind::Rcp => 1,
+    };
+    row.origin.iter().take(named).filter_map(|&origin| record(model, origin)).collect()
+}
+
+/// A facet that a row stands for.
 pub(super) fn facet_of(model: &Model, row: &SetRow) -> Option<FacetRecord> {
-    let FacetOf { mode, facet, spanning } = *row.origin.first()?;
+    record(model, *row.origin.first()?)
+}
+
+/// `None` where rotors do not name the facet: in a flat set, and where T >= 0 is what it says.
+fn record(model: &Model, FacetOf { mode, facet, spanning }: FacetOf) -> Option<FacetRecord> {
     let set = set_of(model, mode).guaranteed(model);
     let plane = set.polytope.facets.get(facet)?;
     let spanning: Vec<usize> = spanning.generators().collect();

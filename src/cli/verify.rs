@@ -4,11 +4,10 @@ use super::spec::{self, timing};
 use super::{FINE, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, files};
 use crate::certificate::{MAX_BYTES, Scope};
 use crate::model::PlannerKind;
-use crate::report::number::number;
 use crate::report::table::Table;
 use crate::report::terminal::WIDTH;
 use crate::source::{FileId, Source};
-use crate::verify::{Reach, Verdict, read, verify};
+use crate::verify::{Guarded, Reach, Verdict, read, verify};
 use std::time::Instant;
 
 pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
@@ -60,15 +59,32 @@ fn table(verdict: &Verdict, planner: PlannerKind) -> String {
         table.row(vec![statement, words(shown.reach)]);
     }
     let mut out = table.render_left(0);
-    if !verdict.unclaimed.is_empty() {
-        let why = match planner {
-            PlannerKind::Rip => "RIP does not look at faults",
-            _ => "`mavc plan` says which facets RSP guards, if any",
-        };
-        let text = format!("Not claimed: that a facet of {} is kept; {why}.", verdict.unclaimed.join(", "));
+    if let Some(text) = guarded(&verdict.guarded, planner) {
         out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
     }
     out
+}
+
+/// What is claimed of the modes that the plan is against, and what is not; `None` where their whole sets are.
+fn guarded(modes: &[Guarded], planner: PlannerKind) -> Option<String> {
+    let partly: Vec<&Guarded> = modes.iter().filter(|mode| !mode.whole).collect();
+    if partly.is_empty() {
+        return None;
+    }
+    let none: Vec<&str> = partly.iter().filter(|m| m.facets == 0).map(|m| m.mode.as_str()).collect();
+    if planner == PlannerKind::Rip && none.len() == partly.len() {
+        return Some(format!("Nothing is claimed of {}: RIP does not look at faults.", none.join(", ")));
+    }
+    let total: usize = partly.iter().map(|mode| mode.facets).sum();
+    let some = partly.iter().filter(|mode| mode.facets > 0).map(|mode| format!("{} of {}", mode.facets, mode.mode));
+    let none = (!none.is_empty()).then(|| format!("none of {}", none.join(", ")));
+    let each: Vec<String> = some.chain(none).collect();
+    let plural = if total == 1 { "" } else { "s" };
+    Some(format!(
+        "Claimed of the fault sets: {total} facet{plural}, {}. Whether RSP guards more is not claimed: `mavc plan` says how \
+         many it guards.",
+        each.join(", ")
+    ))
 }
 
 fn words(reach: Reach) -> String {
@@ -79,7 +95,8 @@ fn words(reach: Reach) -> String {
         Some(Scope::Grid(points)) => format!("checked on a grid of {} points an interval", points + 1),
         Some(Scope::EveryInstant) => "proved for every instant".into(),
     };
-    let Some(beyond) = reach.beyond else { return shown };
+    let Some((beyond, measure)) = reach.beyond else { return shown };
     let seen = if beyond.scope == Scope::EveryInstant { "at any instant" } else { "on a grid" };
-    format!("{shown}; passed {seen} by at most {}", number(beyond.excess))
+    let of = measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
+    format!("{shown}; passed {seen} by at most {}{of}", measure.of(beyond.excess))
 }

@@ -61,8 +61,10 @@ impl<'a> Report<'a> {
         let own = diagnostic.span;
         let source = sources.get(own.file);
         let near = |span: Span| {
-            let beside = source.place(span.start as usize).line == source.place(own.start as usize).line;
-            span.file == own.file && (!beside || span.start.abs_diff(own.start) as usize <= MARGIN)
+            let line = source.place(own.start as usize).line;
+            let beside = source.place(span.start as usize).line == line;
+            let shown = if source.line(line).len() > LONGEST { MARGIN } else { LONGEST };
+            span.file == own.file && (!beside || span.start.abs_diff(own.start) as usize <= shown)
         };
         let (here, apart): (Vec<_>, Vec<_>) = diagnostic.labels.iter().partition(|l| near(l.span));
         let mut labels = vec![LabeledSpan::new_primary_with_span(worded(&diagnostic.label), place(source, own))];
@@ -88,7 +90,7 @@ fn worded(message: &str) -> Option<String> {
 /// Where a span is drawn: its beginning, where it is very long.
 fn place(source: &Source, span: Span) -> SourceSpan {
     let (start, end) = (span.start as usize, span.end as usize);
-    let end = end.min(boundary(&source.text, start + MARGIN)).max(start);
+    let end = end.min(boundary(&source.text, start + LONGEST)).max(start);
     (start, end - start).into()
 }
 
@@ -184,8 +186,11 @@ impl miette::Diagnostic for Elsewhere<'_> {
 /// Reads lines by the source's own index, so that many reports on a long file cost little.
 struct Excerpt<'a>(&'a Source);
 
-/// Bytes shown around a span at most, either side: a line may be as long as a file.
-const MARGIN: usize = 400;
+/// Lines are shown from their beginning and to their end where a span is no further than so many bytes from either.
+const LONGEST: usize = 400;
+
+/// Bytes shown on a side of a span where the line goes on for longer: a line may be as long as a file.
+const MARGIN: usize = 60;
 
 impl SourceCode for Excerpt<'_> {
     fn read_span<'a>(
@@ -202,8 +207,12 @@ impl SourceCode for Excerpt<'_> {
         let first = source.place(start).line.saturating_sub(before).max(1);
         let last = source.place(end.saturating_sub(1).max(start)).line + after;
         let from = if before == 0 { start } else { source.line(first).start };
-        let from = from.max(boundary(text, start.saturating_sub(MARGIN)));
-        let to = source.line(last).end.min(boundary(text, end + MARGIN)).max(end);
+        // Without the line before, where that one is long.
+        let own = source.line(source.place(start).line).start;
+        let whole = [from, own].into_iter().find(|from| start <= from + LONGEST);
+        let from = whole.unwrap_or_else(|| boundary(text, start - MARGIN));
+        let to = source.line(last).end.max(end);
+        let to = if to > end + LONGEST { boundary(text, end + MARGIN) } else { to };
         let place = source.place(from);
         let contents = MietteSpanContents::new_named(
             source.name.clone(),

@@ -56,7 +56,7 @@ fn on_facets(b: &Between, linear: bool) -> (Option<String>, Option<String>) {
     if b.shown == Shown::Proved {
         return (Some(all), None);
     }
-    let some = (b.proved > 0).then(|| format!("{what} keeps to {} of the {} facets imposed", b.proved, b.imposed));
+    let some = (b.proved > 0).then(|| format!("{what} keeps to {} of the {} planes imposed", b.proved, b.imposed));
     let rest = match (b.excess > VIOLATED, b.imposed - b.proved) {
         (true, _) => format!("{what} passes a facet imposed by {} of its width", percent(b.excess)),
         (false, 1) if b.proved > 0 => "it keeps to the other one".into(),

@@ -4,7 +4,7 @@ use super::heat;
 use super::number::{fixed, number, percent, significant};
 use super::record::{errors, rates};
 use super::table::Table;
-use super::terminal::{WIDTH, head, holds};
+use super::terminal::{WIDTH, head, holds, in_planes};
 use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind};
 use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, label};
@@ -53,7 +53,10 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
     if !comparison.modes.is_empty() {
         let n = comparison.selected.len();
         let plural = if n == 1 { "" } else { "s" };
-        out.push_str(&format!("\nRSP guards {n} facet{plural} of the fault sets beside the healthy set's.\n"));
+        out.push_str(&format!(
+            "\nRSP guards {n} facet{plural} of the fault sets{} beside the healthy set's.\n",
+            in_planes(comparison)
+        ));
     }
     for run in comparison.runs.iter().filter(|r| r.planner == PlannerKind::Rsp && r.run == Run::Common) {
         if let Ending::Infeasible { at } = run.ending {

@@ -10,6 +10,7 @@ use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::{Protection, UNMET};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::planner::profile::determined;
+use crate::planner::select::PlanningSet;
 use crate::planner::successive::NOT_FOUND;
 use crate::trajectory::outside::Outside;
 use crate::trajectory::risk::rated_risk;
@@ -51,6 +52,12 @@ pub(super) fn head(model: &Model, mission: &Mission, comparison: &Comparison) ->
     out
 }
 
+/// In how many planes the facets lie that RSP guards, where some lie in one: what is imposed is a plane.
+pub(crate) fn in_planes(comparison: &Comparison) -> String {
+    let planes = PlanningSet::default().with(comparison.selected.clone()).rows.len();
+    if planes == comparison.selected.len() { String::new() } else { format!(", in {planes} planes") }
+}
+
 /// The report of `mavc plan`: the last run is the one written out. `color`: whether strips are coloured.
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
@@ -59,6 +66,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
         .common_time
         .filter(|_| solved && model.plan.planner == PlannerKind::Rsp && model.plan.require_risk.is_none())
     {
+        let planes = in_planes(comparison);
         out.push_str(&match comparison.selected.len() {
             0 if model.plan.rounds == 0 => "RSP guards nothing more than RIP: `rounds = 0` selects no facet\n".into(),
             0 => format!(
@@ -68,12 +76,15 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
             ),
             1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s passes\n", number(time)),
             n if model.plan.rounds > 1 => format!(
-                "RSP guards {n} facets of the fault sets: those passed at {} s by the RIP plan and the plans of up to {} \
+                "RSP guards {n} facets of the fault sets{planes}: those passed at {} s by the RIP plan and the plans of up to {} \
                  further rounds\n",
                 number(time),
                 model.plan.rounds - 1
             ),
-            n => format!("RSP guards {n} facets of the fault sets: those the RIP plan at {} s passes\n", number(time)),
+            n => format!(
+                "RSP guards {n} facets of the fault sets{planes}: those the RIP plan at {} s passes\n",
+                number(time)
+            ),
         });
     }
     if let Some(bound) = model.plan.require_risk {

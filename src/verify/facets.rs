@@ -2,7 +2,7 @@
 
 use super::Rejection;
 use super::interval::{Interval, exceeds};
-use super::sets::{Generators, Plane};
+use super::sets::{Facet, Generators};
 use crate::certificate::FacetRecord;
 use crate::model::Model;
 use crate::report::number::number;
@@ -20,8 +20,8 @@ pub(super) fn few<T>(facets: &[T]) -> Result<(), Rejection> {
     Err(Rejection::new("the facets", format!("there are {}, and {MAX_FACETS} are checked at once", facets.len())))
 }
 
-/// The half-space that the rotors name, once the printed normal and offset are found to be its.
-pub fn named(model: &Model, record: &FacetRecord) -> Result<Plane, Rejection> {
+/// The facet that the rotors name, once the printed normal and offset are found to be its.
+pub fn named(model: &Model, record: &FacetRecord) -> Result<Facet, Rejection> {
     let wrong = |why: String| Err(Rejection::new("the facet", why));
     let generators = Generators::of(model, &record.mode)?;
     let Some(facet) = generators.named(&record.rotors, &record.normal) else {
@@ -36,7 +36,8 @@ pub fn named(model: &Model, record: &FacetRecord) -> Result<Plane, Rejection> {
         return wrong(format!("the normal's part along {axis} is {exact}, not {}", number(record.normal[i])));
     }
     if off(record.offset, facet.offset, facet.offset.magnitude().max(1.0)) {
-        return wrong(format!("the offset is {}, not {}", number(facet.offset.middle()), number(record.offset)));
+        let [exact, printed] = [facet.offset.middle(), record.offset].map(number);
+        return wrong(format!("the offset is {exact}, not {printed} (thrusts in N, torques in N m)"));
     }
-    Ok(facet.plane)
+    Ok(facet)
 }

@@ -7,7 +7,7 @@
 //! start is known to the first waypoint's tolerance, and the inputs are bounded; where the largest value over all of
 //! these is negative, there is no plan.
 //!
-//! In the hover model (one yaw) rows are facets, limits and waypoints. In the exact model facets are not linear in the
+//! In the hover model (one yaw) rows are facets, those of commands among them where rotors lag, limits and waypoints. In the exact model facets are not linear in the
 //! motion; what stands for them is that m |(x'', y'', z'' + g)| is the thrust, and at most the largest of the set.
 
 mod inputs;
@@ -16,9 +16,9 @@ mod rows;
 use super::facets::{few, named};
 use super::interval::Interval;
 use super::motion::{X, Y, YAW, Z};
-use super::schedule;
 use super::sets::Plane;
 use super::{Rejection, Shown, required};
+use super::{lag, schedule};
 use crate::certificate::{DynamicModel, InfeasibleClaim};
 use crate::model::{Mission, Model, PlannerKind};
 use crate::report::number::number;
@@ -32,6 +32,8 @@ struct Rows<'a> {
     kind: DynamicModel,
     /// sin and cos of the one yaw of the hover model.
     yaw: (Interval, Interval),
+    /// tau of rotors that lag, s.
+    lag: Option<Interval>,
     /// The largest thrust of any plan in the exact model, N.
     thrust: Option<Interval>,
 }
@@ -47,9 +49,6 @@ pub(super) fn decide(
     match kind {
         DynamicModel::Hover if mission.waypoints.iter().any(|w| (w.yaw - first.yaw).abs() >= 1e-12) => {
             return outside("in the hover model multipliers are checked for one yaw throughout");
-        }
-        DynamicModel::Exact if !mission.end_at_rest => {
-            return outside("in the exact model multipliers are checked for missions that end at rest");
         }
         _ if !mission.start_at_rest => return outside("multipliers are checked for a start at rest"),
         _ if model.plan.chooses_times => {
@@ -68,10 +67,10 @@ pub(super) fn decide(
         if !may_bind(model, &facet.mode) {
             return Err(of_facet(Rejection::new("", "the planner does not keep to this mode's set")));
         }
-        planes.push(named(model, facet).map_err(of_facet)?);
+        planes.push(named(model, facet).map_err(of_facet)?.plane);
     }
     let yaw = Interval::point(first.yaw).sin_cos();
-    let mut rows = Rows { model, mission, claim, planes, kind, yaw, thrust: None };
+    let mut rows = Rows { model, mission, claim, planes, kind, yaw, lag: lag::constant(model), thrust: None };
     if kind == DynamicModel::Exact {
         rows.thrust = Some(rows.most_thrust()?);
     }

@@ -2,9 +2,12 @@
 
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
-use super::proof::{Family, Rated};
-use super::series::Series;
+use super::proof::{Family, Measure, Rated};
 use crate::model::{Limit, LimitKind};
+use crate::report::caveats::limit_words;
+
+/// Value and rate of change.
+type Series = super::series::Series<2>;
 
 /// How far a limit is passed, side by side: upper, then lower; in the limit's SI unit. Of tilt it is
 /// `(|(x'', y'')| cos L - (z'' + g) sin L) / g`: the acceleration's way out of the cone over gravity.
@@ -23,7 +26,15 @@ pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
         });
         series.map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
     };
-    Family { members, evaluate: Box::new(evaluate), linear: false }
+    Family { members, evaluate: Box::new(evaluate), linear: false, jumps: false, measure: measure(kind) }
+}
+
+/// How messages say an excess.
+fn measure(kind: LimitKind) -> Measure {
+    match limit_words(kind) {
+        _ if kind == LimitKind::Tilt => Measure { factor: 1.0, unit: "g", whole: None },
+        (_, unit, factor) => Measure { factor, unit, whole: None },
+    }
 }
 
 /// The quantity itself; tilt is told apart above.
@@ -57,7 +68,7 @@ fn length(state: &State, axes: &[usize], order: usize) -> Series {
     let steepest = Interval::around_zero(squares(order + 1).sqrt().high);
     // d.d'/|d| where the length cannot vanish, never more than |d'|.
     let rate = (square.slope() / (value * Interval::point(2.0))).meet(steepest);
-    Series([value, rate, Interval::WHOLE, Interval::WHOLE])
+    Series::of_derivatives(&[value, rate])
 }
 
 fn tilt_excess(state: &State, limit: f64, gravity: f64) -> Series {
@@ -65,5 +76,5 @@ fn tilt_excess(state: &State, limit: f64, gravity: f64) -> Series {
     let g = Interval::point(gravity);
     let lift = series(&state[Z], 2) + Series::constant(g);
     let out = length(state, &[X, Y], 2).times(cosine) - lift.times(sine);
-    Series(out.0.map(|c| c / g))
+    Series::of_derivatives(&out.0.map(|c| c / g))
 }

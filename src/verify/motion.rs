@@ -1,7 +1,7 @@
 //! The motion of a certificate: polynomial pieces rebuilt from node derivatives, with their own evaluation.
 
 use super::interval::Interval;
-use super::series::{Series, TERMS};
+use super::series::Series;
 use crate::certificate::{DynamicModel, MotionRecord};
 
 /// Axes in the order of the records.
@@ -133,6 +133,6 @@ fn shifted(derivatives: &Axis, by: Interval) -> Axis {
 }
 
 /// The series of an axis's derivative of some order.
-pub fn series(axis: &Axis, order: usize) -> Series {
-    Series::of_derivatives(&axis[order..(order + TERMS).min(6)])
+pub fn series<const N: usize>(axis: &Axis, order: usize) -> Series<N> {
+    Series::of_derivatives(&axis[order..(order + N).min(6)])
 }

@@ -1,18 +1,21 @@
-//! Decides what a certificate claims of a plan.
+//! Decides what a certificate claims of a plan: here its motion, in [`bounds`] what is bounded along it.
 
-use super::facets::{few, named};
+mod bounds;
+
 use super::interval::{Interval, exceeds};
-use super::limits;
-use super::motion::{Motion, State, X, Y, YAW, Z};
-use super::proof::{Budget, Family, MAX_GRID, Rated, holds, kept};
-use super::sets::{Generators, MAX_TRIPLES, Plane, along};
-use super::wrench::Dynamics;
-use super::{Reach, Rejection, Shown, kept_or_passed, mode_named, required};
-use crate::certificate::{Bound, DynamicModel, FacetClaim, LimitClaim, MotionRecord, PlanClaim, Scope, SetClaim};
+use super::motion::{Motion, X, Y, YAW, Z};
+use super::proof::{Budget, Family, holds, kept};
+use super::wrench::{Dynamics, Held};
+use super::{Rejection, Shown, lag, mode_named, required};
+use crate::certificate::{Bound, DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Mission, MissionTime, Model};
-use crate::report::caveats::limit_words;
 use crate::report::number::number;
 use crate::source::Span;
+
+use bounds::Direction;
+use std::collections::BTreeSet;
+
+pub use bounds::wrench_family;
 
 /// Pieces of a plan join within this, m and rad.
 pub const MOST_GAP: f64 = 1e-5;
@@ -33,8 +36,12 @@ pub struct Checker<'a> {
     mission: &'a Mission,
     dynamics: Dynamics<'a>,
     motion: Motion,
+    /// Of rotors that lag.
+    commands: Option<Held>,
     budget: Budget,
     triples: usize,
+    /// Of the facets decided.
+    directions: BTreeSet<Direction>,
 }
 
 impl<'a> Checker<'a> {
@@ -49,12 +56,27 @@ impl<'a> Checker<'a> {
         // As the language says: one yaw throughout is linearised there.
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
         let dynamics = Dynamics { vehicle: &model.vehicle, gravity: model.gravity, model: kind, one_yaw };
-        Ok(Checker { model, mission, dynamics, motion, budget: Budget(EVALUATIONS), triples: 0 })
+        let commands = lag::constant(model).map(|tau| Held::Commands { tau });
+        Ok(Checker {
+            model,
+            mission,
+            dynamics,
+            motion,
+            commands,
+            budget: Budget(EVALUATIONS),
+            triples: 0,
+            directions: BTreeSet::new(),
+        })
     }
 
     /// What turns the motion into wrenches.
     pub fn dynamics(&self) -> &Dynamics<'a> {
         &self.dynamics
+    }
+
+    /// What rotors are commanded, where they lag.
+    pub fn commands(&self) -> Option<Held> {
+        self.commands
     }
 
     /// So many evaluations from now on, and as many sets as at first.
@@ -112,30 +134,9 @@ impl<'a> Checker<'a> {
                 });
             }
         }
-        // What is shown of the linear model's wrench is not shown of the vehicle's.
-        let (wrench, by) = match self.dynamics.model {
-            DynamicModel::Hover => ("linear model's wrench", " by the linear model's wrench"),
-            DynamicModel::Exact => ("wrench", ""),
-        };
-        for set in &claim.sets {
-            let reach = self.set(set)?;
-            shown.push(Shown::new(format!("{wrench} inside the set of {}", set.mode), reach));
-        }
-        few(&claim.facets)?;
-        for (index, facet) in claim.facets.iter().enumerate() {
-            let reach = self.facet(index, facet)?;
-            Shown::count(&mut shown, &format!("facets of {} kept{by}", facet.facet.mode), reach);
-        }
+        self.sets(&claim.sets, &mut shown)?;
+        self.facets(&claim.facets, &mut shown)?;
         Ok(shown)
-    }
-
-    /// The modes of the plan of which nothing is claimed: neither their set nor a facet of it.
-    pub fn unclaimed(&self, claim: &PlanClaim) -> Vec<String> {
-        let modes = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i)).map(|mode| &mode.name);
-        let is_claimed = |name: &String| {
-            claim.sets.iter().any(|set| set.mode == *name) || claim.facets.iter().any(|f| f.facet.mode == *name)
-        };
-        modes.filter(|name| !is_claimed(name)).cloned().collect()
     }
 
     fn span_of(&self, mode: &str) -> Option<Span> {
@@ -200,15 +201,18 @@ impl<'a> Checker<'a> {
     }
 
     fn joins(&self, claim: &PlanClaim) -> Result<(), Rejection> {
-        allowed("joins_within", claim.joins_within, MOST_GAP)?;
+        allowed("joins_within", claim.joins_within, MOST_GAP, "(m or rad)")?;
         if claim.joins_within < 0.0 {
-            return Err(Rejection::new("joins_within", format!("{} is below zero", number(claim.joins_within))));
+            return Err(Rejection::new(
+                "joins_within",
+                format!("{} (m or rad) is below zero", number(claim.joins_within)),
+            ));
         }
         for piece in 0..self.motion.pieces() {
             let gap = self.motion.gap(piece);
             if exceeds(gap, claim.joins_within) {
                 let why = format!(
-                    "piece {} misses the next by {} (m or rad), not by {}",
+                    "piece {} misses the next by {} (m or rad), not by {} at most",
                     piece + 1,
                     number(gap),
                     number(claim.joins_within)
@@ -247,8 +251,8 @@ impl<'a> Checker<'a> {
     }
 
     fn waypoints(&self, claim: &PlanClaim) -> Result<(), Rejection> {
-        allowed("position_excess_m", claim.position_excess_m, MOST_MISS)?;
-        allowed("yaw_excess_rad", claim.yaw_excess_rad, MOST_MISS)?;
+        allowed("position_excess_m", claim.position_excess_m, MOST_MISS, "m")?;
+        allowed("yaw_excess_rad", claim.yaw_excess_rad, MOST_MISS, "rad")?;
         // A tolerance of a kilometre binds nothing.
         const UNBOUNDED: f64 = 1e3;
         for (i, (point, &node)) in self.mission.waypoints.iter().zip(&self.motion.waypoint_nodes).enumerate() {
@@ -282,118 +286,13 @@ impl<'a> Checker<'a> {
         }
         Ok(())
     }
-
-    /// One limit, and how far it is shown.
-    pub fn limit(&mut self, index: usize, claim: &LimitClaim) -> Result<Reach, Rejection> {
-        let limit = &self.mission.limits[index];
-        let family = limits::family(limit, self.model.gravity);
-        let what = format!("limit {} ({})", index + 1, claim.limit);
-        let named = limit_words(limit.kind).0 == claim.limit;
-        if !named || limit.lower != claim.lower || limit.upper != claim.upper {
-            let why = "the certificate names another limit than the spec";
-            return Err(Rejection { span: Some(limit.span), ..Rejection::new(what, why) });
-        }
-        self.bounds(&family, &claim.bounds, MOST_PAST_LIMIT * limit.size(), |_| String::new()).map_err(|r| Rejection {
-            claim: what,
-            span: Some(limit.span),
-            ..r
-        })
-    }
-
-    /// One set, and how far it is shown.
-    pub fn set(&mut self, claim: &SetClaim) -> Result<Reach, Rejection> {
-        let what = format!("the set of {}", claim.mode);
-        let span = self.span_of(&claim.mode);
-        let generators = Generators::of(self.model, &claim.mode)?;
-        self.triples += generators.triples();
-        if self.triples > MAX_TRIPLES {
-            return Err(Rejection {
-                span,
-                ..Rejection::new(what, "the certificate is about more sets than are checked at once")
-            });
-        }
-        let planes = generators.planes().map_err(|why| Rejection { span, ..Rejection::new(what.clone(), why) })?;
-        let named = |member: usize| {
-            planes.get(member).map_or(String::new(), |p| format!(", at the plane of rotors {:?}", p.rotors))
-        };
-        let family = wrench_family(&self.dynamics.clone(), &planes);
-        self.bounds(&family, &claim.bounds, MOST_OUTSIDE, named).map_err(|r| Rejection { claim: what, span, ..r })
-    }
-
-    /// One facet, and how far it is shown.
-    pub fn facet(&mut self, index: usize, claim: &FacetClaim) -> Result<Reach, Rejection> {
-        let what = format!("facet {} ({}, rotors {:?})", index + 1, claim.facet.mode, claim.facet.rotors);
-        let span = self.span_of(&claim.facet.mode);
-        let plane = named(self.model, &claim.facet).map_err(|r| Rejection { claim: what.clone(), span, ..r })?;
-        let planes = [plane];
-        let family = wrench_family(&self.dynamics.clone(), &planes);
-        self.bounds(&family, &claim.bounds, MOST_OUTSIDE, |_| String::new()).map_err(|r| Rejection {
-            claim: what,
-            span,
-            ..r
-        })
-    }
-
-    /// Every bound stands, and one of them is close enough to mean something.
-    fn bounds(
-        &mut self,
-        family: &Family,
-        bounds: &[Bound],
-        most: f64,
-        named: impl Fn(usize) -> String,
-    ) -> Result<Reach, Rejection> {
-        let tightest = bounds.iter().map(|b| b.excess).fold(f64::INFINITY, f64::min);
-        if exceeds(tightest, most) {
-            let why = match tightest.is_finite() {
-                true => format!(
-                    "the claim lets it be {}, and more than {} is not kept",
-                    kept_or_passed(tightest),
-                    number(most)
-                ),
-                false => "no bound is claimed".into(),
-            };
-            return Err(Rejection::new("", why));
-        }
-        for bound in bounds {
-            if matches!(bound.scope, Scope::Grid(points) if points > MAX_GRID) {
-                return Err(Rejection::new("", format!("a grid has at most {MAX_GRID} points a piece")));
-            }
-            holds(family, &self.motion, bound, &mut self.budget)
-                .map_err(|f| Rejection::of_bound(bound, &f, named(f.member)))?;
-        }
-        let close = bounds.iter().filter(|b| b.excess <= most).map(|b| b.scope);
-        let scope = close.max_by_key(rank).unwrap_or(Scope::Nodes);
-        let beyond = bounds.iter().filter(|b| rank(&b.scope) > rank(&scope)).copied();
-        Ok(Reach { scope: Some(scope), beyond: beyond.max_by_key(|b| rank(&b.scope)) })
-    }
-}
-
-/// Scopes from the weakest up.
-fn rank(scope: &Scope) -> usize {
-    match scope {
-        Scope::Nodes => 0,
-        Scope::Grid(points) => *points,
-        Scope::EveryInstant => usize::MAX,
-    }
 }
 
 /// A tolerance that a certificate allows itself, and no more than means something.
-fn allowed(name: &str, claimed: f64, most: f64) -> Result<(), Rejection> {
+fn allowed(name: &str, claimed: f64, most: f64, unit: &str) -> Result<(), Rejection> {
     if claimed <= most {
-        Ok(())
-    } else {
-        Err(Rejection::new(name, format!("{} is more than the {} that a plan may miss", number(claimed), number(most))))
+        return Ok(());
     }
-}
-
-/// The excess of the wrench over each plane.
-pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, planes: &'b [Plane]) -> Family<'b> {
-    let linear = dynamics.model == DynamicModel::Hover && dynamics.one_yaw.is_some();
-    let dynamics = dynamics.clone();
-    let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
-        let wrench = dynamics.wrench(state);
-        let planes = wanted.iter().filter_map(|&m| planes.get(m));
-        planes.map(|p| Rated { value: p.excess(&wrench.value), rate: along(&p.normal, &wrench.rate) }).collect()
-    };
-    Family { members: planes.len(), evaluate: Box::new(evaluate), linear }
+    let [claimed, most] = [claimed, most].map(number);
+    Err(Rejection::new(name, format!("{claimed} {unit} is more than the {most} that a plan may miss")))
 }

@@ -3,6 +3,7 @@
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, State};
 use crate::certificate::{Bound, Scope};
+use crate::report::number::number;
 
 /// A quantity and its rate of change, at an instant or over a stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +21,37 @@ pub struct Family<'a> {
     pub evaluate: Evaluate<'a>,
     /// All are linear in time over each piece, so that its ends bound what lies between.
     pub linear: bool,
+    /// They may jump where two pieces meet, so that each node is looked at from both.
+    pub jumps: bool,
+    pub measure: Measure,
+}
+
+/// How messages say by how much a bound is passed or kept.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measure {
+    /// Of the unit in that of the records.
+    pub factor: f64,
+    pub unit: &'static str,
+    /// What a share is one of.
+    pub whole: Option<&'static str>,
+}
+
+impl Measure {
+    /// What excesses over planes are measured in.
+    pub const WIDTH: Measure = Measure { factor: 100.0, unit: "%", whole: Some("of the healthy set's width") };
+
+    /// A number with its unit.
+    pub fn of(self, x: f64) -> String {
+        format!("{} {}", number(x * self.factor), self.unit)
+    }
+
+    /// What an excess says of a bound.
+    pub fn kept_or_passed(self, excess: f64) -> String {
+        match excess > 0.0 {
+            true => format!("passed by {}", self.of(excess)),
+            false => format!("kept with {} to spare", self.of(-excess)),
+        }
+    }
 }
 
 /// Why a bound does not stand.
@@ -77,8 +109,8 @@ fn over_piece(
     bound: &Bound,
     budget: &mut Budget,
 ) -> Result<(), Failure> {
-    // What is linear does not depend on the piece that a node is seen from.
-    let once = family.linear && piece + 1 < motion.pieces();
+    // What is linear and does not jump does not depend on the piece that a node is seen from.
+    let once = family.linear && !family.jumps && piece + 1 < motion.pieces();
     for node in piece..=piece + usize::from(!once) {
         at_instant(family, &motion.node_in(node, piece), motion.times[node], members, bound.excess, budget)?;
     }

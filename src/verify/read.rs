@@ -8,11 +8,19 @@ use serde_json::error::Category;
 /// What was given as a certificate is none.
 pub const MALFORMED: &str = "mavc::verify::malformed";
 
+/// A certificate, and where it names its spec.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Read {
+    pub certificate: Certificate,
+    /// The hash of its spec.
+    pub hash: Span,
+}
+
 /// Reads a certificate; `file` is its text, for the places in messages.
 ///
 /// # Errors
 /// What is wrong with it, at its place.
-pub fn read(bytes: &[u8], file: FileId) -> Result<Certificate, Box<Diagnostic>> {
+pub fn read(bytes: &[u8], file: FileId) -> Result<Read, Box<Diagnostic>> {
     // Texts in messages begin after it too.
     let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
     let malformed = |at: usize, why: &str, here: String| {
@@ -43,7 +51,10 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Certificate, Box<Diagnostic>> 
         let here = format!("schema {}, and this program reads {SCHEMA}", certificate.schema);
         return Err(malformed(at, "it is of another version", here));
     }
-    Ok(certificate)
+    // One that is written in another way, with escapes, is not found; then the file is shown from its beginning.
+    let written = format!("\"{}\"", certificate.spec_sha256);
+    let hash = text.find(&written).map_or(Span::new(file, 0, 0), |at| Span::new(file, at, at + written.len()));
+    Ok(Read { certificate, hash })
 }
 
 /// The byte that a parser's line and column, which counts bytes, mean.

@@ -4,27 +4,28 @@
 use super::interval::Interval;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Coefficients kept: a wrench needs the attitude's second derivative, and its rate of change the third.
-pub const TERMS: usize = 4;
-
-/// `sum of c_n s^n` for n < TERMS.
+/// `sum of c_n s^n` for n < N. A quantity and its rate of change need two coefficients, and one more for each derivative
+/// taken on the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Series(pub [Interval; TERMS]);
+pub struct Series<const N: usize>(pub [Interval; N]);
 
-impl Series {
+impl<const N: usize> Series<N> {
     pub fn constant(value: Interval) -> Self {
-        let mut c = [Interval::ZERO; TERMS];
+        let mut c = [Interval::ZERO; N];
         c[0] = value;
         Series(c)
     }
 
     /// From a quantity's derivatives: `c_n = d_n / n!`.
     pub fn of_derivatives(derivatives: &[Interval]) -> Self {
-        const FACTORIAL: [f64; TERMS] = [1.0, 1.0, 2.0, 6.0];
-        Series(std::array::from_fn(|n| match derivatives.get(n) {
-            Some(&d) if n < 2 => d,
-            Some(&d) => d / Interval::point(FACTORIAL[n]),
-            None => Interval::ZERO,
+        let mut factorial = 1.0;
+        Series(std::array::from_fn(|n| {
+            factorial *= n.max(1) as f64;
+            match derivatives.get(n) {
+                Some(&d) if n < 2 => d,
+                Some(&d) => d / Interval::point(factorial),
+                None => Interval::ZERO,
+            }
         }))
     }
 
@@ -50,9 +51,9 @@ impl Series {
     }
 
     /// `self / divisor`: q_n = (a_n - sum over j < n of q_j b_(n-j)) / b_0.
-    pub fn over(&self, divisor: &Series) -> Self {
-        let mut q = [Interval::ZERO; TERMS];
-        for n in 0..TERMS {
+    pub fn over(&self, divisor: &Self) -> Self {
+        let mut q = [Interval::ZERO; N];
+        for n in 0..N {
             let known = (0..n).fold(self.0[n], |sum, j| sum - q[j] * divisor.0[n - j]);
             q[n] = known / divisor.0[0];
         }
@@ -61,10 +62,10 @@ impl Series {
 
     /// s_0 = sqrt(a_0), s_n = (a_n - sum over 0 < j < n of s_j s_(n-j)) / (2 s_0).
     pub fn sqrt(&self) -> Self {
-        let mut s = [Interval::ZERO; TERMS];
+        let mut s = [Interval::ZERO; N];
         s[0] = self.0[0].sqrt();
         let double = s[0] * Interval::point(2.0);
-        for n in 1..TERMS {
+        for n in 1..N {
             let known = (1..n).fold(self.0[n], |sum, j| sum - s[j] * s[n - j]);
             s[n] = known / double;
         }
@@ -73,9 +74,9 @@ impl Series {
 
     /// n s_n = sum over j of j a_j c_(n-j), n c_n = -(sum over j of j a_j s_(n-j)).
     pub fn sin_cos(&self) -> (Self, Self) {
-        let (mut s, mut c) = ([Interval::ZERO; TERMS], [Interval::ZERO; TERMS]);
+        let (mut s, mut c) = ([Interval::ZERO; N], [Interval::ZERO; N]);
         (s[0], c[0]) = self.0[0].sin_cos();
-        for n in 1..TERMS {
+        for n in 1..N {
             let mut sums = (Interval::ZERO, Interval::ZERO);
             for j in 1..=n {
                 let weighted = self.0[j] * Interval::point(j as f64);
@@ -88,28 +89,28 @@ impl Series {
     }
 }
 
-impl Add for Series {
+impl<const N: usize> Add for Series<N> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Series(std::array::from_fn(|n| self.0[n] + other.0[n]))
     }
 }
 
-impl Neg for Series {
+impl<const N: usize> Neg for Series<N> {
     type Output = Self;
     fn neg(self) -> Self {
         Series(self.0.map(|c| -c))
     }
 }
 
-impl Sub for Series {
+impl<const N: usize> Sub for Series<N> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul for Series {
+impl<const N: usize> Mul for Series<N> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         Series(std::array::from_fn(|n| (0..=n).fold(Interval::ZERO, |sum, j| sum + self.0[j] * other.0[n - j])))
@@ -117,17 +118,17 @@ impl Mul for Series {
 }
 
 /// A vector whose components change with time.
-pub type Vector = [Series; 3];
+pub type Vector<const N: usize> = [Series<N>; 3];
 
-pub fn dot(a: &Vector, b: &Vector) -> Series {
+pub fn dot<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Series<N> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub fn cross(a: &Vector, b: &Vector) -> Vector {
+pub fn cross<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-pub fn unit(a: &Vector) -> Vector {
+pub fn unit<const N: usize>(a: &Vector<N>) -> Vector<N> {
     let length = dot(a, a).sqrt();
     [a[0].over(&length), a[1].over(&length), a[2].over(&length)]
 }

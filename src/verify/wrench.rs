@@ -6,6 +6,15 @@ use super::series::{Series, Vector, cross, dot, unit};
 use crate::certificate::DynamicModel;
 use crate::model::Vehicle;
 
+/// What is held against a set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Held {
+    /// The wrench w of the motion.
+    Wrench,
+    /// What rotors that lag by `tau` s are commanded for it: w + tau w' (docs/method.md, (81)).
+    Commands { tau: Interval },
+}
+
 /// Value and rate of change of T, tau_x, tau_y, tau_z: N, N m and per second.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wrench {
@@ -26,16 +35,28 @@ pub struct Dynamics<'a> {
 
 impl Dynamics<'_> {
     pub fn wrench(&self, state: &State) -> Wrench {
-        let parts = match self.model {
+        // A torque needs the attitude's second derivative, and its rate of change the third.
+        rated(self.series::<4>(state))
+    }
+
+    /// What is held against sets, at a state whose inputs have the slopes of its piece.
+    pub fn held(&self, held: Held, state: &State) -> Wrench {
+        match held {
+            Held::Wrench => self.wrench(state),
+            Held::Commands { tau } => rated(self.series::<5>(state).map(|w| w + w.rate().times(tau))),
+        }
+    }
+
+    fn series<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
+        match self.model {
             DynamicModel::Hover => self.about_hover(state),
             DynamicModel::Exact => self.exact(state),
-        };
-        Wrench { value: parts.map(|p| p.value()), rate: parts.map(|p| p.slope()) }
+        }
     }
 
     /// T = m (g + z''), tau = (Ixx phi'', Iyy theta'', Izz psi'') with phi = (s x'' - c y'')/g, theta = (c x'' + s
     /// y'')/g: the series of phi and theta hold their second derivatives.
-    fn about_hover(&self, state: &State) -> [Series; 4] {
+    fn about_hover<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
         let g = Interval::point(self.gravity);
         let yaw = match self.one_yaw {
             Some(psi) => Series::constant(Interval::point(psi)),
@@ -43,7 +64,7 @@ impl Dynamics<'_> {
         };
         let (s, c) = yaw.sin_cos();
         let (ax, ay) = (series(&state[X], 2), series(&state[Y], 2));
-        let over_g = |a: Series| Series(a.0.map(|x| x / g));
+        let over_g = |a: Series<N>| Series(a.0.map(|x| x / g));
         let roll = over_g(s * ax - c * ay).rate().rate();
         let pitch = over_g(c * ax + s * ay).rate().rate();
         let [ixx, iyy, izz] = self.vehicle.inertia.map(Interval::point);
@@ -55,20 +76,24 @@ impl Dynamics<'_> {
     /// The thrust carries m (p'' + g e_z) along b_3; of ZYX angles the heading is that of b_1, which is therefore
     /// orthogonal to y_C = (-s, c, 0). With R' = R S(omega), S the matrix of the cross product: p = -b_2.b_3',
     /// q = b_1.b_3', r = b_2.b_1'; then tau = J omega' + omega x J omega.
-    fn exact(&self, state: &State) -> [Series; 4] {
+    fn exact<const N: usize>(&self, state: &State) -> [Series<N>; 4] {
         let g = Series::constant(Interval::point(self.gravity));
-        let a: Vector = [series(&state[X], 2), series(&state[Y], 2), series(&state[Z], 2) + g];
+        let a: Vector<N> = [series(&state[X], 2), series(&state[Y], 2), series(&state[Z], 2) + g];
         let (s, c) = series(&state[YAW], 0).sin_cos();
         let b3 = unit(&a);
         let b1 = unit(&cross(&[-s, c, Series::constant(Interval::ZERO)], &b3));
         let b2 = cross(&b3, &b1);
         let (b1_rate, b3_rate) = (b1.map(|x| x.rate()), b3.map(|x| x.rate()));
-        let omega: Vector = [-dot(&b2, &b3_rate), dot(&b1, &b3_rate), dot(&b2, &b1_rate)];
+        let omega: Vector<N> = [-dot(&b2, &b3_rate), dot(&b1, &b3_rate), dot(&b2, &b1_rate)];
         let inertia = self.vehicle.inertia.map(Interval::point);
-        let momentum: Vector = std::array::from_fn(|i| omega[i].times(inertia[i]));
+        let momentum: Vector<N> = std::array::from_fn(|i| omega[i].times(inertia[i]));
         let gyroscopic = cross(&omega, &momentum);
-        let tau: Vector = std::array::from_fn(|i| momentum[i].rate() + gyroscopic[i]);
+        let tau: Vector<N> = std::array::from_fn(|i| momentum[i].rate() + gyroscopic[i]);
         let thrust = dot(&a, &a).sqrt().times(Interval::point(self.vehicle.mass));
         [thrust, tau[0], tau[1], tau[2]]
     }
+}
+
+fn rated<const N: usize>(parts: [Series<N>; 4]) -> Wrench {
+    Wrench { value: parts.map(|p| p.value()), rate: parts.map(|p| p.slope()) }
 }

@@ -6,6 +6,7 @@ mod between;
 mod command;
 mod exact;
 mod infeasible;
+mod lag;
 mod relaxation;
 mod sets;
 mod tampering;

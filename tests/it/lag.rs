@@ -14,7 +14,7 @@ use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
 use mavc::trajectory::Trajectory;
 
 /// The model with rotors whose thrusts are planned to follow in `tau` s.
-fn lagging(mut model: Model, tau: f64) -> Model {
+pub fn lagging(mut model: Model, tau: f64) -> Model {
     model.plan.rotors = PlanRotors::Lagging;
     model.vehicle.rotors.iter_mut().for_each(|r| r.time_constant = Some(1.0));
     let of_one_second = model.thrust_lag().unwrap();
@@ -23,7 +23,7 @@ fn lagging(mut model: Model, tau: f64) -> Model {
 }
 
 /// There and back, a little upwards, without turning; at a time that is not easy.
-fn shuttle() -> Mission {
+pub fn shuttle() -> Mission {
     mission(vec![
         waypoint([0.0, 0.0, 2.0], 0.3),
         waypoint([4.0, 1.0, 4.0], 0.3),
@@ -33,7 +33,7 @@ fn shuttle() -> Mission {
 }
 
 /// The same while the nose turns.
-fn turning() -> Mission {
+pub fn turning() -> Mission {
     let mut mission = shuttle();
     for (w, yaw) in mission.waypoints.iter_mut().zip([0.0, 0.7, 1.3, 0.4]) {
         w.yaw = yaw;
@@ -41,7 +41,7 @@ fn turning() -> Mission {
     mission
 }
 
-fn planning(mission: Mission, model: PlanModel, time: MissionTime) -> Model {
+pub fn planning(mission: Mission, model: PlanModel, time: MissionTime) -> Model {
     let mut octo = octocopter("PPNNPPNN");
     octo.mission = Some(mission);
     octo.plan.model = model;
@@ -62,7 +62,7 @@ fn solved(comparison: &Comparison) -> &Solved {
     }
 }
 
-fn shortest(model: &Model) -> f64 {
+pub fn shortest(model: &Model) -> f64 {
     solved(&compared(model)).time
 }
 

@@ -11,7 +11,7 @@ use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label
 use crate::report::flight::{FlightRecord, OutcomeRecord, length as flown_length};
 use crate::report::number::{fixed, number, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
-use crate::report::terminal::no_plan;
+use crate::report::terminal::{in_planes, no_plan};
 
 /// The headline of the page with what supports it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -101,7 +101,8 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
         .common_time
         .map(|t| Figure::new("Common time T_d", format!("{} s", number(t)), "at which all planners are compared"));
     let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), "each met within its tolerance");
-    let guarded = Figure::new("Facets RSP guards", comparison.selected.len().to_string(), "beside the healthy set's");
+    let beside = format!("beside the healthy set's{}", in_planes(comparison));
+    let guarded = Figure::new("Facets RSP guards", comparison.selected.len().to_string(), beside);
     Found { headline, figures: common.into_iter().chain([waypoints, guarded]).collect(), warnings: Vec::new() }
 }
 

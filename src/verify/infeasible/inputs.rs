@@ -1,6 +1,7 @@
 //! Bounds on the inputs of any plan: they absorb what multipliers leave of them.
 
 use super::super::interval::Interval;
+use super::super::motion::{X, Y, Z};
 use super::super::sets::{Generators, along};
 use super::super::{Rejection, required};
 use super::Rows;
@@ -31,22 +32,62 @@ impl Rows<'_> {
         Ok([s * a + c * b, s * b - c * a, reach[0] / Interval::point(vehicle.mass) - g, reach[3] / izz])
     }
 
-    /// x'''', y'''', z'''' and psi'' of motions from rest to rest.
+    /// x'''', y'''', z'''' and psi'' of motions from rest.
     ///
-    /// x'' is a twice continuously differentiable cubic spline with slope zero at both ends, so its second derivatives u_k
-    /// at the nodes solve (de Boor, *A Practical Guide to Splines*, chapter 4)
+    /// Where they end at rest, x'' is a twice continuously differentiable cubic spline with slope zero at both ends, so its
+    /// second derivatives u_k at the nodes solve (de Boor, *A Practical Guide to Splines*, chapter 4)
     ///
     /// `h_(k-1)/6 u_(k-1) + (h_(k-1) + h_k)/3 u_k + h_k/6 u_(k+1) = (x''_(k+1) - x''_k)/h_k - (x''_k - x''_(k-1))/h_(k-1)`.
     ///
     /// Where |u_k| is largest the left side is at least (h_(k-1) + h_k)/6 of it. The right one is at most 2 A (1/h_k +
     /// 1/h_(k-1)) with A = T_max/m, since the thrust bounds |(x'', y'', z'' + g)| at the nodes. Hence
-    /// `|u| <= 12 A/(h_(k-1) h_k)`; at the ends alike, with one step for both.
+    /// `|u| <= 12 A/(h_(k-1) h_k)`; at the ends alike, with one step for both. Where the end moves, [`Self::at_a_moving_end`]
+    /// says what takes the place of the slope.
     fn exact_inputs(&self, most: Interval) -> [Interval; 4] {
         let step = self.shortest_step();
         let acceleration = most / Interval::point(self.model.vehicle.mass);
         let snap = Interval::point(12.0) * acceleration / (step * step);
-        let snap = Interval::around_zero(snap.magnitude());
-        [snap, snap, snap, self.yaw_input(step)]
+        let of_axis = |axis: usize| match self.mission.end_at_rest {
+            true => Interval::around_zero(snap.magnitude()),
+            false => Interval::around_zero((snap + self.at_a_moving_end(axis, acceleration)).magnitude()),
+        };
+        [of_axis(X), of_axis(Y), of_axis(Z), self.yaw_input(step)]
+    }
+
+    /// What the inputs of an axis may have more than between rests, where the last slope is not zero: with h the last step
+    /// either of
+    ///
+    /// `6 J/h`, for a jerk that is at most J at the end: it takes the place of the slope in the last equation, whose right
+    /// side is then at most J + 2 A/h, and whose left side at least h/6 of the largest |u_k|;
+    ///
+    /// `48 (2 V + h (A + g))/h^3`, for a velocity that is at most V: the velocity gained in the last step is
+    /// `h/2 (x''_(N-1) + x''_N) - h^3/24 (u_(N-1) + u_N)`, so |u_(N-1) + u_N| is at most r, half of that (x'' is at most A,
+    /// z'' at most A + g in size). Less h/6 of it, the equation before has on its left at least (h_(N-2) + h)/6 of the
+    /// largest of the other |u_k|, so these are at most `12 A/(h_(N-2) h) + r`, and |u_N| at most r more.
+    ///
+    /// Without either limit nothing bounds them: splines that vanish at all nodes may grow from each to the next.
+    fn at_a_moving_end(&self, axis: usize, acceleration: Interval) -> Interval {
+        let times = &self.claim.times_s;
+        let [.., before, end] = times[..] else { return Interval::WHOLE };
+        let step = Interval::point(end) - Interval::point(before);
+        let jerk = self.upper(LimitKind::Jerk).map(|j| Interval::point(6.0) * Interval::point(j) / step);
+        let along = match axis {
+            Z => self.upper(LimitKind::Climb).zip(self.upper(LimitKind::Descent)).map(|(up, down)| up.max(down)),
+            _ => self.upper(LimitKind::SpeedHorizontal),
+        };
+        let speed = [along, self.upper(LimitKind::Speed)].into_iter().flatten().reduce(f64::min);
+        let gained = |v: f64| {
+            let size = acceleration + Interval::point(self.model.gravity);
+            let both = Interval::point(2.0 * v) + step * size;
+            Interval::point(48.0) * both / (step * step * step)
+        };
+        let bounds = [jerk, speed.map(gained)].into_iter().flatten();
+        bounds.reduce(|a, b| if b.high < a.high { b } else { a }).unwrap_or(Interval::WHOLE)
+    }
+
+    /// The upper side of a limit, where the mission has it.
+    fn upper(&self, kind: LimitKind) -> Option<f64> {
+        self.mission.limits.iter().filter(|l| l.kind == kind).filter_map(|l| l.upper).reduce(f64::min)
     }
 
     /// psi'' at any node: its limit, or what follows from that of psi'. From rest psi'' is 0 at first, and

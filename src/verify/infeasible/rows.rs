@@ -72,12 +72,20 @@ impl Rows<'_> {
             RowRecord::Rest { node, axis, derivative } => {
                 Err(format!("the spec does not ask for rest of derivative {derivative} of axis {axis} at node {node}"))
             }
-            RowRecord::Facet { .. } if self.kind == DynamicModel::Exact => {
+            RowRecord::Facet { .. } | RowRecord::Commands { .. } if self.kind == DynamicModel::Exact => {
                 Err("in the exact model facets are no rows in the derivatives".into())
             }
             RowRecord::Facet { facet, node } => {
                 let plane = self.planes.get(facet).ok_or(format!("there is no facet {facet}"))?;
                 Ok(vec![self.keeps(plane, at(node)?)])
+            }
+            RowRecord::Commands { facet, node, interval } => {
+                let plane = self.planes.get(facet).ok_or(format!("there is no facet {facet}"))?;
+                let tau = self.lag.ok_or("the spec's rotors follow their commands at once")?;
+                if !self.beside(at(node)?, interval) {
+                    return Err(format!("interval {interval} is not beside node {node}"));
+                }
+                Ok(vec![self.keeps_commands(plane, tau, node, interval)])
             }
             RowRecord::Limit { limit, node, side } => {
                 let limit = self.mission.limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
@@ -148,6 +156,23 @@ impl Rows<'_> {
             .plus(node, YAW, 2, -(turn * izz))
     }
 
+    /// Whether an interval begins or ends at a node.
+    fn beside(&self, node: usize, interval: usize) -> bool {
+        interval + 1 < self.nodes() && (interval == node || interval + 1 == node)
+    }
+
+    /// e - n.(w + tau w'): with one yaw w is linear in an interval, so w' is what it changes there over the duration.
+    fn keeps_commands(&self, plane: &Plane, tau: Interval, node: usize, interval: usize) -> Expression {
+        let times = &self.claim.times_s;
+        let ahead = tau / (Interval::point(times[interval + 1]) - Interval::point(times[interval]));
+        let mut row = self.keeps(plane, node);
+        for (end, share) in [(interval + 1, ahead), (interval, -ahead)] {
+            let terms = self.keeps(plane, end).terms.into_iter();
+            row.terms.extend(terms.map(|(node, axis, order, c)| (node, axis, order, share * c)));
+        }
+        row
+    }
+
     /// T_max / m is not below |(x'', y'', z'' + g)|.
     fn thrust_cone(&self, most: Interval, node: usize) -> Vec<Expression> {
         let [mass, g] = [self.model.vehicle.mass, self.model.gravity].map(Interval::point);
@@ -176,7 +201,7 @@ impl Rows<'_> {
                 with(Expression::constant(tangent * g).plus(node, Z, 2, tangent), parts(&[X, Y], 2))
             }
             LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),
-            LimitKind::Jerk if interval + 1 < self.nodes() && (interval == node || interval + 1 == node) => {
+            LimitKind::Jerk if self.beside(node, interval) => {
                 let times = &self.claim.times_s;
                 let h = Interval::point(times[interval + 1]) - Interval::point(times[interval]);
                 let rate = Interval::ONE / h;

@@ -125,7 +125,7 @@ fn exact_numbers_are_exact() {
 fn series_are_taylors() {
     let derivatives = [[1.3, 0.4, -0.7, 0.2], [2.1, -0.3, 0.5, 0.9]].map(|d| d.map(Interval::point));
     let [a, b] = derivatives.map(|d| Series::of_derivatives(&d));
-    let at = |s: &Series, t: f64| s.0.iter().rev().fold(0.0, |sum, c| sum * t + c.middle());
+    let at = |s: &Series<4>, t: f64| s.0.iter().rev().fold(0.0, |sum, c| sum * t + c.middle());
     let (t, close) = (1e-3, 1e-11);
     let (x, y) = (at(&a, t), at(&b, t));
     assert!((at(&a.over(&b), t) - x / y).abs() < close);

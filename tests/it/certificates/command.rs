@@ -77,7 +77,12 @@ fn a_plan_is_certified_and_verified() {
     // Another spec, by an override or by its text.
     let other = mavc(&["verify", &proof, &spec, "--set", "vehicle.mass=2kg"]);
     assert_eq!(code(&other), 5);
-    assert!(said(&other).contains("written for another spec"), "{}", said(&other));
+    // Both hashes are named, and what is shown is the certificate's.
+    let value: serde_json::Value = serde_json::from_slice(&text).unwrap();
+    let message = said(&other);
+    let told = format!("written for another spec: {}, and this one is ", &value["spec_sha256"].as_str().unwrap()[..12]);
+    assert!(message.contains(&told), "{message}");
+    assert!(message.contains("cert.json:") && !message.contains("spec.mav"), "{message}");
 
     // A false number: the message says which claim, where, and points to the statement.
     let mut value: serde_json::Value = serde_json::from_slice(&text).unwrap();
@@ -86,7 +91,8 @@ fn a_plan_is_certified_and_verified() {
     let false_claim = mavc(&["verify", &proof, &spec]);
     assert_eq!(code(&false_claim), 5);
     let message = said(&false_claim);
-    for part in ["mavc::verify::rejected", "limit 1 (speed) at ", "claimed: kept with 4 to spare", "speed <= 3 m/s"] {
+    for part in ["mavc::verify::rejected", "limit 1 (speed) at ", "claimed: kept with 4 m/s to spare", "speed <= 3 m/s"]
+    {
         assert!(message.contains(part), "{part}: {message}");
     }
 }
@@ -104,7 +110,14 @@ fn modes_of_which_nothing_is_claimed_are_named() {
     };
     let whole = verified();
     assert!(whole.contains("facets of M1 kept") && whole.contains("facets of M2 kept"), "{whole}");
-    assert!(!whole.contains("Not claimed"), "{whole}");
+    // As many as RSP guards.
+    let guards = |text: &str, before: &str| -> usize {
+        let (_, after) = text.split_once(before).unwrap_or_else(|| panic!("{before}: {text}"));
+        after.split_once(' ').unwrap().0.parse().unwrap()
+    };
+    let planned = String::from_utf8(mavc(&["plan", &spec]).stdout).unwrap();
+    let (claimed, guarded) = (guards(&whole, "Claimed of the fault sets: "), guards(&planned, "RSP guards "));
+    assert_eq!(claimed, guarded, "{whole}{planned}");
     let without = |modes: &[&str]| {
         let mut value: serde_json::Value = serde_json::from_slice(&std::fs::read(&proof).unwrap()).unwrap();
         let facets = value["claim"]["plan"]["facets"].as_array_mut().unwrap();
@@ -113,15 +126,16 @@ fn modes_of_which_nothing_is_claimed_are_named() {
     };
     without(&["M1"]);
     let fewer = verified();
-    assert!(fewer.contains("Not claimed: that a facet of M1 is kept;") && fewer.contains("of M2 kept"), "{fewer}");
+    assert!(fewer.contains(" of M2, none of M1. Whether RSP guards more is not claimed"), "{fewer}");
+    assert!(guards(&fewer, "Claimed of the fault sets: ") < claimed && fewer.contains("of M2 kept"), "{fewer}");
     without(&["M1", "M2"]);
-    assert!(verified().contains("that a facet of M1, M2 is kept; `mavc plan` says which facets RSP guards"));
+    assert!(verified().contains("Claimed of the fault sets: 0 facets, none of M1, M2."));
     // Under RCP whole sets are claimed.
     let ran = mavc(&["plan", &spec, "--set", "plan.planner=rcp", "--set", "plan.time=9s", "--certificate", &proof]);
     assert_eq!(code(&ran), 0, "{}", said(&ran));
     let ran = mavc(&["verify", &proof, &spec, "--set", "plan.planner=rcp", "--set", "plan.time=9s"]);
     let told = String::from_utf8(ran.stdout).unwrap();
-    assert!(told.contains("inside the set of M1") && !told.contains("Not claimed"), "{told}");
+    assert!(told.contains("inside the set of M1") && !told.contains("Claimed of the fault sets"), "{told}");
 }
 
 #[test]
@@ -197,6 +211,13 @@ fn what_breaks_a_certificate_is_shown_in_it() {
         assert!(message.contains(&format!("this is no certificate: {told}")) && message.contains(label), "{message}");
         assert!(message.contains("cert.json") && !message.contains("spec.mav"), "{message}");
     }
+    // Of a line as long as the file the place is shown with a little on both sides.
+    let long = "0123456789".repeat(300);
+    let text = format!("{{\"schema\":1,\"spec_sha256\":\"{long}\",\"model\":oops,\"claim\":\"{long}\"}}");
+    std::fs::write(&proof, text).unwrap();
+    let message = said(&mavc(&["verify", &proof, &folder.spec()]));
+    assert!(message.contains("it is no JSON") && message.contains("\"model\":oops"), "{message}");
+    assert!(message.lines().all(|line| line.chars().count() < 160), "{message}");
     std::fs::write(&proof, b"{ \"schema\": \xff").unwrap();
     let message = said(&mavc(&["verify", &proof, &folder.spec()]));
     assert!(message.contains("it is no text") && message.contains("no UTF-8 from here on"), "{message}");
@@ -214,10 +235,18 @@ fn false_claims_read_as_what_they_say() {
     for (place, value, told) in [
         ("position_excess_m", serde_json::json!(-0.3), "m to spare; claimed: met with 0.3 m to spare"),
         ("yaw_excess_rad", serde_json::json!(-1), "rad to spare; claimed: met with 1 rad to spare"),
-        ("joins_within", serde_json::json!(-1), "joins_within: -1 is below zero"),
+        ("joins_within", serde_json::json!(-1), "joins_within: -1 (m or rad) is below zero"),
         ("limits/0/bounds", serde_json::json!([]), "limit 1 (speed): no bound is claimed"),
-        ("limits/0/bounds", serde_json::json!([{ "scope": "nodes", "excess": 5 }]), "the claim lets it be passed by 5"),
-        ("sets/0/bounds/0/excess", serde_json::json!(-1), "claimed: kept with 1 to spare"),
+        (
+            "limits/0/bounds",
+            serde_json::json!([{ "scope": "nodes", "excess": 5 }]),
+            "the claim lets it be passed by 5 m/s, and more than",
+        ),
+        (
+            "sets/0/bounds/0/excess",
+            serde_json::json!(-1),
+            "claimed: kept with 100 % to spare (of the healthy set's width)",
+        ),
     ] {
         let mut changed = whole.clone();
         *changed.pointer_mut(&format!("{plan}/{place}")).unwrap() = value;

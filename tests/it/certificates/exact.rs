@@ -115,7 +115,7 @@ fn certificate(model: &Model) -> Certificate {
         position_excess_m: 0.0,
         yaw_excess_rad: 0.0,
         limits: limits.collect(),
-        sets: vec![SetClaim { mode: "healthy".into(), bounds: every(outside + 1e-3) }],
+        sets: vec![SetClaim { mode: "healthy".into(), bounds: every(outside + 1e-3), commands: vec![] }],
         facets: vec![],
         motion,
     };

@@ -94,7 +94,11 @@ fn no_multipliers_refute_a_plan() {
                 _ => {
                     let node = numbers.below(31);
                     match &mut multiplier.row {
-                        RowRecord::Rest { node: n, .. } | RowRecord::Facet { node: n, .. } => *n = node,
+                        RowRecord::Rest { node: n, .. }
+                        | RowRecord::Facet { node: n, .. }
+                        | RowRecord::Commands { node: n, .. } => {
+                            *n = node;
+                        }
                         RowRecord::Limit { node: n, .. } | RowRecord::LimitNorm { node: n, .. } => *n = node,
                         RowRecord::Thrust { node: n } => *n = node,
                         RowRecord::Waypoint { waypoint } => *waypoint = node % 4,

@@ -118,7 +118,11 @@ fn no_multipliers_refute_an_exact_plan() {
                 _ => {
                     let node = numbers.below(21);
                     match &mut multiplier.row {
-                        RowRecord::Rest { node: n, .. } | RowRecord::Facet { node: n, .. } => *n = node,
+                        RowRecord::Rest { node: n, .. }
+                        | RowRecord::Facet { node: n, .. }
+                        | RowRecord::Commands { node: n, .. } => {
+                            *n = node;
+                        }
                         RowRecord::Limit { node: n, .. } | RowRecord::LimitNorm { node: n, .. } => *n = node,
                         RowRecord::Thrust { node: n } => *n = node,
                         RowRecord::Waypoint { waypoint } => *waypoint = node % 3,
@@ -156,13 +160,44 @@ fn the_largest_thrust_is_part_of_the_proof() {
     assert!(decide(&certificate, &stronger).is_err());
 }
 
-/// Ends in motion and waypoint times that are free are beyond these multipliers.
+fn moving(to: [f64; 3], limits: &[(LimitKind, f64)], time: f64) -> Model {
+    let mut model = hop(to, 0.0, limits, time);
+    model.mission.as_mut().unwrap().end_at_rest = false;
+    model
+}
+
+/// Missions that end in motion, where a limit on speed or jerk bounds the last input; closed forms show them to be impossible.
+#[test]
+fn what_ends_in_motion_is_certified_within_limits() {
+    let models = [
+        // 2 s at 1 m/s are 2 m.
+        (moving([2.2, 0.0, 2.0], &[(LimitKind::Speed, 1.0)], 2.0), "speed"),
+        (moving([9.0, 0.0, 2.0], &[(LimitKind::Speed, 1.0)], 2.0), "speed, by far"),
+        (moving([0.0, 0.0, 4.2], &[(LimitKind::Climb, 1.0), (LimitKind::Descent, 2.0)], 2.0), "climb"),
+        // From rest a t^2/2 at the most, a = thrust/m, which is 58 m. The jerk is bounded at the nodes.
+        (moving([0.0, 65.0, 2.0], &[(LimitKind::Jerk, 40.0)], 2.0), "thrust"),
+    ];
+    for (model, why) in models {
+        assert!(matches!(planned(&model).runs[0].ending, Ending::Infeasible { .. }), "{why}");
+        let certificate = mavc::certificate::of(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
+        let mut certificate = certificate.unwrap_or_else(|no| panic!("{why}: {no}"));
+        assert!(decide(&certificate, &model).unwrap().shown[0].statement.starts_with("no plan of"), "{why}");
+        // At four times the time there is a plan, and the multipliers show nothing.
+        let mut longer = model.clone();
+        longer.plan.time = MissionTime::Fixed(if why == "speed, by far" { 20.0 } else { 8.0 });
+        let factor = if why == "speed, by far" { 10.0 } else { 4.0 };
+        claim(&mut certificate).times_s.iter_mut().for_each(|t| *t *= factor);
+        assert!(matches!(planned(&longer).runs[0].ending, Ending::Solved(_)), "{why}");
+        assert_eq!(decide(&certificate, &longer).unwrap_err().claim, "that there is no plan", "{why}");
+    }
+}
+
+/// Ends in motion without such limits, and waypoint times that are free, are beyond these multipliers.
 #[test]
 fn what_the_relaxation_cannot_say_is_not_written() {
-    let mut moving = hop([9.0, 0.0, 2.0], 0.0, &[(LimitKind::Speed, 1.0)], 2.0);
-    moving.mission.as_mut().unwrap().end_at_rest = false;
-    assert!(matches!(planned(&moving).runs[0].ending, Ending::Infeasible { .. }));
-    assert!(certified(&moving).is_none());
+    let unlimited = moving([40.0, 0.0, 2.0], &[], 0.9);
+    assert!(matches!(planned(&unlimited).runs[0].ending, Ending::Infeasible { .. }));
+    assert!(certified(&unlimited).is_none());
     let short = hop([2.2, 0.0, 2.0], 0.0, &[(LimitKind::Speed, 1.0)], 2.0);
     let certificate = certified(&short).unwrap();
     let mut free = short.clone();

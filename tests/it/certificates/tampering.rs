@@ -2,9 +2,10 @@
 //! planner's sets and wrench maps, none of which the checker uses; every certificate found false has to be rejected.
 
 use super::{Numbers, SHA, certified, hop, verify};
+use crate::lag::lagging;
 use mavc::actuation::Wrench;
 use mavc::admissible::{AdmissibleSet, FacetOf, faults_only_take};
-use mavc::certificate::{Bound, Certificate, Claim, DynamicModel, FacetClaim, FacetRecord, PlanClaim, Scope};
+use mavc::certificate::{Bound, Certificate, Claim, DynamicModel, FacetClaim, FacetRecord, PlanClaim, Scope, SetClaim};
 use mavc::geometry::polytope::Facet;
 use mavc::model::{Allocation, LimitKind, Mission, Model, PlannerKind};
 use mavc::planner::hover_model::{WrenchMap, X, Y, YAW, Z};
@@ -103,7 +104,7 @@ fn flown(t: &Trajectory, mission: &Mission, claim: &PlanClaim) -> Option<String>
 }
 
 /// Whether a quantity is seen above some bound.
-fn passes(t: &Trajectory, bounds: &[Bound], quantity: impl Fn(&NodeState) -> f64) -> Option<String> {
+fn passes(t: &Trajectory, bounds: &[Bound], quantity: impl Fn(usize, &NodeState) -> f64) -> Option<String> {
     for bound in bounds {
         let looks = match bound.scope {
             Scope::Nodes => 1,
@@ -114,7 +115,7 @@ fn passes(t: &Trajectory, bounds: &[Bound], quantity: impl Fn(&NodeState) -> f64
             let h = t.times[k + 1] - t.times[k];
             let mut states: Vec<NodeState> = (0..looks).map(|i| t.within(k, h * i as f64 / looks as f64)).collect();
             states.push(t.nodes[k + 1]);
-            let largest = states.iter().map(&quantity).fold(f64::NEG_INFINITY, f64::max);
+            let largest = states.iter().map(|s| quantity(k, s)).fold(f64::NEG_INFINITY, f64::max);
             if largest > bound.excess + CLEAR {
                 return Some(format!("{largest} over {bound:?} on piece {k}"));
             }
@@ -141,7 +142,7 @@ fn limited(t: &Trajectory, mission: &Mission, claim: &PlanClaim, g: f64) -> Opti
         if told.bounds.is_empty() {
             return Some("nothing is claimed".into());
         }
-        passes(t, &told.bounds, |s| match limit.kind {
+        passes(t, &told.bounds, |_, s| match limit.kind {
             LimitKind::Tilt => {
                 // |a| sin(tilt - L) / g
                 let lift = s[Z][2] + g;
@@ -184,23 +185,26 @@ fn inside(t: &Trajectory, claim: &PlanClaim, model: &Model) -> Option<String> {
         PlannerKind::Rcp => faults.chain(["healthy"]).collect(),
         _ => vec!["healthy"],
     };
-    if needed.iter().any(|name| !claim.sets.iter().any(|s| s.mode == *name && !s.bounds.is_empty())) {
+    let lag = model.thrust_lag();
+    let told = |s: &SetClaim| !s.bounds.is_empty() && (lag.is_none() || !s.commands.is_empty());
+    if needed.iter().any(|name| !claim.sets.iter().any(|s| s.mode == *name && told(s))) {
         return Some("a set is missing".into());
     }
+    let commanded = |k: usize, s: &NodeState| t.lead(&model.vehicle, model.gravity, lag.unwrap_or(0.0), k, s);
     let shrunk = |w: &Wrench, n: &Wrench, e: f64| {
         let hover = n.dot(&healthy.hover);
         (n.dot(w) - hover - (1.0 - model.plan.reserve) * (e - hover)) / healthy.zonotope.width(n)
     };
     let sets = claim.sets.iter().find_map(|told| {
         let Some(set) = set_named(model, &told.mode) else { return Some("no such mode".into()) };
-        let largest = |s: &NodeState| {
-            let w = map.at(s);
-            set.polytope.facets.iter().map(|f| shrunk(&w, &f.normal, f.offset)).fold(f64::NEG_INFINITY, f64::max)
+        let largest = |w: &Wrench| {
+            set.polytope.facets.iter().map(|f| shrunk(w, &f.normal, f.offset)).fold(f64::NEG_INFINITY, f64::max)
         };
-        passes(t, &told.bounds, largest)
+        passes(t, &told.bounds, |_, s| largest(&map.at(s)))
+            .or_else(|| passes(t, &told.commands, |k, s| largest(&commanded(k, s))))
     });
     sets.or_else(|| {
-        claim.facets.iter().find_map(|FacetClaim { facet, bounds }| {
+        claim.facets.iter().find_map(|FacetClaim { facet, bounds, commands }| {
             let Some(set) = set_named(model, &facet.mode) else { return Some("no such mode".into()) };
             let n = Wrench::from(facet.normal);
             let certain = model.vehicle.allocation == Allocation::Bounded && !model.vehicle.is_uncertain();
@@ -212,7 +216,8 @@ fn inside(t: &Trajectory, claim: &PlanClaim, model: &Model) -> Option<String> {
             if !spans || no_facet(&set, facet) || bounds.is_empty() {
                 return Some(format!("not a facet: {facet:?}"));
             }
-            passes(t, bounds, |s| shrunk(&map.at(s), &n, facet.offset))
+            passes(t, bounds, |_, s| shrunk(&map.at(s), &n, facet.offset))
+                .or_else(|| passes(t, commands, |k, s| shrunk(&commanded(k, s), &n, facet.offset)))
         })
     })
 }
@@ -244,7 +249,13 @@ fn drop_one(list: &mut Value, numbers: &mut Numbers) {
 fn some_bound<'v>(plan: &'v mut Value, numbers: &mut Numbers) -> Option<&'v mut Value> {
     let kind = ["limits", "sets", "facets"][numbers.below(3)];
     let claim = pick(&mut plan[kind], numbers)?;
-    pick(&mut claim["bounds"], numbers)
+    pick(told(claim, numbers), numbers)
+}
+
+/// Bounds on the wrench or, where there are, on commands.
+fn told<'v>(claim: &'v mut Value, numbers: &mut Numbers) -> &'v mut Value {
+    let commands = claim.get("commands").is_some() && numbers.below(2) == 0;
+    &mut claim[if commands { "commands" } else { "bounds" }]
 }
 
 /// One change to a certificate.
@@ -305,7 +316,7 @@ fn tamper(certificate: &mut Value, numbers: &mut Numbers) -> Option<()> {
         }
         _ => {
             let claim = pick(&mut plan[["limits", "sets", "facets"][numbers.below(3)]], numbers)?;
-            drop_one(&mut claim["bounds"], numbers);
+            drop_one(told(claim, numbers), numbers);
         }
     }
     Some(())
@@ -361,6 +372,16 @@ fn no_false_claim_passes_of_other_vehicles() {
     let mut uncertain = hop(PlannerKind::Rcp, 9.0);
     super::sets::doubt(&mut uncertain);
     let (false_claims, accepted) = tampered(&[idling, inverted, uncertain], 150, 13);
+    assert!(false_claims > 270, "only {false_claims} of 450 changes made a claim false");
+    assert!(accepted > 10, "only {accepted} harmless changes pass: the checker may reject everything");
+}
+
+/// The same of rotors that lag, and of what they are commanded.
+#[test]
+fn no_false_claim_passes_of_lagging_rotors() {
+    let plans = [(PlannerKind::Rip, 8.0), (PlannerKind::Rcp, 9.0), (PlannerKind::Rsp, 9.0)];
+    let models = plans.map(|(planner, time)| lagging(hop(planner, time), 0.1));
+    let (false_claims, accepted) = tampered(&models, 150, 17);
     assert!(false_claims > 270, "only {false_claims} of 450 changes made a claim false");
     assert!(accepted > 10, "only {accepted} harmless changes pass: the checker may reject everything");
 }

@@ -17,7 +17,7 @@ pub const G: f64 = 9.81;
 /// Polynomials of degree 5 for x, y, z and of degree 3 for yaw: derivatives at time 0.
 pub type Path = [[f64; 6]; 4];
 
-fn path(numbers: &mut Numbers) -> Path {
+pub fn path(numbers: &mut Numbers) -> Path {
     let mut path = [[0.0; 6]; 4];
     for (axis, derivatives) in path.iter_mut().enumerate() {
         let highest = if axis == 3 { 3 } else { 5 };
@@ -66,7 +66,7 @@ pub fn exact_by_differences(path: &Path, vehicle: &Vehicle, t: f64) -> [f64; 4] 
     [force, tau[0], tau[1], tau[2]]
 }
 
-fn state(path: &Path, t: f64) -> State {
+pub fn state(path: &Path, t: f64) -> State {
     at(path, t).map(|d| d.map(Interval::point))
 }
 

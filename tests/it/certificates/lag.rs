@@ -1,0 +1,265 @@
+//! Certificates of plans whose rotors lag: what is commanded against the planner's lead wrench and differences, and that
+//! every claim about it is asked for.
+
+use super::wrench::{G, at, exact_by_differences, path, state};
+use super::{Numbers, SHA, certified, hop, planned, verify};
+use crate::lag::{lagging, planning, shortest, shuttle};
+use crate::vehicles::octocopter;
+use mavc::certificate::between::{COMMANDS, Shown, between};
+use mavc::certificate::{Certificate, Claim, DynamicModel, InfeasibleClaim, MotionRecord, PlanClaim, RowRecord, Scope};
+use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
+use mavc::planner::compare::Ending;
+use mavc::planner::lead::LeadState;
+use mavc::planner::wrench_model::WrenchModel;
+use mavc::verify::interval::Interval;
+use mavc::verify::lag::constant;
+use mavc::verify::motion::Motion;
+use mavc::verify::wrench::{Dynamics, Held};
+use mavc::verify::{Shown as Stands, decide};
+
+const TAU: f64 = 0.1;
+
+fn commands() -> Held {
+    Held::Commands { tau: Interval::point(TAU) }
+}
+
+fn claim_of(certificate: &Certificate) -> &PlanClaim {
+    match &certificate.claim {
+        Claim::Plan(claim) => claim,
+        Claim::Infeasible(_) => panic!("no plan"),
+    }
+}
+
+#[test]
+fn the_constant_is_the_planners() {
+    let mut model = lagging(octocopter("PPNNPPNN"), TAU);
+    let mut narrow = |idle: f64, low: f64, high: f64| {
+        model.vehicle.rotors[3].min_speed = idle;
+        model.vehicle.rotors[3].spread.idle_thrust.low = low;
+        model.vehicle.rotors[3].spread.full_thrust.high = high;
+        let (found, planned) = (constant(&model).unwrap(), model.thrust_lag().unwrap());
+        assert!(
+            (found.middle() / planned - 1.0).abs() < 1e-14 && found.high - found.low < 1e-14,
+            "{found:?} {planned}"
+        );
+        planned
+    };
+    let slow = narrow(0.0, 1.0, 1.0);
+    assert!((slow - TAU).abs() < 1e-12);
+    assert_eq!(narrow(500.0, 0.9, 1.1), slow, "the others are slower");
+    model.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 500.0);
+    let quick = (constant(&model).unwrap(), model.thrust_lag().unwrap());
+    assert!((quick.0.middle() / quick.1 - 1.0).abs() < 1e-14 && quick.1 < 0.9 * TAU, "{quick:?}");
+    assert_eq!(constant(&octocopter("PPNNPPNN")), None);
+}
+
+/// w + tau w' as the planner has it, in all three of its models, and by differences of the attitude.
+#[test]
+fn commands_are_the_planners_lead() {
+    let mut vehicle = octocopter("PPNNPPNN").vehicle;
+    vehicle.inertia = [0.03, 0.05, 0.07];
+    let mut numbers = Numbers(21);
+    for _ in 0..200 {
+        let path = path(&mut numbers);
+        let mut hover = path;
+        // Where z'' is the input it changes evenly.
+        hover[2][4..].fill(0.0);
+        let psi = path[3][0] + 0.2;
+        for (kind, one_yaw, planner, path) in [
+            (DynamicModel::Exact, None, WrenchModel::Exact, path),
+            (DynamicModel::Hover, None, WrenchModel::HoverFollowing, hover),
+            (DynamicModel::Hover, Some(psi), WrenchModel::HoverAt(psi), hover),
+        ] {
+            let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: kind, one_yaw };
+            let sloped: LeadState = at(&path, 0.0);
+            let expected = planner.lead(&vehicle, G, TAU, &sloped);
+            let found = dynamics.held(commands(), &state(&path, 0.0));
+            for i in 0..4 {
+                let off = (found.value[i].middle() - expected[i]).abs();
+                assert!(off < 1e-9 * (1.0 + expected[i].abs()), "{kind:?} {i}: {found:?} {expected}");
+                assert!(found.value[i].high - found.value[i].low < 1e-9, "{kind:?} {i}: {found:?} is wide");
+            }
+            if kind == DynamicModel::Exact {
+                let h = 0.01;
+                let [before, after] = [-h, h].map(|t| exact_by_differences(&path, &vehicle, t));
+                let now = exact_by_differences(&path, &vehicle, 0.0);
+                let bend = |i: usize| (before[i] - 2.0 * now[i] + after[i]).abs() / (h * h);
+                for i in (0..4).filter(|&i| bend(i) < 30.0) {
+                    let lead = now[i] + TAU * (after[i] - before[i]) / (2.0 * h);
+                    assert!((found.value[i].middle() - lead).abs() < 0.01, "{i}: {found:?} {lead}");
+                }
+            }
+            // The rate, from the values shortly before and after.
+            let h = 1e-5;
+            let [before, after] = [-h, h].map(|t| dynamics.held(commands(), &state(&path, t)).value);
+            for i in 0..4 {
+                let rate = (after[i].middle() - before[i].middle()) / (2.0 * h);
+                let told = found.rate[i];
+                assert!((told.middle() - rate).abs() < 1e-3 * (1.0 + rate.abs()), "{kind:?} {i}: {told:?} {rate}");
+            }
+        }
+    }
+}
+
+/// Enclosures over a stretch hold every value on it.
+#[test]
+fn stretches_hold_what_is_commanded() {
+    let vehicle = octocopter("PPNNPPNN").vehicle;
+    let mut numbers = Numbers(22);
+    let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: DynamicModel::Exact, one_yaw: None };
+    for _ in 0..30 {
+        let path = path(&mut numbers);
+        let ends = [0.0, 0.05].map(|t| at(&path, t));
+        let record = MotionRecord {
+            times_s: vec![0.0, 0.05],
+            x: ends.iter().map(|d| d[0][..5].try_into().unwrap()).collect(),
+            y: ends.iter().map(|d| d[1][..5].try_into().unwrap()).collect(),
+            z: ends.iter().map(|d| d[2][..5].to_vec()).collect(),
+            yaw: ends.iter().map(|d| d[3][..3].try_into().unwrap()).collect(),
+            waypoint_nodes: vec![0, 1],
+        };
+        let motion = Motion::new(&record, DynamicModel::Exact).unwrap();
+        let over = dynamics.held(commands(), &motion.over(0, Interval::new(0.0, 0.05)));
+        for i in 0..=10 {
+            let found = dynamics.held(commands(), &motion.over(0, Interval::point(0.005 * f64::from(i))));
+            for axis in 0..4 {
+                assert!(over.value[axis].contains(found.value[axis].middle()), "{axis} {i}");
+                assert!(over.rate[axis].contains(found.rate[axis].middle()), "{axis} {i}");
+            }
+        }
+    }
+}
+
+/// Plans of every planner in both models, of the pseudo-inverse and of intervals; each with the scope to which most of the
+/// rows on commands are shown.
+#[test]
+fn lagging_plans_are_certified() {
+    let exact = |planner, time| {
+        let mut model = hop(planner, time);
+        model.plan.model = PlanModel::Exact;
+        model
+    };
+    let mut inverted = hop(PlannerKind::Rcp, 9.0);
+    inverted.vehicle.allocation = mavc::model::Allocation::PseudoInverse;
+    let mut uncertain = hop(PlannerKind::Rcp, 9.0);
+    super::sets::doubt(&mut uncertain);
+    let mut turning = hop(PlannerKind::Rip, 9.0);
+    turning.mission.as_mut().unwrap().waypoints[2].yaw = 0.8;
+    let plans = [
+        hop(PlannerKind::Rip, 8.0),
+        hop(PlannerKind::Rsp, 9.0),
+        exact(PlannerKind::Rip, 9.0),
+        exact(PlannerKind::Rcp, 10.0),
+        inverted,
+        uncertain,
+        turning,
+    ];
+    for (which, model) in plans.into_iter().enumerate() {
+        let model = lagging(model, TAU);
+        let comparison = planned(&model);
+        let mission = model.mission.as_ref().unwrap();
+        let certificate = mavc::certificate::of(&model, mission, &comparison, SHA.into());
+        let certificate = certificate.unwrap_or_else(|no| panic!("{which}: {no}"));
+        let verdict = verify(&serde_json::to_vec(&certificate).unwrap(), &model, SHA).unwrap();
+        let commanded: Vec<&Stands> = verdict.shown.iter().filter(|s| s.statement.contains("commands")).collect();
+        let inside = commanded.iter().filter(|s| s.statement.contains("inside the set of")).count();
+        assert_eq!(inside, claim_of(&certificate).sets.len(), "{which}: {commanded:?}");
+        assert!(commanded.iter().any(|s| s.reach.scope == Some(Scope::EveryInstant)), "{which}: {commanded:?}");
+        // What the report says of commands is what dense samples say.
+        let run = comparison.runs.last().unwrap();
+        let Ending::Solved(solved) = &run.ending else { panic!("no plan") };
+        let told = between(&model, mission, run, solved);
+        let told = told.iter().find(|b| b.rows == COMMANDS).unwrap();
+        let (plan, tau) = (&solved.trajectory, model.thrust_lag().unwrap());
+        let looks = (0..plan.intervals()).flat_map(|k| (0..=97).map(move |i| (k, f64::from(i) / 97.0)));
+        let seen = looks.map(|(k, share)| {
+            let s = plan.within(k, share * (plan.times[k + 1] - plan.times[k]));
+            let lead = plan.lead(&model.vehicle, model.gravity, tau, k, &s);
+            run.set.rows.iter().map(|r| r.excess(&lead)).fold(f64::NEG_INFINITY, f64::max)
+        });
+        let seen = seen.fold(f64::NEG_INFINITY, f64::max);
+        match told.shown {
+            Shown::Proved => assert!(seen <= told.excess + 1e-9, "{which}: {told:?} {seen}"),
+            Shown::Checked => assert!((seen - told.excess).abs() < 1e-3, "{which}: {told:?} {seen}"),
+        }
+    }
+}
+
+/// What is missing is refused; so are commands of rotors that follow at once, and the same bounds for slower rotors.
+#[test]
+fn commands_are_asked_for() {
+    let instant = hop(PlannerKind::Rsp, 8.0);
+    let model = lagging(hop(PlannerKind::Rsp, 9.0), TAU);
+    let certificate = certified(&model).unwrap();
+    assert!(claim_of(&certificate).facets.len() > 20);
+    let refused = |change: &dyn Fn(&mut PlanClaim), of: &str, why: &str| {
+        let mut changed = certificate.clone();
+        let Claim::Plan(claim) = &mut changed.claim else { panic!("no plan") };
+        change(claim);
+        let rejection = decide(&changed, &model).unwrap_err();
+        assert!(rejection.claim.starts_with(of) && rejection.detail.contains(why), "{rejection:?}");
+    };
+    refused(&|c| c.sets[0].commands.clear(), "the commands at the set of healthy", "no bound is claimed");
+    refused(&|c| c.facets[3].commands.clear(), "the commands at facet 4", "no bound is claimed");
+    refused(&|c| c.sets[0].commands[0].excess = -0.5, "the commands at the set of healthy", "claimed: kept with 50 %");
+    // A plan for rotors that follow at once is none for rotors that lag.
+    let mut at_once = certified(&instant).unwrap();
+    let Claim::Plan(claim) = &mut at_once.claim else { panic!("no plan") };
+    assert!(claim.sets.iter().all(|s| s.commands.is_empty()));
+    claim.sets.iter_mut().for_each(|s| s.commands = s.bounds.clone());
+    claim.facets.iter_mut().for_each(|f| f.commands = f.bounds.clone());
+    let told = decide(&at_once, &instant).unwrap_err();
+    assert!(told.detail.contains("follow theirs at once"), "{told:?}");
+    assert!(decide(&at_once, &lagging(instant, TAU)).unwrap_err().claim.starts_with("the commands at"));
+    assert!(decide(&certificate, &lagging(model, 5.0 * TAU)).unwrap_err().claim.starts_with("the commands at"));
+}
+
+fn infeasible(certificate: &mut Certificate) -> &mut InfeasibleClaim {
+    match &mut certificate.claim {
+        Claim::Infeasible(claim) => claim,
+        Claim::Plan(_) => panic!("there is a plan"),
+    }
+}
+
+/// What only the lag forbids is shown by rows on commands; they are refused where they do not stand.
+#[test]
+fn a_time_too_short_for_lagging_rotors_is_certified() {
+    let instant = planning(shuttle(), PlanModel::Hover, MissionTime::Minimum);
+    let fixed = |time: f64| Model {
+        plan: mavc::model::Plan { time: MissionTime::Fixed(time), ..instant.plan.clone() },
+        ..instant.clone()
+    };
+    let time = 1.03 * shortest(&instant);
+    assert!(matches!(planned(&fixed(time)).runs[0].ending, Ending::Solved(_)));
+    let model = lagging(fixed(time), 0.3);
+    let certificate = certified(&model).expect("no plan");
+    let shown = decide(&certificate, &model).unwrap().shown;
+    assert!(shown[0].statement.starts_with("no plan of"), "{shown:?}");
+    let is_commands = |row: &RowRecord| matches!(row, RowRecord::Commands { .. });
+    let refused = |change: &dyn Fn(&mut InfeasibleClaim), model: &Model, why: &str| {
+        let mut changed = certificate.clone();
+        change(infeasible(&mut changed));
+        let rejection = decide(&changed, model).unwrap_err();
+        assert!(rejection.detail.contains(why), "{rejection:?}");
+    };
+    refused(&|c| c.multipliers.retain(|m| !is_commands(&m.row)), &model, "contradicts nothing");
+    refused(&|_| (), &fixed(time), "follow their commands at once");
+    refused(
+        &|c| {
+            for m in &mut c.multipliers {
+                if let RowRecord::Commands { interval, node, .. } = &mut m.row {
+                    *interval = *node + 1;
+                }
+            }
+        },
+        &model,
+        "is not beside node",
+    );
+    // At a time that has a plan they show nothing.
+    let long = 3.0 * time;
+    let enough = lagging(fixed(long), 0.3);
+    assert!(matches!(planned(&enough).runs[0].ending, Ending::Solved(_)));
+    refused(&|c| c.times_s.iter_mut().for_each(|t| *t *= 3.0), &enough, "contradicts nothing");
+    // Rotors that lag less have one at this time, and the multipliers do not stand there.
+    assert!(decide(&certificate, &lagging(fixed(time), 1e-6)).is_err());
+}
