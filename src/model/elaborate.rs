@@ -180,7 +180,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     let fallback = mission.map(|m| m.span).or(vehicle.map(|v| v.span)).unwrap_or_default();
     let incomplete = modes.incomplete || vehicle.is_none();
     let flown = mission.and_then(|m| m.mission.as_ref());
-    let names_modes = draft.names_modes();
+    let (names_modes, empty_against) = (draft.names_modes(), draft.empty_against());
     let draft_span = draft.span;
     let (plan, plan_time, plan_defaults) = draft.finish(cx, &modes.modes, incomplete, flown, fallback);
     let plan_written = !blocks.plans.is_empty();
@@ -212,7 +212,10 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     if names_modes && !campaign.written {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
-        warn_unused_modes(cx, &modes, &plan.against, &used);
+        match empty_against.filter(|_| used.is_empty() && !modes.modes.is_empty()) {
+            Some(list) => warn_no_modes(cx, &modes.modes, list),
+            None => warn_unused_modes(cx, &modes, &plan.against, &used),
+        }
     }
     Some(Model {
         gravity: cx.gravity,
@@ -336,6 +339,18 @@ fn choose<'a>(
             None
         }
     }
+}
+
+/// Warns that the plan is against nothing, though there are modes that nothing else looks at.
+fn warn_no_modes(cx: &mut Context, modes: &[FaultMode], list: Span) {
+    let warning = Diagnostic::warning("mavc::plan::none_selected", list, "the plan is against no fault mode");
+    let first = &modes[0];
+    let (declared, some) = match modes.len() {
+        1 => ("the one that `faults` declares".to_string(), format!("`[{}]`", first.name)),
+        n => (format!("the first of {n} that `faults` declares"), format!("`all`, or some as in `[{}]`", first.name)),
+    };
+    let warning = warning.here("lists none").also(first.span, declared);
+    cx.report(warning.help(format!("write {some}; a plan for the healthy vehicle alone needs no `faults`")));
 }
 
 /// Warns once a statement of whose modes none is among `looked_at`.

@@ -124,6 +124,16 @@ impl<'a> Draft<'a> {
         self.against.is_some_and(|field| matches!(field.value, FieldValue::Expr(_)))
     }
 
+    /// Where `against` is a list of nothing.
+    pub fn empty_against(&self) -> Option<Span> {
+        match &self.against?.value {
+            FieldValue::Expr(Expr { kind: ExprKind::List { elements, .. }, span }) if elements.is_empty() => {
+                Some(*span)
+            }
+            _ => None,
+        }
+    }
+
     /// The name given for `vehicle` or `mission`.
     pub fn chosen(&self, cx: &mut Context<'a>, what: &str) -> Option<Spanned<&'a str>> {
         let expr = self.get(what)?;
