@@ -30,7 +30,10 @@ fn listed<'p>(pages: impl IntoIterator<Item = &'p codes::CodePage>) -> String {
 fn unknown(code: &str) -> Problem {
     let word = code.to_lowercase().replace(['-', ' '], "_");
     let within: Vec<_> = codes::all().iter().filter(|page| !word.is_empty() && page.code.contains(&word)).collect();
-    if (1..=MOST_OFFERED).contains(&within.len()) {
+    if let [only] = within[..] {
+        return format!("there is no code {code}; did you mean {}?", only.code);
+    }
+    if (2..=MOST_OFFERED).contains(&within.len()) {
         return format!("there is no code {code}; these have it in them:\n{}", listed(within).trim_end());
     }
     let written = if word.starts_with("mavc::") { word.clone() } else { format!("mavc::{word}") };

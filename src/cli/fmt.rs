@@ -44,6 +44,8 @@ fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
     Ok(FINE)
 }
 
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
 /// What `--check` says of a file that would change: its name and the first line that would, as it is and as it would be; the
 /// name alone where `brief`.
 fn difference(name: &str, before: &str, after: &str, brief: bool) -> String {
@@ -62,7 +64,7 @@ fn difference(name: &str, before: &str, after: &str, brief: bool) -> String {
     let shown = |sign: char, text: &str| format!("  {sign} {text}\n");
     let (was, is) = (old.unwrap_or("").trim_end(), new.unwrap_or("").trim_end());
     // What differs behind the last mark cannot be seen.
-    if was == is {
+    if was == is && old.is_some() && new.is_some() || was == format!("{BYTE_ORDER_MARK}{is}") {
         return head + &shown('~', unseen(old.unwrap_or(""), new.unwrap_or("")));
     }
     match (old, new) {
@@ -76,6 +78,9 @@ fn difference(name: &str, before: &str, after: &str, brief: bool) -> String {
 
 /// How two lines differ of which one sees the same.
 fn unseen(old: &str, new: &str) -> &'static str {
+    if old.starts_with(BYTE_ORDER_MARK) {
+        return "a byte order mark at the beginning";
+    }
     match (old.ends_with('\n'), new.ends_with('\n'), old.ends_with("\r\n"), new.ends_with("\r\n")) {
         (false, true, ..) => "no line end at the end of the file",
         (.., true, false) => "a carriage return at the line's end, where the first line has none",

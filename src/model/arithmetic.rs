@@ -135,7 +135,7 @@ impl<'a> Context<'a> {
         };
         let error = error.help(match slip {
             Some(slip) => format!("{table}\n{slip}"),
-            None => format!("{table}\nboth sides need a unit of one kind: change one, or take one side out"),
+            None => format!("{table}\ngive both sides units of one kind, or take one side out"),
         });
         match bare_side {
             Some(_) => self.report(error),

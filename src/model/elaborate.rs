@@ -6,7 +6,7 @@ use super::fault::Modes;
 use super::fields::elsewhere;
 use super::load::FileSet;
 use super::overrides::{Override, apply};
-use super::plan::Draft;
+use super::plan::{Draft, against};
 use super::simulate::Around;
 use super::understanding::Understanding;
 use super::{DefaultUsed, FaultMode, Model, Vehicle, campaign, lag, mission, simulate, vehicle};
@@ -212,10 +212,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     if names_modes && !campaign.written {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
-        match empty_against.filter(|_| used.is_empty() && !modes.modes.is_empty()) {
-            Some(list) => warn_no_modes(cx, &modes.modes, list),
-            None => warn_unused_modes(cx, &modes, &plan.against, &used),
-        }
+        against::warn_unused(cx, &modes, &plan.against, &used, empty_against);
     }
     Some(Model {
         gravity: cx.gravity,
@@ -338,49 +335,6 @@ fn choose<'a>(
             cx.report(error.also(second.1, "or this one?").help(help));
             None
         }
-    }
-}
-
-/// Warns that the plan is against nothing, though there are modes that nothing else looks at.
-fn warn_no_modes(cx: &mut Context, modes: &[FaultMode], list: Span) {
-    let warning = Diagnostic::warning("mavc::plan::none_selected", list, "the plan is against no fault mode");
-    let first = &modes[0];
-    let (declared, some) = match modes.len() {
-        1 => ("the one that `faults` declares".to_string(), format!("`[{}]`", first.name)),
-        n => (format!("the first of {n} that `faults` declares"), format!("`all`, or some as in `[{}]`", first.name)),
-    };
-    let warning = warning.here("lists none").also(first.span, declared);
-    cx.report(warning.help(format!("write {some}; a plan for the healthy vehicle alone needs no `faults`")));
-}
-
-/// Warns once a statement of whose modes none is among `looked_at`.
-fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize], looked_at: &[usize]) {
-    let mut used = vec![false; modes.modes.len()];
-    looked_at.iter().for_each(|&k| used[k] = true);
-    for statement in 0..modes.statements {
-        let of_statement = || modes.origin.iter().enumerate().filter(move |(_, o)| **o == statement).map(|(k, _)| k);
-        let Some(first) = of_statement().next() else {
-            continue;
-        };
-        if of_statement().any(|k| used[k]) {
-            continue;
-        }
-        let mode = &modes.modes[first];
-        let count = of_statement().count();
-        let message = match count {
-            1 => format!("the plan does not look at fault mode `{}`", mode.name),
-            n => format!("the plan looks at none of these {n} fault modes"),
-        };
-        let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not planned against");
-        // What is chosen stays: a list of this mode alone would leave the others out.
-        let chosen = against.iter().map(|&k| modes.modes[k].name.as_str());
-        let all: Vec<&str> = chosen.chain([mode.name.as_str()]).collect();
-        // Which modes leave control the sets say, and here there are none.
-        let list = format!("as in `[{}]`", all.join(", "));
-        cx.report(warning.help(match count {
-            1 => format!("take it out, or add it to `against`, {list}, if `mavc analyze` calls it controllable and not on the edge"),
-            _ => format!("take them out, or add some to `against`, {list}, if `mavc analyze` calls them controllable"),
-        }));
     }
 }
 

@@ -46,7 +46,7 @@ pub(super) fn near_file(from: &str, path: &str, list: &List) -> Option<String> {
     }
     let below: Vec<String> = inside("").into_iter().filter(|entry| entry.ends_with('/')).take(MOST_FOLDERS).collect();
     let elsewhere = ["".to_string(), "../".to_string()].into_iter().chain(below);
-    let mut found = elsewhere.filter(|other| other != folder).filter(|other| inside(other).iter().any(|n| n == name));
+    let found = elsewhere.filter(|other| other != folder).filter(|other| inside(other).iter().any(|n| n == name));
     found.map(|other| format!("{other}{name}")).find(|path| !is_itself(from, path))
 }
 

@@ -1,6 +1,6 @@
 //! The `plan` block and its defaults.
 
-mod against;
+pub(super) mod against;
 mod require;
 
 use super::context::Context;
@@ -126,12 +126,7 @@ impl<'a> Draft<'a> {
 
     /// Where `against` is a list of nothing.
     pub fn empty_against(&self) -> Option<Span> {
-        match &self.against?.value {
-            FieldValue::Expr(Expr { kind: ExprKind::List { elements, .. }, span }) if elements.is_empty() => {
-                Some(*span)
-            }
-            _ => None,
-        }
+        self.against.and_then(against::empty_list)
     }
 
     /// The name given for `vehicle` or `mission`.

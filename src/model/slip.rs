@@ -11,12 +11,11 @@ use crate::unit::{Base, Dimension, Quantity, mismatch, parse_unit};
 const WEIGHTS: [(&str, &str); 3] = [("g", "gf"), ("kg", "kgf"), ("lb", "lbf")];
 
 /// Turns a second or a minute, as they are counted and as they turn.
-const TURNS: [(&str, &str); 2] = [("Hz", "rev/s"), ("1/min", "rpm")];
+const TURNS: [(&str, &str, &str); 2] = [("Hz", "rev/s", "second"), ("1/min", "rpm", "minute")];
 
 /// Fields that stand beside each other and measure different things, with a unit of each.
 const FAMILIES: [&[(&str, &str)]; 4] = [
     &[
-        ("altitude", "m"),
         ("speed", "m/s"),
         ("acceleration", "m/s^2"),
         ("jerk", "m/s^3"),
@@ -33,7 +32,7 @@ const FAMILIES: [&[(&str, &str)]; 4] = [
         ("drag_coefficient", "N*m*s^2/rad^2"),
     ],
     &[("mass", "kg"), ("arm", "m"), ("inertia", "kg*m^2")],
-    &[("within", "cm"), ("yaw_within", "deg"), ("time", "s")],
+    &[("within", "cm"), ("yaw_within", "deg")],
 ];
 
 /// What to write in place of a value.
@@ -62,11 +61,11 @@ impl<'a> Context<'a> {
         )
         .here(format!("this is {found}"));
         let with = |action: &str| format!("{}\n{action}", told.table);
-        if let Some(slip) = self.likely_slip(expected, expr) {
-            return error.help(with(&slip));
-        }
         let behind = self.let_behind(expr);
         let written = behind.map_or(expr, |(_, value)| value);
+        if let Some(slip) = self.likely_slip(expected, written) {
+            return error.help(with(&slip));
+        }
         if let Some(remedy) = self.remedy(due, q, written, told.action.as_deref()) {
             let Remedy { purpose, text, besides, is_certain } = remedy;
             let order = match behind {
@@ -116,11 +115,11 @@ impl<'a> Context<'a> {
             );
         }
         if expected == turning && found == rate {
-            if let Some((_, turns)) = TURNS.iter().find(|pair| pair.0 == unit) {
+            if let Some((_, turns, time)) = TURNS.iter().find(|pair| pair.0 == unit) {
                 let text = format!("{value} {turns}");
                 // Rotors are told by their turns, headings rarely.
                 return match due.unit {
-                    "rad/s" => certain("for turns".into(), text),
+                    "rad/s" => certain(format!("for {value} turns a {time}"), text),
                     _ => guess(format!("{value} {}", due.unit), format!(", or `{text}` for turns")),
                 };
             }
@@ -129,7 +128,9 @@ impl<'a> Context<'a> {
         }
         if expected == rate && found == turning {
             return match TURNS.iter().find(|pair| pair.1 == unit) {
-                Some((counted, _)) => certain("for so many times".into(), format!("{value} {counted}")),
+                Some((counted, _, time)) => {
+                    certain(format!("for {value} times a {time}"), format!("{value} {counted}"))
+                }
                 None => guess(format!("{value} {}", due.unit), ", without the angle".into()),
             };
         }
@@ -139,7 +140,7 @@ impl<'a> Context<'a> {
                 return certain(format!("for once in {value} {unit}"), reciprocal());
             }
             if expected == Dimension::TIME && found == rate {
-                return certain(format!("for the time from one to the next of {value} {unit}"), reciprocal());
+                return certain(format!("for the period of {value} {unit}"), reciprocal());
             }
         }
         let sibling = match sibling(due.what, found) {

@@ -14,7 +14,11 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     bare_path,
     name_form,
     inch,
-    position_in_parentheses,
+    hold_for,
+    super::list::range_in_parentheses,
+    super::list::position_in_parentheses,
+    super::list::position_without_brackets,
+    super::list::listed_names,
     rotor_numbers,
     motors,
     effect_word,
@@ -26,7 +30,7 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     comma_at_end,
 ];
 
-fn unexpected(statement: &Broken, from: usize, to: usize, message: impl Into<String>) -> Diagnostic {
+pub(super) fn unexpected(statement: &Broken, from: usize, to: usize, message: impl Into<String>) -> Diagnostic {
     Diagnostic::error("mavc::syntax::unexpected", statement.span(from, to), message)
 }
 
@@ -110,24 +114,17 @@ fn inch(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     )
 }
 
-/// `start at (0, 0, 2) m`
-fn position_in_parentheses(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    if statement.found(failure.at) != "," || !failure.expects(Expected::Closing(')')) {
-        return None;
-    }
-    // Nothing that nests stands before the comma, or the parenthesis would be another's.
-    let open =
-        statement.text[..failure.at].rfind(['(', ')', '[', ']']).filter(|&i| statement.text[i..].starts_with('('))?;
-    let diagnostic = unexpected(statement, open, open + 1, "a list stands in `[ ]`, not in `( )`");
-    let diagnostic = diagnostic.here("opens an expression, which has no commas");
-    let diagnostic = diagnostic.help("write `[x, y, z]`, the unit behind it");
-    let inside = &statement.text[open + 1..];
-    Some(match inside.find(['(', ')', '[', ']']).filter(|&i| inside[i..].starts_with(')')) {
-        Some(length) => {
-            let span = statement.span(open, open + length + 2);
-            diagnostic.fix(span, format!("[{}]", &inside[..length]))
-        }
-        None => diagnostic,
+/// `hold for 3 s`, where any word looks like the name of a time.
+fn hold_for(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, word) = statement.before(failure.at);
+    let is_filler = matches!(word, "for" | "about" | "at" | "during" | "of" | "still");
+    let follows = statement.text[..start].trim_end() == "hold";
+    let value = statement.text[failure.at..].trim_end();
+    (statement.word() == "hold" && is_filler && follows && !value.is_empty()).then(|| {
+        unexpected(statement, start, start + word.len(), "nothing stands between `hold` and its time")
+            .here("not expected")
+            .help(format!("write `hold {}`", cut(value)))
+            .fix(statement.span(start, failure.at), "")
     })
 }
 
