@@ -14,7 +14,7 @@ const WEIGHTS: [(&str, &str); 3] = [("g", "gf"), ("kg", "kgf"), ("lb", "lbf")];
 const TURNS: [(&str, &str, &str); 2] = [("Hz", "rev/s", "second"), ("1/min", "rpm", "minute")];
 
 /// Fields that stand beside each other and measure different things, with a unit of each.
-const FAMILIES: [&[(&str, &str)]; 4] = [
+const FAMILIES: [&[(&str, &str)]; 5] = [
     &[
         ("speed", "m/s"),
         ("acceleration", "m/s^2"),
@@ -23,15 +23,9 @@ const FAMILIES: [&[(&str, &str)]; 4] = [
         ("yaw_rate", "deg/s"),
         ("yaw_acceleration", "deg/s^2"),
     ],
-    &[
-        ("max_thrust", "N"),
-        ("max_speed", "rad/s"),
-        ("time_constant", "s"),
-        ("torque_per_thrust", "m"),
-        ("thrust_coefficient", "N*s^2/rad^2"),
-        ("drag_coefficient", "N*m*s^2/rad^2"),
-    ],
-    &[("mass", "kg"), ("arm", "m"), ("inertia", "kg*m^2")],
+    &[("max_thrust", "N"), ("thrust_coefficient", "N*s^2/rad^2")],
+    &[("torque_per_thrust", "m"), ("drag_coefficient", "N*m*s^2/rad^2")],
+    &[("mass", "kg"), ("inertia", "kg*m^2")],
     &[("within", "cm"), ("yaw_within", "deg")],
 ];
 
@@ -150,19 +144,20 @@ impl<'a> Context<'a> {
         if expected.is_plain() {
             return guess(value.to_string(), format!(", a number alone, or a share such as `10 %`{sibling}"));
         }
+        let purpose = expected.named().map_or(String::new(), |(name, _)| format!(" for {name}"));
         if let Some(unit) = self.nearly(unit, expected) {
             // A power that was forgotten; the other units one factor away measure what people mix up.
             let is_power = expected.exponent(Base::Time).is_zero() && found.exponent(Base::Time).is_zero();
             let text = format!("{value} {unit}");
             return match is_power {
                 true => certain(String::new(), text),
-                false => guess(text, format!(" for {}{sibling}", kind(expected))),
+                false => guess(text, format!("{purpose}{sibling}")),
             };
         }
         if sibling.is_empty() && action.is_some_and(|action| action.ends_with(')')) {
             return None;
         }
-        guess(format!("{value} {}", due.unit), format!(" for {}{sibling}", kind(expected)))
+        guess(format!("{value} {}", due.unit), format!("{purpose}{sibling}"))
     }
 
     /// A number or a list as written, and the one unit behind it.
@@ -203,7 +198,10 @@ impl<'a> Context<'a> {
         let without = stem.rsplit_once(['/', '*']).filter(|_| power == 1).map(|(rest, _)| rest.to_string());
         let fewer = without.or((power > 1).then(|| raised(power - 1)));
         let more = [Some(raised(power + 1)), Some(format!("{unit}/s")), Some(format!("{unit}*m"))];
-        let fits = |text: &String| parse_unit(text, self.gravity).is_ok_and(|unit| unit.dimension == expected);
+        // Nobody counts in squares of hours.
+        let fits = |text: &String| {
+            !text.contains("h^") && parse_unit(text, self.gravity).is_ok_and(|unit| unit.dimension == expected)
+        };
         [fewer].into_iter().chain(more).flatten().find(fits)
     }
 

@@ -26,7 +26,6 @@ const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     misspelt_word,
     value::range_marks,
     clause_marks,
-    value::pi_and_unit,
     value::spaced_unit,
     value::unit_after_name,
     value::list_comma,

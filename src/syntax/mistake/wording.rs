@@ -15,6 +15,7 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     name_form,
     inch,
     hold_for,
+    pi_and_unit,
     super::list::range_in_parentheses,
     super::list::position_in_parentheses,
     super::list::position_without_brackets,
@@ -157,6 +158,31 @@ fn rotor_numbers(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         true => diagnostic.fix(statement.span(from, from + listed.len()), format!("[{}]", each.join(", "))),
         false => diagnostic,
     })
+}
+
+/// `2 pi m`, `2*pi m`: a unit goes with a number or with what stands in parentheses.
+fn pi_and_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, before) = statement.before(failure.at);
+    let unit = token(statement.text, failure.at, |c| is_name(c) || "*/^".contains(c));
+    if before != "pi" || !failure.expects(Expected::Operator) || !unit.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return None;
+    }
+    let head = statement.text[..start].trim_end();
+    let factor = |c: char| is_name(c) || ".*/".contains(c);
+    let from = head.rfind(|c| !factor(c)).map_or(0, |i| i + 1);
+    let number = head[from..].trim_end_matches('*');
+    // Otherwise it is a name, or more than a product.
+    if !number.starts_with(|c: char| c.is_ascii_digit()) || super::CLAUSES.contains(&unit) {
+        return None;
+    }
+    let span = statement.span(from, failure.at + unit.len());
+    let mended = format!("({number}*pi) {unit}");
+    Some(
+        Diagnostic::error("mavc::syntax::unexpected", span, "`pi` is a number by name, and takes no unit")
+            .here("a unit follows a number, `)` or `]`, never a name")
+            .help(format!("write `{}`", cut(&mended)))
+            .fix(span, mended),
+    )
 }
 
 /// `every 1 motor lost as M`, where any word after a number looks like a unit.

@@ -172,31 +172,6 @@ pub(super) fn double_star(statement: &Broken, failure: &Failure) -> Option<Diagn
     )
 }
 
-/// `2 pi m`, `2*pi m`: a unit goes with a number or with what stands in parentheses.
-pub(super) fn pi_and_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let (start, before) = statement.before(failure.at);
-    let unit = token(statement.text, failure.at, |c| is_name(c) || "*/^".contains(c));
-    if before != "pi" || !failure.expects(Expected::Operator) || !unit.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        return None;
-    }
-    let head = statement.text[..start].trim_end();
-    let factor = |c: char| is_name(c) || ".*/".contains(c);
-    let from = head.rfind(|c| !factor(c)).map_or(0, |i| i + 1);
-    let number = head[from..].trim_end_matches('*');
-    // Otherwise it is a name, or more than a product.
-    if !number.starts_with(|c: char| c.is_ascii_digit()) || CLAUSES.contains(&unit) {
-        return None;
-    }
-    let span = statement.span(from, failure.at + unit.len());
-    let mended = format!("({number}*pi) {unit}");
-    Some(
-        Diagnostic::error("mavc::syntax::unexpected", span, "`pi` is a number by name, and takes no unit")
-            .here("a unit follows a number, `)` or `]`, never a name")
-            .help(format!("write `{}`", cut(&mended)))
-            .fix(span, mended),
-    )
-}
-
 /// `0.5 N m`: a unit is one run without blanks.
 pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
