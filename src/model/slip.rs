@@ -198,9 +198,11 @@ impl<'a> Context<'a> {
         let without = stem.rsplit_once(['/', '*']).filter(|_| power == 1).map(|(rest, _)| rest.to_string());
         let fewer = without.or((power > 1).then(|| raised(power - 1)));
         let more = [Some(raised(power + 1)), Some(format!("{unit}/s")), Some(format!("{unit}*m"))];
-        // Nobody counts in squares of hours.
+        // Nobody counts in squares of hours, or in hours and seconds.
         let fits = |text: &String| {
-            !text.contains("h^") && parse_unit(text, self.gravity).is_ok_and(|unit| unit.dimension == expected)
+            !text.contains("h^")
+                && !text.contains("/h/")
+                && parse_unit(text, self.gravity).is_ok_and(|unit| unit.dimension == expected)
         };
         [fewer].into_iter().chain(more).flatten().find(fits)
     }
