@@ -93,7 +93,7 @@ enum Command {
     },
     /// Explain a diagnostic's code
     Explain {
-        /// Such as mavc::unit::mismatch; without one, all codes are listed
+        /// Such as mavc::unit::mismatch; without one, all codes are listed with what they mean
         code: Option<String>,
     },
     /// Print what a shell needs to complete mavc's commands and options

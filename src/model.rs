@@ -3,6 +3,7 @@
 
 mod after_fault;
 mod arithmetic;
+mod blame;
 mod campaign;
 mod context;
 mod display;
@@ -20,9 +21,11 @@ mod limits;
 mod load;
 mod mend;
 mod mission;
+mod near_files;
 mod overrides;
 mod plan;
 mod simulate;
+mod slip;
 mod survey;
 mod understanding;
 mod vehicle;
@@ -33,8 +36,9 @@ pub use flight::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
 pub use interval::{RotorSpread, Spread};
-pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load, resolve};
+pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load, load_among, resolve};
 pub use mission::MAX_WAYPOINTS;
+pub use near_files::{List, entries};
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};

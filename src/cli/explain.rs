@@ -1,12 +1,13 @@
 use super::{FINE, Problem, files};
 use crate::diagnostic::{codes, nearest};
 
+/// Codes that are named instead of one that there is not.
+const MOST_OFFERED: usize = 12;
+
 /// `mavc explain`
 pub fn run(code: Option<&str>) -> Result<u8, Problem> {
     let Some(code) = code else {
-        for page in codes::all() {
-            files::print(&format!("{}\n", page.code))?;
-        }
+        files::print(&listed(codes::all()))?;
         return Ok(FINE);
     };
     match codes::lookup(code) {
@@ -14,13 +15,35 @@ pub fn run(code: Option<&str>) -> Result<u8, Problem> {
             files::print(&format!("{}\n\n{}\n", page.code, page.page.trim()))?;
             Ok(FINE)
         }
-        None => {
-            let written = if code.starts_with("mavc::") { code.to_string() } else { format!("mavc::{code}") };
-            let near = nearest(&written, codes::all().iter().map(|page| page.code));
-            Err(match near {
-                Some(near) => format!("there is no code {code}; did you mean {near}?"),
-                None => format!("there is no code {code}; `mavc explain` lists all"),
-            })
-        }
+        None => Err(unknown(code)),
+    }
+}
+
+/// One line a code, its title beside it.
+fn listed<'p>(pages: impl IntoIterator<Item = &'p codes::CodePage>) -> String {
+    let pages: Vec<_> = pages.into_iter().collect();
+    let width = pages.iter().map(|page| page.code.len()).max().unwrap_or(0);
+    pages.iter().map(|page| format!("{:<width$}  {}\n", page.code, page.title)).collect()
+}
+
+/// What to ask for instead of `code`: the codes that have it in them, or else the nearest, by the whole or by its last word.
+fn unknown(code: &str) -> Problem {
+    let word = code.to_lowercase().replace(['-', ' '], "_");
+    let within: Vec<_> = codes::all().iter().filter(|page| !word.is_empty() && page.code.contains(&word)).collect();
+    if let [only] = within[..] {
+        return format!("there is no code {code}; did you mean {}?", only.code);
+    }
+    if (2..=MOST_OFFERED).contains(&within.len()) {
+        return format!("there is no code {code}; these have it in them:\n{}", listed(within).trim_end());
+    }
+    let written = if word.starts_with("mavc::") { word.clone() } else { format!("mavc::{word}") };
+    let whole = || nearest(&written, codes::all().iter().map(|page| page.code));
+    let by_last_word = || {
+        let near = nearest(&word, codes::all().iter().map(codes::CodePage::last_word))?;
+        codes::all().iter().find(|page| page.last_word() == near).map(|page| page.code)
+    };
+    match whole().or_else(by_last_word) {
+        Some(near) => format!("there is no code {code}; did you mean {near}?"),
+        None => format!("there is no code {code}; `mavc explain` lists all"),
     }
 }

@@ -33,7 +33,8 @@ fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
     let is_same = text.as_bytes() == bytes;
     if check {
         if !is_same {
-            files::print(&format!("{}\n", spec::name(name)))?;
+            // What `format` reads is text, so these bytes are.
+            files::print(&difference(spec::name(name), &String::from_utf8_lossy(&bytes), &text, options.quiet))?;
         }
         return Ok(if is_same { FINE } else { SPEC_ERRORS });
     }
@@ -41,4 +42,49 @@ fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
         write(&[(&Target::new(Path::new(name))?, text)])?;
     }
     Ok(FINE)
+}
+
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// What `--check` says of a file that would change: its name and the first line that would, as it is and as it would be; the
+/// name alone where `brief`.
+fn difference(name: &str, before: &str, after: &str, brief: bool) -> String {
+    if brief {
+        return format!("{name}\n");
+    }
+    let (mut old, mut new) = (before.split_inclusive('\n'), after.split_inclusive('\n'));
+    let mut line = 1;
+    let (old, new) = loop {
+        match (old.next(), new.next()) {
+            (old, new) if old == new && old.is_some() => line += 1,
+            pair => break pair,
+        }
+    };
+    let head = format!("{name}:{line}: would be laid out anew\n");
+    let shown = |sign: char, text: &str| format!("  {sign} {text}\n");
+    let (was, is) = (old.unwrap_or("").trim_end(), new.unwrap_or("").trim_end());
+    // What differs behind the last mark cannot be seen.
+    if was == is && old.is_some() && new.is_some() || was == format!("{BYTE_ORDER_MARK}{is}") {
+        return head + &shown('~', unseen(old.unwrap_or(""), new.unwrap_or("")));
+    }
+    match (old, new) {
+        (Some(_), _) if was.is_empty() => head + &shown('-', "an empty line"),
+        (_, Some(_)) if is.is_empty() => head + &shown('+', "an empty line"),
+        (Some(_), Some(_)) => head + &shown('-', was) + &shown('+', is),
+        (Some(_), None) => head + &shown('-', was),
+        (None, _) => head + &shown('+', is),
+    }
+}
+
+/// How two lines differ of which one sees the same.
+fn unseen(old: &str, new: &str) -> &'static str {
+    if old.starts_with(BYTE_ORDER_MARK) {
+        return "a byte order mark at the beginning";
+    }
+    match (old.ends_with('\n'), new.ends_with('\n'), old.ends_with("\r\n"), new.ends_with("\r\n")) {
+        (false, true, ..) => "no line end at the end of the file",
+        (.., true, false) => "a carriage return at the line's end, where the first line has none",
+        (.., false, true) => "no carriage return at the line's end, where the first line has one",
+        _ => "blanks at the line's end",
+    }
 }

@@ -2,7 +2,9 @@
 
 use super::{Options, Problem, SpecArgs, files, links};
 use crate::diagnostic::{Diagnostic, Severity, render_linked, render_short, sort, to_json_line};
-use crate::model::{FileSet, MAX_TABLE_BYTES, Model, OVERRIDE, Override, elaborate, load, parse_override};
+use crate::model::{
+    FileSet, MAX_TABLE_BYTES, Model, OVERRIDE, Override, elaborate, entries, load_among, parse_override,
+};
 use crate::source::SourceMap;
 use sha2::{Digest, Sha256};
 use std::io::IsTerminal;
@@ -33,7 +35,7 @@ pub fn parse(args: &SpecArgs, options: &Options) -> Result<(Loaded, Vec<Override
         std::fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
         Ok(bytes)
     };
-    let (mut files, mut diagnostics) = load(name, &bytes, &reader);
+    let (mut files, mut diagnostics) = load_among(name, &bytes, &reader, &entries);
     let mut overrides = Vec::new();
     for text in &args.set {
         match parse_override(text, &mut files.sources) {

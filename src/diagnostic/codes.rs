@@ -35,6 +35,11 @@ pub fn lookup(code: &str) -> Option<&'static CodePage> {
 }
 
 impl CodePage {
+    /// `mismatch` of `mavc::unit::mismatch`.
+    pub fn last_word(&self) -> &'static str {
+        self.code.rsplit("::").next().unwrap_or(self.code)
+    }
+
     /// Where the page stands; `docs` is the address of the documentation's folder, without a slash at the end. Headings
     /// are named as forges name them, without their punctuation.
     pub fn url(&self, docs: &str) -> String {

@@ -4,7 +4,7 @@ use super::documents::{Documents, name_of, range};
 use super::mentions::Mentions;
 use super::names::Names;
 use crate::diagnostic::{Diagnostic, Severity, sort};
-use crate::model::{FileSet, MAX_TABLE_BYTES, Model, Understanding, load, understand};
+use crate::model::{FileSet, MAX_TABLE_BYTES, Model, Understanding, entries, load_among, understand};
 use crate::source::{FileId, Source, Span};
 use gen_lsp_types::{Location, TextDocumentContentChangeEvent};
 use std::collections::{BTreeMap, BTreeSet};
@@ -32,7 +32,7 @@ pub struct Spec {
 impl Spec {
     /// Compiles `text` and what it uses up to the model, as `mavc check` does.
     pub fn read(root: &str, text: &str, read: &dyn Fn(&Path) -> io::Result<Vec<u8>>) -> Self {
-        let (files, mut diagnostics) = load(root, text.as_bytes(), read);
+        let (files, mut diagnostics) = load_among(root, text.as_bytes(), read, &entries);
         let mut understanding = understand(&files, &[]);
         diagnostics.append(&mut understanding.checked.diagnostics);
         sort(&mut diagnostics);

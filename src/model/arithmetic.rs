@@ -133,11 +133,14 @@ impl<'a> Context<'a> {
             Some(mended) => Some(format!("a unit is missing: write `{mended}`")),
             None => self.likely_slip(y, left).or_else(|| self.likely_slip(x, right)),
         };
-        let help = match slip {
+        let error = error.help(match slip {
             Some(slip) => format!("{table}\n{slip}"),
-            None => table,
-        };
-        self.report(error.help(help));
+            None => format!("{table}\ngive both sides units of one kind, or take one side out"),
+        });
+        match bare_side {
+            Some(_) => self.report(error),
+            None => self.report_of_sides([(left, a), (right, b)], error),
+        }
         None
     }
 

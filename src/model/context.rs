@@ -38,6 +38,8 @@ pub(super) struct Context<'a> {
     /// What was read where, for whoever shows the spec.
     pub readings: Vec<Reading>,
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
+    /// Of what is wrong with uses of a `let`, by its name and what is due: the first of `diagnostics` to say so.
+    pub(super) accused: BTreeMap<(&'a str, String), usize>,
     /// The curve parameter and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
     pub(super) depth: u32,
@@ -72,6 +74,7 @@ impl<'a> Context<'a> {
             dropped: 0,
             readings: Vec::new(),
             lets: BTreeMap::new(),
+            accused: BTreeMap::new(),
             parameter: None,
             depth: 0,
             steps: 0,

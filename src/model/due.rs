@@ -1,14 +1,13 @@
 //! What a place in the spec expects: a quantity of some dimension, a positive one, a whole number, a share.
 
-use super::context::{Context, State};
-use super::elaborate::expr_of;
-use super::expression::{Value, is_bare, trailing_unit};
-use super::overrides::OVERRIDE;
+use super::blame::sole_name;
+use super::context::Context;
+use super::expression::{Value, is_bare};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Operator};
-use crate::unit::{Dimension, Quantity, mismatch, parse_unit};
+use crate::unit::{Dimension, Quantity, parse_unit};
 
 /// What a field or clause takes: its name as the author writes it, and the unit one would write.
 #[derive(Clone, Copy)]
@@ -61,14 +60,19 @@ impl<'a> Context<'a> {
         let found = if due.unit == "1" { found } else { format!("{found} {}", due.unit) };
         let error = Diagnostic::error(code, expr.span, format!("`{}` {rule}", due.what));
         let error = error.here(format!("this is {found}"));
-        self.report(match &expr.kind {
-            ExprKind::Negate(inner) if value < 0.0 => {
+        let error = match (&expr.kind, self.let_behind(expr).map(|(name, value)| (name, &value.kind))) {
+            (ExprKind::Negate(inner), None) if value < 0.0 => {
                 let mended = self.sources.snippet(inner.span);
                 error.help(format!("take the sign out: write `{mended}`")).fix(expr.span, mended)
             }
+            (ExprKind::Name(_), Some((name, ExprKind::Negate(inner)))) if value < 0.0 => {
+                let positive = self.sources.snippet(inner.span);
+                error.help(format!("write `let {name} = {positive}`, or another value here"))
+            }
             _ if value < 0.0 => error.help("look for the sign that makes it negative"),
             _ => error.help("write a value above zero"),
-        });
+        };
+        self.report_of_let(expr, rule, &found, error);
         None
     }
 
@@ -217,51 +221,19 @@ impl<'a> Context<'a> {
             });
             return Some(q.value);
         }
-        let error = match q.dimension.is_plain() {
-            true if self.is_blamed(expr) => return None,
+        match q.dimension.is_plain() {
+            true if self.is_blamed(expr) => {}
             true => {
                 let error = self.unit_missing(due, expr);
-                self.blame(expr, due.unit, error)
+                let error = self.blame(expr, due.unit, error);
+                self.report(error);
             }
-            false => self.unit_differs(due, q, expr),
-        };
-        self.report(error);
+            false => {
+                let error = self.unit_differs(due, q, expr);
+                self.report_of_let(expr, &expected.to_string(), &q.dimension.describe(), error);
+            }
+        }
         None
-    }
-
-    /// Where `expr` lacks a unit because a `let` does, says so there, once: other uses of the `let` stay silent.
-    pub(super) fn blame(&mut self, expr: &Expr, unit: &str, error: Diagnostic) -> Diagnostic {
-        let mut chain = Vec::new();
-        let mut found: Option<&'a Expr> = None;
-        let mut name = sole_name(expr);
-        while let Some((&key, entry)) = name.filter(|n| !self.is_parameter(n)).and_then(|n| self.lets.get_key_value(n))
-        {
-            found = expr_of(entry.field);
-            name = found.and_then(sole_name);
-            chain.push(key);
-        }
-        let (Some(value), Some(&last)) = (found.filter(|e| trailing_unit(e).is_none()), chain.last()) else {
-            return error;
-        };
-        let Some(mended) = self.with_unit(value, unit) else {
-            return error;
-        };
-        for name in &chain {
-            if let Some(entry) = self.lets.get_mut(name) {
-                entry.state = State::Done(None);
-            }
-        }
-        let help = match self.sources.get(value.span.file).name == OVERRIDE {
-            true => format!("write `--set {last}={}`", mended.replace(' ', "")),
-            false => format!("write `let {last} = {mended}`"),
-        };
-        error.also(value.span, format!("`{last}` has no unit here")).help(help).fix(value.span, mended)
-    }
-
-    /// Whether the `let` behind `expr` has been told to lack its unit since it was evaluated.
-    fn is_blamed(&self, expr: &Expr) -> bool {
-        let name = sole_name(expr).filter(|name| !self.is_parameter(name));
-        name.and_then(|n| self.lets.get(n)).is_some_and(|l| matches!(l.state, State::Done(None)))
     }
 
     fn unit_missing(&self, due: Due, expr: &Expr) -> Diagnostic {
@@ -296,47 +268,6 @@ impl<'a> Context<'a> {
         (mended.len() <= 48 && !mended.contains('\n')).then_some(mended)
     }
 
-    fn unit_differs(&self, due: Due, q: Quantity, expr: &Expr) -> Diagnostic {
-        let expected = due.dimension();
-        let takes = if expected.is_plain() { "a plain number".into() } else { expected.describe() };
-        let found = q.dimension.describe();
-        let told = mismatch(expected, q.dimension);
-        let error = Diagnostic::error(
-            "mavc::unit::mismatch",
-            expr.span,
-            format!("{} takes {takes}, not {found}", called(due.what)),
-        )
-        .here(format!("this is {found}"));
-        let action = match self.likely_slip(expected, expr) {
-            Some(slip) => slip,
-            None if q.dimension == expected.without_angle() => match due.unit {
-                "rad/s" => "say the angle too: turns in a second are written `rev/s`, in a minute `rpm`".to_string(),
-                unit => format!("say the angle too, as in `{unit}`: one turn is 2*pi rad"),
-            },
-            None => told.action.unwrap_or_default(),
-        };
-        error.help(format!("{}\n{action}", told.table).trim_end().to_string())
-    }
-
-    /// A well-known slip behind a mismatch: `2 g` for twice gravity, `2 s` for twice the parameter `s`.
-    pub(super) fn likely_slip(&self, expected: Dimension, expr: &Expr) -> Option<String> {
-        let mut units = Vec::new();
-        collect_units(expr, &mut units);
-        let acceleration = Due::new("", "m/s^2").dimension();
-        if expected == acceleration && units.contains(&"g") {
-            return Some("`g` is the gram; for gravity write `2*g0`".into());
-        }
-        if let ExprKind::Binary { operator, left, right } = &expr.kind
-            && let Some((value, unit)) = joined_unit(operator.value, left, right, &|_| true)
-            && parse_unit(&unit, self.gravity).is_ok_and(|unit| unit.dimension == expected)
-        {
-            let (name, number) = (self.sources.snippet(right.span), self.without_unit(value));
-            return Some(format!("`{name}` is a name here; with the unit `{name}`, write `{number} {unit}`"));
-        }
-        let name = units.into_iter().find(|unit| self.in_scope(unit))?;
-        Some(format!("`{name}` after a number is the unit; to multiply by the name `{name}`, write `2*{name}`"))
-    }
-
     /// A value as written, its unit aside.
     pub(super) fn without_unit(&self, expr: &Expr) -> &'a str {
         let unit = match &expr.kind {
@@ -351,17 +282,8 @@ impl<'a> Context<'a> {
         self.lets.contains_key(name) || self.is_parameter(name)
     }
 
-    fn is_parameter(&self, name: &str) -> bool {
+    pub(super) fn is_parameter(&self, name: &str) -> bool {
         self.parameter.is_some_and(|(parameter, _)| parameter == name)
-    }
-}
-
-/// The name that an expression is, its sign aside.
-fn sole_name(expr: &Expr) -> Option<&str> {
-    match &expr.kind {
-        ExprKind::Name(name) => Some(name),
-        ExprKind::Negate(inner) | ExprKind::Paren { inner, unit: None } => sole_name(inner),
-        _ => None,
     }
 }
 
@@ -407,30 +329,6 @@ pub(super) fn joined_unit<'e>(
 }
 
 /// A field by its name in backquotes, anything else as it is said.
-fn called(what: &str) -> String {
+pub(super) fn called(what: &str) -> String {
     if what.contains([' ', '`']) { what.to_string() } else { format!("`{what}`") }
-}
-
-fn collect_units<'e>(expr: &'e Expr, into: &mut Vec<&'e str>) {
-    let mut note = |unit: &'e Option<crate::syntax::ast::UnitText>| into.extend(unit.iter().map(|u| u.value.as_str()));
-    match &expr.kind {
-        ExprKind::Number { unit, .. } => note(unit),
-        ExprKind::Paren { inner, unit } => {
-            note(unit);
-            collect_units(inner, into);
-        }
-        ExprKind::List { elements, unit } => {
-            note(unit);
-            elements.iter().for_each(|e| collect_units(e, into));
-        }
-        ExprKind::Call { arguments, .. } => arguments.iter().for_each(|e| collect_units(e, into)),
-        ExprKind::Negate(inner) => collect_units(inner, into),
-        ExprKind::Binary { left, right, .. }
-        | ExprKind::Range { low: left, high: right }
-        | ExprKind::Interval { value: left, by: right } => {
-            collect_units(left, into);
-            collect_units(right, into);
-        }
-        ExprKind::Name(_) | ExprKind::Text(_) => {}
-    }
 }

@@ -6,7 +6,7 @@ use super::fault::Modes;
 use super::fields::elsewhere;
 use super::load::FileSet;
 use super::overrides::{Override, apply};
-use super::plan::Draft;
+use super::plan::{Draft, against};
 use super::simulate::Around;
 use super::understanding::Understanding;
 use super::{DefaultUsed, FaultMode, Model, Vehicle, campaign, lag, mission, simulate, vehicle};
@@ -180,7 +180,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     let fallback = mission.map(|m| m.span).or(vehicle.map(|v| v.span)).unwrap_or_default();
     let incomplete = modes.incomplete || vehicle.is_none();
     let flown = mission.and_then(|m| m.mission.as_ref());
-    let names_modes = draft.names_modes();
+    let (names_modes, empty_against) = (draft.names_modes(), draft.empty_against());
     let draft_span = draft.span;
     let (plan, plan_time, plan_defaults) = draft.finish(cx, &modes.modes, incomplete, flown, fallback);
     let plan_written = !blocks.plans.is_empty();
@@ -212,7 +212,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     if names_modes && !campaign.written {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
-        warn_unused_modes(cx, &modes, &plan.against, &used);
+        against::warn_unused(cx, &modes, &plan.against, &used, empty_against);
     }
     Some(Model {
         gravity: cx.gravity,
@@ -335,37 +335,6 @@ fn choose<'a>(
             cx.report(error.also(second.1, "or this one?").help(help));
             None
         }
-    }
-}
-
-/// Warns once a statement of whose modes none is among `looked_at`.
-fn warn_unused_modes(cx: &mut Context, modes: &Modes, against: &[usize], looked_at: &[usize]) {
-    let mut used = vec![false; modes.modes.len()];
-    looked_at.iter().for_each(|&k| used[k] = true);
-    for statement in 0..modes.statements {
-        let of_statement = || modes.origin.iter().enumerate().filter(move |(_, o)| **o == statement).map(|(k, _)| k);
-        let Some(first) = of_statement().next() else {
-            continue;
-        };
-        if of_statement().any(|k| used[k]) {
-            continue;
-        }
-        let mode = &modes.modes[first];
-        let count = of_statement().count();
-        let message = match count {
-            1 => format!("the plan does not look at fault mode `{}`", mode.name),
-            n => format!("the plan looks at none of these {n} fault modes"),
-        };
-        let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not planned against");
-        // What is chosen stays: a list of this mode alone would leave the others out.
-        let chosen = against.iter().map(|&k| modes.modes[k].name.as_str());
-        let all: Vec<&str> = chosen.chain([mode.name.as_str()]).collect();
-        // Which modes leave control the sets say, and here there are none.
-        let list = format!("as in `[{}]`", all.join(", "));
-        cx.report(warning.help(match count {
-            1 => format!("take it out, or add it to `against`, {list}, if `mavc analyze` calls it controllable and not on the edge"),
-            _ => format!("take them out, or add some to `against`, {list}, if `mavc analyze` calls them controllable"),
-        }));
     }
 }
 

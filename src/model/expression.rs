@@ -247,12 +247,11 @@ impl<'a> Context<'a> {
         if a.dimension != b.dimension {
             let message = format!("a range goes from {} to {}", a.dimension.describe(), b.dimension.describe());
             let told = compare(["start", "end"], a.dimension, b.dimension);
-            self.report(
-                Diagnostic::error("mavc::unit::mismatch", high.span, message)
-                    .here(format!("this is {}", b.dimension.describe()))
-                    .also(low.span, format!("this is {}", a.dimension.describe()))
-                    .help(told.table),
-            );
+            let error = Diagnostic::error("mavc::unit::mismatch", high.span, message)
+                .here(format!("this is {}", b.dimension.describe()))
+                .also(low.span, format!("this is {}", a.dimension.describe()))
+                .help(format!("{}\ngive both ends one unit, as in `1 .. 30 m`", told.table));
+            self.report_of_sides([(low, a), (high, b)], error);
             return None;
         }
         Some(Value::Range(a, b))
@@ -315,7 +314,33 @@ impl<'a> Context<'a> {
                 self.report(error.here("one end alone").help("write both ends, as in `LOW .. HIGH`"));
                 None
             }
+            Value::List(ends) if ends.len() == 2 => {
+                let error = Diagnostic::error("mavc::unit::kind", expr.span, format!("{due} is due here, not a list"));
+                let error = error.here("this is a list");
+                self.report(match self.ends_of_list(expr) {
+                    Some(range) => error.help(format!("write `{range}`")).fix(expr.span, range),
+                    None => error.help("write both ends, as in `LOW .. HIGH`"),
+                });
+                None
+            }
             other => self.wrong_kind(&other, due, expr.span),
+        }
+    }
+
+    /// `[1, 30] m` as `1 .. 30 m`, where it is written out.
+    fn ends_of_list(&self, expr: &Expr) -> Option<String> {
+        let ExprKind::List { elements, unit } = &expr.kind else { return None };
+        let [low, high] = elements.as_slice() else { return None };
+        let is_number = |end: &Expr| match &end.kind {
+            ExprKind::Number { unit: None, .. } => true,
+            ExprKind::Negate(inner) => matches!(inner.kind, ExprKind::Number { unit: None, .. }),
+            _ => false,
+        };
+        let [from, to] = [low, high].map(|end| self.sources.snippet(end.span).trim());
+        match unit {
+            None => Some(format!("{from} .. {to}")),
+            Some(unit) if is_number(low) && is_number(high) => Some(format!("{from} .. {to} {}", unit.value)),
+            Some(_) => None,
         }
     }
 

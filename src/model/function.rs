@@ -73,12 +73,11 @@ impl<'a> Context<'a> {
                     let told = compare(["first", "other"], x.dimension, q.dimension);
                     let message =
                         format!("`{name}` compares {} and {}", x.dimension.describe(), q.dimension.describe());
-                    self.report(
-                        Diagnostic::error("mavc::unit::mismatch", argument.span, message)
-                            .here(format!("this is {}", q.dimension.describe()))
-                            .also(arguments[0].span, format!("this is {}", x.dimension.describe()))
-                            .help(told.table),
-                    );
+                    let error = Diagnostic::error("mavc::unit::mismatch", argument.span, message)
+                        .here(format!("this is {}", q.dimension.describe()))
+                        .also(arguments[0].span, format!("this is {}", x.dimension.describe()))
+                        .help(format!("{}\ngive all of them units of one kind", told.table));
+                    self.report_of_sides([(&arguments[0], x), (argument, *q)], error);
                     return None;
                 }
                 match name {

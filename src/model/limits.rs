@@ -47,9 +47,9 @@ pub(super) fn names() -> impl Iterator<Item = &'static str> {
 const FORM: &str = "mavc::mission::limit_form";
 const VALUE: &str = "mavc::mission::limit_value";
 
-/// Reads the block; `None` where a limit has an error.
-pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Limit>> {
-    let mut limits = Some(Vec::new());
+/// Reads the block: the limits without an error, and whether these are all.
+pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, bool) {
+    let (mut limits, mut whole) = (Vec::new(), true);
     // Name and side (lower, upper) of what has been given, with its place.
     let mut given: Vec<(&str, bool, bool, Span)> = Vec::new();
     for statement in &block.body {
@@ -66,7 +66,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Lim
                     let error = Diagnostic::error("mavc::name::duplicate", *span, message).here("limited again");
                     let again = mend::removal(cx.sources.get(span.file), *span);
                     cx.report(error.also(first, "first limited here").help("keep one of the two").fix(again, ""));
-                    limits = None;
+                    whole = false;
                     continue;
                 }
                 given.push((&name.value, sides.0, sides.1, *span));
@@ -91,12 +91,10 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> Option<Vec<Lim
             }
             _ => None,
         };
-        match (&mut limits, limit) {
-            (Some(list), Some(limit)) => list.push(limit),
-            (list, _) => *list = None,
-        }
+        whole &= limit.is_some();
+        limits.extend(limit);
     }
-    limits
+    (limits, whole)
 }
 
 fn unknown(cx: &mut Context, name: &str, span: Span) {
@@ -222,10 +220,16 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
         let is_above = |value: f64| limit.upper.is_some_and(|high| value > high + 1e-9);
         let mut outside = waypoints.iter().enumerate().filter_map(|(i, waypoint)| {
             let found = coordinate(waypoint).filter(|&(_, value, ..)| is_below(value) || is_above(value))?;
-            Some((i + 1, waypoint.span, found))
+            Some((i, waypoint, found))
         });
-        let Some((count, span, (axis, value, unit, scale))) = outside.next() else {
+        let Some((index, waypoint, (axis, value, unit, scale))) = outside.next() else {
             continue;
+        };
+        // The first is the start, so that the number of one without a name needs a word.
+        let (which, counted) = match &waypoint.name {
+            Some(name) => (format!("waypoint `{name}`"), ""),
+            None if index == 0 => ("the first waypoint".to_string(), ""),
+            None => (format!("waypoint {}", index + 1), "; the first waypoint is the start"),
         };
         let side = if is_below(value) { "below" } else { "above" };
         let others = match outside.count() {
@@ -233,15 +237,14 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
             1 => ", and one more leaves it".to_string(),
             n => format!(", and {n} more leave it"),
         };
-        let message =
-            format!("waypoint {count} has {axis} = {} {unit}, {side} the limit{others}", number(value * scale));
-        let error = Diagnostic::error("mavc::mission::outside_limits", span, message);
+        let message = format!("{which} has {axis} = {} {unit}, {side} the limit{others}", number(value * scale));
+        let error = Diagnostic::error("mavc::mission::outside_limits", waypoint.span, message);
         let help = if others.is_empty() {
             "move the waypoint or widen the limit"
         } else {
             "move the waypoints or widen the limit"
         };
-        let help = format!("{help}; the first waypoint is the start");
-        cx.report(error.here("leaves the limits").also(limit.span, "limited here").help(help));
+        let error = error.here("leaves the limits").also(limit.span, "limited here");
+        cx.report(error.help(format!("{help}{counted}")));
     }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
+use super::near_files::{List, near_file};
 use crate::diagnostic::{Diagnostic, sort};
 use crate::source::{FileId, Source, SourceMap, Span, Spanned};
 use crate::syntax::ast::{Item, SpecFile, Statement};
@@ -63,8 +64,25 @@ pub fn load(
     root_bytes: &[u8],
     read: &dyn Fn(&Path) -> io::Result<Vec<u8>>,
 ) -> (FileSet, Vec<Diagnostic>) {
-    let mut loader =
-        Loader { set: FileSet::default(), diagnostics: Vec::new(), read, seen: BTreeMap::new(), open: Vec::new() };
+    load_among(root_name, root_bytes, read, &|_| Vec::new())
+}
+
+/// As [`load`], where `list` names what a folder holds ([`entries`]), so that a file that is not there can be told by those
+/// that are.
+pub fn load_among(
+    root_name: &str,
+    root_bytes: &[u8],
+    read: &dyn Fn(&Path) -> io::Result<Vec<u8>>,
+    list: &List,
+) -> (FileSet, Vec<Diagnostic>) {
+    let mut loader = Loader {
+        set: FileSet::default(),
+        diagnostics: Vec::new(),
+        read,
+        list,
+        seen: BTreeMap::new(),
+        open: Vec::new(),
+    };
     loader.file(root_name.to_string(), root_bytes, None);
     sort(&mut loader.diagnostics);
     (loader.set, loader.diagnostics)
@@ -74,6 +92,7 @@ struct Loader<'r> {
     set: FileSet,
     diagnostics: Vec<Diagnostic>,
     read: &'r dyn Fn(&Path) -> io::Result<Vec<u8>>,
+    list: &'r List<'r>,
     seen: BTreeMap<PathBuf, ()>,
     /// The files that are being brought in, the root first.
     open: Vec<PathBuf>,
@@ -147,7 +166,7 @@ impl Loader<'_> {
             Ok(bytes) => self.file(target.display().to_string(), &bytes, Some(path.span)),
             Err(error) => {
                 self.seen.insert(target.clone(), ());
-                self.fail(missing(&target, path, from, &error));
+                self.fail(missing(&target, path, from, &error, self.list));
             }
         }
     }
@@ -177,7 +196,7 @@ impl Loader<'_> {
                     self.fail(not_utf8(file, &error).also(path.span, "named here"));
                 }
             },
-            Err(error) => self.fail(missing(&target, path, from, &error)),
+            Err(error) => self.fail(missing(&target, path, from, &error, self.list)),
         }
     }
 
@@ -187,7 +206,7 @@ impl Loader<'_> {
     }
 }
 
-fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error) -> Diagnostic {
+fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error, list: &List) -> Diagnostic {
     if path.value.is_empty() {
         return Diagnostic::error("mavc::file::missing", path.span, "no file is named")
             .here("nothing stands between the quotes")
@@ -207,13 +226,25 @@ fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error)
             diagnostic.help("only files on this machine can be named")
         }
         io::ErrorKind::NotFound if path.value.contains('\\') => diagnostic.help("paths are written with `/`"),
-        io::ErrorKind::NotFound if target.extension().is_none() => {
-            diagnostic.help(format!("write the whole name, as in `{}.mav`", path.value))
-        }
-        io::ErrorKind::NotFound => diagnostic.help(format!("paths count from the file that names them, here `{from}`")),
+        io::ErrorKind::NotFound => match near_file(from, &path.value, list) {
+            Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(path.span, format!("\"{near}\"")),
+            None if target.extension().is_none() => {
+                diagnostic.help(format!("write the whole name, as in `{}.mav`", path.value))
+            }
+            None => diagnostic.help(looked_in(target, from)),
+        },
         io::ErrorKind::IsADirectory => diagnostic.help("name a file in it"),
         _ => diagnostic.help("see that the file can be read"),
     }
+}
+
+/// Where a file was looked for, and how to name one elsewhere.
+fn looked_in(target: &Path, from: &str) -> String {
+    let folder = match target.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        Some(folder) => format!("the folder `{}`", folder.display()),
+        None => "this folder".to_string(),
+    };
+    format!("it was looked for in {folder}: write its path from `{from}`, as in `../vehicles/quad.mav`")
 }
 
 enum Wanted {

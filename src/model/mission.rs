@@ -135,7 +135,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     };
     let (mut start_at_rest, mut end_at_rest) = (true, true);
     let mut limit_block: Option<&Block> = None;
-    let mut limits = Some(Vec::new());
+    let (mut limits, mut limits_whole) = (Vec::new(), true);
     // The waypoints before the first statement with an error: which they are and when, they say for themselves.
     let mut sure = None;
     for (index, statement) in block.body.iter().enumerate() {
@@ -178,7 +178,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
                 }
                 None => {
                     limit_block = Some(inner);
-                    limits = limits::read(cx, inner);
+                    (limits, limits_whole) = limits::read(cx, inner);
                 }
             },
             Statement::Broken(_) => route.broken = true,
@@ -210,24 +210,19 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     if !route.broken {
         warn_close(cx, &route.waypoints);
     }
-    if let Some(limits) = &limits {
-        limits::check(cx, limits, &route.waypoints[..sure]);
-    }
+    limits::check(cx, &limits, &route.waypoints[..sure]);
     route.broken |= !in_order;
     let legs = shares(&route.waypoints, &route.curves, manner.timing);
-    let mission = match limits {
-        Some(limits) if !route.broken => Some(Mission {
-            name: name.clone(),
-            doc: block.doc.clone(),
-            waypoints: route.waypoints,
-            legs,
-            start_at_rest,
-            end_at_rest,
-            limits,
-            span,
-        }),
-        _ => None,
-    };
+    let mission = (limits_whole && !route.broken).then(|| Mission {
+        name: name.clone(),
+        doc: block.doc.clone(),
+        waypoints: route.waypoints,
+        legs,
+        start_at_rest,
+        end_at_rest,
+        limits,
+        span,
+    });
     Outline { name, span, mission, yaw_defaulted }
 }
 
@@ -348,11 +343,13 @@ fn check_times(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
             free_at = time;
             said = Some((time, span));
         }
+        if let Some(span) = waypoint.time_span.filter(|_| fine && free_at > MAX_DURATION) {
+            cx.report(too_long(span, free_at));
+            return false;
+        }
         free_at += waypoint.hold;
         if fine && free_at > MAX_DURATION {
-            let held = waypoint.hold_span.filter(|_| waypoint.hold > 0.0);
-            let span = held.or(waypoint.time_span).unwrap_or(waypoint.span);
-            cx.report(too_long(span, free_at));
+            cx.report(too_long(waypoint.hold_span.unwrap_or(waypoint.span), free_at));
             return false;
         }
     }

@@ -1,6 +1,6 @@
 //! The `plan` block and its defaults.
 
-mod against;
+pub(super) mod against;
 mod require;
 
 use super::context::Context;
@@ -122,6 +122,11 @@ impl<'a> Draft<'a> {
     /// Whether `against` names its modes one by one, so that those left out are left out by oversight, maybe.
     pub fn names_modes(&self) -> bool {
         self.against.is_some_and(|field| matches!(field.value, FieldValue::Expr(_)))
+    }
+
+    /// Where `against` is a list of nothing.
+    pub fn empty_against(&self) -> Option<Span> {
+        self.against.and_then(against::empty_list)
     }
 
     /// The name given for `vehicle` or `mission`.

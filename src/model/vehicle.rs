@@ -269,7 +269,19 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     if !text.len().is_multiple_of(2) || !ROTORS.contains(&text.len()) {
         let message = format!("a ring has an even number of rotors from 4 to 32, not {}", text.len());
         let error = Diagnostic::error("mavc::vehicle::rotor_count", expr.span, message);
-        cx.report(error.here(format!("{} letters", text.len())).help("for other arrangements, use `rotors { ... }`"));
+        let letters = if text.len() == 1 { "1 letter".to_string() } else { format!("{} letters", text.len()) };
+        cx.report(error.here(format!("{letters}, one a rotor")).help(match text.len() {
+            few if few < *ROTORS.start() => {
+                "write a letter for each rotor: a quadcopter is \"PNPN\", a hexacopter \"PNPNPN\"".to_string()
+            }
+            many if many > *ROTORS.end() => format!("take letters out until there are {}", ROTORS.end()),
+            odd => format!(
+                "write {} letters or {}; a vehicle of {odd} rotors places them one by one: \
+                 `rotors {{ rotor at [0.2, 0.15, 0] m  spin P; .. }}`",
+                odd - 1,
+                odd + 1
+            ),
+        }));
         return None;
     }
     Some(text.chars().map(|c| if c == 'P' { Spin::P } else { Spin::N }).collect())
@@ -291,7 +303,9 @@ fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Optio
         let message = format!("a vehicle has 4 to 32 rotors, not {}", rotors.len());
         let error = Diagnostic::error("mavc::vehicle::rotor_count", block.keyword.span, message);
         let help = if rotors.len() < *ROTORS.start() { "add `rotor at` statements" } else { "take some out" };
-        cx.report(error.here(format!("{} rotors follow", rotors.len())).help(help));
+        let follow =
+            if rotors.len() == 1 { "1 rotor follows".to_string() } else { format!("{} rotors follow", rotors.len()) };
+        cx.report(error.here(follow).help(help));
         return (None, None);
     }
     // With a rotor that could not be read, nothing can be said of the whole.

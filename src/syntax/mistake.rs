@@ -6,6 +6,7 @@
 mod block;
 mod flight;
 mod habit;
+mod list;
 mod separator;
 mod strike;
 mod wording;

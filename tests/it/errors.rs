@@ -2,7 +2,7 @@
 //! its first lines name and with the message in the snapshot beside it.
 
 use mavc::diagnostic::{Diagnostic, render_human, sort};
-use mavc::model::{elaborate, load};
+use mavc::model::{elaborate, entries, load_among};
 use mavc::source::{Source, SourceMap};
 use std::path::Path;
 use std::sync::Mutex;
@@ -20,8 +20,12 @@ pub fn compile(path: &Path, mend: &dyn Fn(&str, Vec<u8>) -> Vec<u8>) -> (Vec<Dia
         return (diagnostics, sources);
     }
     let folder = path.parent().unwrap();
-    let (files, mut diagnostics) =
-        load(name, &bytes, &|used| std::fs::read(folder.join(used)).map(|bytes| mend(&used.to_string_lossy(), bytes)));
+    let (files, mut diagnostics) = load_among(
+        name,
+        &bytes,
+        &|used| std::fs::read(folder.join(used)).map(|bytes| mend(&used.to_string_lossy(), bytes)),
+        &|beside| entries(&folder.join(beside)),
+    );
     diagnostics.extend(elaborate(&files, &[]).diagnostics);
     sort(&mut diagnostics);
     (diagnostics, files.sources)

@@ -40,7 +40,7 @@ fn is_written(code: &str) -> bool {
 
 /// Second mistakes of one statement, which are told once it can be read or its value is known, each checked by eye: the
 /// file and the code that comes to light.
-const REVEALED: [(&str, &str); 9] = [
+const REVEALED: [(&str, &str); 10] = [
     // `planners` stands a second time under another name.
     ("campaign_values", "mavc::name::duplicate"),
     // Lagging rotors need more than the right word.
@@ -54,6 +54,8 @@ const REVEALED: [(&str, &str); 9] = [
     // Field and value are both misspelt.
     ("capitals", "mavc::vehicle::layout"),
     ("capitals", "mavc::plan::choice"),
+    // What no file declares is known once every file is there.
+    ("missing_use", "mavc::name::unknown"),
     // A wrong quote and a comma, two misspelt words.
     ("json", "mavc::syntax::unexpected"),
     ("misspelt_words", "mavc::syntax::unexpected"),

@@ -7,8 +7,9 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::FaultMode;
 use crate::model::context::{Context, listed, without_digits};
 use crate::model::due::Due;
+use crate::model::fault::Modes;
 use crate::model::mend;
-use crate::source::Spanned;
+use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
 
 /// The modes that `field` chooses, by index; `None` where it has an error. Where `incomplete`, modes are missing that have
@@ -105,6 +106,14 @@ pub(super) fn read<'a>(
     fine.then_some(chosen)
 }
 
+/// Where `field` is a list of nothing.
+pub(super) fn empty_list(field: &Field) -> Option<Span> {
+    match &field.value {
+        FieldValue::Expr(Expr { kind: ExprKind::List { elements, .. }, span }) if elements.is_empty() => Some(*span),
+        _ => None,
+    }
+}
+
 /// `where rpn >= 100`: the modes that have the number and meet the condition.
 fn filter<'a>(
     cx: &mut Context<'a>,
@@ -152,4 +161,57 @@ fn filter<'a>(
         cx.report(warning.here("selects nothing").help(help));
     }
     Some(chosen)
+}
+
+/// Warns once a statement of whose modes none is among `looked_at`; once in all where `against` is the list of nothing at
+/// `empty` and nothing else looks at any.
+pub(in crate::model) fn warn_unused(
+    cx: &mut Context,
+    modes: &Modes,
+    against: &[usize],
+    looked_at: &[usize],
+    empty: Option<Span>,
+) {
+    if let (Some(list), [], false) = (empty, looked_at, modes.modes.is_empty()) {
+        return warn_none(cx, &modes.modes, list);
+    }
+    let mut used = vec![false; modes.modes.len()];
+    looked_at.iter().for_each(|&k| used[k] = true);
+    for statement in 0..modes.statements {
+        let of_statement = || modes.origin.iter().enumerate().filter(move |(_, o)| **o == statement).map(|(k, _)| k);
+        let Some(first) = of_statement().next() else {
+            continue;
+        };
+        if of_statement().any(|k| used[k]) {
+            continue;
+        }
+        let mode = &modes.modes[first];
+        let count = of_statement().count();
+        let message = match count {
+            1 => format!("the plan does not look at fault mode `{}`", mode.name),
+            n => format!("the plan looks at none of these {n} fault modes"),
+        };
+        let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not planned against");
+        // What is chosen stays: a list of this mode alone would leave the others out.
+        let chosen = against.iter().map(|&k| modes.modes[k].name.as_str());
+        let all: Vec<&str> = chosen.chain([mode.name.as_str()]).collect();
+        // Which modes leave control the sets say, and here there are none.
+        let list = format!("as in `[{}]`", all.join(", "));
+        cx.report(warning.help(match count {
+            1 => format!("take it out, or add it to `against`, {list}, if `mavc analyze` calls it controllable and not on the edge"),
+            _ => format!("take them out, or add some to `against`, {list}, if `mavc analyze` calls them controllable"),
+        }));
+    }
+}
+
+/// Warns that the plan is against nothing, though there are modes that nothing else looks at.
+fn warn_none(cx: &mut Context, modes: &[FaultMode], list: Span) {
+    let warning = Diagnostic::warning("mavc::plan::none_selected", list, "the plan is against no fault mode");
+    let first = &modes[0];
+    let (declared, some) = match modes.len() {
+        1 => ("the one that `faults` declares".to_string(), format!("`[{}]`", first.name)),
+        n => (format!("the first of {n} that `faults` declares"), format!("`all`, or some as in `[{}]`", first.name)),
+    };
+    let warning = warning.here("lists none").also(first.span, declared);
+    cx.report(warning.help(format!("write {some}; a plan for the healthy vehicle alone needs no `faults`")));
 }

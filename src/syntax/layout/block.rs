@@ -1,10 +1,12 @@
 //! `{ }`: which block was left open, and which brace closes nothing.
 
 use super::{Scanner, is_blank};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Fix};
 use crate::source::Span;
 use crate::syntax::cut;
 use crate::syntax::place::Place;
+
+const BLOCK_HEAD: &str = "mavc::syntax::block_head";
 
 /// A block whose closing brace has not been met.
 #[derive(Clone, Copy)]
@@ -24,6 +26,43 @@ impl Scanner<'_> {
         let head = self.statement.unwrap_or(brace);
         self.blocks.push(OpenBlock { head, brace, line: self.line_start, indent: self.line_indent });
         self.end_statement();
+    }
+
+    /// A block that a `(` or `[` opens: read as if it were the brace.
+    pub(super) fn open_mistaken_block(&mut self, at: usize) {
+        let found = self.text.as_bytes()[at] as char;
+        let pair = if found == '(' { "( )" } else { "[ ]" };
+        let head = cut(self.text[self.statement.unwrap_or(at)..at].trim_end());
+        let span = self.span(at, at + 1);
+        let message = format!("the block `{head}` stands in `{{ }}`, not in `{pair}`");
+        self.report(
+            Diagnostic::error(BLOCK_HEAD, span, message)
+                .here("opens a list or an expression")
+                .help(format!("write `{head} {{`"))
+                .fix(span, "{"),
+        );
+        self.out[at] = b'{';
+        self.open_block(at);
+    }
+
+    /// A `)` or `]` that closes the innermost block, which the like opened; false where it does not.
+    pub(super) fn close_mistaken_block(&mut self, at: usize) -> bool {
+        let closer = self.text.as_bytes()[at];
+        let opener = if closer == b')' { b'(' } else { b'[' };
+        let Some(brace) = self.blocks.last().map(|block| block.brace).filter(|&b| self.text.as_bytes()[b] == opener)
+        else {
+            return false;
+        };
+        // One mistake, mended by one change.
+        let mended = format!("{{{}}}", &self.text[brace + 1..at]);
+        let (span, whole) = (self.span(brace, brace + 1), self.span(brace, at + 1));
+        if let Some(told) = self.layout.diagnostics.iter_mut().find(|d| d.code == BLOCK_HEAD && d.span == span) {
+            told.help = told.help.take().map(|help| help + ", and `}` at its end");
+            told.fix = Some(Fix { span: whole, text: mended });
+        }
+        self.out[at] = b'}';
+        self.close_block(at);
+        true
     }
 
     pub(super) fn close_block(&mut self, at: usize) {

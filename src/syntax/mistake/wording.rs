@@ -14,7 +14,12 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     bare_path,
     name_form,
     inch,
-    position_in_parentheses,
+    hold_for,
+    pi_and_unit,
+    super::list::range_in_parentheses,
+    super::list::position_in_parentheses,
+    super::list::position_without_brackets,
+    super::list::listed_names,
     rotor_numbers,
     motors,
     effect_word,
@@ -26,7 +31,7 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     comma_at_end,
 ];
 
-fn unexpected(statement: &Broken, from: usize, to: usize, message: impl Into<String>) -> Diagnostic {
+pub(super) fn unexpected(statement: &Broken, from: usize, to: usize, message: impl Into<String>) -> Diagnostic {
     Diagnostic::error("mavc::syntax::unexpected", statement.span(from, to), message)
 }
 
@@ -110,24 +115,17 @@ fn inch(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     )
 }
 
-/// `start at (0, 0, 2) m`
-fn position_in_parentheses(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    if statement.found(failure.at) != "," || !failure.expects(Expected::Closing(')')) {
-        return None;
-    }
-    // Nothing that nests stands before the comma, or the parenthesis would be another's.
-    let open =
-        statement.text[..failure.at].rfind(['(', ')', '[', ']']).filter(|&i| statement.text[i..].starts_with('('))?;
-    let diagnostic = unexpected(statement, open, open + 1, "a list stands in `[ ]`, not in `( )`");
-    let diagnostic = diagnostic.here("opens an expression, which has no commas");
-    let diagnostic = diagnostic.help("write `[x, y, z]`, the unit behind it");
-    let inside = &statement.text[open + 1..];
-    Some(match inside.find(['(', ')', '[', ']']).filter(|&i| inside[i..].starts_with(')')) {
-        Some(length) => {
-            let span = statement.span(open, open + length + 2);
-            diagnostic.fix(span, format!("[{}]", &inside[..length]))
-        }
-        None => diagnostic,
+/// `hold for 3 s`, where any word looks like the name of a time.
+fn hold_for(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, word) = statement.before(failure.at);
+    let is_filler = matches!(word, "for" | "about" | "at" | "during" | "of" | "still");
+    let follows = statement.text[..start].trim_end() == "hold";
+    let value = statement.text[failure.at..].trim_end();
+    (statement.word() == "hold" && is_filler && follows && !value.is_empty()).then(|| {
+        unexpected(statement, start, start + word.len(), "nothing stands between `hold` and its time")
+            .here("not expected")
+            .help(format!("write `hold {}`", cut(value)))
+            .fix(statement.span(start, failure.at), "")
     })
 }
 
@@ -160,6 +158,31 @@ fn rotor_numbers(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         true => diagnostic.fix(statement.span(from, from + listed.len()), format!("[{}]", each.join(", "))),
         false => diagnostic,
     })
+}
+
+/// `2 pi m`, `2*pi m`: a unit goes with a number or with what stands in parentheses.
+fn pi_and_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, before) = statement.before(failure.at);
+    let unit = token(statement.text, failure.at, |c| is_name(c) || "*/^".contains(c));
+    if before != "pi" || !failure.expects(Expected::Operator) || !unit.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return None;
+    }
+    let head = statement.text[..start].trim_end();
+    let factor = |c: char| is_name(c) || ".*/".contains(c);
+    let from = head.rfind(|c| !factor(c)).map_or(0, |i| i + 1);
+    let number = head[from..].trim_end_matches('*');
+    // Otherwise it is a name, or more than a product.
+    if !number.starts_with(|c: char| c.is_ascii_digit()) || super::CLAUSES.contains(&unit) {
+        return None;
+    }
+    let span = statement.span(from, failure.at + unit.len());
+    let mended = format!("({number}*pi) {unit}");
+    Some(
+        Diagnostic::error("mavc::syntax::unexpected", span, "`pi` is a number by name, and takes no unit")
+            .here("a unit follows a number, `)` or `]`, never a name")
+            .help(format!("write `{}`", cut(&mended)))
+            .fix(span, mended),
+    )
 }
 
 /// `every 1 motor lost as M`, where any word after a number looks like a unit.

@@ -8,6 +8,11 @@ const UNTIDY: &str = "let  a=1\n";
 const TIDY: &str = "let a = 1\n";
 const BROKEN: &str = "let a = = 1\n";
 
+/// What `--check` says of [`UNTIDY`].
+fn told(name: &str) -> String {
+    format!("{name}:1: would be laid out anew\n  - let  a=1\n  + let a = 1\n")
+}
+
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let dir = tempfile::tempdir().unwrap();
     for (name, text) in files {
@@ -33,7 +38,8 @@ fn name(path: &Path) -> &str {
 fn standard_input_goes_to_standard_output() {
     assert_eq!(fmt(&["-"], UNTIDY), (0, TIDY.into(), String::new()));
     assert_eq!(fmt(&["-"], TIDY), (0, TIDY.into(), String::new()));
-    assert_eq!(fmt(&["--check", "-"], UNTIDY), (1, "<stdin>\n".into(), String::new()));
+    assert_eq!(fmt(&["--check", "-"], UNTIDY), (1, told("<stdin>"), String::new()));
+    assert_eq!(fmt(&["--check", "-", "--quiet"], UNTIDY), (1, "<stdin>\n".into(), String::new()));
     assert_eq!(fmt(&["--check", "-"], TIDY), (0, String::new(), String::new()));
     let (code, out, err) = fmt(&["-"], BROKEN);
     assert_eq!((code, out.as_str()), (1, ""));
@@ -46,7 +52,7 @@ fn check_lists_what_would_change_and_writes_nothing() {
         folder(&[("a.mav", UNTIDY), ("b.mav", TIDY), ("sub/c.mav", UNTIDY), (".git/d.mav", UNTIDY), ("e.txt", UNTIDY)]);
     let path = |name: &str| dir.path().join(name).display().to_string();
     let (code, out, err) = fmt(&["--check", name(dir.path())], "");
-    assert_eq!((code, out, err.as_str()), (1, format!("{}\n{}\n", path("a.mav"), path("sub/c.mav")), ""));
+    assert_eq!((code, out, err.as_str()), (1, told(&path("a.mav")) + &told(&path("sub/c.mav")), ""));
     assert_eq!(fs::read_to_string(path("a.mav")).unwrap(), UNTIDY);
     assert_eq!(fmt(&[name(dir.path())], ""), (0, String::new(), String::new()));
     for (file, text) in
@@ -57,6 +63,23 @@ fn check_lists_what_would_change_and_writes_nothing() {
     assert_eq!(fmt(&["--check", name(dir.path())], "").0, 0);
     // Nothing else is left there.
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 5);
+}
+
+#[test]
+fn check_shows_the_first_line_that_would_change() {
+    for (text, line, shown) in [
+        ("let a = 1\nlet b=2\n", 2, "- let b=2\n  + let b = 2"),
+        ("let a = 1\n\n\nlet b = 2\n", 3, "- an empty line"),
+        ("let a = 1\n\n", 2, "- an empty line"),
+        ("let a = 1  \n", 1, "~ blanks at the line's end"),
+        ("let a = 1", 1, "~ no line end at the end of the file"),
+        ("let a = 1\r\nlet b = 2\n", 2, "~ no carriage return at the line's end, where the first line has one"),
+        ("let a = 1\nlet b = 2\r\n", 2, "~ a carriage return at the line's end, where the first line has none"),
+        ("\u{feff}let a = 1\n", 1, "~ a byte order mark at the beginning"),
+    ] {
+        let expected = format!("<stdin>:{line}: would be laid out anew\n  {shown}\n");
+        assert_eq!(fmt(&["--check", "-"], text), (1, expected, String::new()), "{text:?}");
+    }
 }
 
 #[test]

@@ -1,0 +1,99 @@
+//! Mistakes that show where a `let` is used and stand where it is declared: told once, with both places.
+
+use super::context::{Context, State};
+use super::elaborate::expr_of;
+use super::expression::trailing_unit;
+use super::overrides::OVERRIDE;
+use crate::diagnostic::{Diagnostic, Label};
+use crate::syntax::ast::{Expr, ExprKind};
+use crate::unit::Quantity;
+
+/// Further uses of a wrong `let` that are labelled.
+const MOST_USES: usize = 4;
+
+impl<'a> Context<'a> {
+    /// The `let`s that `expr` names one through the other, and the value of the last.
+    fn chain(&self, expr: &Expr) -> (Vec<&'a str>, Option<&'a Expr>) {
+        let mut names = Vec::new();
+        let mut value: Option<&'a Expr> = None;
+        let mut name = sole_name(expr);
+        while let Some((&key, entry)) = name.filter(|n| !self.is_parameter(n)).and_then(|n| self.lets.get_key_value(n))
+        {
+            value = expr_of(entry.field);
+            name = value.and_then(sole_name);
+            names.push(key);
+        }
+        (names, value)
+    }
+
+    /// The name and the value of the `let` whose value `expr` has.
+    pub(super) fn let_behind(&self, expr: &Expr) -> Option<(&'a str, &'a Expr)> {
+        let (names, value) = self.chain(expr);
+        names.last().copied().zip(value)
+    }
+
+    /// Reports what is wrong with `expr`. Where that is a `let` by name, its declaration is labelled with the `fact` that is
+    /// not as it is `due`, and other uses that go wrong alike join the first as labels.
+    pub(super) fn report_of_let(&mut self, expr: &Expr, due: &str, fact: &str, error: Diagnostic) {
+        let Some((name, value)) = self.let_behind(expr) else {
+            return self.report(error);
+        };
+        let key = (name, due.to_string());
+        if let Some(&told) = self.accused.get(&key) {
+            let first = &mut self.diagnostics[told];
+            let is_new = first.span != expr.span && first.labels.iter().all(|label| label.span != expr.span);
+            // The declaration has a label too.
+            if is_new && first.labels.len() <= MOST_USES {
+                first.labels.push(Label { span: expr.span, message: "and here".into() });
+            }
+            return;
+        }
+        if !self.is_full() {
+            self.accused.insert(key, self.diagnostics.len());
+        }
+        self.report(error.also(value.span, format!("`{name}` is {fact}")));
+    }
+
+    /// As [`Context::report_of_let`], of two values that measure different things: what one is, the other has to be.
+    pub(super) fn report_of_sides(&mut self, [a, b]: [(&Expr, Quantity); 2], error: Diagnostic) {
+        let (side, other) = if self.let_behind(a.0).is_some() { (a, b) } else { (b, a) };
+        let (due, fact) = (other.1.dimension.to_string(), side.1.dimension.describe());
+        self.report_of_let(side.0, &due, &fact, error);
+    }
+
+    /// Where `expr` lacks a unit because a `let` does, says so there, once: other uses of the `let` stay silent.
+    pub(super) fn blame(&mut self, expr: &Expr, unit: &str, error: Diagnostic) -> Diagnostic {
+        let (chain, found) = self.chain(expr);
+        let (Some(value), Some(&last)) = (found.filter(|e| trailing_unit(e).is_none()), chain.last()) else {
+            return error;
+        };
+        let Some(mended) = self.with_unit(value, unit) else {
+            return error;
+        };
+        for name in &chain {
+            if let Some(entry) = self.lets.get_mut(name) {
+                entry.state = State::Done(None);
+            }
+        }
+        let help = match self.sources.get(value.span.file).name == OVERRIDE {
+            true => format!("write `--set {last}={}`", mended.replace(' ', "")),
+            false => format!("write `let {last} = {mended}`"),
+        };
+        error.also(value.span, format!("`{last}` has no unit here")).help(help).fix(value.span, mended)
+    }
+
+    /// Whether the `let` behind `expr` has been told to lack its unit since it was evaluated.
+    pub(super) fn is_blamed(&self, expr: &Expr) -> bool {
+        let name = sole_name(expr).filter(|name| !self.is_parameter(name));
+        name.and_then(|n| self.lets.get(n)).is_some_and(|l| matches!(l.state, State::Done(None)))
+    }
+}
+
+/// The name that an expression is, its sign aside.
+pub(super) fn sole_name(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(name),
+        ExprKind::Negate(inner) | ExprKind::Paren { inner, unit: None } => sole_name(inner),
+        _ => None,
+    }
+}

@@ -1,0 +1,264 @@
+//! A quantity of another dimension than the one due: what its author probably meant, and what to write for it.
+
+use super::context::Context;
+use super::due::{Due, called, joined_unit};
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+use crate::syntax::ast::{Expr, ExprKind, UnitText};
+use crate::unit::{Base, Dimension, Quantity, mismatch, parse_unit};
+
+/// Units of mass, and of the force that weighs so much.
+const WEIGHTS: [(&str, &str); 3] = [("g", "gf"), ("kg", "kgf"), ("lb", "lbf")];
+
+/// Turns a second or a minute, as they are counted and as they turn.
+const TURNS: [(&str, &str, &str); 2] = [("Hz", "rev/s", "second"), ("1/min", "rpm", "minute")];
+
+/// Fields that stand beside each other and measure different things, with a unit of each.
+const FAMILIES: [&[(&str, &str)]; 5] = [
+    &[
+        ("speed", "m/s"),
+        ("acceleration", "m/s^2"),
+        ("jerk", "m/s^3"),
+        ("tilt", "deg"),
+        ("yaw_rate", "deg/s"),
+        ("yaw_acceleration", "deg/s^2"),
+    ],
+    &[("max_thrust", "N"), ("thrust_coefficient", "N*s^2/rad^2")],
+    &[("torque_per_thrust", "m"), ("drag_coefficient", "N*m*s^2/rad^2")],
+    &[("mass", "kg"), ("inertia", "kg*m^2")],
+    &[("within", "cm"), ("yaw_within", "deg")],
+];
+
+/// What to write in place of a value.
+struct Remedy {
+    /// Goes before what is to be written: `for the weight of 666 g`; may be empty.
+    purpose: String,
+    /// The new value.
+    text: String,
+    /// Goes behind; may be empty.
+    besides: String,
+    /// Nothing else can have been meant.
+    is_certain: bool,
+}
+
+impl<'a> Context<'a> {
+    /// `expr` has the value `q`, of another dimension than the one due.
+    pub(super) fn unit_differs(&self, due: Due, q: Quantity, expr: &Expr) -> Diagnostic {
+        let expected = due.dimension();
+        let takes = if expected.is_plain() { "a plain number".into() } else { expected.describe() };
+        let found = q.dimension.describe();
+        let told = mismatch(expected, q.dimension);
+        let error = Diagnostic::error(
+            "mavc::unit::mismatch",
+            expr.span,
+            format!("{} takes {takes}, not {found}", called(due.what)),
+        )
+        .here(format!("this is {found}"));
+        let with = |action: &str| format!("{}\n{action}", told.table);
+        let behind = self.let_behind(expr);
+        let written = behind.map_or(expr, |(_, value)| value);
+        if let Some(slip) = self.likely_slip(expected, written) {
+            return error.help(with(&slip));
+        }
+        if let Some(remedy) = self.remedy(due, q, written, told.action.as_deref()) {
+            let Remedy { purpose, text, besides, is_certain } = remedy;
+            let order = match behind {
+                Some((name, _)) => format!("write `let {name} = {text}`"),
+                None => format!("write `{text}`"),
+            };
+            let purpose = if purpose.is_empty() { purpose } else { purpose + ", " };
+            let error = error.help(with(&format!("{purpose}{order}{besides}")));
+            // Other uses of a `let` may be right as they are.
+            return if is_certain && behind.is_none() { error.fix(expr.span, text) } else { error };
+        }
+        let action = match told.action {
+            Some(action) => action,
+            None => format!("write {}, as in `2 {}`", kind(expected), due.unit),
+        };
+        error.help(with(&action))
+    }
+
+    /// What to write for a value that is a number or a list with one unit behind it.
+    fn remedy(&self, due: Due, q: Quantity, written: &Expr, action: Option<&str>) -> Option<Remedy> {
+        let (value, unit) = self.value_and_unit(written)?;
+        let (expected, found) = (due.dimension(), q.dimension);
+        let of = |text: &str| parse_unit(text, self.gravity).map_or(Dimension::PLAIN, |unit| unit.dimension);
+        let (force, mass, rate, turning) = (of("N"), of("kg"), of("Hz"), of("rad/s"));
+        let certain =
+            |purpose: String, text: String| Some(Remedy { purpose, text, besides: String::new(), is_certain: true });
+        let guess =
+            |text: String, besides: String| Some(Remedy { purpose: String::new(), text, besides, is_certain: false });
+        if expected == force && found == mass {
+            let purpose = format!("for the weight of {value} {unit}");
+            return certain(
+                purpose,
+                match WEIGHTS.iter().find(|pair| pair.0 == unit) {
+                    Some((_, weight)) => format!("{value} {weight}"),
+                    None => format!("{value} {unit} * g0"),
+                },
+            );
+        }
+        if expected == mass && found == force {
+            let purpose = format!("for the mass that weighs {value} {unit}");
+            return certain(
+                purpose,
+                match WEIGHTS.iter().find(|pair| pair.1 == unit) {
+                    Some((mass, _)) => format!("{value} {mass}"),
+                    None => format!("{value} {unit} / g0"),
+                },
+            );
+        }
+        if expected == turning && found == rate {
+            if let Some((_, turns, time)) = TURNS.iter().find(|pair| pair.0 == unit) {
+                let text = format!("{value} {turns}");
+                // Rotors are told by their turns, headings rarely.
+                return match due.unit {
+                    "rad/s" => certain(format!("for {value} turns a {time}"), text),
+                    _ => guess(format!("{value} {}", due.unit), format!(", or `{text}` for turns")),
+                };
+            }
+            let other = if due.unit == "rad/s" { ("rev/s", "turns") } else { ("rad/s", "radians") };
+            return guess(format!("{value} {}", due.unit), format!(", or `{value} {}` for {}", other.0, other.1));
+        }
+        if expected == rate && found == turning {
+            return match TURNS.iter().find(|pair| pair.1 == unit) {
+                Some((counted, _, time)) => {
+                    certain(format!("for {value} times a {time}"), format!("{value} {counted}"))
+                }
+                None => guess(format!("{value} {}", due.unit), ", without the angle".into()),
+            };
+        }
+        if matches!(written.kind, ExprKind::Number { .. }) && q.value > 0.0 {
+            let reciprocal = || self.reciprocal(due, q, value, unit);
+            if expected == rate && found == Dimension::TIME {
+                return certain(format!("for once in {value} {unit}"), reciprocal());
+            }
+            if expected == Dimension::TIME && found == rate {
+                return certain(format!("for the period of {value} {unit}"), reciprocal());
+            }
+        }
+        let sibling = match sibling(due.what, found) {
+            Some(other) => format!("; {} is said with `{other}`", kind(found)),
+            None => String::new(),
+        };
+        if expected.is_plain() {
+            return guess(value.to_string(), format!(", a number alone, or a share such as `10 %`{sibling}"));
+        }
+        let purpose = expected.named().map_or(String::new(), |(name, _)| format!(" for {name}"));
+        if let Some(unit) = self.nearly(unit, expected) {
+            // A power that was forgotten; the other units one factor away measure what people mix up.
+            let is_power = expected.exponent(Base::Time).is_zero() && found.exponent(Base::Time).is_zero();
+            let text = format!("{value} {unit}");
+            return match is_power {
+                true => certain(String::new(), text),
+                false => guess(text, format!("{purpose}{sibling}")),
+            };
+        }
+        if sibling.is_empty() && action.is_some_and(|action| action.ends_with(')')) {
+            return None;
+        }
+        guess(format!("{value} {}", due.unit), format!("{purpose}{sibling}"))
+    }
+
+    /// A number or a list as written, and the one unit behind it.
+    fn value_and_unit(&self, expr: &Expr) -> Option<(&'a str, &'a str)> {
+        fn unit_of(expr: &Expr) -> Option<&UnitText> {
+            match &expr.kind {
+                ExprKind::Number { unit, .. } | ExprKind::List { unit, .. } | ExprKind::Paren { unit, .. } => {
+                    unit.as_ref()
+                }
+                ExprKind::Negate(inner) => unit_of(inner),
+                _ => None,
+            }
+        }
+        let unit = unit_of(expr)?;
+        let value = self.sources.snippet(Span { end: unit.span.start, ..expr.span }).trim_end();
+        (value.len() <= 48 && !value.contains('\n')).then(|| (value, self.sources.snippet(unit.span)))
+    }
+
+    /// One over a quantity, in the unit due where that is a short number.
+    fn reciprocal(&self, due: Due, q: Quantity, value: &str, unit: &str) -> String {
+        let scale = parse_unit(due.unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
+        let number = (1.0 / q.value / scale).to_string();
+        let inverse = match unit.strip_prefix("1/") {
+            Some(time) => time.to_string(),
+            None if unit == "Hz" => "s".to_string(),
+            None => format!("1/{unit}"),
+        };
+        if number.len() <= 8 { format!("{number} {}", due.unit) } else { format!("(1/{value}) {inverse}") }
+    }
+
+    /// A unit of the dimension due that is one factor away from `unit` as it is written.
+    fn nearly(&self, unit: &str, expected: Dimension) -> Option<String> {
+        let (stem, power) = match unit.rsplit_once('^') {
+            Some((stem, power)) => (stem, power.parse::<i32>().ok()?),
+            None => (unit, 1),
+        };
+        let raised = |power: i32| if power == 1 { stem.to_string() } else { format!("{stem}^{power}") };
+        let without = stem.rsplit_once(['/', '*']).filter(|_| power == 1).map(|(rest, _)| rest.to_string());
+        let fewer = without.or((power > 1).then(|| raised(power - 1)));
+        let more = [Some(raised(power + 1)), Some(format!("{unit}/s")), Some(format!("{unit}*m"))];
+        // Nobody counts in squares of hours, or in hours and seconds.
+        let fits = |text: &String| {
+            !text.contains("h^")
+                && !text.contains("/h/")
+                && parse_unit(text, self.gravity).is_ok_and(|unit| unit.dimension == expected)
+        };
+        [fewer].into_iter().chain(more).flatten().find(fits)
+    }
+
+    /// A well-known slip behind a mismatch: `2 g` for twice gravity, `2 s` for twice the parameter `s`.
+    pub(super) fn likely_slip(&self, expected: Dimension, expr: &Expr) -> Option<String> {
+        let mut units = Vec::new();
+        collect_units(expr, &mut units);
+        let acceleration = Due::new("", "m/s^2").dimension();
+        if expected == acceleration && units.contains(&"g") {
+            return Some("`g` is the gram; for gravity write `2*g0`".into());
+        }
+        if let ExprKind::Binary { operator, left, right } = &expr.kind
+            && let Some((value, unit)) = joined_unit(operator.value, left, right, &|_| true)
+            && parse_unit(&unit, self.gravity).is_ok_and(|unit| unit.dimension == expected)
+        {
+            let (name, number) = (self.sources.snippet(right.span), self.without_unit(value));
+            return Some(format!("`{name}` is a name here; with the unit `{name}`, write `{number} {unit}`"));
+        }
+        let name = units.into_iter().find(|unit| self.in_scope(unit))?;
+        Some(format!("`{name}` after a number is the unit; to multiply by the name `{name}`, write `2*{name}`"))
+    }
+}
+
+/// The field beside `what` that takes a quantity of this dimension.
+fn sibling(what: &str, found: Dimension) -> Option<&'static str> {
+    let family = FAMILIES.iter().find(|family| family.iter().any(|(name, _)| *name == what))?;
+    let takes = |unit: &str| parse_unit(unit, 1.0).is_ok_and(|unit| unit.dimension == found);
+    family.iter().find(|(_, unit)| takes(unit)).map(|(name, _)| *name)
+}
+
+/// What people call a dimension, without a unit.
+fn kind(dimension: Dimension) -> &'static str {
+    dimension.named().map_or("a quantity", |(name, _)| name)
+}
+
+fn collect_units<'e>(expr: &'e Expr, into: &mut Vec<&'e str>) {
+    let mut note = |unit: &'e Option<UnitText>| into.extend(unit.iter().map(|u| u.value.as_str()));
+    match &expr.kind {
+        ExprKind::Number { unit, .. } => note(unit),
+        ExprKind::Paren { inner, unit } => {
+            note(unit);
+            collect_units(inner, into);
+        }
+        ExprKind::List { elements, unit } => {
+            note(unit);
+            elements.iter().for_each(|e| collect_units(e, into));
+        }
+        ExprKind::Call { arguments, .. } => arguments.iter().for_each(|e| collect_units(e, into)),
+        ExprKind::Negate(inner) => collect_units(inner, into),
+        ExprKind::Binary { left, right, .. }
+        | ExprKind::Range { low: left, high: right }
+        | ExprKind::Interval { value: left, by: right } => {
+            collect_units(left, into);
+            collect_units(right, into);
+        }
+        ExprKind::Name(_) | ExprKind::Text(_) => {}
+    }
+}
