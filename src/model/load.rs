@@ -67,8 +67,8 @@ pub fn load(
     load_among(root_name, root_bytes, read, &|_| Vec::new())
 }
 
-/// As [`load`], where `list` names what a folder holds ([`entries`]), so that a file that is not there can be told by those
-/// that are.
+/// As [`load`], where `list` names what a folder holds ([`super::near_files::entries`]), so that a file that is not there can
+/// be told by those that are.
 pub fn load_among(
     root_name: &str,
     root_bytes: &[u8],

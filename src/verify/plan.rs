@@ -1,4 +1,4 @@
-//! Decides what a certificate claims of a plan: here its motion, in [`bounds`] what is bounded along it.
+//! Decides what a certificate claims of a plan: here its motion, in `bounds` what is bounded along it.
 
 mod bounds;
 

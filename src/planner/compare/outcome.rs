@@ -41,7 +41,7 @@ pub struct Solved {
     /// Against every mode of the comparison, in their order.
     pub outside: Vec<Outside>,
     /// How long the mission is committed to each of them, s, by what it does after a fault
-    /// ([`Model::after_fault`]). Empty under [`Scope::Common`] and for rounds, which weigh no risk.
+    /// ([`crate::model::Model::after_fault`]). Empty under [`Scope::Common`] and for rounds, which weigh no risk.
     pub committed: Vec<f64>,
     /// For an own shortest time: the shorter time shown infeasible.
     pub infeasible_at: Option<f64>,
