@@ -1,0 +1,157 @@
+// What the page does when it is used: the slider, the choices, the keys, and that its numbers are the compiler's.
+
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { open, shots, text } from "./browser.mjs";
+
+test("the slider moves the wrench through the set, by keys", () =>
+  open("plan", {}, async (page) => {
+    const headline = await text(page, "#sets-headline");
+    const room = await text(page, "#room");
+    const picture = () => page.locator("#sections canvas").first().evaluate((c) => c.toDataURL());
+    const drawn = await picture();
+    const space = () => page.locator("#space canvas").evaluate((c) => c.toDataURL());
+    const flight = await space();
+    await page.locator("#time").focus();
+    for (let i = 0; i < 9; i++) await page.keyboard.press("PageUp");
+    await page.waitForTimeout(200);
+    assert.match(await text(page, "#clock"), /^7\.20 \/ 16\.00 s$/);
+    assert.match(await text(page, "#sets-headline"), /^At 7\.20 s the planned wrench is inside what M1 leaves/);
+    assert.notEqual(await text(page, "#sets-headline"), headline);
+    assert.notEqual(await text(page, "#room"), room);
+    assert.notEqual(await picture(), drawn);
+    assert.notEqual(await space(), flight);
+    assert.match(await text(page, "#space-readout"), /^At 7\.20 s: x /);
+    await page.keyboard.press("End");
+    assert.match(await text(page, "#clock"), /^16\.00/);
+    // At 15.12 s the plan is farthest outside.
+    await page.locator("#time").evaluate((s) => {
+      s.value = "15.12";
+      s.dispatchEvent(new Event("input"));
+    });
+    assert.match(await text(page, "#sets-headline"), /outside what M1 leaves, by 1\d(\.\d)? % of the healthy width/);
+  }));
+
+test("what the page says of an instant is what the compiler says", () =>
+  open("plan", {}, async (page) => {
+    // The margin that the script takes from the rows, against the column that the compiler wrote.
+    const { columns } = await page.evaluate(() => JSON.parse(document.getElementById("content").textContent).runs[0]);
+    for (const k of [0, 57, 200, columns.t.length - 1]) {
+      await page.locator("#time").evaluate((s, t) => {
+        s.value = String(t);
+        s.dispatchEvent(new Event("input"));
+      }, columns.t[k]);
+      const said = (await text(page, "#room caption")).match(/margin ([+\u2212]?[\d.]+) %/)[1].replace("\u2212", "-");
+      assert.ok(Math.abs(Number(said) - columns.margin_1[k]) < 0.06, `${said} ${columns.margin_1[k]}`);
+    }
+  }));
+
+test("plans, modes and sections can be chosen, and the strip leads to an instant", () =>
+  open("compare", {}, async (page) => {
+    const before = await text(page, "#charts");
+    await page.selectOption("#run", { index: 0 });
+    assert.notEqual(await text(page, "#charts"), before);
+    await page.selectOption("#set", "3");
+    assert.match(await text(page, "#sets-headline"), /M3/);
+    assert.equal(await page.locator(".multiple[aria-pressed=true] .name").textContent(), "M3");
+    await page.selectOption("#plane", "hover");
+    assert.match(await text(page, "#sets-note"), /T = m g/);
+    const strip = page.locator("#strips .u-over").first();
+    await strip.scrollIntoViewIfNeeded();
+    const box = await strip.boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    const [now, end] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
+    assert.ok(Math.abs(now - end / 2) < 0.2, `${now} of ${end}`);
+  }));
+
+test("a flight is shown beside its plan", () =>
+  open("flight", {}, async (page) => {
+    assert.match(await text(page, "#found"), /Flown to its end/);
+    assert.match(await text(page, "#chart-estimates"), /M3 is isolated after/);
+    const flown = await text(page, "#chart-position");
+    await page.selectOption("#run", { index: 1 });
+    assert.notEqual(await text(page, "#chart-position"), flown);
+  }));
+
+test("a flight's path is coloured by its faults, and by how far off it is", () =>
+  open("flight", {}, async (page) => {
+    const entries = () => page.locator("#space-legend .entry").allTextContents();
+    const picture = () => page.locator("#space canvas").evaluate((c) => c.toDataURL());
+    assert.deepEqual(await entries(), ["no fault", "M3 undetected", "M3 detected"]);
+    const faults = await picture();
+    await page.selectOption("#colour", { label: "distance from its place" });
+    await page.waitForTimeout(200);
+    assert.deepEqual(await entries(), ["below 2 cm", "2 cm to 5 cm", "5 cm to 10 cm", "10 cm or more"]);
+    assert.notEqual(await picture(), faults);
+    // In words too, for whom colours say nothing.
+    await page.locator("#time").evaluate((s) => {
+      s.value = "12";
+      s.dispatchEvent(new Event("input"));
+    });
+    assert.match(await text(page, "#space-readout"), /cm from its place; M3 detected$/);
+    assert.match(await text(page, "#strips-headline"), /^The plan \(RIP, 30 s\): the smallest margin is/);
+  }));
+
+test("hovering a chart reads its curves", () =>
+  open("plan", {}, async (page) => {
+    const over = page.locator("#chart-speed .u-over");
+    await over.scrollIntoViewIfNeeded();
+    const value = () => text(page, "#chart-speed .u-legend .u-series:nth-child(2) .u-value");
+    const before = await value();
+    await over.hover({ position: { x: 150, y: 60 } });
+    await page.waitForTimeout(100);
+    assert.notEqual(await value(), before);
+  }));
+
+test("the theme can be turned over, and paper is light", () =>
+  open("plan", { theme: "dark" }, async (page) => {
+    const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    await page.locator("#theme").press("Enter");
+    assert.equal(await paper(), "rgb(255, 255, 255)");
+    await page.locator("#theme").press("Enter");
+    assert.equal(await paper(), "rgb(20, 23, 27)");
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    assert.equal(await paper(), "rgb(255, 255, 255)");
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await paper(), "rgb(20, 23, 27)");
+    const pdf = await page.pdf({ format: "A4" });
+    assert.ok(pdf.length > 50_000);
+    if (shots) writeFileSync(join(shots, "plan.pdf"), pdf);
+  }));
+
+test("the margin of an instant is the same wherever it is told", () =>
+  open("plan", {}, async (page) => {
+    for (const t of ["0.3", "7.77", "15.12"]) {
+      await page.locator("#time").evaluate((s, value) => {
+        s.value = value;
+        s.dispatchEvent(new Event("input"));
+      }, t);
+      const told = [
+        (await text(page, "#strips .readout")).match(/M1 (.* %)/)[1],
+        (await text(page, "#space-readout")).match(/margin (.* %) to M1/)[1],
+        (await text(page, "#room caption")).match(/margin (.* %)/)[1],
+      ];
+      assert.deepEqual(new Set(told).size, 1, told.join(", "));
+    }
+  }));
+
+test("space is turned by keys", () =>
+  open("plan", {}, async (page) => {
+    const picture = () => page.locator("#space canvas").evaluate((c) => c.toDataURL());
+    const before = await picture();
+    await page.locator("#space").focus();
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForTimeout(200);
+    assert.notEqual(await picture(), before);
+  }));
+
+test("playing moves time", () =>
+  open("plan", {}, async (page) => {
+    await page.locator("#play").press("Enter");
+    await page.waitForTimeout(600);
+    await page.locator("#play").press("Enter");
+    const [now] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
+    assert.ok(now > 0.05, String(now));
+  }));
