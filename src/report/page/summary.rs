@@ -224,7 +224,7 @@ fn shown_between(told: &PlannerRecord) -> Option<Figure> {
     let between = told.between.as_ref()?;
     let checked = between.iter().filter(|b| b.shown == Shown::Checked).count();
     let (value, note) = match checked {
-        0 => ("proved", "every row holds at every instant".to_string()),
+        0 => ("proved", "what was imposed holds at every instant".to_string()),
         n if n == between.len() => ("checked", "on a grid between the nodes".to_string()),
         n => ("partly proved", format!("{n} of {} kinds of rows are checked on a grid", between.len())),
     };
