@@ -29,6 +29,10 @@ impl Value {
     }
 }
 
+/// Bytes of stack that evaluation leaves untouched, and how many it takes elsewhere once it comes near them.
+const STACK_LEFT: usize = 128 << 10;
+const STACK_MORE: usize = 1 << 20;
+
 impl<'a> Context<'a> {
     /// The value of `expr`; `None` where it has an error, which has been reported.
     pub fn evaluate(&mut self, expr: &'a Expr) -> Option<Value> {
@@ -38,7 +42,8 @@ impl<'a> Context<'a> {
             return None;
         }
         self.depth += 1;
-        let value = self.evaluate_kind(expr);
+        // So deep a stack is more than some threads have.
+        let value = stacker::maybe_grow(STACK_LEFT, STACK_MORE, || self.evaluate_kind(expr));
         self.depth -= 1;
         value
     }

@@ -52,6 +52,28 @@ fn circles_and_long_chains_end() {
     assert_eq!(set.files.len(), 256);
 }
 
+/// Names that stand for each other as deep as they may, each in a long sum, on the stack of a small thread.
+#[test]
+fn deep_expressions_need_no_large_stack() {
+    let more = " + 1".repeat(190);
+    let chain = |names: usize| -> String {
+        let line = |i: usize| format!("let a{i} = a{}{more}\n", i + 1);
+        (0..names).map(line).collect::<String>() + &format!("let a{names} = 1\n")
+    };
+    let codes_of = |names: usize| {
+        let text = chain(names) + QUAD;
+        let on_small_stack = std::thread::Builder::new().stack_size(512 << 10).spawn(move || {
+            let (set, diagnostics) = load_all(&[("root.mav", text.as_bytes())]);
+            assert_eq!(diagnostics, vec![]);
+            let checked = elaborate(&set, &[]);
+            checked.diagnostics.iter().map(|d| d.code).collect::<Vec<_>>()
+        });
+        on_small_stack.unwrap().join().unwrap()
+    };
+    assert_eq!(codes_of(3), ["mavc::name::unused"]);
+    assert!(codes_of(4).contains(&"mavc::unit::too_much"));
+}
+
 #[test]
 fn bytes_that_are_no_text_and_files_too_large_are_told() {
     let (set, diagnostics) = load_all(&[("a.mav", b"let a = 1\n\xff\xfe")]);
