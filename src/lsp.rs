@@ -5,6 +5,7 @@
 //!
 //! | room | what it does |
 //! |---|---|
+//! | `transport` | messages over standard input and output |
 //! | `server`, `answer`, `publication` | the conversation: which message gets what, what is published when |
 //! | `documents`, `workspace` | open texts, the specs they make up |
 //! | `verdicts` | analyses of fault modes, beside the conversation |
@@ -31,6 +32,7 @@ mod publication;
 mod rename;
 mod server;
 mod tokens;
+mod transport;
 mod verdicts;
 mod workspace;
 
@@ -76,9 +78,9 @@ fn first_request(connection: &Connection) -> Option<(RequestId, serde_json::Valu
 /// Serves the editor at standard input and output.
 ///
 /// # Errors
-/// Standard input or output failed, or what came in is no message of the protocol.
+/// Standard input or output failed, or where a message of the editor ends cannot be known.
 pub fn serve_stdio() -> std::io::Result<Ending> {
-    let (connection, threads) = Connection::stdio();
+    let (connection, threads) = transport::stdio();
     let ending = serve(&connection);
     // The reader has gone where there was nothing more to read, or nothing that it could.
     let has_ended = connection.receiver.try_recv().is_err_and(|e| e == TryRecvError::Disconnected);

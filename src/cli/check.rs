@@ -1,11 +1,11 @@
 use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs};
 use super::{files, spec, specs, usage, watch};
 use crate::admissible::diagnose::diagnose;
-use crate::diagnostic::{Diagnostic, Severity, sort, to_json_line};
+use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::flight::twins;
 use crate::report::table::Table;
 use std::collections::HashSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// `mavc check`
 pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
@@ -49,7 +49,8 @@ pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, Problem> {
 /// Over several specs, what several share counted once.
 #[derive(Default)]
 struct Tally {
-    told: HashSet<String>,
+    /// File, place, code, message and label.
+    told: HashSet<(PathBuf, u32, u32, &'static str, [String; 2])>,
     errors: usize,
     warnings: usize,
     with_problems: usize,
@@ -62,7 +63,13 @@ impl Tally {
         let (errors, warnings) = count(&loaded.diagnostics);
         self.with_problems += usize::from(errors + warnings > 0);
         let before = loaded.diagnostics.len();
-        loaded.diagnostics.retain(|d| self.told.insert(to_json_line(d, &loaded.files.sources)));
+        let sources = &loaded.files.sources;
+        loaded.diagnostics.retain(|d| {
+            // One file may go by several names.
+            let file = Path::new(&sources.get(d.span.file).name);
+            let file = std::fs::canonicalize(file).unwrap_or_else(|_| file.to_path_buf());
+            self.told.insert((file, d.span.start, d.span.end, d.code, [&d.message, &d.label].map(String::clone)))
+        });
         let (errors, warnings) = count(&loaded.diagnostics);
         self.errors += errors;
         self.warnings += warnings;

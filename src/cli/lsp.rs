@@ -6,6 +6,6 @@ pub fn run() -> Result<u8, Problem> {
     match serve_stdio() {
         Ok(Ending::Agreed) => Ok(FINE),
         Ok(Ending::Abrupt) => Ok(USAGE),
-        Err(error) => Err(format!("the editor cannot be reached: {}", files::reason(&error))),
+        Err(error) => Err(format!("the conversation with the editor broke off: {}", files::reason(&error))),
     }
 }

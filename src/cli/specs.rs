@@ -29,7 +29,9 @@ fn in_folder(folder: &str, found: &mut Vec<String>) -> Result<(), Problem> {
     for entry in entries.into_iter().filter_entry(|e| e.depth() == 0 || !is_hidden(e.file_name())) {
         let entry = entry.map_err(|e| format!("cannot read {folder}: {e}"))?;
         if entry.file_type().is_file() && entry.path().extension().is_some_and(|e| e == "mav") {
-            found.push(entry.path().display().to_string());
+            // As other specs name it: `base.mav`, not `./base.mav`.
+            let path = entry.path().strip_prefix(".").unwrap_or(entry.path());
+            found.push(path.display().to_string());
         }
     }
     Ok(())

@@ -69,6 +69,11 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     }
     out.push_str(&table.render(0));
     out.push_str(LEGEND);
+    if modes.iter().any(|m| m.verdict != Verdict::Unstable && !m.interior) {
+        out.push_str(
+            "the edge  hover is in reach, but in some direction the smallest disturbance cannot be countered\n",
+        );
+    }
     if gives_away {
         out.push_str(
             "\nOf each set only what the pseudo-inverse gives without clipping counts here and in plans; the last column is\n\

@@ -121,7 +121,12 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
             format!("**{}**{axes}, margin **{}**{heaviest}{uncertain}", one.verdict.name(), margin(one))
         }
         all => {
-            let rows = all.iter().map(|a| format!("| {} | {} | {} |", a.name, a.verdict.name(), margin(a)));
+            let edge = |a: &ModeAnalysis| match (a.verdict, a.interior) {
+                (Verdict::Controllable, false) => ", on the edge",
+                _ => "",
+            };
+            let row = |a: &ModeAnalysis| format!("| {} | {}{} | {} |", a.name, a.verdict.name(), edge(a), margin(a));
+            let rows = all.iter().map(row);
             let head = ["| mode | verdict | margin |".to_string(), "|---|---|---|".to_string()];
             head.into_iter().chain(rows).collect::<Vec<_>>().join("\n")
         }

@@ -63,7 +63,7 @@ fn a_fault_mode_shows_its_verdict_and_margin() {
     assert!(weak1.contains("rotor 1 lost"), "{weak1}");
     // A known result: a ring PNPNPN that has lost a rotor hovers, but with nothing to spare.
     assert!(weak1.contains("**controllable** (hover lies on the edge") && weak1.contains("margin **0**"), "{weak1}");
-    assert_eq!(every.matches("| controllable | 0 |").count(), 6, "{every}");
+    assert_eq!(every.matches("| controllable, on the edge | 0 |").count(), 6, "{every}");
     assert!(every.contains("weak1, weak2"), "{every}");
 }
 

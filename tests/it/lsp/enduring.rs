@@ -7,7 +7,7 @@ use mavc::lsp::{Ending, serve};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::io::Write;
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 
 const TEXTS: [&str; 6] = [
     SPEC,
@@ -184,19 +184,52 @@ fn requests_before_initialize_are_refused_in_words() {
     assert_eq!(server.join().unwrap(), Ending::Abrupt);
 }
 
-/// What is no message of the protocol ends the server, and it says why.
+/// What `mavc lsp` answers to an input, and how it ends.
+fn spoken_to(input: &str) -> Output {
+    let mut server = Command::new(env!("CARGO_BIN_EXE_mavc"));
+    let pipes = server.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut server = pipes.spawn().unwrap();
+    server.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    server.wait_with_output().unwrap()
+}
+
+fn framed(body: &str) -> String {
+    format!("Content-Length: {}\r\n\r\n{body}", body.len())
+}
+
+/// Where nobody can know where the next message begins the server ends, and says why; no length makes it take memory.
 #[test]
-fn messages_that_cannot_be_read_are_told_of() {
-    for wrong in ["Content-Length: 3\r\n\r\n{a}", "Content-Length: many\r\n\r\n{}", "hello\r\n\r\n"] {
-        let mut server = Command::new(env!("CARGO_BIN_EXE_mavc"));
-        let pipes = server.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut server = pipes.spawn().unwrap();
-        server.stdin.take().unwrap().write_all(wrong.as_bytes()).unwrap();
-        let ended = server.wait_with_output().unwrap();
+fn headers_that_cannot_be_read_end_the_server_in_words() {
+    let long = "x".repeat(20_000);
+    let wrong = [
+        "Content-Length: many\r\n\r\n{}",
+        "Content-Length: 99999999999\r\n\r\n{}",
+        "Content-Length: 18446744073709551615\r\n\r\n",
+        "Content-Length: 30\r\n\r\n{}",
+        "hello\r\n\r\n",
+        &long,
+    ];
+    for wrong in wrong {
+        let ended = spoken_to(wrong);
         let told = String::from_utf8(ended.stderr).unwrap();
-        assert_eq!(ended.status.code(), Some(2), "{wrong:?}");
-        assert!(told.starts_with("mavc: ") && told.lines().count() == 1, "{wrong:?}: {told:?}");
+        assert_eq!(ended.status.code(), Some(2), "{wrong:.60?}");
+        let begins = "mavc: the conversation with the editor broke off: ";
+        assert!(told.starts_with(begins) && told.lines().count() == 1, "{wrong:.60?}: {told:?}");
     }
+}
+
+/// A message that is none is passed over, and told to the editor.
+#[test]
+fn messages_that_cannot_be_read_are_passed_over() {
+    let initialize = r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}"#;
+    let shutdown = r#"{"jsonrpc":"2.0","id":2,"method":"shutdown"}"#;
+    let exit = r#"{"jsonrpc":"2.0","method":"exit"}"#;
+    let said = ["{a}", initialize, "[1, 2]", "\u{1}", shutdown, exit].map(framed).concat();
+    let ended = spoken_to(&said);
+    let (told, answers) = (String::from_utf8(ended.stderr).unwrap(), String::from_utf8(ended.stdout).unwrap());
+    assert_eq!((ended.status.code(), told.as_str()), (Some(0), ""));
+    assert_eq!(answers.matches("mavc passes over a message that it cannot read: ").count(), 3, "{answers}");
+    assert!(answers.contains(r#""id":1"#) && answers.contains(r#""id":2"#), "{answers}");
 }
 
 #[test]
