@@ -55,6 +55,8 @@ struct Found {
 ///
 /// `progress` is told the planner's name and each mission time tried.
 pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
+    let ended = times::with_time_of_its_end(model, mission);
+    let (model, mission) = ended.as_ref().map_or((model, mission), |(model, mission)| (model, mission));
     let timed = (model.plan.model == PlanModel::Hover && model.plan.chooses_times)
         .then(|| times::with_better_times(model, mission, progress))
         .flatten();

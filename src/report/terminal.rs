@@ -158,11 +158,13 @@ fn solved_run(
     let e = errors(mission, solved);
     let mut out = format!("{}: {} s", label(run.planner, &run.against), number(solved.time));
     match (run.run, solved.infeasible_at) {
-        (Run::Own, Some(t)) => out.push_str(&format!(
-            ", the shortest time with {} samples ({} s is infeasible)\n",
-            model.plan.samples,
-            number(t)
-        )),
+        (Run::Own, Some(t)) => {
+            // Waypoint times that are sought are a local best: what is shown is shown for the legs' shares found.
+            let shares = if model.plan.chooses_times { " with these waypoint times" } else { "" };
+            let samples = model.plan.samples;
+            let below = number(t);
+            out.push_str(&format!(", the shortest time with {samples} samples ({below} s is infeasible{shares})\n"));
+        }
         (Run::Own, None) if model.plan.model == PlanModel::Exact && determined(mission).is_none() => {
             out.push_str(", the shortest time found (that none is shorter is not shown)\n");
         }

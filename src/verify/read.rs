@@ -3,6 +3,7 @@
 use crate::certificate::{Certificate, MAX_BYTES, SCHEMA};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
+use serde::de::IgnoredAny;
 use serde_json::error::Category;
 
 /// What was given as a certificate is none.
@@ -40,6 +41,8 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Read, Box<Diagnostic>> {
         let why = match e.classify() {
             Category::Eof => "it ends too early",
             Category::Data => "it is JSON of another kind",
+            // Of a claim without its kind too the category says syntax.
+            _ if serde_json::from_str::<IgnoredAny>(text).is_ok() => "it is JSON of another kind",
             Category::Syntax | Category::Io => "it is no JSON",
         };
         // The end is shown at the last thing before it: behind the text no label can stand.

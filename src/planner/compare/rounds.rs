@@ -4,6 +4,7 @@
 //! them. In the hover model, at a time at which RCP has a plan, rounds end at RCP's plan: each program is a relaxation of
 //! RCP's, and a plan that passes no facet solves it.
 
+use super::times::with_time_of_its_end;
 use super::{Comparison, Ending, Progress, Setting};
 use crate::model::{Mission, Model};
 use crate::planner::pool::Pool;
@@ -42,6 +43,8 @@ pub fn rounds(
     (first, last): (usize, usize),
     progress: Progress,
 ) -> Vec<Round> {
+    let ended = with_time_of_its_end(model, mission);
+    let (model, mission) = ended.as_ref().map_or((model, mission), |(model, mission)| (model, mission));
     let setting = Setting::new(model, mission, progress);
     let Some(common) = comparison.common_time else { return Vec::new() };
     let known = comparison.known.clone();

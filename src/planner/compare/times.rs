@@ -1,7 +1,9 @@
-//! Waypoint times for the hover model, whose own search keeps the legs' shares.
+//! Waypoint times before any planner runs: those of the hover model, whose own search keeps the legs' shares, and a last one that
+//! is the mission's time.
 
 use super::Progress;
-use crate::model::{Leg, Mission, Model, PlannerKind};
+use crate::model::{Leg, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::planner::profile::determined;
 use crate::planner::rows::Engine;
 use crate::planner::sets::PlanningSets;
 use crate::planner::successive::Successive;
@@ -26,4 +28,16 @@ pub(super) fn with_better_times(model: &Model, mission: &Mission, progress: Prog
     let found = Successive::new(&mut engine, wrench, set).shortest(&[]).ok()?;
     let legs = found.planned.profile.segments.iter().filter(|s| !s.hold);
     Some(Mission { legs: legs.map(|s| Leg { share: s.duration }).collect(), ..mission.clone() })
+}
+
+/// Where the last waypoint alone has a time of its own, the same mission with that as the plan's time. The exact model's steps
+/// can then begin from slower motions, as they do for missions written so.
+pub(super) fn with_time_of_its_end(model: &Model, mission: &Mission) -> Option<(Model, Mission)> {
+    let (last, others) = mission.waypoints.split_last()?;
+    let alone = !model.plan.chooses_times && last.time.is_some() && others.iter().skip(1).all(|w| w.time.is_none());
+    let time = determined(mission).filter(|_| alone && model.plan.model == PlanModel::Exact)?;
+    let (mut model, mut mission) = (model.clone(), mission.clone());
+    model.plan.time = MissionTime::Fixed(time);
+    mission.waypoints.last_mut()?.time = None;
+    Some((model, mission))
 }

@@ -36,11 +36,6 @@ pub(super) enum Verdict {
 }
 
 impl Successive<'_, '_> {
-    /// Whether the relaxation has no motion over a profile (without holds).
-    pub(super) fn shown_infeasible(&mut self, profile: &Profile) -> bool {
-        matches!(self.relaxed(profile), Verdict::Infeasible)
-    }
-
     /// Solves the relaxation over a profile (without holds).
     pub(super) fn relaxed(&mut self, profile: &Profile) -> Verdict {
         self.engine.weights.clear();

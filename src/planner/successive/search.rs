@@ -229,9 +229,21 @@ impl Successive<'_, '_> {
         if let Some(planned) = self.at_once(&full, begins) {
             return Decision::Feasible(Box::new(planned));
         }
-        // What is shown of one division of the time is not shown of all. A proof is cheaper than a plan from further away.
-        if !self.chooses_times() && self.shown_infeasible(&full.flown()) {
-            return Decision::Infeasible;
+        // What is shown of one division of the time is not shown of all. A proof is cheaper than a plan from further away, and
+        // where there is none the relaxation's own motion, which keeps every limit, may be made to fit.
+        if !self.chooses_times() || has_fixed_times(self.engine.mission) {
+            match self.relaxed(&full.flown()) {
+                Verdict::Infeasible if !self.chooses_times() => return Decision::Infeasible,
+                Verdict::Feasible(Some(motion)) => {
+                    let kept = [CLOSELY, NOT_AT_ALL]
+                        .into_iter()
+                        .find_map(|care| self.kept_near(motion.clone(), total, care, &mut BTreeSet::new()));
+                    if let Some(planned) = kept {
+                        return Decision::Feasible(Box::new(planned));
+                    }
+                }
+                _ => {}
+            }
         }
         match self.begun_further_away(total, begins) {
             Some(planned) => Decision::Feasible(Box::new(planned)),

@@ -44,6 +44,36 @@ fn what_no_attitude_could_do_is_proved() {
     }
 }
 
+/// Each leg alone is flown from rest to rest in its 7 s (a turn of 170 degrees at 30 degrees a second takes 5.7 s), so that both
+/// together have a plan, and so has all that leaves more time.
+#[test]
+fn what_its_parts_have_a_mission_has() {
+    for (held, time) in [(0.0, 14.0), (0.0, 16.0), (1.0, 15.0), (1.0, 18.0)] {
+        let turned = [(0.0, 0.0), (6.0, 170f64.to_radians()), (12.0, 0.0)];
+        let mut points = turned.map(|(x, yaw)| waypoint([x, 0.0, 2.0], yaw));
+        (points[1].time, points[1].hold) = (Some(7.0), held);
+        let limits = vec![limit(LimitKind::YawRate, 30f64.to_radians())];
+        let mission = Mission { limits, ..mission(points.to_vec()) };
+        let mut model = planning(mission, PlannerKind::Rip, &[], MissionTime::Fixed(time));
+        model.plan.samples = 200;
+        let (ending, text) = told(&model);
+        assert!(matches!(ending, Ending::Solved(_)), "held {held} s, in {time} s: {text}");
+    }
+}
+
+/// The time of the last waypoint is the mission's, whoever says it.
+#[test]
+fn the_last_waypoints_time_is_the_plans() {
+    let by_plan = hop([9.0, 0.0, 3.0], 0.0, &[(LimitKind::Speed, 3.0)], 5.0);
+    let mut by_waypoint = by_plan.clone();
+    by_waypoint.plan.time = MissionTime::Minimum;
+    by_waypoint.mission.as_mut().unwrap().waypoints[1].time = Some(5.0);
+    let [one, other] = [by_plan, by_waypoint].map(|model| told(&model).0);
+    let (Ending::Solved(one), Ending::Solved(other)) = (&one, &other) else { panic!("{one:?}, {other:?}") };
+    assert_eq!((one.time, one.objective), (other.time, other.objective));
+    assert_eq!(one.trajectory, other.trajectory);
+}
+
 /// Torques are not in the relaxation: a turn that takes more than the largest tau_z is not found, and no proof is claimed.
 #[test]
 fn what_only_torques_forbid_is_not_found() {
