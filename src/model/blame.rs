@@ -4,7 +4,7 @@ use super::context::{Context, State};
 use super::elaborate::expr_of;
 use super::expression::trailing_unit;
 use super::overrides::OVERRIDE;
-use crate::diagnostic::{Diagnostic, Label};
+use crate::diagnostic::{Diagnostic, Fix, Label};
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::unit::Quantity;
 
@@ -62,12 +62,13 @@ impl<'a> Context<'a> {
     }
 
     /// Where `expr` lacks a unit because a `let` does, says so there, once: other uses of the `let` stay silent.
-    pub(super) fn blame(&mut self, expr: &Expr, unit: &str, error: Diagnostic) -> Diagnostic {
+    /// The `units` are those it may have been meant in; the help names all, and only one alone makes a fix.
+    pub(super) fn blame(&mut self, expr: &Expr, units: &[&str], error: Diagnostic) -> Diagnostic {
         let (chain, found) = self.chain(expr);
         let (Some(value), Some(&last)) = (found.filter(|e| trailing_unit(e).is_none()), chain.last()) else {
             return error;
         };
-        let Some(mended) = self.with_unit(value, unit) else {
+        let Some(mended) = units.iter().map(|unit| self.with_unit(value, unit)).collect::<Option<Vec<_>>>() else {
             return error;
         };
         for name in &chain {
@@ -75,11 +76,18 @@ impl<'a> Context<'a> {
                 entry.state = State::Done(None);
             }
         }
-        let help = match self.sources.get(value.span.file).name == OVERRIDE {
-            true => format!("write `--set {last}={}`", mended.replace(' ', "")),
-            false => format!("write `let {last} = {mended}`"),
-        };
-        error.also(value.span, format!("`{last}` has no unit here")).help(help).fix(value.span, mended)
+        let is_set = self.sources.get(value.span.file).name == OVERRIDE;
+        let choices: Vec<String> = mended
+            .iter()
+            .map(|text| match is_set {
+                true => format!("`--set {last}={}`", text.replace(' ', "")),
+                false => format!("`let {last} = {text}`"),
+            })
+            .collect();
+        let error = error.also(value.span, format!("`{last}` has no unit here"));
+        let mut error = error.help(format!("write {}", choices.join(" or ")));
+        error.fix = <[String; 1]>::try_from(mended).ok().map(|[text]| Fix { span: value.span, text });
+        error
     }
 
     /// Whether the `let` behind `expr` has been told to lack its unit since it was evaluated.

@@ -23,6 +23,9 @@ const FIELDS: [(&[&str], Sizes); 8] = [
     (&["detection"], &[(1.0, &["s"]), (10.0, &["s", "ms"]), (ANY, &["ms"])]),
 ];
 
+/// Units of angles and of their rates, in degrees and in radians.
+const RADIANS: [(&str, &str); 3] = [("deg", "rad"), ("deg/s", "rad/s"), ("deg/s^2", "rad/s^2")];
+
 /// The largest angle that is as likely given in radians: a full turn, rounded up.
 const TURN: f64 = 6.4;
 
@@ -30,17 +33,46 @@ const TURN: f64 = 6.4;
 const QUARTER: f64 = 1.6;
 
 /// The units, the likeliest first, that a plain number of this size may have been meant in. More than one where only its
-/// author can tell.
-pub(super) fn likely_units(due: Due, size: f64) -> &'static [&'static str] {
+/// author can tell, never none.
+pub(super) fn likely_units(due: Due, size: f64) -> Vec<&'static str> {
     let size = size.abs();
     if let Some((_, sizes)) = FIELDS.iter().find(|(names, _)| names.contains(&due.what)) {
-        return sizes.iter().find(|(below, _)| size < *below).map_or(&[], |(_, units)| units);
+        let fits = sizes.iter().find(|(below, _)| size < *below);
+        return fits.map_or(vec![due.unit], |(_, units)| units.to_vec());
     }
     let may_be_radians = size > 0.0 && size <= if due.what == "tilt" { QUARTER } else { TURN };
-    match due.unit {
-        "deg" if may_be_radians => &["deg", "rad"],
-        "deg/s" if may_be_radians => &["deg/s", "rad/s"],
-        "deg/s^2" if may_be_radians => &["deg/s^2", "rad/s^2"],
-        _ => &[],
+    let radians = RADIANS.iter().find(|(degrees, _)| may_be_radians && *degrees == due.unit);
+    [due.unit].into_iter().chain(radians.map(|(_, radians)| *radians)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit::parse_unit;
+
+    #[test]
+    fn a_field_has_units_of_one_dimension_and_larger_numbers_have_smaller_units() {
+        for (names, sizes) in FIELDS {
+            let first = parse_unit(sizes[0].1[0], 9.81).unwrap();
+            let scale = |unit: &str| {
+                let unit = parse_unit(unit, 9.81).unwrap();
+                assert_eq!(unit.dimension, first.dimension, "{names:?}");
+                unit.numerator / unit.denominator
+            };
+            assert!(sizes.is_sorted_by(|a, b| a.0 < b.0), "{names:?}");
+            assert!(sizes.is_sorted_by(|a, b| scale(a.1[0]) >= scale(b.1[0])), "{names:?}");
+            assert_eq!(sizes.last().map(|(below, _)| *below), Some(ANY), "{names:?}");
+        }
+    }
+
+    #[test]
+    fn only_small_angles_may_be_radians() {
+        let of = |what, unit, size| likely_units(Due::new(what, unit), size);
+        assert_eq!(of("yaw", "deg", -1.57), ["deg", "rad"]);
+        assert_eq!(of("yaw", "deg", 90.0), ["deg"]);
+        assert_eq!(of("tilt", "deg", 3.0), ["deg"]);
+        assert_eq!(of("yaw_rate", "deg/s", 2.0), ["deg/s", "rad/s"]);
+        assert_eq!(of("at", "m", 2.0), ["m"]);
+        assert_eq!(of("max_speed", "rad/s", 8500.0), ["rpm"]);
     }
 }
