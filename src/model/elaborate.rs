@@ -323,8 +323,15 @@ fn choose<'a>(
         [_] => Some(0),
         // Two of one name are told of already, and `plan` could not tell them apart.
         [first, rest @ ..] if rest.iter().all(|other| other.0 == first.0) => Some(0),
-        [first, second, ..] => {
-            let message = format!("the spec has {} {what}s, and none is chosen", named.len());
+        [..] => {
+            // A block whose keyword is misspelt may have been meant as another: it is neither counted nor offered.
+            let is_sure = |block: &Block| cx.sources.snippet(block.keyword.span) == what;
+            let sure: Vec<usize> = (0..named.len()).filter(|&index| is_sure(blocks[index])).collect();
+            let [first, second, ..] = sure[..] else {
+                return Some(sure.first().copied().unwrap_or(0));
+            };
+            let (first, second) = (named[first], named[second]);
+            let message = format!("the spec has {} {what}s, and none is chosen", sure.len());
             let help = format!("write `{what} = {}` in `plan`", first.0);
             let error = match draft.span {
                 Some(plan) => Diagnostic::error("mavc::name::ambiguous", plan, message)

@@ -111,6 +111,9 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
     let span = statement.span(start, end);
     let error = |message: &str| Diagnostic::error("mavc::syntax::number", span, message);
     let number = cut(&statement.text[start..end]);
+    if before && after && statement.text[..start].ends_with('^') && !statement.text[start..at].contains('.') {
+        return Some(unit_exponent(statement, start, at, end));
+    }
     Some(match (before, after) {
         (false, true) => error("a number begins with a digit")
             .here("no digit before the point")
@@ -123,6 +126,21 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
         (true, true) => error("a number has one point").here("more than one point").help("remove all but one"),
         (false, false) => return None,
     })
+}
+
+/// `5 m^2.5`: only a unit's exponent ends before its point. It stands in `start..end`, the point at `at`.
+fn unit_exponent(statement: &Broken, start: usize, at: usize, end: usize) -> Diagnostic {
+    let span = statement.span(start, end);
+    let error = Diagnostic::error("mavc::unit::exponent", span, "the exponent of a unit is a whole number");
+    let error = error.here("has a decimal point");
+    let whole = &statement.text[start..at];
+    match statement.text[at..end].trim_end_matches('0') {
+        "." => error.help(format!("write `{}`", cut(whole))).fix(span, whole),
+        _ => match whole.parse::<u32>() {
+            Ok(below) if below < 1000 => error.help(format!("write `{below}` or `{}`", below + 1)),
+            _ => error.help("write a whole number, as in `m^2`"),
+        },
+    }
 }
 
 /// `1 m to 30 m`, `1...3`, and `0 .. 1 points = 2` in a curve's head
