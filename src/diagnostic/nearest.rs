@@ -28,8 +28,10 @@ const SAME: [(&str, &str); 2] = [("rpm", "speed"), ("velocity", "speed")];
 /// none where two have as many, or where `word` speaks of a least value and the candidate does not.
 pub fn nearest_by_words<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
-    let parts: Vec<&str> = lower.split('_').map(|part| SAME.iter().find(|s| s.0 == part).map_or(part, |s| s.1)).collect();
-    let is_named = |wanted: &str| parts.iter().any(|part| *part == wanted || part.len() >= 4 && wanted.starts_with(part));
+    let parts: Vec<&str> =
+        lower.split('_').map(|part| SAME.iter().find(|s| s.0 == part).map_or(part, |s| s.1)).collect();
+    let is_named =
+        |wanted: &str| parts.iter().any(|part| *part == wanted || part.len() >= 4 && wanted.starts_with(part));
     let covered = |candidate: &&str| {
         candidate.split('_').all(is_named) && (candidate.starts_with("min_") || !parts.contains(&"min"))
     };

@@ -1,15 +1,26 @@
 //! Mistakes that show where a `let` is used and stand where it is declared: told once, with both places.
 
 use super::context::{Context, State};
+use super::due::Due;
 use super::elaborate::expr_of;
 use super::expression::trailing_unit;
 use super::overrides::OVERRIDE;
+use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, Fix, Label};
 use crate::syntax::ast::{Expr, ExprKind};
-use crate::unit::Quantity;
+use crate::unit::{Dimension, Quantity, mismatch};
 
 /// Further uses of a wrong `let` that are labelled.
 const MOST_USES: usize = 4;
+
+/// A use of a `let` that takes another dimension than the `let` has.
+pub(super) struct Suspect<'a> {
+    /// Its error, among the diagnostics.
+    told: usize,
+    name: &'a str,
+    /// The help where other uses take the `let` as it is.
+    help: String,
+}
 
 impl<'a> Context<'a> {
     /// The `let`s that `expr` names one through the other, and the value of the last.
@@ -52,6 +63,42 @@ impl<'a> Context<'a> {
             self.accused.insert(key, self.diagnostics.len());
         }
         self.report(error.also(value.span, format!("`{name}` is {fact}")));
+    }
+
+    /// Keeps in mind what to say of `expr`, of another dimension than the one due and about to be told, where it is a `let`
+    /// by name that turns out to be right for others.
+    pub(super) fn suspect_use(&mut self, due: Due, q: Quantity, expr: &Expr) {
+        let Some((name, _)) = self.let_behind(expr) else { return };
+        let expected = due.dimension();
+        if self.accused.contains_key(&(name, expected.to_string())) || self.is_full() {
+            return;
+        }
+        let kind = |dimension: Dimension| match dimension.is_plain() {
+            true => "a plain number",
+            false => dimension.named().map_or("a quantity", |(name, _)| name),
+        };
+        let example = if expected.is_plain() { "2".to_string() } else { format!("2 {}", due.unit) };
+        let action = format!(
+            "`{name}` is used as {} elsewhere: write {} of its own here, as in `{example}`",
+            kind(q.dimension),
+            kind(expected),
+        );
+        let help = format!("{}\n{action}", mismatch(expected, q.dimension).table);
+        self.suspects.push(Suspect { told: self.diagnostics.len(), name, help });
+    }
+
+    /// Once everything has been read: where a `let` was right for one use, the use that it is wrong for is to change.
+    pub(super) fn settle_suspects(&mut self) {
+        let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        for Suspect { told, name, help } in std::mem::take(&mut self.suspects) {
+            let names =
+                |reading: &Reading| self.sources.snippet(reading.span).split(|c| !is_word(c)).any(|word| word == name);
+            if self.readings.iter().any(names)
+                && let Some(diagnostic) = self.diagnostics.get_mut(told)
+            {
+                diagnostic.help = Some(help);
+            }
+        }
     }
 
     /// As [`Context::report_of_let`], of two values that measure different things: what one is, the other has to be.

@@ -230,6 +230,7 @@ impl<'a> Context<'a> {
             true => self.lacks_unit(due, q.value, expr),
             false => {
                 let error = self.unit_differs(due, q, expr);
+                self.suspect_use(due, q, expr);
                 self.report_of_let(expr, &expected.to_string(), &q.dimension.describe(), error);
             }
         }

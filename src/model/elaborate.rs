@@ -39,6 +39,7 @@ pub fn understand(files: &FileSet, overrides: &[Override]) -> Understanding {
     // What could not be read may be what makes a model of the rest wrong, or a `let` used.
     let mut parts = Parts::default();
     let value = whole(&mut cx, &trees, files, &mut parts).filter(|_| whole_text);
+    cx.settle_suspects();
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
     if value.is_some() && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {
         cx.warn_unused();

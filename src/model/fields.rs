@@ -1,8 +1,8 @@
 //! The `name = value` statements of a block: known names, no repetition, nothing due left out.
 
 use super::context::{Context, listed, no_filter};
-use super::{campaign, mend, simulate};
 use super::overrides::is_override;
+use super::{campaign, mend, simulate};
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::source::Span;
 use crate::syntax::Place;
