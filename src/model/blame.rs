@@ -7,6 +7,7 @@ use super::expression::trailing_unit;
 use super::overrides::OVERRIDE;
 use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, Fix, Label};
+use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::unit::{Dimension, Quantity, mismatch};
 
@@ -90,9 +91,13 @@ impl<'a> Context<'a> {
     /// Once everything has been read: where a `let` was right for one use, the use that it is wrong for is to change.
     pub(super) fn settle_suspects(&mut self) {
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        // A `let` made of another is read whatever it is for.
+        let lets: Vec<Span> = self.lets.values().filter_map(|l| expr_of(l.field)).map(|value| value.span).collect();
         for Suspect { told, name, help } in std::mem::take(&mut self.suspects) {
-            let names =
-                |reading: &Reading| self.sources.snippet(reading.span).split(|c| !is_word(c)).any(|word| word == name);
+            let names = |reading: &Reading| {
+                let mut words = self.sources.snippet(reading.span).split(|c| !is_word(c));
+                !lets.contains(&reading.span) && words.any(|word| word == name)
+            };
             if self.readings.iter().any(names)
                 && let Some(diagnostic) = self.diagnostics.get_mut(told)
             {
