@@ -9,7 +9,7 @@ mod short;
 mod terminal;
 
 pub use json::to_json_line;
-pub use nearest::nearest;
+pub use nearest::{nearest, nearest_by_words};
 pub use short::render_short;
 pub use terminal::{render_human, render_linked};
 

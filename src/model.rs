@@ -17,6 +17,7 @@ mod function;
 mod interval;
 mod lag;
 mod legs;
+mod likely_unit;
 mod limits;
 mod load;
 mod mend;

@@ -20,6 +20,28 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     candidates.into_iter().filter_map(near).min().map(|(_, c)| c)
 }
 
+/// What people call the words of a name.
+const SAME: [(&str, &str); 2] = [("rpm", "speed"), ("velocity", "speed")];
+
+/// The candidate all of whose words are among those of `word`, whatever their order: `arm` for `arm_length`, `max_speed`
+/// for `rpm_max`. A word may be cut short to four letters: `acceleration` for `accel`. The candidate with the most words;
+/// none where two have as many, or where `word` speaks of a least value and the candidate does not.
+pub fn nearest_by_words<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    let parts: Vec<&str> =
+        lower.split('_').map(|part| SAME.iter().find(|s| s.0 == part).map_or(part, |s| s.1)).collect();
+    let is_named =
+        |wanted: &str| parts.iter().any(|part| *part == wanted || part.len() >= 4 && wanted.starts_with(part));
+    let covered = |candidate: &&str| {
+        candidate.split('_').all(is_named) && (candidate.starts_with("min_") || !parts.contains(&"min"))
+    };
+    let fits: Vec<&'a str> = candidates.into_iter().filter(|c| *c != word).filter(covered).collect();
+    let count = |candidate: &str| candidate.split('_').count();
+    let most = fits.iter().map(|c| count(c)).max()?;
+    let mut best = fits.into_iter().filter(|c| count(c) == most);
+    best.next().filter(|_| best.next().is_none())
+}
+
 /// Edits, where a swap of two neighbours counts one (optimal string alignment).
 fn distance(a: &[char], b: &[char]) -> usize {
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
@@ -42,7 +64,21 @@ fn distance(a: &[char], b: &[char]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{nearest, nearest_by_words};
+
+    #[test]
+    fn a_name_made_of_more_words_is_found_by_its_words() {
+        let limits = ["speed", "acceleration", "acceleration_horizontal", "tilt", "yaw", "yaw_rate", "altitude"];
+        assert_eq!(nearest_by_words("max_tilt", limits), Some("tilt"));
+        assert_eq!(nearest_by_words("accel", limits), Some("acceleration"));
+        assert_eq!(nearest_by_words("max_yaw_rate", limits), Some("yaw_rate"));
+        assert_eq!(nearest_by_words("max_velocity", limits), Some("speed"));
+        assert_eq!(nearest_by_words("min_altitude", limits), None);
+        assert_eq!(nearest_by_words("speed_tilt", limits), None);
+        let rotor = ["max_thrust", "min_speed", "max_speed", "thrust_coefficient"];
+        assert_eq!(nearest_by_words("rpm_max", rotor), Some("max_speed"));
+        assert_eq!(nearest_by_words("thrust", rotor), None);
+    }
 
     #[test]
     fn finds_the_nearest_by_edits_then_by_name() {

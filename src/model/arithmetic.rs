@@ -125,7 +125,7 @@ impl<'a> Context<'a> {
             .also(left.span, format!("this is {}", x.describe()))
             .also(right.span, format!("this is {}", y.describe()));
         let error = match bare_side {
-            Some((_, unit)) => self.blame(bare, unit, error),
+            Some((_, unit)) => self.blame(bare, &[unit], error),
             None => error,
         };
         let slip = match bare_side.and_then(|(_, unit)| self.with_unit(bare, unit)) {

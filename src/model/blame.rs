@@ -1,15 +1,27 @@
 //! Mistakes that show where a `let` is used and stand where it is declared: told once, with both places.
 
 use super::context::{Context, State};
+use super::due::Due;
 use super::elaborate::expr_of;
 use super::expression::trailing_unit;
 use super::overrides::OVERRIDE;
-use crate::diagnostic::{Diagnostic, Label};
+use super::understanding::Reading;
+use crate::diagnostic::{Diagnostic, Fix, Label};
+use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind};
-use crate::unit::Quantity;
+use crate::unit::{Dimension, Quantity, mismatch};
 
 /// Further uses of a wrong `let` that are labelled.
 const MOST_USES: usize = 4;
+
+/// A use of a `let` that takes another dimension than the `let` has.
+pub(super) struct Suspect<'a> {
+    /// Its error, among the diagnostics.
+    told: usize,
+    name: &'a str,
+    /// The help where other uses take the `let` as it is.
+    help: String,
+}
 
 impl<'a> Context<'a> {
     /// The `let`s that `expr` names one through the other, and the value of the last.
@@ -54,6 +66,46 @@ impl<'a> Context<'a> {
         self.report(error.also(value.span, format!("`{name}` is {fact}")));
     }
 
+    /// Keeps in mind what to say of `expr`, of another dimension than the one due and about to be told, where it is a `let`
+    /// by name that turns out to be right for others.
+    pub(super) fn suspect_use(&mut self, due: Due, q: Quantity, expr: &Expr) {
+        let Some((name, _)) = self.let_behind(expr) else { return };
+        let expected = due.dimension();
+        if self.accused.contains_key(&(name, expected.to_string())) || self.is_full() {
+            return;
+        }
+        let kind = |dimension: Dimension| match dimension.is_plain() {
+            true => "a plain number",
+            false => dimension.named().map_or("a quantity", |(name, _)| name),
+        };
+        let example = if expected.is_plain() { "2".to_string() } else { format!("2 {}", due.unit) };
+        let action = format!(
+            "`{name}` is used as {} elsewhere: write {} of its own here, as in `{example}`",
+            kind(q.dimension),
+            kind(expected),
+        );
+        let help = format!("{}\n{action}", mismatch(expected, q.dimension).table);
+        self.suspects.push(Suspect { told: self.diagnostics.len(), name, help });
+    }
+
+    /// Once everything has been read: where a `let` was right for one use, the use that it is wrong for is to change.
+    pub(super) fn settle_suspects(&mut self) {
+        let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        // A `let` made of another is read whatever it is for.
+        let lets: Vec<Span> = self.lets.values().filter_map(|l| expr_of(l.field)).map(|value| value.span).collect();
+        for Suspect { told, name, help } in std::mem::take(&mut self.suspects) {
+            let names = |reading: &Reading| {
+                let mut words = self.sources.snippet(reading.span).split(|c| !is_word(c));
+                !lets.contains(&reading.span) && words.any(|word| word == name)
+            };
+            if self.readings.iter().any(names)
+                && let Some(diagnostic) = self.diagnostics.get_mut(told)
+            {
+                diagnostic.help = Some(help);
+            }
+        }
+    }
+
     /// As [`Context::report_of_let`], of two values that measure different things: what one is, the other has to be.
     pub(super) fn report_of_sides(&mut self, [a, b]: [(&Expr, Quantity); 2], error: Diagnostic) {
         let (side, other) = if self.let_behind(a.0).is_some() { (a, b) } else { (b, a) };
@@ -62,12 +114,13 @@ impl<'a> Context<'a> {
     }
 
     /// Where `expr` lacks a unit because a `let` does, says so there, once: other uses of the `let` stay silent.
-    pub(super) fn blame(&mut self, expr: &Expr, unit: &str, error: Diagnostic) -> Diagnostic {
+    /// The `units` are those it may have been meant in; the help names all, and only one alone makes a fix.
+    pub(super) fn blame(&mut self, expr: &Expr, units: &[&str], error: Diagnostic) -> Diagnostic {
         let (chain, found) = self.chain(expr);
         let (Some(value), Some(&last)) = (found.filter(|e| trailing_unit(e).is_none()), chain.last()) else {
             return error;
         };
-        let Some(mended) = self.with_unit(value, unit) else {
+        let Some(mended) = units.iter().map(|unit| self.with_unit(value, unit)).collect::<Option<Vec<_>>>() else {
             return error;
         };
         for name in &chain {
@@ -75,11 +128,18 @@ impl<'a> Context<'a> {
                 entry.state = State::Done(None);
             }
         }
-        let help = match self.sources.get(value.span.file).name == OVERRIDE {
-            true => format!("write `--set {last}={}`", mended.replace(' ', "")),
-            false => format!("write `let {last} = {mended}`"),
-        };
-        error.also(value.span, format!("`{last}` has no unit here")).help(help).fix(value.span, mended)
+        let is_set = self.sources.get(value.span.file).name == OVERRIDE;
+        let choices: Vec<String> = mended
+            .iter()
+            .map(|text| match is_set {
+                true => format!("`--set {last}={}`", text.replace(' ', "")),
+                false => format!("`let {last} = {text}`"),
+            })
+            .collect();
+        let error = error.also(value.span, format!("`{last}` has no unit here"));
+        let mut error = error.help(format!("write {}", choices.join(" or ")));
+        error.fix = <[String; 1]>::try_from(mended).ok().map(|[text]| Fix { span: value.span, text });
+        error
     }
 
     /// Whether the `let` behind `expr` has been told to lack its unit since it was evaluated.

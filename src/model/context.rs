@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::blame::Suspect;
 use super::expression::Value;
 use super::mend;
 use super::understanding::Reading;
@@ -40,6 +41,8 @@ pub(super) struct Context<'a> {
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
     /// Of what is wrong with uses of a `let`, by its name and what is due: the first of `diagnostics` to say so.
     pub(super) accused: BTreeMap<(&'a str, String), usize>,
+    /// Uses of a `let` that may be wrong where the `let` is right.
+    pub(super) suspects: Vec<Suspect<'a>>,
     /// The curve parameter and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
     pub(super) depth: u32,
@@ -75,6 +78,7 @@ impl<'a> Context<'a> {
             readings: Vec::new(),
             lets: BTreeMap::new(),
             accused: BTreeMap::new(),
+            suspects: Vec::new(),
             parameter: None,
             depth: 0,
             steps: 0,

@@ -3,6 +3,7 @@
 use super::blame::sole_name;
 use super::context::Context;
 use super::expression::{Value, is_bare};
+use super::likely_unit::likely_units;
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::{Span, Spanned};
@@ -169,7 +170,7 @@ impl<'a> Context<'a> {
         let others_fit = [x, y, z].iter().all(|q| q.dimension.is_plain() || q.dimension == due.dimension());
         // A unit behind the list goes to every bare element, whether or not the others have theirs.
         if is_list && others_fit && bare.len() > 1 && bare.iter().any(|e| sole_name(e).is_none()) {
-            let mut error = self.unit_missing(due, expr);
+            let mut error = self.unit_missing(due, 0.0, expr);
             error.span = bare[0].span;
             let error = bare[1..].iter().fold(error, |error, e| error.also(e.span, "and so is this"));
             self.report(error);
@@ -188,6 +189,10 @@ impl<'a> Context<'a> {
     /// `a .. b` of the dimension due, in SI, in the order written.
     pub fn range_of(&mut self, due: Due, expr: &'a Expr) -> Option<(f64, f64)> {
         let (a, b) = self.range_ends(expr, &format!("a range `a .. b` for `{}`", due.what))?;
+        if a.dimension.is_plain() && !due.dimension().is_plain() {
+            self.lacks_unit(due, a.value.abs().max(b.value.abs()), expr);
+            return None;
+        }
         let (a, b) = (self.fit(due, a, expr)?, self.fit(due, b, expr)?);
         self.note(expr.span, &[a, b], due.unit);
         Some((a, b))
@@ -222,37 +227,45 @@ impl<'a> Context<'a> {
             return Some(q.value);
         }
         match q.dimension.is_plain() {
-            true if self.is_blamed(expr) => {}
-            true => {
-                let error = self.unit_missing(due, expr);
-                let error = self.blame(expr, due.unit, error);
-                self.report(error);
-            }
+            true => self.lacks_unit(due, q.value, expr),
             false => {
                 let error = self.unit_differs(due, q, expr);
+                self.suspect_use(due, q, expr);
                 self.report_of_let(expr, &expected.to_string(), &q.dimension.describe(), error);
             }
         }
         None
     }
 
-    fn unit_missing(&self, due: Due, expr: &Expr) -> Diagnostic {
+    /// Reports a plain number of this size where a quantity is due, unless its `let` has been told to lack the unit.
+    fn lacks_unit(&mut self, due: Due, size: f64, expr: &Expr) {
+        if self.is_blamed(expr) {
+            return;
+        }
+        let error = self.unit_missing(due, size, expr);
+        let error = self.blame(expr, &likely_units(due, size), error);
+        self.report(error);
+    }
+
+    fn unit_missing(&self, due: Due, size: f64, expr: &Expr) -> Diagnostic {
         let kind = due.dimension().named().map_or("a quantity", |(name, _)| name);
         let message = format!("{} is {kind} and needs a unit", called(due.what));
         let error = Diagnostic::error("mavc::unit::missing", expr.span, message).here("a plain number");
         if let ExprKind::Number { text, unit: Some(percent), .. } = &expr.kind {
-            let mended = format!("{text} {}", due.unit);
-            return error
-                .here(format!("`{}` makes a share of it", percent.value))
-                .help(format!("write `{mended}`"))
-                .fix(expr.span, mended);
+            let units = likely_units(due, text.parse().unwrap_or(size));
+            let mended = units.iter().map(|unit| format!("{text} {unit}")).collect();
+            return one_of(error.here(format!("`{}` makes a share of it", percent.value)), expr.span, mended);
         }
-        if matches!(expr.kind, ExprKind::Range { .. }) {
-            return error.help(format!("put the unit at the end, as in `0 .. 1 {}`", due.unit));
+        let units = likely_units(due, size);
+        if let ExprKind::Range { high, .. } = &expr.kind
+            && !matches!(high.kind, ExprKind::Number { .. })
+        {
+            let examples: Vec<String> = units.iter().map(|unit| format!("`0 .. 1 {unit}`")).collect();
+            return error.help(format!("put the unit at the end, as in {}", examples.join(" or ")));
         }
-        match self.with_unit(expr, due.unit) {
-            Some(mended) => error.help(format!("write `{mended}`")).fix(expr.span, mended),
-            None => error.help(format!("put a unit behind it: `(...) {}`", due.unit)),
+        match units.iter().map(|unit| self.with_unit(expr, unit)).collect::<Option<Vec<_>>>() {
+            Some(mended) => one_of(error, expr.span, mended),
+            None => error.help(format!("put a unit behind it: `(...) {}`", units[0])),
         }
     }
 
@@ -284,6 +297,16 @@ impl<'a> Context<'a> {
 
     pub(super) fn is_parameter(&self, name: &str) -> bool {
         self.parameter.is_some_and(|(parameter, _)| parameter == name)
+    }
+}
+
+/// The error with what to write at `span`: a fix where that is one text, several where only the author knows which.
+fn one_of(error: Diagnostic, span: Span, mended: Vec<String>) -> Diagnostic {
+    let listed: Vec<String> = mended.iter().map(|text| format!("`{text}`")).collect();
+    let error = error.help(format!("write {}", listed.join(" or ")));
+    match <[String; 1]>::try_from(mended) {
+        Ok([text]) => error.fix(span, text),
+        Err(_) => error,
     }
 }
 

@@ -39,6 +39,7 @@ pub fn understand(files: &FileSet, overrides: &[Override]) -> Understanding {
     // What could not be read may be what makes a model of the rest wrong, or a `let` used.
     let mut parts = Parts::default();
     let value = whole(&mut cx, &trees, files, &mut parts).filter(|_| whole_text);
+    cx.settle_suspects();
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
     if value.is_some() && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {
         cx.warn_unused();
@@ -323,8 +324,15 @@ fn choose<'a>(
         [_] => Some(0),
         // Two of one name are told of already, and `plan` could not tell them apart.
         [first, rest @ ..] if rest.iter().all(|other| other.0 == first.0) => Some(0),
-        [first, second, ..] => {
-            let message = format!("the spec has {} {what}s, and none is chosen", named.len());
+        [..] => {
+            // A block whose keyword is misspelt may have been meant as another: it is neither counted nor offered.
+            let is_sure = |block: &Block| cx.sources.snippet(block.keyword.span) == what;
+            let sure: Vec<usize> = (0..named.len()).filter(|&index| is_sure(blocks[index])).collect();
+            let [first, second, ..] = sure[..] else {
+                return Some(sure.first().copied().unwrap_or(0));
+            };
+            let (first, second) = (named[first], named[second]);
+            let message = format!("the spec has {} {what}s, and none is chosen", sure.len());
             let help = format!("write `{what} = {}` in `plan`", first.0);
             let error = match draft.span {
                 Some(plan) => Diagnostic::error("mavc::name::ambiguous", plan, message)

@@ -1,8 +1,9 @@
 //! The `name = value` statements of a block: known names, no repetition, nothing due left out.
 
 use super::context::{Context, listed, no_filter};
+use super::overrides::is_override;
 use super::{campaign, mend, simulate};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::source::Span;
 use crate::syntax::Place;
 use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, Statement};
@@ -154,7 +155,7 @@ impl<'a> Fields<'a> {
         let word = name.value.as_str();
         let message = format!("{} has no field `{word}`", self.owner);
         let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
-        let near = nearest(word, known.iter().copied());
+        let near = nearest(word, known.iter().copied()).or_else(|| nearest_by_words(word, known.iter().copied()));
         // `drag` among the fields of a rotor is `drag_coefficient`, `times` in a plan is `time`.
         let begins = |k: &&str| k.strip_prefix(word).is_some_and(|rest| rest.starts_with('_'));
         let begun = known.iter().copied().find(|k| simulate::FIELDS.contains(&word) && begins(k));
@@ -163,6 +164,11 @@ impl<'a> Fields<'a> {
         let surer = near.is_some_and(|near| plural(near, word) || plural(word, near) || begun == Some(near));
         if let Some(place) = elsewhere(word).filter(|_| !surer) {
             error = error.help(place);
+        } else if let Some(near) = near.filter(|_| is_override(cx.sources, name.span)) {
+            // What the spec says of the field is what an override is to replace.
+            let written = &cx.sources.get(name.span.file).text;
+            let (before, after) = (&written[..name.span.start as usize], &written[name.span.end as usize..]);
+            error = error.here(format!("did you mean `{near}`?")).help(format!("write `--set {before}{near}{after}`"));
         } else if let Some((first, ..)) = near.and_then(|near| self.found.iter().find(|(n, ..)| n.value == near)) {
             let message = format!("`{}` is given already", first.value);
             error = error.also(first.span, message).help("take one out");

@@ -3,7 +3,7 @@
 use super::context::{Context, listed};
 use super::due::Due;
 use super::{Limit, LimitKind, Waypoint, mend};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::report::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, LimitRelation, Statement};
@@ -112,7 +112,7 @@ fn unknown(cx: &mut Context, name: &str, span: Span) {
         ("heading", "yaw"),
     ];
     let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
-    cx.report(match habit.or_else(|| nearest(name, names)) {
+    cx.report(match habit.or_else(|| nearest(name, names)).or_else(|| nearest_by_words(name, names)) {
         Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
         None => error.help(format!("the limits are {}", listed(&names))),
     });

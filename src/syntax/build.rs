@@ -257,8 +257,15 @@ impl Builder<'_> {
         let mut statements = self.body(body, around);
         fits?;
         if let Some(diagnostic) = wrong_head {
-            // What stands in the block is looked at all the same.
-            self.diagnostics.push(diagnostic);
+            // What stands in the block is looked at all the same. A misspelt keyword and a name that lacks are one mistake.
+            let is_one = |d: &&mut Diagnostic| d.span == diagnostic.span;
+            match self.diagnostics.iter_mut().find(is_one) {
+                Some(misspelt) => {
+                    misspelt.help = diagnostic.help;
+                    misspelt.fix = None;
+                }
+                None => self.diagnostics.push(diagnostic),
+            }
             statements.push(Statement::Broken(self.span(&head)));
         }
         if is_closed && self.left_open.contains(&opened) {

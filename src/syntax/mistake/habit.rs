@@ -62,7 +62,7 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
         return None;
     }
     let all = [Place::Top, Place::Vehicle, Place::Faults, Place::Mission, Place::Simulate];
-    if all.iter().any(|p| p.openers().contains(&word)) {
+    if all.iter().chain([&statement.place]).any(|p| p.openers().contains(&word)) {
         return None;
     }
     let meant = statement.place.meant(word)?;
@@ -235,13 +235,20 @@ fn assignment(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     })
 }
 
-/// `speed =< 8 m/s`, `speed < 8 m/s`, `where rpn => 100`
+/// `speed =< 8 m/s`, `speed < 8 m/s`, `where rpn => 100`, `require risk < 1e-6`
 fn relation(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if !failure.expects(Expected::Relation) {
         return None;
     }
     let found = statement.found(failure.at);
+    let is_requirement = statement.word() == "require";
     let instead = match found {
+        _ if is_requirement && found.starts_with(['>', '=']) && found.contains('>') => {
+            let span = statement.span(failure.at, failure.at + found.len());
+            let error = Diagnostic::error("mavc::syntax::relation", span, "a requirement is a bound from above");
+            return Some(error.here("asks for no less").help("write `<=`"));
+        }
+        "==" if is_requirement => "<=",
         "=<" | "<" | "<==" | "=" | ":" => "<=",
         "=>" | ">" | ">==" => ">=",
         "==" if failure.expects(Expected::Equals) => "=",
@@ -249,7 +256,11 @@ fn relation(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         _ => return None,
     };
     let span = statement.span(failure.at, failure.at + found.len());
-    let what = if statement.place == Place::Limits { "a limit" } else { "a condition" };
+    let what = match statement.place {
+        Place::Limits => "a limit",
+        _ if is_requirement => "a requirement",
+        _ => "a condition",
+    };
     let message = format!("{what} is not written with `{found}`");
     Some(
         Diagnostic::error("mavc::syntax::relation", span, message)

@@ -26,6 +26,9 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     reduced_by,
     joined_conditions,
     per,
+    limit_range,
+    indexed,
+    positive_sign,
     clause_word,
     all_rotors,
     comma_at_end,
@@ -295,6 +298,62 @@ fn per(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     Some(match unit.is_empty() {
         true => diagnostic,
         false => diagnostic.fix(statement.span(from, end), format!("{slash}{known}")),
+    })
+}
+
+/// `altitude 1..3 m`, `altitude between 1 m and 3 m`
+fn limit_range(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    if statement.place != Place::Limits || !failure.expects(Expected::Relation) {
+        return None;
+    }
+    let rest = statement.text[failure.at..].trim_end();
+    let value = rest.strip_prefix("between ").or_else(|| rest.strip_prefix("from ")).unwrap_or(rest).trim_start();
+    let joints = if value.len() < rest.len() { [" and ", " to ", ".."].as_slice() } else { &[" to ", ".."] };
+    let (low, high) = joints.iter().find_map(|joint| value.split_once(joint))?;
+    let (low, high) = (low.trim(), high.trim());
+    let begins = |end: &str| end.starts_with(|c: char| c.is_ascii_alphanumeric() || "-(".contains(c));
+    if !begins(low) || !begins(high) || high.contains("..") {
+        return None;
+    }
+    let name = statement.text[..failure.at].trim_end();
+    let span = statement.span(failure.at, failure.at + rest.len());
+    let mended = format!("in {low} .. {high}");
+    Some(
+        Diagnostic::error("mavc::syntax::range", span, "a limit takes a range with `in` and `..`")
+            .here("expected `in` before this")
+            .help(format!("write `{}`", cut(&format!("{name} {mended}"))))
+            .fix(span, mended),
+    )
+}
+
+/// `k[0]`, as in other languages
+fn indexed(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, name) = statement.before(failure.at);
+    let touches = start + name.len() == failure.at && name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+    if statement.found(failure.at) != "[" || !touches || !failure.expects(Expected::Operator) {
+        return None;
+    }
+    // What stands before may be the unit of a number.
+    if statement.text[..start].trim_end().ends_with(|c: char| c.is_ascii_digit() || ")]*/^".contains(c)) {
+        return None;
+    }
+    let end = statement.text[failure.at..].find(']').map_or(failure.at + 1, |i| failure.at + i + 1);
+    Some(
+        unexpected(statement, failure.at, end, "an element of a list cannot be asked for by its number")
+            .here(format!("follows the name `{}`", cut(name)))
+            .help("give the element a name of its own with `let`, and write that name here"),
+    )
+}
+
+/// `+5 m`
+fn positive_sign(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let value = statement.text[failure.at..].strip_prefix('+')?;
+    let begins = value.trim_start().starts_with(|c: char| is_name(c) || c == '(');
+    (failure.expects(Expected::Value) && begins).then(|| {
+        unexpected(statement, failure.at, failure.at + 1, "a value has no sign `+`")
+            .here("not expected")
+            .help("take the `+` out")
+            .fix(statement.span(failure.at, failure.at + 1), "")
     })
 }
 

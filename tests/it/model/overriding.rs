@@ -75,6 +75,12 @@ fn mistakes_in_overrides_have_places_in_them() {
 }
 
 #[test]
+fn a_misspelt_field_is_told_as_it_is_to_be_set_though_the_spec_gives_it_too() {
+    let checked = with(&["plan.tiem=8s"]);
+    assert_eq!(checked.diagnostics[0].help.as_deref(), Some("write `--set plan.time=8s`"));
+}
+
+#[test]
 fn what_is_no_override_is_an_error() {
     let mut sources = mavc::source::SourceMap::default();
     for text in [

@@ -5,7 +5,7 @@ use super::CLAUSES;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::cut;
 
-/// `arm = 0,211 m`
+/// `arm = 0,211 m`, `max_speed = 8,500 rpm`
 pub(super) fn decimal_comma(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let bytes = statement.text.as_bytes();
     let at = failure.at;
@@ -16,12 +16,45 @@ pub(super) fn decimal_comma(statement: &Broken, failure: &Failure) -> Option<Dia
     let start = statement.text[..at].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |i| i + 1);
     let end = at + 1 + bytes[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
     let number = cut(&statement.text[start..end]);
-    Some(
-        Diagnostic::error("mavc::syntax::number", statement.span(start, end), "a number has a decimal point, no comma")
+    let error = |end: usize, message: &str| {
+        Diagnostic::error("mavc::syntax::number", statement.span(start, end), message)
             .here("a comma separates the elements of a list")
+    };
+    if let Some((end, is_certain)) = grouped(statement.text, start, at) {
+        let whole = statement.text[start..end].replace(',', "");
+        let error = error(end, "a number is written without a comma");
+        return Some(match is_certain {
+            true => error.help(format!("write `{}`", cut(&whole))).fix(statement.span(start, end), whole),
+            false => error.help(format!("write `{whole}` for thousands, or `{}`", decimal(&number))),
+        });
+    }
+    Some(
+        error(end, "a number has a decimal point, no comma")
             .help(format!("write `{}`", number.replace(',', ".")))
             .fix(statement.span(at, at + 1), "."),
     )
+}
+
+/// `8,500` as a decimal number, `8.5`.
+fn decimal(number: &str) -> String {
+    number.replace(',', ".").trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// Where a number in groups of three ends, `8,500` or `1,250,000.5`, whose first comma is `at`; and whether the commas
+/// cannot be decimal ones. `None` where they can be nothing else.
+fn grouped(text: &str, start: usize, at: usize) -> Option<(usize, bool)> {
+    let digits = |from: usize| token(text, from, |c| c.is_ascii_digit()).len();
+    if !(1..=3).contains(&(at - start)) || text[start..].starts_with('0') {
+        return None;
+    }
+    let (mut end, mut groups) = (at, 0);
+    while text[end..].starts_with(',') && digits(end + 1) == 3 {
+        end += 4;
+        groups += 1;
+    }
+    let fraction = if text[end..].starts_with('.') { digits(end + 1) } else { 0 };
+    let whole = if fraction > 0 { end + 1 + fraction } else { end };
+    (groups > 0 && digits(end) == 0).then_some((whole, groups > 1 || fraction > 0))
 }
 
 /// `against = M1, M2`
@@ -78,6 +111,9 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
     let span = statement.span(start, end);
     let error = |message: &str| Diagnostic::error("mavc::syntax::number", span, message);
     let number = cut(&statement.text[start..end]);
+    if before && after && statement.text[..start].ends_with('^') && !statement.text[start..at].contains('.') {
+        return Some(unit_exponent(statement, start, at, end));
+    }
     Some(match (before, after) {
         (false, true) => error("a number begins with a digit")
             .here("no digit before the point")
@@ -90,6 +126,21 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
         (true, true) => error("a number has one point").here("more than one point").help("remove all but one"),
         (false, false) => return None,
     })
+}
+
+/// `5 m^2.5`: only a unit's exponent ends before its point. It stands in `start..end`, the point at `at`.
+fn unit_exponent(statement: &Broken, start: usize, at: usize, end: usize) -> Diagnostic {
+    let span = statement.span(start, end);
+    let error = Diagnostic::error("mavc::unit::exponent", span, "the exponent of a unit is a whole number");
+    let error = error.here("has a decimal point");
+    let whole = &statement.text[start..at];
+    match statement.text[at..end].trim_end_matches('0') {
+        "." => error.help(format!("write `{}`", cut(whole))).fix(span, whole),
+        _ => match whole.parse::<u32>() {
+            Ok(below) if below < 1000 => error.help(format!("write `{below}` or `{}`", below + 1)),
+            _ => error.help("write a whole number, as in `m^2`"),
+        },
+    }
 }
 
 /// `1 m to 30 m`, `1...3`, and `0 .. 1 points = 2` in a curve's head

@@ -1,0 +1,78 @@
+//! Which unit a plain number was probably meant to have, by its size.
+
+use super::due::Due;
+
+/// From a number's size below which the units beside it are likely.
+type Sizes = &'static [(f64, &'static [&'static str])];
+
+const ANY: f64 = f64::INFINITY;
+
+/// Sizes of what multirotors have, field by field. Two units where the size leaves both possible, the likelier first.
+const FIELDS: [(&[&str], Sizes); 8] = [
+    (&["within"], &[(1.0, &["m"]), (ANY, &["cm"])]),
+    (&["arm"], &[(5.0, &["m"]), (60.0, &["cm"]), (100.0, &["cm", "mm"]), (ANY, &["mm"])]),
+    (&["torque_per_thrust"], &[(0.5, &["m"]), (5.0, &["cm", "mm"]), (ANY, &["mm"])]),
+    (&["mass"], &[(50.0, &["kg"]), (1000.0, &["g", "kg"]), (ANY, &["g"])]),
+    (&["max_thrust"], &[(100.0, &["N"]), (500.0, &["N", "gf"]), (ANY, &["gf", "N"])]),
+    // The smallest rotors reach 4000 rad/s, the largest less than 1500 rpm.
+    (
+        &["max_speed", "min_speed"],
+        &[(50.0, &["rad/s"]), (1500.0, &["rad/s", "rpm"]), (4000.0, &["rpm", "rad/s"]), (ANY, &["rpm"])],
+    ),
+    (&["time_constant"], &[(1.0, &["s"]), (ANY, &["ms"])]),
+    (&["detection"], &[(1.0, &["s"]), (10.0, &["s", "ms"]), (ANY, &["ms"])]),
+];
+
+/// Units of angles and of their rates, in degrees and in radians.
+const RADIANS: [(&str, &str); 3] = [("deg", "rad"), ("deg/s", "rad/s"), ("deg/s^2", "rad/s^2")];
+
+/// The largest angle that is as likely given in radians: a full turn, rounded up.
+const TURN: f64 = 6.4;
+
+/// A tilt goes to a quarter of a turn, rounded up.
+const QUARTER: f64 = 1.6;
+
+/// The units, the likeliest first, that a plain number of this size may have been meant in. More than one where only its
+/// author can tell, never none.
+pub(super) fn likely_units(due: Due, size: f64) -> Vec<&'static str> {
+    let size = size.abs();
+    if let Some((_, sizes)) = FIELDS.iter().find(|(names, _)| names.contains(&due.what)) {
+        let fits = sizes.iter().find(|(below, _)| size < *below);
+        return fits.map_or(vec![due.unit], |(_, units)| units.to_vec());
+    }
+    let may_be_radians = size > 0.0 && size <= if due.what == "tilt" { QUARTER } else { TURN };
+    let radians = RADIANS.iter().find(|(degrees, _)| may_be_radians && *degrees == due.unit);
+    [due.unit].into_iter().chain(radians.map(|(_, radians)| *radians)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit::parse_unit;
+
+    #[test]
+    fn a_field_has_units_of_one_dimension_and_larger_numbers_have_smaller_units() {
+        for (names, sizes) in FIELDS {
+            let first = parse_unit(sizes[0].1[0], 9.81).unwrap();
+            let scale = |unit: &str| {
+                let unit = parse_unit(unit, 9.81).unwrap();
+                assert_eq!(unit.dimension, first.dimension, "{names:?}");
+                unit.numerator / unit.denominator
+            };
+            assert!(sizes.is_sorted_by(|a, b| a.0 < b.0), "{names:?}");
+            assert!(sizes.is_sorted_by(|a, b| scale(a.1[0]) >= scale(b.1[0])), "{names:?}");
+            assert_eq!(sizes.last().map(|(below, _)| *below), Some(ANY), "{names:?}");
+        }
+    }
+
+    #[test]
+    fn only_small_angles_may_be_radians() {
+        let of = |what, unit, size| likely_units(Due::new(what, unit), size);
+        assert_eq!(of("yaw", "deg", -1.57), ["deg", "rad"]);
+        assert_eq!(of("yaw", "deg", 90.0), ["deg"]);
+        assert_eq!(of("tilt", "deg", 3.0), ["deg"]);
+        assert_eq!(of("yaw_rate", "deg/s", 2.0), ["deg/s", "rad/s"]);
+        assert_eq!(of("at", "m", 2.0), ["m"]);
+        assert_eq!(of("max_speed", "rad/s", 8500.0), ["rpm"]);
+    }
+}
