@@ -114,7 +114,7 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
     ];
     sections.extend(document::drawn(!comparison.modes.is_empty()));
     sections.push(Section::new("spec", "Spec", spec::section(subject)));
-    let found = summary::flight(record);
+    let found = summary::flight(model, record);
     Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
 }
 

@@ -282,6 +282,28 @@ fn flights_and_campaigns_have_pages() {
     assert_eq!(undefined, text.contains("the prediction cannot be judged") || text.contains("tells nothing"));
 }
 
+/// The page tells a lost flight, and the delay of detection, in the words of the text.
+#[test]
+fn a_lost_flight_is_told_as_in_the_text() {
+    let dir = tempfile::tempdir().unwrap();
+    let spec = HOSTILE.replace(
+        "yaw_rate <= 90 deg/s }",
+        "yaw_rate <= 90 deg/s }\n}\nsimulate { fault bad at 3 s; detection = 20 ms; lost_beyond = 1 cm",
+    );
+    let spec = written(dir.path(), &spec);
+    let (ran, text) = page(&["simulate", &spec], dir.path());
+    assert_eq!(ran.status.code(), Some(6), "{}", String::from_utf8_lossy(&ran.stderr));
+    let told = String::from_utf8(ran.stdout).unwrap();
+    let cause = "more than 0.01 m from its place";
+    assert!(told.contains(cause), "{told}");
+    let text = own(&text).replace('\u{a0}', " ");
+    assert!(text.contains(cause), "{}", between(&text, "headline", "</h2>"));
+    assert_eq!(text.matches("etection: after 20 ms").count(), 2);
+    let (ran, text) = page(&["campaign", &spec, "--times", "2", "--seeds", "1"], dir.path());
+    assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
+    assert!(own(&text).contains("Detection: after 20 ms"));
+}
+
 /// Modes with one margin: whatever tells the nearest names the first.
 #[test]
 fn of_equal_modes_the_first_is_named_everywhere() {
@@ -323,6 +345,26 @@ fn charts_become_svg_files() {
         assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>") && !text.contains("<script"));
         assert!(text.contains("<poly"), "{name} has no curve");
     }
+    let read = |name: &str| std::fs::read_to_string(one.join(name)).unwrap();
+    // A long label of the axis up is told in lines, each whole: the axis is 870 high, a letter some 20 wide.
+    let margin = read("margin.svg");
+    let texts = |svg: &str| -> Vec<String> {
+        svg.lines().filter(|l| !l.starts_with('<') && !l.is_empty()).map(str::to_string).collect()
+    };
+    let label = ["Margin to each fault mode&apos;s set, in", "widths of the healthy set [%]"];
+    assert!(label.iter().all(|line| texts(&margin).contains(&line.to_string())), "{:?}", texts(&margin));
+    // Areas, path and cross are named.
+    for name in ["healthy", "bad", "planned wrench", "hover"] {
+        assert!(texts(&read("set-bad.svg")).contains(&name.to_string()), "{name}");
+    }
+    assert!(!texts(&read("set-healthy.svg")).contains(&"bad".to_string()));
+    // The legend of the rotors stands above the curves, and only the first is drawn in one line.
+    let rotors = read("rotors.svg");
+    let drawn: Vec<usize> = ["#0072B2", "#D55E00", "#009E73"]
+        .iter()
+        .map(|color| rotors.matches(&format!("stroke=\"{color}\"")).count())
+        .collect();
+    assert!(drawn[0] == 2 && drawn[1] > 20 && drawn[2] > 20, "{drawn:?}");
     // What cannot be a folder is refused before anything is planned or written.
     let page = dir.path().join("page.html");
     for folder in [spec.clone(), format!("{spec}/deep")] {

@@ -40,6 +40,8 @@ export const pages = {
   hostile: ["plan", join(folder, "hostile.mav")],
   flight: ["simulate", "specs/paper/figure12.mav"],
   campaign: ["campaign", join(folder, "hostile.mav"), "--times", "3", "--seeds", "1"],
+  // Maps of many instants beside each other.
+  instants: ["campaign", join(folder, "instants.mav"), "--times", "12", "--seeds", "1"],
 };
 const files = {};
 export const browsers = {};
@@ -59,6 +61,7 @@ export function file(name) {
 
 before(async () => {
   writeFileSync(join(folder, "hostile.mav"), HOSTILE);
+  writeFileSync(join(folder, "instants.mav"), `${HOSTILE}campaign { planners = [rip, rcp, rsp] }\n`);
   if (shots) mkdirSync(shots, { recursive: true });
   const launch = (args) =>
     chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true, args: [...QUIET, ...args] });

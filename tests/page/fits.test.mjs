@@ -55,6 +55,60 @@ test("what is cut off shows at its edge that there is more, until it is scrolled
     }
   }));
 
+for (const width of [1280, 1920]) {
+  test(`maps of survival show all their instants, ${width} px`, () =>
+    open("instants", { width }, async (page) => {
+      const maps = await page.evaluate(() =>
+        [...document.querySelectorAll(".maps .scroll")].map((e) => ({ instants: e.querySelectorAll("thead th").length - 1, cut: e.scrollWidth - e.clientWidth })),
+      );
+      assert.deepEqual(maps, Array(3).fill({ instants: 12, cut: 0 }));
+      // As many as a map has columns for, all with their widest words.
+      const wide = await page.evaluate(() => {
+        for (const row of document.querySelectorAll(".maps tr")) {
+          const last = row.lastElementChild;
+          if (last.matches("td")) last.textContent = "12/12";
+          while (row.children.length < 25) row.append(last.cloneNode(true));
+        }
+        return [...document.querySelectorAll(".maps .scroll")].map((e) => e.scrollWidth - e.clientWidth);
+      });
+      assert.deepEqual(wide, [0, 0, 0]);
+    }));
+}
+
+test("the words of a limit lie beside the curves", () =>
+  open("reserve", {}, async (page) => {
+    const { crossed, placed } = await page.evaluate(async () => {
+      const said = [];
+      const pen = CanvasRenderingContext2D.prototype;
+      const { fillText } = pen;
+      pen.fillText = function (words, x, y) {
+        if (this.canvas.closest("#chart-position")) said.push({ words, x, y, width: this.measureText(words).width });
+        fillText.call(this, words, x, y);
+      };
+      // Charts are drawn anew in the other theme.
+      document.getElementById("theme").click();
+      await new Promise((done) => setTimeout(done, 300));
+      pen.fillText = fillText;
+      const over = document.querySelector("#chart-position .u-over");
+      const ratio = devicePixelRatio;
+      const left = over.offsetLeft * ratio;
+      const ticks = said.filter((s) => s.x < left && /^\d+$/.test(s.words)).sort((a, b) => a.words - b.words);
+      const [low, high] = [ticks[0], ticks.at(-1)];
+      const { columns } = JSON.parse(document.getElementById("content").textContent).runs[0];
+      const across = (t) => left + (t / columns.t.at(-1)) * over.clientWidth * ratio;
+      const up = (v) => low.y + ((v - low.words) / (high.words - low.words)) * (high.y - low.y);
+      const words = said.filter((s) => s.words.startsWith("altitude at least"));
+      const crossed = words.flatMap((s) =>
+        ["x", "y", "z"].filter((name) =>
+          columns[name].some((v, k) => across(columns.t[k]) > s.x && across(columns.t[k]) < s.x + s.width && Math.abs(up(v) - s.y) < 6 * ratio),
+        ),
+      );
+      return { crossed, placed: words.length };
+    });
+    assert.ok(placed > 0);
+    assert.deepEqual(crossed, []);
+  }));
+
 test("what scrolls is in reach of the keyboard, and has a name", () =>
   open("reserve", { width: 390 }, async (page) => {
     const unreachable = await page.evaluate(() =>

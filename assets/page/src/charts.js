@@ -47,32 +47,71 @@ function range(spec, columns, room) {
   return [low - margin, high + margin];
 }
 
+/** How many pieces of curves pass through a box [left, right, top, bottom] in pixels of the canvas. */
+function hidden(u, [left, right, top, bottom]) {
+  const [times, ...curves] = u.data;
+  const near = (x, by) => Math.min(Math.max(u.valToIdx(u.posToVal(x, "x", true)) + by, 0), times.length - 1);
+  const [first, last] = [near(left, -1), near(right, 1)];
+  let count = 0;
+  for (const values of curves) {
+    for (let k = first; k < last; k++) {
+      if (values[k] === null || values[k + 1] === null) continue;
+      const [a, b] = [u.valToPos(values[k], "y", true), u.valToPos(values[k + 1], "y", true)];
+      if (Math.max(a, b) >= top && Math.min(a, b) <= bottom) count += 1;
+    }
+  }
+  return count;
+}
+
+const meet = (a, b) => a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+
+/** The box for a text along the level at `y` that hides the least: above before below, and as far right as may be. */
+function boxAlong(u, y, width, height, taken) {
+  const { bbox } = u;
+  const STEPS = 8;
+  let best = null;
+  for (const top of [y - height, y]) {
+    if (top < bbox.top || top + height > bbox.top + bbox.height) continue;
+    for (let k = STEPS; k >= 0; k--) {
+      const left = bbox.left + (k / STEPS) * (bbox.width - width);
+      const box = [left, left + width, top, top + height];
+      const cost = taken.some((other) => meet(box, other)) ? Infinity : hidden(u, box);
+      if (!best || cost < best.cost) best = { box, cost };
+      if (cost === 0) return box;
+    }
+  }
+  return best?.box ?? [bbox.left, bbox.left + width, y, y + height];
+}
+
 function drawBounds(u, spec) {
   const { ctx, bbox } = u;
+  const px = devicePixelRatio;
+  const taken = [];
   ctx.save();
-  ctx.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
-  ctx.lineWidth = devicePixelRatio;
+  ctx.font = `${11 * px}px system-ui, sans-serif`;
+  ctx.lineWidth = px;
   for (const b of spec.bounds) {
     const y = u.valToPos(b.value, "y", true);
     if (y < bbox.top - 1 || y > bbox.top + bbox.height + 1) continue;
     ctx.strokeStyle = ctx.fillStyle = b.is_reference ? css("--soft") : css("--limit");
-    ctx.setLineDash(b.is_reference ? [2 * devicePixelRatio, 3 * devicePixelRatio] : [7 * devicePixelRatio, 4 * devicePixelRatio]);
+    ctx.setLineDash(b.is_reference ? [2 * px, 3 * px] : [7 * px, 4 * px]);
     ctx.beginPath();
     ctx.moveTo(bbox.left, y);
     ctx.lineTo(bbox.left + bbox.width, y);
     ctx.stroke();
-    const above = y - bbox.top > 16 * devicePixelRatio;
-    ctx.textAlign = "right";
-    ctx.textBaseline = above ? "bottom" : "top";
     const level = spec.id === "margin" ? "" : ` ${number(b.value, 4)} ${spec.unit}`;
-    const x = bbox.left + bbox.width - 4 * devicePixelRatio;
-    const text = [b.label + level, x, y + (above ? -2 : 3) * devicePixelRatio];
-    // Legible over curves.
+    const words = b.label + level;
+    const box = boxAlong(u, y, ctx.measureText(words).width + 8 * px, 16 * px, taken);
+    taken.push(box);
+    ctx.textAlign = "left";
+    ctx.textBaseline = "middle";
+    const text = [words, box[0] + 4 * px, (box[2] + box[3]) / 2];
+    // Legible over curves, where there is no place beside them.
     ctx.setLineDash([]);
     ctx.strokeStyle = css("--paper");
-    ctx.lineWidth = 3 * devicePixelRatio;
+    ctx.lineWidth = 3 * px;
     ctx.strokeText(...text);
-    ctx.lineWidth = devicePixelRatio;
+    ctx.lineWidth = px;
     ctx.fillText(...text);
   }
   ctx.restore();

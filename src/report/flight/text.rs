@@ -21,7 +21,7 @@ pub fn text(told: &Told) -> String {
     out.push_str(&match record.outcome {
         OutcomeRecord::Flown => format!("Flown to its end at {} s\n", fixed(flight.end, 2)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s\n", fixed(at_s, 2)),
-        OutcomeRecord::Lost { at_s, cause } => format!("LOST at {} s: {}\n", fixed(at_s, 2), words(model, cause)),
+        OutcomeRecord::Lost { at_s, cause } => format!("LOST at {} s: {}\n", fixed(at_s, 2), loss(model, cause)),
     });
     let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
     out.push_str(&format!(
@@ -110,7 +110,8 @@ fn manner(model: &Model) -> String {
     )
 }
 
-fn words(model: &Model, cause: &str) -> String {
+/// Why the vehicle counts as lost, from the name of the cause.
+pub fn loss(model: &Model, cause: &str) -> String {
     let s = &model.simulation;
     match cause {
         "ground" => "it struck the ground".into(),
@@ -126,6 +127,11 @@ pub fn length(metres: f64) -> String {
         m if m < 1.0 => format!("{} cm", significant(100.0 * m, 2)),
         m => format!("{} m", significant(m, 3)),
     }
+}
+
+/// How a fault becomes known: the spec's word, with the delay in s where there is one, as in `after 20 ms`.
+pub fn detection(word: &str, delay: Option<f64>) -> String {
+    delay.map_or_else(|| word.to_string(), |delay| format!("{word} {}", duration(delay)))
 }
 
 /// Seconds as people say them.

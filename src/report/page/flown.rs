@@ -6,7 +6,7 @@ use super::motion::WRENCH;
 use crate::admissible::hover;
 use crate::flight::Sample;
 use crate::model::Model;
-use crate::report::flight::{FaultRecord, FlightRecord, OutcomeRecord, duration, length};
+use crate::report::flight::{FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss};
 use crate::report::number::{fixed, number, significant};
 use maud::{Markup, html};
 
@@ -78,13 +78,11 @@ impl Track {
 }
 
 /// What became of it, in one sentence.
-pub fn headline(record: &FlightRecord) -> String {
+pub fn headline(model: &Model, record: &FlightRecord) -> String {
     match record.outcome {
         OutcomeRecord::Flown => format!("Flown to its end at {} s", fixed(record.end_s, 2)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s", fixed(at_s, 2)),
-        OutcomeRecord::Lost { at_s, cause } => {
-            format!("Lost at {} s: {}", fixed(at_s, 2), cause.replace('_', " "))
-        }
+        OutcomeRecord::Lost { at_s, cause } => format!("Lost at {} s: {}", fixed(at_s, 2), loss(model, cause)),
     }
 }
 
@@ -251,7 +249,12 @@ pub fn section(record: &FlightRecord) -> Markup {
         }
         div.scroll tabindex="0" role="region" aria-label="Table of faults" {
             table.compact {
-                caption { span { "Detection: " (record.detection) "; after a fault: " (record.after_fault) } }
+                caption {
+                    span {
+                        "Detection: " (detection(record.detection, record.detection_delay_s))
+                        "; after a fault: " (record.after_fault)
+                    }
+                }
                 thead {
                     tr {
                         th scope="col" { "Mode" }

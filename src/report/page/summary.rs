@@ -8,7 +8,7 @@ use crate::certificate::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
-use crate::report::flight::{FlightRecord, OutcomeRecord, length as flown_length};
+use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length};
 use crate::report::number::{fixed, number, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::terminal::{in_planes, no_plan};
@@ -107,7 +107,7 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
 }
 
 /// Of `mavc simulate`.
-pub fn flight(record: &FlightRecord) -> Found {
+pub fn flight(model: &Model, record: &FlightRecord) -> Found {
     let lost = matches!(record.outcome, OutcomeRecord::Lost { .. });
     let mut figures = vec![
         Figure::new("Off its place", flown_length(record.rms_error_m), "root mean square over the flight"),
@@ -125,10 +125,10 @@ pub fn flight(record: &FlightRecord) -> Found {
     figures.push(Figure::new(
         "False alarms",
         record.false_alarms.to_string(),
-        format!("detection: {}", record.detection),
+        format!("detection: {}", detection(record.detection, record.detection_delay_s)),
     ));
     let warnings = record.warnings.iter().map(|c| c.message.clone()).collect();
-    Found { headline: headline(record), figures, warnings }
+    Found { headline: headline(model, record), figures, warnings }
 }
 
 /// Some mode that the plan must stand cannot hover.

@@ -5,6 +5,7 @@ use super::summary::{Figure, Found};
 use crate::campaign::statistics::{Share, wilson};
 use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord, ModeRecord, PlannerRecord};
 use crate::report::campaign_text::by_flight;
+use crate::report::flight::detection;
 use crate::report::number::{number, percent, significant};
 use maud::{Markup, html};
 
@@ -65,7 +66,10 @@ pub fn table(record: &CampaignRecord) -> Markup {
         div.scroll tabindex="0" role="region" aria-label="Table of planners" {
             table {
                 caption {
-                    span { "Detection: " (record.detection) "; after a fault: " (record.after_fault) "; controller: " (record.controller) }
+                    span {
+                        "Detection: " (detection(record.detection, record.detection_delay_s))
+                        "; after a fault: " (record.after_fault) "; controller: " (record.controller)
+                    }
                 }
                 thead {
                     tr {
