@@ -235,17 +235,20 @@ fn risk_lines(model: &Model, comparison: &Comparison, solved: &Solved) -> String
              sought at the nodes; one that is not found may exist, and counts as none. Modes are taken as independent."
         }
     };
-    let text =
-        format!("Risk {}: {meaning}{unrated}{}", significant(risk, 3), between_samples(&rates, comparison, solved));
+    let text = format!(
+        "Risk {}: {meaning}{unrated}{}",
+        significant(risk, 3),
+        between_samples(model, &rates, comparison, solved)
+    );
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     format!("\n{}\n", textwrap::fill(&text, options))
 }
 
-/// Which modes the risk counts only for what lies between samples: not what the planner chose, but what the grid leaves.
-fn between_samples(rates: &[Option<f64>], comparison: &Comparison, solved: &Solved) -> String {
+/// Which modes the risk counts only for what lies between samples. Where RCP imposes them it is what the grid leaves.
+fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison, solved: &Solved) -> String {
     let counts = |i: &usize| {
         let out = &solved.outside[*i];
-        rates[*i].is_some_and(|r| r > 0.0) && solved.committed[*i] > 0.0 && out.positions == 0
+        rates[*i].is_some_and(|r| r > 0.0) && out.last == Some(solved.committed[*i]) && out.positions == 0
     };
     let modes: Vec<usize> = (0..rates.len()).filter(counts).collect();
     if modes.is_empty() {
@@ -254,9 +257,10 @@ fn between_samples(rates: &[Option<f64>], comparison: &Comparison, solved: &Solv
     let most = modes.iter().map(|&i| solved.outside[i].max_violation).fold(0.0, f64::max);
     let names: Vec<&str> = modes.iter().map(|&i| comparison.modes[i].as_str()).collect();
     format!(
-        " For {} it counts only what lies between samples, at most {} of the width; more samples make it less.",
+        " For {} it counts only what lies between samples, at most {} of the width{}.",
         listed(&names),
-        percent(most)
+        percent(most),
+        if model.plan.planner == PlannerKind::Rcp { "; more samples make it less" } else { "" }
     )
 }
 

@@ -1,16 +1,12 @@
 //! Which mission time: shorter and shorter ones, each begun from the plan of least cost at the last, or one that is given.
 
-use super::super::limits::Widening;
 use super::super::profile::{determined, earliest, has_fixed_times, profile};
 use super::super::rows::{Decision, Planned};
 use super::super::search::{GRID, NoTime, Shortest};
-use super::super::transcribe::Purpose;
 use super::relaxation::Verdict;
 use super::sequence::{CLOSELY, CLOSER, Care, NOT_AT_ALL, ROUGHLY};
 use super::*;
 use crate::model::{Leg, Mission};
-use crate::qp::QuadraticProgram;
-use crate::qp::build::{Affine, Builder};
 
 /// Beyond this a mission is not searched, s.
 const LONGEST: f64 = 100_000.0;
@@ -40,25 +36,6 @@ fn not_found(at: f64) -> NoTime {
     NoTime::Inconclusive { at, status: NOT_FOUND.into() }
 }
 
-impl Transcription<'_> {
-    /// The least cost, and [`Self::gentleness`] beside it, with limits as chosen and no set.
-    fn smooth_program(&self, chosen: &[RowAt]) -> QuadraticProgram {
-        let mut builder = Builder::new(self.variables());
-        let nothing = Affine::constant(0.0);
-        self.dynamics(&mut builder, &|_, _, _| Affine::default());
-        self.rest(&mut builder);
-        for &RowAt { row, instant } in chosen {
-            if let Row::Limit(limit) = row {
-                self.limit(&mut builder, limit, instant, &Widening::by(&nothing));
-            }
-        }
-        self.waypoints(&mut builder, &nothing);
-        self.cost(&mut builder, 1.0);
-        self.gentleness(&mut builder);
-        builder.finish()
-    }
-}
-
 impl Successive<'_, '_> {
     /// The mission's profile with legs that take `shares` of the time, or their own.
     fn lay_out(&self, shares: Option<&[f64]>, total: f64, samples: usize) -> Option<Profile> {
@@ -73,23 +50,6 @@ impl Successive<'_, '_> {
 
     fn held(&self) -> f64 {
         self.engine.mission.waypoints.iter().map(|w| w.hold).sum()
-    }
-
-    /// A smooth motion through the waypoints that knows no set: the least cost with positions in their limits, and gentle
-    /// where it begins or ends as it likes.
-    pub(super) fn smooth(&mut self, profile: &Profile) -> Option<Motion> {
-        let form = self.transcription(profile, &[]);
-        let places: Vec<RowAt> = self.places(profile).into_iter().collect();
-        let program = match form.free_ends().next().is_some() {
-            true => form.smooth_program(&places),
-            false => form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY),
-        };
-        let (outcome, effort) = solve(&program);
-        self.engine.effort += effort;
-        let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = outcome else {
-            return None;
-        };
-        Some(Motion { profile: profile.clone(), states: form.states(&x), model: self.wrench })
     }
 
     /// The motion's path in its own shares of time, about as fast as stays inside at the nodes. `None` where no slowing
@@ -235,10 +195,7 @@ impl Successive<'_, '_> {
             match self.relaxed(&full.flown()) {
                 Verdict::Infeasible if !self.chooses_times() => return Decision::Infeasible,
                 Verdict::Feasible(Some(motion)) => {
-                    let kept = [CLOSELY, NOT_AT_ALL]
-                        .into_iter()
-                        .find_map(|care| self.kept_near(motion.clone(), total, care, &mut BTreeSet::new()));
-                    if let Some(planned) = kept {
+                    if let Some(planned) = self.about_relaxed(motion, total) {
                         return Decision::Feasible(Box::new(planned));
                     }
                 }
@@ -319,6 +276,13 @@ impl Successive<'_, '_> {
         };
         let there = (motion.profile.total - flown).abs() <= 1e-9 * flown;
         there.then(|| self.kept(motion, total, CLOSELY, &mut pool)).flatten()
+    }
+
+    /// A plan about the relaxation's motion: of least cost, or as it is where no cheaper one stays inside between instants.
+    fn about_relaxed(&mut self, motion: Motion, total: f64) -> Option<Planned> {
+        let mut pool = BTreeSet::new();
+        let inside = self.restore(motion, &mut pool)?;
+        [CLOSELY, NOT_AT_ALL].into_iter().find_map(|care| self.kept(inside.clone(), total, care, &mut pool.clone()))
     }
 
     /// A motion made to fit, and the plan of least cost about it.

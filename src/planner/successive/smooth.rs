@@ -1,0 +1,45 @@
+//! Motions that know no set, to begin from.
+
+use super::super::limits::Widening;
+use super::super::transcribe::Purpose;
+use super::*;
+use crate::qp::QuadraticProgram;
+use crate::qp::build::{Affine, Builder};
+
+impl Transcription<'_> {
+    /// The least cost, and [`Self::gentleness`] beside it, with limits as chosen and no set.
+    fn smooth_program(&self, chosen: &[RowAt]) -> QuadraticProgram {
+        let mut builder = Builder::new(self.variables());
+        let nothing = Affine::constant(0.0);
+        self.dynamics(&mut builder, &|_, _, _| Affine::default());
+        self.rest(&mut builder);
+        for &RowAt { row, instant } in chosen {
+            if let Row::Limit(limit) = row {
+                self.limit(&mut builder, limit, instant, &Widening::by(&nothing));
+            }
+        }
+        self.waypoints(&mut builder, &nothing);
+        self.cost(&mut builder, 1.0);
+        self.gentleness(&mut builder);
+        builder.finish()
+    }
+}
+
+impl Successive<'_, '_> {
+    /// A smooth motion through the waypoints that knows no set: the least cost with positions in their limits, and gentle
+    /// where it begins or ends as it likes.
+    pub(super) fn smooth(&mut self, profile: &Profile) -> Option<Motion> {
+        let form = self.transcription(profile, &[]);
+        let places: Vec<RowAt> = self.places(profile).into_iter().collect();
+        let program = match form.free_ends().next().is_some() {
+            true => form.smooth_program(&places),
+            false => form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY),
+        };
+        let (outcome, effort) = solve(&program);
+        self.engine.effort += effort;
+        let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = outcome else {
+            return None;
+        };
+        Some(Motion { profile: profile.clone(), states: form.states(&x), model: self.wrench })
+    }
+}

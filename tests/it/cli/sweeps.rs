@@ -1,0 +1,63 @@
+//! `mavc analyze --sweep`: where verdicts change, and what cannot be swept.
+
+use super::{HOP, code, err, folder, mavc, mavc_with, out, text};
+use serde_json::Value;
+
+#[test]
+fn analysis_sweeps_find_the_critical_mass() {
+    // PNPNPNPN loses control over eight double faults above 1.8827 kg.
+    let spec = "use \"specs/vehicles/octo_pnpnpnpn.mav\"\nfaults { mode D { rotors [1, 3] lost } }\n";
+    let dir = folder();
+    let path = dir.path().join("d.mav");
+    let root = env!("CARGO_MANIFEST_DIR");
+    std::fs::write(&path, spec.replace("specs/", &format!("{root}/specs/"))).unwrap();
+    let ran = mavc(&["analyze", text(&path), "--sweep", "mass=1.5..2.5kg", "--format", "json"]);
+    assert_eq!(code(&ran), 0, "{}", err(&ran));
+    let record: Value = serde_json::from_str(&out(&ran)).unwrap();
+    let flips = record["flips"].as_array().unwrap();
+    assert_eq!(flips.len(), 1, "{flips:?}");
+    assert!((flips[0]["at"].as_f64().unwrap() - 1.8827).abs() < 1e-4, "{flips:?}");
+    assert_eq!(record["modes"][0]["name"], "healthy");
+}
+
+#[test]
+fn a_sweep_goes_on_where_the_vehicle_is_too_heavy() {
+    let sweep = |args: &[&str]| {
+        let ran = mavc_with(&[&["analyze", "-", "--sweep"], args].concat(), HOP);
+        assert_eq!(code(&ran), 0, "{args:?}: {}", err(&ran));
+        out(&ran)
+    };
+    let flips_of_healthy = |what: &str| -> Vec<(f64, Value)> {
+        let record: Value = serde_json::from_str(&sweep(&[what, "--format", "json"])).unwrap();
+        let flips = record["flips"].as_array().unwrap().iter().filter(|f| f["mode"] == "healthy");
+        flips.map(|f| (f["at"].as_f64().unwrap(), f["above"].clone())).collect()
+    };
+    // Four rotors lift 4 b w^2.
+    let lift = 4.0 * 9.9865e-6 * 840.0 * 840.0;
+    let found = flips_of_healthy("mass=1..6kg");
+    assert!(found.len() == 1 && found[0].1 == "unstable", "{found:?}");
+    assert!((found[0].0 - lift / 9.81).abs() < 1e-4, "{found:?}");
+    // Too heavy at both ends of the range, and gravity for the mass.
+    assert_eq!(flips_of_healthy("mass=5..6kg"), []);
+    let found = flips_of_healthy("gravity=9..40 m/s^2");
+    assert!(found.len() == 1 && (found[0].0 - lift / 1.32).abs() < 1e-4, "{found:?}");
+    // A slower rotor cannot lift what it lifted.
+    let told = sweep(&["vehicle.rotor.max_speed=400..840rad/s"]);
+    assert!(told.contains("  healthy: unstable, controllable above "), "{told}");
+}
+
+#[test]
+fn sweeps_of_what_no_verdict_depends_on_are_refused() {
+    for (sweep, told) in [
+        ("masss=1..2kg", "no verdict depends on a field `masss`; did you mean `mass`?"),
+        ("max_speed=1..2rad/s", "no verdict depends on a field `max_speed`; did you mean `rotor.max_speed`?"),
+        ("plan.time=10s..20s", "no verdict depends on `plan.time`; sweep mass, arm, first, rotor.max_thrust, "),
+        ("mass=-1..2kg", "at -1kg: `mass` has to be greater than zero"),
+        ("mass=1..2m", "at 1m: "),
+    ] {
+        let ran = mavc_with(&["analyze", "-", "--sweep", sweep], HOP);
+        assert_eq!(code(&ran), 2, "{sweep}: {}", err(&ran));
+        assert!(out(&ran).is_empty());
+        assert!(err(&ran).contains(&format!("mavc: --sweep {sweep}: {told}")), "{}", err(&ran));
+    }
+}
