@@ -59,9 +59,16 @@ fn asked_for(model: &Model, mission: &Mission) -> Option<f64> {
 /// `places`: the labels; `asked_for`: the mission time of the spec, s.
 fn headline(explanation: &Explanation, places: usize, asked_for: Option<f64>) -> String {
     let conflict = &explanation.conflict;
+    // Where a waypoint has its time, the mission's is another one.
+    let a_mission_of = match conflict.statements.iter().any(|s| matches!(s, Statement::Arrival(_))) {
+        true => "a mission of ",
+        false => "",
+    };
     let time = match (conflict.any_time, asked_for.filter(|asked| *asked < conflict.time)) {
-        (true, Some(asked)) => format!(", even in {} s instead of {} s", number(conflict.time), number(asked)),
-        (true, None) => format!(", even in {} s", number(conflict.time)),
+        (true, Some(asked)) => {
+            format!(", even in {a_mission_of}{} s instead of {} s", number(conflict.time), number(asked))
+        }
+        (true, None) => format!(", even in {a_mission_of}{} s", number(conflict.time)),
         (false, _) => String::new(),
     };
     match (conflict.proved, places) {

@@ -7,9 +7,10 @@ use crate::planner::profile::{determined, earliest};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A time is long for a mission if it leaves the legs that no fixed time ends this many times what [`unhurried`] asks for.
+/// (Not many more: the samples of all other legs would become few.)
 const LONG: f64 = 4.0;
 
-/// And this many times what the spec gives them. (Not many more: the samples of all other legs would become few.)
+/// And this many times what the spec gives them.
 const LONGER: f64 = 1.5;
 
 /// The longest time asked for, s.
@@ -19,8 +20,6 @@ pub(super) struct Questions<'a> {
     pub model: &'a Model,
     pub mission: &'a Mission,
     oracle: &'a mut dyn Oracle,
-    /// The mission time of variants that fix none, s.
-    long: f64,
     /// By what was left out.
     answers: BTreeMap<BTreeSet<Statement>, Answer>,
     asked: usize,
@@ -29,14 +28,7 @@ pub(super) struct Questions<'a> {
 
 impl<'a> Questions<'a> {
     pub fn new(model: &'a Model, mission: &'a Mission, oracle: &'a mut dyn Oracle, most: usize) -> Self {
-        let fixed = match model.plan.time {
-            MissionTime::Fixed(time) => time,
-            MissionTime::Minimum => 0.0,
-        };
-        let settled = earliest(mission);
-        let free = (LONG * unhurried(mission, model.gravity)).max(LONGER * (fixed - settled));
-        let long = (settled + free).ceil().min(LONGEST);
-        Questions { model, mission, oracle, long, answers: BTreeMap::new(), asked: 0, most }
+        Questions { model, mission, oracle, answers: BTreeMap::new(), asked: 0, most }
     }
 
     pub fn asked(&self) -> usize {
@@ -48,16 +40,31 @@ impl<'a> Questions<'a> {
         self.most = self.asked + more;
     }
 
-    /// The mission time of variants that fix none, s.
+    /// A mission time that is long for a variant of the mission, s: for its fixed times and holds, and all the spec's limits,
+    /// so that variants with the same of those are asked for at the same time.
+    fn long_for(&self, variant: &Mission) -> f64 {
+        let fixed = match self.model.plan.time {
+            MissionTime::Fixed(time) => time,
+            MissionTime::Minimum => 0.0,
+        };
+        let settled = earliest(variant);
+        let last_fixed = variant.waypoints.iter().rposition(|w| w.time.is_some()).unwrap_or(0);
+        let unhurried = unhurried(self.mission, last_fixed, self.model.gravity);
+        (settled + (LONG * unhurried).max(LONGER * (fixed - settled))).ceil().min(LONGEST)
+    }
+
+    /// A mission time that is long for the mission whatever its fixed times, s.
     pub fn long(&self) -> f64 {
-        self.long
+        let mut free = self.mission.clone();
+        free.waypoints.iter_mut().for_each(|w| w.time = None);
+        self.long_for(&free).max(self.long_for(self.mission))
     }
 
     /// The time at which a variant is asked for, and whether it fixes none itself.
     pub fn time_of(&self, model: &Model, mission: &Mission) -> (f64, bool) {
         match (determined(mission), model.plan.time) {
             (Some(time), _) | (None, MissionTime::Fixed(time)) => (time, false),
-            (None, MissionTime::Minimum) => (self.long, true),
+            (None, MissionTime::Minimum) => (self.long_for(mission), true),
         }
     }
 
@@ -121,9 +128,9 @@ impl<'a> Questions<'a> {
     }
 }
 
-/// The time that the legs after the last fixed time take when each is flown from rest to rest at half of g, at each limit alone, one
+/// The time that the legs from a waypoint on take when each is flown from rest to rest at half of g, at each limit alone, one
 /// after the other, s. A measure for what is long, nothing more.
-fn unhurried(mission: &Mission, gravity: f64) -> f64 {
+fn unhurried(mission: &Mission, from: usize, gravity: f64) -> f64 {
     let leg = |pair: &[crate::model::Waypoint]| {
         let apart: [f64; 3] = std::array::from_fn(|i| (pair[1].position[i] - pair[0].position[i]).abs());
         let length = apart.iter().map(|d| d * d).sum::<f64>().sqrt();
@@ -144,6 +151,5 @@ fn unhurried(mission: &Mission, gravity: f64) -> f64 {
         });
         accelerated(length, 0.5 * gravity) + turn + limited.sum::<f64>()
     };
-    let last_fixed = mission.waypoints.iter().rposition(|w| w.time.is_some()).unwrap_or(0);
-    mission.waypoints[last_fixed..].windows(2).map(leg).sum::<f64>().max(1.0)
+    mission.waypoints[from..].windows(2).map(leg).sum::<f64>().max(1.0)
 }

@@ -29,9 +29,11 @@ impl Value {
     }
 }
 
-/// Bytes of stack that evaluation leaves untouched, and how many it takes elsewhere once it comes near them.
-const STACK_LEFT: usize = 128 << 10;
+/// Bytes of stack that evaluation leaves untouched, and how many it takes elsewhere once it comes near them; asked once
+/// in so many levels, for asking costs more than most evaluations.
+const STACK_LEFT: usize = 256 << 10;
 const STACK_MORE: usize = 1 << 20;
+const STACK_ASKED: u32 = 8;
 
 impl<'a> Context<'a> {
     /// The value of `expr`; `None` where it has an error, which has been reported.
@@ -43,7 +45,11 @@ impl<'a> Context<'a> {
         }
         self.depth += 1;
         // So deep a stack is more than some threads have.
-        let value = stacker::maybe_grow(STACK_LEFT, STACK_MORE, || self.evaluate_kind(expr));
+        let value = if self.depth.is_multiple_of(STACK_ASKED) {
+            stacker::maybe_grow(STACK_LEFT, STACK_MORE, || self.evaluate_kind(expr))
+        } else {
+            self.evaluate_kind(expr)
+        };
         self.depth -= 1;
         value
     }

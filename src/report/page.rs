@@ -75,7 +75,7 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
 }
 
-/// The charts of the plan that is shown first and the sections of the sets, as names and texts of SVG files.
+/// The charts of the plan, or of every planner's at the common time, and the sections of the sets, as names and texts of SVG files.
 ///
 /// # Errors
 /// What the drawing library says, where it cannot draw.

@@ -1,6 +1,8 @@
 //! Units and the reading of unit texts such as `N*s^2/rad^2`.
 
+use std::collections::HashMap;
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 use super::{Dimension, Exponent};
 
@@ -192,24 +194,31 @@ fn parse_factor(text: &str, gravity: f64) -> Result<Unit, UnitError> {
     Ok(Unit { numerator: up.powi(n), denominator: down.powi(n), dimension })
 }
 
-fn lookup(word: &str, gravity: f64) -> Option<Unit> {
-    exact(word, gravity).or_else(|| {
-        PREFIXES.iter().find_map(|(prefix, up, down)| {
-            let stem = word.strip_prefix(prefix)?;
-            let row = UNITS.iter().find(|row| row.0 == stem && row.4)?;
-            let unit = from_row(row);
-            Some(Unit { numerator: unit.numerator * up, denominator: unit.denominator * down, ..unit })
+/// Every unit with every prefix that it takes; weights, which gravity scales, are not among them.
+static PREFIXED: LazyLock<HashMap<String, Unit>> = LazyLock::new(|| {
+    let prefixed = UNITS.iter().filter(|row| row.4).flat_map(|row| {
+        let unit = from_row(row);
+        PREFIXES.iter().map(move |(prefix, up, down)| {
+            let scaled = Unit { numerator: unit.numerator * up, denominator: unit.denominator * down, ..unit };
+            (format!("{prefix}{}", row.0), scaled)
         })
-    })
+    });
+    // A unit's own name counts before another's with a prefix: `min` is no milli-inch.
+    prefixed.chain(UNITS.iter().map(|row| (row.0.to_string(), from_row(row)))).collect()
+});
+
+fn lookup(word: &str, gravity: f64) -> Option<Unit> {
+    PREFIXED.get(word).copied().or_else(|| weight(word, gravity))
 }
 
+/// The unit whose name, without a prefix, is `word`.
 fn exact(word: &str, gravity: f64) -> Option<Unit> {
-    let weight = WEIGHTS.iter().find(|row| row.0 == word).map(|(_, up, down)| Unit {
-        numerator: up * gravity,
-        denominator: *down,
-        dimension: from_row(&UNITS[4]).dimension,
-    });
-    weight.or_else(|| UNITS.iter().find(|row| row.0 == word).map(from_row))
+    weight(word, gravity).or_else(|| UNITS.iter().find(|row| row.0 == word).map(from_row))
+}
+
+fn weight(word: &str, gravity: f64) -> Option<Unit> {
+    let (_, up, down) = WEIGHTS.iter().find(|row| row.0 == word)?;
+    Some(Unit { numerator: up * gravity, denominator: *down, dimension: from_row(&UNITS[4]).dimension })
 }
 
 fn from_row(row: &Row) -> Unit {

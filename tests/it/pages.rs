@@ -365,6 +365,16 @@ fn charts_become_svg_files() {
         .map(|color| rotors.matches(&format!("stroke=\"{color}\"")).count())
         .collect();
     assert!(drawn[0] == 2 && drawn[1] > 20 && drawn[2] > 20, "{drawn:?}");
+    // Planners side by side: every one's figures have its name.
+    let side_by_side = dir.path().join("side by side");
+    let ran = mavc(&["compare", "specs/paper/case1.mav", "--svg", side_by_side.to_str().unwrap()]);
+    assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
+    let drawn = |name: &str| std::fs::read_to_string(side_by_side.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
+    for name in ["thrust-RIP.svg", "thrust-RCP-M1.svg", "set-M1-RIP.svg", "set-healthy-RSP.svg"] {
+        assert!(drawn(name).contains("<poly"), "{name}");
+    }
+    assert!(drawn("set-M1-RIP.svg") != drawn("set-M1-RSP.svg"));
+    assert!(!side_by_side.join("thrust.svg").exists());
     // What cannot be a folder is refused before anything is planned or written.
     let page = dir.path().join("page.html");
     for folder in [spec.clone(), format!("{spec}/deep")] {

@@ -11,6 +11,9 @@ use crate::model::{Leg, Mission};
 /// Beyond this a mission is not searched, s.
 const LONGEST: f64 = 100_000.0;
 
+/// Nor one without a plan beyond this many times the first guess.
+const SLOWEST: f64 = 20.0;
+
 /// Relative precision of changes of time.
 const PRECISION: f64 = 1e-4;
 
@@ -323,7 +326,7 @@ impl Successive<'_, '_> {
         let mut pool = BTreeSet::new();
         let first = self.first_of(begins, 0.0, &mut pool);
         let guess = self.engine.guess();
-        let Some(mut motion) = first else { return Err(not_found(guess)) };
+        let Some(mut motion) = first else { return Err(self.none_at_all(guess)) };
         if self.chooses_times() {
             motion = self.better_times(motion, &mut pool);
         }
@@ -340,23 +343,45 @@ impl Successive<'_, '_> {
         Err(not_found(motion.profile.total))
     }
 
+    /// Why no plan was found about a time, nor slower: none was found, or there is none then and at longer times, each twice
+    /// the last.
+    fn none_at_all(&mut self, time: f64) -> NoTime {
+        let samples = self.engine.model.plan.samples;
+        let mut at = time;
+        while !self.chooses_times() {
+            let Some(full) = self.lay_out(None, at, samples) else { break };
+            if !matches!(self.relaxed(&full.flown()), Verdict::Infeasible) {
+                break;
+            }
+            if at > SLOWEST * time {
+                return NoTime::Infeasible { up_to: at };
+            }
+            at *= 2.0;
+        }
+        not_found(time)
+    }
+
     /// Where only the legs after the last fixed time are free: the first of ever longer times with a plan, then bisection.
     fn shortest_after_fixed_times(&mut self) -> Result<Shortest, NoTime> {
         let floor = earliest(self.engine.mission);
         let mut low = floor;
         let mut stride = (0.25 * (self.engine.guess() - floor)).max(GRID);
         let mut best: Option<(f64, Planned)> = None;
+        let mut proved = true;
         while best.as_ref().is_none_or(|b| b.0 - low > (LEAST_FINE * b.0).max(GRID)) {
             let try_at = best.as_ref().map_or(low + stride, |b| 0.5 * (low + b.0));
             let time = (try_at / GRID).ceil() / (1.0 / GRID).round();
             match self.decide(time, &[]) {
                 Decision::Feasible(planned) => best = Some((time, *planned)),
                 _ if best.as_ref().is_some_and(|b| time >= b.0) => break,
-                _ => low = time,
+                decision => {
+                    proved &= matches!(decision, Decision::Infeasible);
+                    low = time;
+                }
             }
             stride *= 1.5;
-            if low > 20.0 * self.engine.guess() {
-                return Err(not_found(low));
+            if low > SLOWEST * self.engine.guess() {
+                return Err(if proved { NoTime::Infeasible { up_to: low } } else { not_found(low) });
             }
         }
         let (time, planned) = best.ok_or_else(|| not_found(low))?;

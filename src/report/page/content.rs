@@ -4,7 +4,7 @@ use super::chart::{Chart, Columns, rounded};
 use super::sets::{SetContent, ShownSet};
 use super::{Subject, motion, shown_first};
 use crate::admissible::{AdmissibleSet, hover};
-use crate::model::Model;
+use crate::model::{Model, PlannerKind};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::report::number::number;
 use crate::trajectory::nearness::nearness;
@@ -56,6 +56,9 @@ pub struct WaypointContent {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RunContent {
     pub label: String,
+    /// What its figures' names end with (`--svg`); none where it has none.
+    #[serde(skip)]
+    pub figures: Option<String>,
     /// What its wrench is called.
     pub wrench: &'static str,
     pub columns: Columns,
@@ -117,7 +120,10 @@ impl Content {
         let most = (MOST_NUMBERS / (width * kept.len().max(1))).clamp(FEWEST_INSTANTS, MOST_INSTANTS);
         let runs = kept
             .iter()
-            .map(|(i, _, solved)| run_content(subject, run_label(comparison, *i, solved.time), solved, shown, most))
+            .map(|(i, run, solved)| RunContent {
+                figures: figures_of(run, &kept),
+                ..run_content(subject, run_label(comparison, *i, solved.time), solved, shown, most)
+            })
             .collect();
         Content {
             runs,
@@ -161,14 +167,30 @@ fn extents(model: &Model) -> [[f64; 2]; 4] {
 /// `RSP, own time 16 s`, `RCP jointly, at T_d = 16.4 s`; of a single plan `RSP, 16 s`.
 pub fn run_label(comparison: &Comparison, index: usize, time: f64) -> String {
     let run = &comparison.runs[index];
-    let name = match run.against.len() {
-        n if n > 1 && run.planner == crate::model::PlannerKind::Rcp => "RCP jointly".to_string(),
-        _ => label(run.planner, &run.against),
-    };
+    let name = planner_name(run);
     match run.run {
         _ if comparison.runs.len() == 1 => format!("{name}, {} s", number(time)),
         Run::Own => format!("{name}, own time {} s", number(time)),
         Run::Common => format!("{name}, at T_d = {} s", number(time)),
+    }
+}
+
+fn planner_name(run: &PlannerRun) -> String {
+    match run.against.len() {
+        n if n > 1 && run.planner == PlannerKind::Rcp => "RCP jointly".to_string(),
+        _ => label(run.planner, &run.against),
+    }
+}
+
+/// Of several plans those at one time are drawn, which can be laid side by side, or all where there is no such time.
+fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &Solved)]) -> Option<String> {
+    let is_common = |run: &PlannerRun| run.run == Run::Common;
+    match among {
+        [_] => Some(String::new()),
+        _ if is_common(run) || !among.iter().any(|(_, run, _)| is_common(run)) => {
+            Some(format!("-{}", planner_name(run).replace(' ', "-")))
+        }
+        _ => None,
     }
 }
 
@@ -186,6 +208,7 @@ fn run_content(subject: &Subject, label: String, solved: &Solved, shown: &[Shown
     let measured = shown.iter().enumerate().filter(|(_, s)| s.against.is_some());
     RunContent {
         label,
+        figures: None,
         columns: motion::columns(model, solved, shown, most),
         charts: motion::charts(model, mission, solved, shown).into_iter().map(Chart::set).collect(),
         passed: trajectory.waypoint_nodes.iter().map(|&n| rounded(trajectory.times[n])).collect(),

@@ -66,6 +66,7 @@ impl Track {
         let charts = charts(model, &columns, record).into_iter().map(Chart::set).collect();
         RunContent {
             label: "the flight".into(),
+            figures: None,
             wrench: "wrench given",
             columns,
             charts,

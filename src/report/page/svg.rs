@@ -60,19 +60,28 @@ type Failure = DrawingAreaErrorKind<std::io::Error>;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Context<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// File names and texts: every chart of the run that is shown first, and every set's section at hover.
+/// File names and texts: of every plan that is drawn its charts, and every set's section at hover with its path; the sections
+/// alone where there is no plan.
 ///
 /// # Errors
 /// What the drawing library says, where it cannot draw.
 pub fn files(content: &Content) -> Result<Vec<(String, String)>, String> {
-    let run = content.runs.get(content.first);
-    let mut files = Vec::new();
-    for (run, chart) in run.iter().flat_map(|run| run.charts.iter().map(move |chart| (run, chart))) {
-        files.push((format!("{}.svg", chart.id.replace('_', "-")), curves(run, chart)?));
+    let mut drawn: Vec<(Option<&RunContent>, &str)> =
+        content.runs.iter().filter_map(|run| Some((Some(run), run.figures.as_deref()?))).collect();
+    if drawn.is_empty() {
+        drawn.push((None, ""));
     }
-    for set in content.sets.iter().filter(|s| s.equalities.is_empty()) {
-        let name: String = set.name.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).collect();
-        files.push((format!("set-{name}.svg"), section(content, set, run)?));
+    let mut files = Vec::new();
+    for (run, plan) in drawn {
+        for (run, chart) in run.iter().flat_map(|run| run.charts.iter().map(move |chart| (run, chart))) {
+            files.push((format!("{}{plan}.svg", chart.id.replace('_', "-")), curves(run, chart)?));
+        }
+        for set in content.sets.iter().filter(|s| s.equalities.is_empty()) {
+            files.push((format!("set-{}{plan}.svg", set.name), section(content, set, run)?));
+        }
+    }
+    for (name, _) in &mut files {
+        *name = name.chars().map(|c| if c.is_alphanumeric() || "_-.".contains(c) { c } else { '-' }).collect();
     }
     Ok(files)
 }
