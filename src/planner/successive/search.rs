@@ -4,7 +4,7 @@ use super::super::profile::{determined, earliest, has_fixed_times, profile};
 use super::super::rows::{Decision, Planned};
 use super::super::search::{GRID, NoTime, Shortest};
 use super::relaxation::Verdict;
-use super::sequence::{CLOSELY, CLOSER, Care, NOT_AT_ALL, ROUGHLY};
+use super::sequence::{CLOSELY, CLOSER, Care, NOT_AT_ALL, ROUGHLY, Shorter};
 use super::*;
 use crate::model::{Leg, Mission};
 
@@ -99,7 +99,8 @@ impl Successive<'_, '_> {
     }
 
     /// Shorter and shorter times down to `target` s of flight, each from the plan of least cost at the last: smooth motions
-    /// stay clear of the attitudes at which the wrench bends most.
+    /// stay clear of the attitudes at which the wrench bends most. First as much shorter as the lines allow, then by small
+    /// steps whether or not they do.
     fn descend(
         &mut self,
         mut motion: Motion,
@@ -110,10 +111,15 @@ impl Successive<'_, '_> {
         let mut step = first;
         let mut settled = false;
         while step >= least && motion.profile.total > target {
-            let factor = (1.0 - step).max(target / motion.profile.total);
-            self.engine.progress(factor * motion.profile.total + self.held());
+            let last = 1.0 - target / motion.profile.total;
+            let shorter = match last <= step {
+                true => Shorter::By(last),
+                false if settled => Shorter::By(step),
+                false => Shorter::UpTo(step),
+            };
+            self.engine.progress((1.0 - step.min(last)) * motion.profile.total + self.held());
             let mut known = pool.clone();
-            match self.hasten(&motion, 1.0 - factor, &mut known) {
+            match self.hasten(&motion, shorter, &mut known) {
                 Some(inside) => {
                     *pool = known;
                     motion = self.settle(inside, ROUGHLY, pool);
@@ -121,11 +127,12 @@ impl Successive<'_, '_> {
                 }
                 None => {
                     step *= SHRINK;
-                    // The nearer to the least cost, the further a motion can be hastened: tried once.
+                    // The nearer to the least cost, the further a motion can be hastened, and the wrench may bend to where the
+                    // lines do not reach: tried once.
                     if step < least && !settled {
                         motion = self.settle(motion, CLOSER, pool);
                         settled = true;
-                        step = SHRINK * first;
+                        step = least.max(SHRINK * SHRINK * first);
                     }
                 }
             }

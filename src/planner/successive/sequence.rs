@@ -5,9 +5,10 @@ use super::*;
 /// Proximity of steps that restore feasibility: they seek nearly the nearest motion that does.
 const RESTORING: f64 = 0.1;
 
-/// Most steps to restore feasibility; over each [`PATIENCE`] of them the excess has to fall by half.
-const MOST_RESTORING: usize = 8;
+/// Most steps to restore feasibility; over each [`PATIENCE`] of them the excess has to fall to this share of what it was.
+const MOST_RESTORING: usize = 12;
 const PATIENCE: usize = 2;
+const FALL: f64 = 0.4;
 
 /// Below this excess rows at other instants take turns, and each step that adds them is worth its while.
 const NEARLY: f64 = 1e-2;
@@ -22,10 +23,23 @@ pub(super) const SETTLING: f64 = 0.03;
 /// And at which they begin at most, where the last ones found the motion to bend much.
 const MOST_SETTLING: f64 = 1e3;
 
-/// Proximity of steps to another time, and the weights of the excess and of the relative cost there.
-const HASTENING: f64 = 1.0;
+/// Steps to another time.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Shorter {
+    /// By as much as the lines about the motion allow, and at most by this share of the time.
+    UpTo(f64),
+    /// By this share, even where the lines leave some excess: what bends may still be restored.
+    By(f64),
+}
+
+/// Their weight of the excess; and, where the time is the lines' to choose and where it is not, their proximity and the weight of
+/// the relative cost.
 const HASTENED: f64 = 20.0;
-const SMOOTHING: f64 = 0.05;
+const CHOOSING: (f64, f64) = (3.0, 0.01);
+const HASTENING: (f64, f64) = (1.0, 0.05);
+
+/// Where lines allow less than this share, they allow nothing.
+const LEAST_ALLOWED: f64 = 2e-3;
 
 /// Weight of the excess against the relative cost, at first.
 const PENALTY: f64 = 6.0;
@@ -67,12 +81,19 @@ impl Successive<'_, '_> {
         Durations { legs: vec![None; self.engine.mission.legs.len()], range: (0.0, 0.0) }
     }
 
-    /// A motion made to fit in a time shorter by `share`: the lines about the motion as it was tell how, for the motion
-    /// merely flown faster can be far outside, where they say nothing.
-    pub(super) fn hasten(&mut self, motion: &Motion, share: f64, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
-        let durations = Durations { legs: vec![Some(0); self.engine.mission.legs.len()], range: (-share, -share) };
-        let weights = Weights { objective: Objective::Cost, penalty: HASTENED, smoothing: SMOOTHING };
-        let stepped = self.step(motion, &durations, Trust { proximity: HASTENING }, weights, pool)?;
+    /// A motion made to fit in a shorter time: the lines about the motion as it was tell how, for the motion merely flown
+    /// faster can be far outside, where they say nothing.
+    pub(super) fn hasten(&mut self, motion: &Motion, shorter: Shorter, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        let (range, objective, (proximity, smoothing), least) = match shorter {
+            Shorter::UpTo(share) => ((-share, 0.0), Objective::Time, CHOOSING, LEAST_ALLOWED.min(0.5 * share)),
+            Shorter::By(share) => ((-share, -share), Objective::Cost, HASTENING, 0.0),
+        };
+        let durations = Durations { legs: vec![Some(0); self.engine.mission.legs.len()], range };
+        let weights = Weights { objective, penalty: HASTENED, smoothing };
+        let stepped = self.step(motion, &durations, Trust { proximity }, weights, pool)?;
+        if stepped.changes[0] > -least {
+            return None;
+        }
         if stepped.sigma > HOPELESS {
             return None;
         }
@@ -100,7 +121,7 @@ impl Successive<'_, '_> {
         while excess > 0.0 {
             history.push(excess);
             let stuck =
-                excess > NEARLY && history.len() > PATIENCE && excess > 0.5 * history[history.len() - 1 - PATIENCE];
+                excess > NEARLY && history.len() > PATIENCE && excess > FALL * history[history.len() - 1 - PATIENCE];
             if history.len() > MOST_RESTORING || stuck || trust.exhausted() {
                 return None;
             }
