@@ -26,6 +26,12 @@ const GROW: f64 = 1.5;
 const LEAST_COARSE: f64 = 0.02;
 const LEAST_FINE: f64 = 0.0025;
 
+/// Where lines allow less than this share of the least step, it is not worth its while.
+const WORTH: f64 = 0.8;
+
+/// Times are as good as equal within this share.
+const ROUNDING: f64 = 1e-12;
+
 /// Where a motion found elsewhere cannot be restored at its own time, it is flown slower by these factors.
 const SLOWER: [f64; 10] = [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5];
 
@@ -110,12 +116,12 @@ impl Successive<'_, '_> {
     ) -> Motion {
         let mut step = first;
         let mut settled = false;
-        while step >= least && motion.profile.total > target {
+        while step >= least && motion.profile.total > (1.0 + ROUNDING) * target {
             let last = 1.0 - target / motion.profile.total;
             let shorter = match last <= step {
                 true => Shorter::By(last),
                 false if settled => Shorter::By(step),
-                false => Shorter::UpTo(step),
+                false => Shorter::UpTo(step, WORTH * least),
             };
             self.engine.progress((1.0 - step.min(last)) * motion.profile.total + self.held());
             let mut known = pool.clone();

@@ -26,8 +26,9 @@ const MOST_SETTLING: f64 = 1e3;
 /// Steps to another time.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shorter {
-    /// By as much as the lines about the motion allow, and at most by this share of the time.
-    UpTo(f64),
+    /// By as much as the lines about the motion allow, at most by the first share of the time. Where they allow less than the
+    /// second, they allow nothing.
+    UpTo(f64, f64),
     /// By this share, even where the lines leave some excess: what bends may still be restored.
     By(f64),
 }
@@ -37,9 +38,6 @@ pub(super) enum Shorter {
 const HASTENED: f64 = 20.0;
 const CHOOSING: (f64, f64) = (3.0, 0.01);
 const HASTENING: (f64, f64) = (1.0, 0.05);
-
-/// Where lines allow less than this share, they allow nothing.
-const LEAST_ALLOWED: f64 = 2e-3;
 
 /// Weight of the excess against the relative cost, at first.
 const PENALTY: f64 = 6.0;
@@ -85,7 +83,7 @@ impl Successive<'_, '_> {
     /// faster can be far outside, where they say nothing.
     pub(super) fn hasten(&mut self, motion: &Motion, shorter: Shorter, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
         let (range, objective, (proximity, smoothing), least) = match shorter {
-            Shorter::UpTo(share) => ((-share, 0.0), Objective::Time, CHOOSING, LEAST_ALLOWED.min(0.5 * share)),
+            Shorter::UpTo(share, least) => ((-share, 0.0), Objective::Time, CHOOSING, least),
             Shorter::By(share) => ((-share, -share), Objective::Cost, HASTENING, 0.0),
         };
         let durations = Durations { legs: vec![Some(0); self.engine.mission.legs.len()], range };
