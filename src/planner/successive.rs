@@ -11,6 +11,7 @@ mod motion;
 mod relaxation;
 mod search;
 mod sequence;
+mod shortest;
 mod smooth;
 mod step;
 mod stopping;

@@ -1,8 +1,7 @@
-//! Which mission time: shorter and shorter ones, each begun from the plan of least cost at the last, or one that is given.
+//! Plans at one mission time, and motions at shorter and shorter ones, each begun from the plan of least cost at the last.
 
-use super::super::profile::{determined, earliest, has_fixed_times, profile};
+use super::super::profile::{has_fixed_times, profile};
 use super::super::rows::{Decision, Planned};
-use super::super::search::{GRID, NoTime, Shortest};
 use super::relaxation::Verdict;
 use super::sequence::{CLOSELY, CLOSER, Care, NOT_AT_ALL, ROUGHLY, Shorter};
 use super::*;
@@ -11,20 +10,17 @@ use crate::model::{Leg, Mission};
 /// Beyond this a mission is not searched, s.
 const LONGEST: f64 = 100_000.0;
 
-/// Nor one without a plan beyond this many times the first guess.
-const SLOWEST: f64 = 20.0;
-
 /// Relative precision of changes of time.
 const PRECISION: f64 = 1e-4;
 
 /// Relative steps towards shorter times: the first on the coarse and on the full grid, by how much one shrinks where no
 /// plan is found, and the least.
 const COARSE_STEP: f64 = 0.1;
-const FINE_STEP: f64 = 0.04;
+pub(super) const FINE_STEP: f64 = 0.04;
 const SHRINK: f64 = 0.3;
 const GROW: f64 = 1.5;
 const LEAST_COARSE: f64 = 0.02;
-const LEAST_FINE: f64 = 0.0025;
+pub(super) const LEAST_FINE: f64 = 0.0025;
 
 /// Where lines allow less than this share of the least step, it is not worth its while.
 const WORTH: f64 = 0.8;
@@ -41,13 +37,9 @@ const NEARLY_THERE: f64 = 0.3;
 /// What is said where no plan is found and none is shown impossible.
 pub const NOT_FOUND: &str = "no plan found";
 
-fn not_found(at: f64) -> NoTime {
-    NoTime::Inconclusive { at, status: NOT_FOUND.into() }
-}
-
 impl Successive<'_, '_> {
     /// The mission's profile with legs that take `shares` of the time, or their own.
-    fn lay_out(&self, shares: Option<&[f64]>, total: f64, samples: usize) -> Option<Profile> {
+    pub(super) fn lay_out(&self, shares: Option<&[f64]>, total: f64, samples: usize) -> Option<Profile> {
         match shares {
             None => profile(self.engine.mission, total, samples),
             Some(shares) => {
@@ -57,7 +49,7 @@ impl Successive<'_, '_> {
         }
     }
 
-    fn held(&self) -> f64 {
+    pub(super) fn held(&self) -> f64 {
         self.engine.mission.waypoints.iter().map(|w| w.hold).sum()
     }
 
@@ -107,7 +99,7 @@ impl Successive<'_, '_> {
     /// Shorter and shorter times down to `target` s of flight, each from the plan of least cost at the last: smooth motions
     /// stay clear of the attitudes at which the wrench bends most. First as much shorter as the lines allow, then by small
     /// steps whether or not they do.
-    fn descend(
+    pub(super) fn descend(
         &mut self,
         mut motion: Motion,
         (first, least): (f64, f64),
@@ -187,7 +179,7 @@ impl Successive<'_, '_> {
     }
 
     /// A first motion inside the set: made from other plans, or from nothing for the mission about as fast as `near` s of flight.
-    fn first_of(&mut self, begins: &[&Planned], near: f64, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+    pub(super) fn first_of(&mut self, begins: &[&Planned], near: f64, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
         self.slowed(begins, pool).or_else(|| self.first(near))
     }
 
@@ -302,7 +294,13 @@ impl Successive<'_, '_> {
     }
 
     /// A motion made to fit, and the plan of least cost about it.
-    fn kept_near(&mut self, motion: Motion, total: f64, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Planned> {
+    pub(super) fn kept_near(
+        &mut self,
+        motion: Motion,
+        total: f64,
+        care: Care,
+        pool: &mut BTreeSet<RowAt>,
+    ) -> Option<Planned> {
         let inside = self.restore(motion, pool)?;
         self.kept(inside, total, care, pool)
     }
@@ -319,85 +317,5 @@ impl Successive<'_, '_> {
             objective: self.cost(&settled),
             rows: pool.len(),
         })
-    }
-
-    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from plans of
-    /// other sets where there are some.
-    pub fn shortest(&mut self, begins: &[&Planned]) -> Result<Shortest, NoTime> {
-        let shortest =
-            |time: f64, planned: Planned| Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() };
-        if let Some(total) = determined(self.engine.mission) {
-            return match self.decide(total, begins) {
-                Decision::Feasible(planned) => Ok(shortest(total, *planned)),
-                Decision::Infeasible => Err(NoTime::Infeasible { up_to: total }),
-                Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
-            };
-        }
-        if has_fixed_times(self.engine.mission) {
-            return self.shortest_after_fixed_times();
-        }
-        let mut pool = BTreeSet::new();
-        let first = self.first_of(begins, 0.0, &mut pool);
-        let guess = self.engine.guess();
-        let Some(mut motion) = first else { return Err(self.none_at_all(guess)) };
-        if self.chooses_times() {
-            motion = self.better_times(motion, &mut pool);
-        }
-        motion = self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool);
-        let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();
-        // Flown a little slower a plan is one still, or nearly always.
-        for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
-            let time = (ticks + late) / (1.0 / GRID).round();
-            let slower = motion.slower((time - self.held()) / motion.profile.total);
-            if let Some(planned) = self.kept_near(slower, time, CLOSELY, &mut pool) {
-                return Ok(shortest(time, planned));
-            }
-        }
-        Err(not_found(motion.profile.total))
-    }
-
-    /// Why no plan was found about a time, nor slower: none was found, or there is none then and at longer times, each twice
-    /// the last.
-    fn none_at_all(&mut self, time: f64) -> NoTime {
-        let samples = self.engine.model.plan.samples;
-        let mut at = time;
-        while !self.chooses_times() {
-            let Some(full) = self.lay_out(None, at, samples) else { break };
-            if !matches!(self.relaxed(&full.flown()), Verdict::Infeasible) {
-                break;
-            }
-            if at > SLOWEST * time {
-                return NoTime::Infeasible { up_to: at };
-            }
-            at *= 2.0;
-        }
-        not_found(time)
-    }
-
-    /// Where only the legs after the last fixed time are free: the first of ever longer times with a plan, then bisection.
-    fn shortest_after_fixed_times(&mut self) -> Result<Shortest, NoTime> {
-        let floor = earliest(self.engine.mission);
-        let mut low = floor;
-        let mut stride = (0.25 * (self.engine.guess() - floor)).max(GRID);
-        let mut best: Option<(f64, Planned)> = None;
-        let mut proved = true;
-        while best.as_ref().is_none_or(|b| b.0 - low > (LEAST_FINE * b.0).max(GRID)) {
-            let try_at = best.as_ref().map_or(low + stride, |b| 0.5 * (low + b.0));
-            let time = (try_at / GRID).ceil() / (1.0 / GRID).round();
-            match self.decide(time, &[]) {
-                Decision::Feasible(planned) => best = Some((time, *planned)),
-                _ if best.as_ref().is_some_and(|b| time >= b.0) => break,
-                decision => {
-                    proved &= matches!(decision, Decision::Infeasible);
-                    low = time;
-                }
-            }
-            stride *= 1.5;
-            if low > SLOWEST * self.engine.guess() {
-                return Err(if proved { NoTime::Infeasible { up_to: low } } else { not_found(low) });
-            }
-        }
-        let (time, planned) = best.ok_or_else(|| not_found(low))?;
-        Ok(Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() })
     }
 }

@@ -61,6 +61,29 @@ fn what_its_parts_have_a_mission_has() {
     }
 }
 
+/// Where every time tried is proved to have no plan that is said, whether or not some waypoint has a time of its own; and a
+/// mission that has plans at long times only has them.
+#[test]
+fn no_plan_at_any_time_tried_is_proved() {
+    let mut up = hop([3.0, 0.0, 5.0], 0.0, &[(LimitKind::Climb, 0.0)], 0.0);
+    let turned = [(0.0, 0.0), (2.0, 170f64.to_radians()), (4.0, 170f64.to_radians())];
+    let mut points = turned.map(|(x, yaw)| waypoint([x, 0.0, 2.0], yaw));
+    points[1].time = Some(4.0);
+    let limits = vec![limit(LimitKind::YawRate, 30f64.to_radians())];
+    let mission = Mission { limits, ..mission(points.to_vec()) };
+    let mut early = planning(mission, PlannerKind::Rip, &[], MissionTime::Minimum);
+    early.plan.samples = 40;
+    up.plan.time = MissionTime::Minimum;
+    for model in [&up, &early] {
+        let (ending, text) = told(model);
+        assert!(matches!(ending, Ending::Infeasible { .. }), "{text}");
+        assert!(text.contains("at any time tried") && text.contains("each proved"), "{text}");
+    }
+    up.mission.as_mut().unwrap().limits = vec![limit(LimitKind::Climb, 0.05)];
+    let (ending, text) = told(&up);
+    assert!(matches!(&ending, Ending::Solved(solved) if solved.time > 58.0), "{text}");
+}
+
 /// The time of the last waypoint is the mission's, whoever says it.
 #[test]
 fn the_last_waypoints_time_is_the_plans() {

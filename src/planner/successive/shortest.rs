@@ -1,0 +1,98 @@
+//! The shortest mission time of a plan, and what is said where there is none.
+
+use super::super::profile::{determined, earliest, has_fixed_times};
+use super::super::rows::{Decision, Planned};
+use super::super::search::{GRID, NoTime, Shortest};
+use super::relaxation::Verdict;
+use super::search::{FINE_STEP, LEAST_FINE, NOT_FOUND};
+use super::sequence::CLOSELY;
+use super::*;
+
+/// Times without a plan are not tried beyond this many times the first guess.
+const SLOWEST: f64 = 20.0;
+
+fn not_found(at: f64) -> NoTime {
+    NoTime::Inconclusive { at, status: NOT_FOUND.into() }
+}
+
+impl Successive<'_, '_> {
+    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from plans of
+    /// other sets where there are some.
+    pub fn shortest(&mut self, begins: &[&Planned]) -> Result<Shortest, NoTime> {
+        let shortest =
+            |time: f64, planned: Planned| Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() };
+        if let Some(total) = determined(self.engine.mission) {
+            return match self.decide(total, begins) {
+                Decision::Feasible(planned) => Ok(shortest(total, *planned)),
+                Decision::Infeasible => Err(NoTime::Infeasible { up_to: total }),
+                Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
+            };
+        }
+        if has_fixed_times(self.engine.mission) {
+            return self.shortest_after_fixed_times();
+        }
+        let mut pool = BTreeSet::new();
+        let first = self.first_of(begins, 0.0, &mut pool);
+        let guess = self.engine.guess();
+        let Some(mut motion) = first else { return Err(self.none_at_all(guess)) };
+        if self.chooses_times() {
+            motion = self.better_times(motion, &mut pool);
+        }
+        motion = self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool);
+        let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();
+        // Flown a little slower a plan is one still, or nearly always.
+        for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
+            let time = (ticks + late) / (1.0 / GRID).round();
+            let slower = motion.slower((time - self.held()) / motion.profile.total);
+            if let Some(planned) = self.kept_near(slower, time, CLOSELY, &mut pool) {
+                return Ok(shortest(time, planned));
+            }
+        }
+        Err(not_found(motion.profile.total))
+    }
+
+    /// Why no plan was found about a time, nor slower: none was found, or there is none from a quarter of that flight on, at
+    /// times each twice the last.
+    fn none_at_all(&mut self, time: f64) -> NoTime {
+        let samples = self.engine.model.plan.samples;
+        let mut at = time - 0.75 * (time - earliest(self.engine.mission));
+        while !self.chooses_times() {
+            let Some(full) = self.lay_out(None, at, samples) else { break };
+            if !matches!(self.relaxed(&full.flown()), Verdict::Infeasible) {
+                break;
+            }
+            if at > SLOWEST * time {
+                return NoTime::Infeasible { up_to: at };
+            }
+            at *= 2.0;
+        }
+        not_found(time)
+    }
+
+    /// Where only the legs after the last fixed time are free: the first of ever longer times with a plan, then bisection.
+    fn shortest_after_fixed_times(&mut self) -> Result<Shortest, NoTime> {
+        let floor = earliest(self.engine.mission);
+        let mut low = floor;
+        let mut stride = (0.25 * (self.engine.guess() - floor)).max(GRID);
+        let mut best: Option<(f64, Planned)> = None;
+        let mut proved = true;
+        while best.as_ref().is_none_or(|b| b.0 - low > (LEAST_FINE * b.0).max(GRID)) {
+            let try_at = best.as_ref().map_or(low + stride, |b| 0.5 * (low + b.0));
+            let time = (try_at / GRID).ceil() / (1.0 / GRID).round();
+            match self.decide(time, &[]) {
+                Decision::Feasible(planned) => best = Some((time, *planned)),
+                _ if best.as_ref().is_some_and(|b| time >= b.0) => break,
+                decision => {
+                    proved &= matches!(decision, Decision::Infeasible);
+                    low = time;
+                }
+            }
+            stride *= 1.5;
+            if low > SLOWEST * self.engine.guess() {
+                return Err(if proved { NoTime::Infeasible { up_to: low } } else { not_found(low) });
+            }
+        }
+        let (time, planned) = best.ok_or_else(|| not_found(low))?;
+        Ok(Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() })
+    }
+}
