@@ -15,5 +15,6 @@ pub mod spline;
 pub mod stop;
 pub mod successive;
 pub mod transcribe;
+mod wrench_expression;
 pub mod wrench_model;
 pub mod yaw;

@@ -86,23 +86,24 @@ impl Trajectory {
 pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: WrenchModel) -> NodeState {
     let mut state = NodeState::default();
     let orders = model.orders();
+    // t^n / n!
+    let mut powers = [1.0; 6];
+    for n in 1..powers.len() {
+        powers[n] = powers[n - 1] * t / n as f64;
+    }
     for axis in [X, Y, Z, YAW] {
         let r = orders[axis];
         let slope = (right[axis][r] - left[axis][r]) / h;
-        // d_i(t) = sum_{j >= i} d_j t^(j-i) / (j-i)! by Horner.
+        // d_i(t) = sum_{j >= i} d_j t^(j-i) / (j-i)!
         for (i, derivative) in state[axis].iter_mut().enumerate().take(r + 1) {
-            let highest = slope / factorial(r + 1 - i);
-            *derivative = (i..=r).rev().fold(highest, |value, j| value * t + left[axis][j] / factorial(j - i));
+            let known: f64 = left[axis][i..=r].iter().zip(&powers).map(|(d, power)| d * power).sum();
+            *derivative = known + slope * powers[r + 1 - i];
         }
         if r < 4 {
             state[axis][r + 1] = slope;
         }
     }
     state
-}
-
-fn factorial(n: usize) -> f64 {
-    [1.0, 1.0, 2.0, 6.0, 24.0, 120.0][n]
 }
 
 /// Exact ZYX roll and pitch (rad) of the thrust direction (x'', y'', z'' + g) at yaw psi.

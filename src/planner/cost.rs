@@ -32,7 +32,7 @@ impl Transcription<'_> {
             }
             if self.climbs_smoothly() {
                 for (share, weight) in GAUSS {
-                    let climb = self.inside(k, share, Z, 2).merged();
+                    let climb = self.inside(k, share, Z, 2);
                     builder.inner_product(&climb, &climb, factor * plan.acceleration_weight * step * weight);
                 }
             }
@@ -89,7 +89,7 @@ impl Transcription<'_> {
         for (k, step) in self.profile.steps().enumerate() {
             for axis in [X, Y] {
                 for (share, weight) in GAUSS {
-                    let acceleration = self.inside(k, share, axis, 2).merged();
+                    let acceleration = self.inside(k, share, axis, 2);
                     builder.inner_product(&acceleration, &acceleration, factor * step * weight);
                 }
             }

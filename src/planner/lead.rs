@@ -140,24 +140,6 @@ impl Transcription<'_> {
         Some(rise.times(1.0 / h))
     }
 
-    /// Component `n . c` of a lead wrench.
-    pub(super) fn along_lead(
-        &self,
-        map: &WrenchMap,
-        at: LeadAt,
-        n: &Wrench,
-        bend: &dyn Fn(usize, usize, usize) -> Affine,
-    ) -> Option<Affine> {
-        let mut sum = Affine::constant(n.dot(&map.constant));
-        for &(axis, order, c) in &map.terms {
-            let coefficient = n.dot(&c);
-            if coefficient != 0.0 {
-                sum.add(&self.lead_derivative(at, (axis, order), bend)?, coefficient);
-            }
-        }
-        Some(sum.merged())
-    }
-
     /// The lead wrench of states at a node, by the maps of [`Self::leads`]; `None` without them or without such an
     /// interval.
     pub(super) fn lead_wrench(&self, states: &[NodeState], at: LeadAt) -> Option<Wrench> {

@@ -9,11 +9,13 @@
 mod mission;
 
 use super::hover_model::{ORDER, WrenchMap, X, Y, Z};
-use super::lead::{LeadMaps, Slope};
+use super::lead::{LeadAt, LeadMaps, Slope};
 use super::limits::Widening;
 use super::profile::Profile;
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
+use super::wrench_expression::WrenchExpression;
+use crate::actuation::Wrench;
 use crate::model::{Mission, Model};
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
@@ -201,20 +203,20 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    /// The derivative `share` of the way through an interval: the input's slope is constant there.
+    /// The derivative `share` of the way through an interval, where the input's slope is constant; each variable once.
     pub(super) fn inside(&self, interval: usize, share: f64, axis: usize, order: usize) -> Affine {
         let times = &self.profile.node_times;
         let t = share * (times[interval + 1] - times[interval]);
         let r = self.orders[axis];
-        let mut sum = Affine { terms: Vec::with_capacity(64), constant: 0.0 };
+        let mut sum = Affine { terms: Vec::with_capacity(r + 2), constant: 0.0 };
         let mut power = 1.0;
         for j in order..=r {
-            sum.add(&self.at_node(interval, axis, j), power);
+            sum.gather(&self.at_node(interval, axis, j), power);
             power *= t / (j + 1 - order) as f64;
         }
         // power is now t^(m+1)/(m+1)!, m = r - order; the slope of the input is (u1 - u0) share / t.
-        sum.add(&self.at_node(interval, axis, r), -power * share / t);
-        sum.add(&self.at_node(interval + 1, axis, r), power * share / t);
+        sum.gather(&self.at_node(interval, axis, r), -power * share / t);
+        sum.gather(&self.at_node(interval + 1, axis, r), power * share / t);
         sum
     }
 
@@ -233,19 +235,6 @@ impl<'a> Transcription<'a> {
 
     pub(super) fn plans(&self, axis: usize) -> bool {
         self.axes.contains(&axis)
-    }
-
-    /// Component `n . w` at an instant.
-    pub(super) fn along(&self, instant: usize, n: &crate::actuation::Wrench) -> Affine {
-        let map = &self.maps[instant];
-        let mut sum = Affine::constant(n.dot(&map.constant));
-        for &(axis, order, c) in &map.terms {
-            let coefficient = n.dot(&c);
-            if coefficient != 0.0 {
-                sum.add(&self.derivative(instant, axis, order), coefficient);
-            }
-        }
-        sum
     }
 
     /// Every row that a program may do without.
@@ -286,9 +275,14 @@ impl<'a> Transcription<'a> {
         let mut builder = Builder::new(self.variables() + extra);
         self.dynamics(&mut builder, &|_, _, _| Affine::default());
         self.rest(&mut builder);
+        let mut wrenches: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
+        let mut along = |instant: usize, n: &Wrench| {
+            wrenches.entry(instant).or_insert_with(|| self.wrench_expression(instant)).along(n)
+        };
+        let mut leads: BTreeMap<LeadAt, Option<WrenchExpression>> = BTreeMap::new();
         for (facet, row) in self.set.rows.iter().enumerate().filter(|(_, r)| r.equality && thrust.is_none()) {
             for node in 0..self.nodes() {
-                let expression = self.along(node * self.parts, &row.normal).plus_constant(-row.offset);
+                let expression = along(node * self.parts, &row.normal).plus_constant(-row.offset);
                 builder.zero(expression, RowOrigin::Facet { facet, node });
             }
         }
@@ -297,7 +291,7 @@ impl<'a> Transcription<'a> {
             match row {
                 Row::Facet(facet) => {
                     let row = &self.set.rows[facet];
-                    let mut expression = self.along(instant, &row.normal).plus_constant(-row.offset).times(-1.0);
+                    let mut expression = along(instant, &-row.normal).plus_constant(row.offset);
                     expression.add(&widening, 1.0);
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node });
                 }
@@ -306,10 +300,11 @@ impl<'a> Transcription<'a> {
                 Row::Lead { facet, slope } => {
                     let (row, at) = (&self.set.rows[facet], (instant, slope));
                     let map = self.leads.and_then(|leads| leads.get(&at));
-                    let along = map.and_then(|map| self.along_lead(map, at, &row.normal, &|_, _, _| Affine::default()));
+                    let straight = |_, _, _| Affine::default();
+                    let lead = leads.entry(at).or_insert_with(|| self.lead_expression(map?, at, &straight));
                     // Rows that come from another grid may stand where no interval is.
-                    let Some(along) = along else { continue };
-                    let mut expression = along.plus_constant(-row.offset).times(-1.0);
+                    let Some(lead) = lead else { continue };
+                    let mut expression = lead.along(&-row.normal).plus_constant(row.offset);
                     expression.add(&widening, 1.0);
                     builder.nonnegative(expression, RowOrigin::Lag { facet, node, after: slope == Slope::After });
                 }

@@ -34,6 +34,17 @@ impl Affine {
         self.constant += factor * other.constant;
     }
 
+    /// The same, keeping each variable once; for expressions of a few variables.
+    pub fn gather(&mut self, other: &Affine, factor: f64) {
+        for &(variable, coefficient) in &other.terms {
+            match self.terms.iter_mut().find(|t| t.0 == variable) {
+                Some(term) => term.1 += factor * coefficient,
+                None => self.terms.push((variable, factor * coefficient)),
+            }
+        }
+        self.constant += factor * other.constant;
+    }
+
     /// The expression times `factor`.
     pub fn times(mut self, factor: f64) -> Self {
         self.constant *= factor;
@@ -41,19 +52,6 @@ impl Affine {
             t.1 *= factor;
         }
         self
-    }
-
-    /// The same expression with each variable once, in ascending order.
-    pub fn merged(mut self) -> Self {
-        self.terms.sort_by_key(|t| t.0);
-        let mut merged: Vec<(usize, f64)> = Vec::with_capacity(self.terms.len());
-        for (variable, coefficient) in self.terms {
-            match merged.last_mut() {
-                Some(last) if last.0 == variable => last.1 += coefficient,
-                _ => merged.push((variable, coefficient)),
-            }
-        }
-        Affine { terms: merged, constant: self.constant }
     }
 
     /// Its value at x.

@@ -2,6 +2,7 @@
 //! so at a node rows stand on both its sides. Equalities of a flat set are not repeated: where w stays in a plane, w' does.
 
 use super::super::lead::{LeadAt, LeadState, Slope, interval_of, with_slopes};
+use super::super::wrench_expression::WrenchExpression;
 use super::super::wrench_model::LEAD_FLAT;
 use super::sequence::FINER;
 use super::step::{ORDER_OF_TIME, Step};
@@ -154,15 +155,21 @@ impl Successive<'_, '_> {
 }
 
 impl Transcription<'_> {
-    /// (71) for the lead wrench, without sigma.
-    pub(super) fn lead_row(&self, step: &Step, facet: usize, at: LeadAt) -> Option<Affine> {
+    /// (71) for the lead wrench, without sigma; `known` are the expressions made before.
+    pub(super) fn lead_row(
+        &self,
+        step: &Step,
+        facet: usize,
+        at: LeadAt,
+        known: &mut BTreeMap<LeadAt, Option<WrenchExpression>>,
+    ) -> Option<Affine> {
         let leads = step.leads?;
         let line = leads.lines.get(&at)?;
         let row = &self.set.rows[facet];
         let bend = |node: usize, axis: usize, order: usize| self.bend(step, node, axis, order);
-        let along = self.along_lead(&line.map, at, &row.normal, &bend)?;
+        let lead = known.entry(at).or_insert_with(|| self.lead_expression(&line.map, at, &bend)).as_ref()?;
         let kept = step.back_off[facet] + leads.bends[facet];
-        let mut slack = along.times(-1.0).plus_constant(row.offset - kept);
+        let mut slack = lead.along(&-row.normal).plus_constant(row.offset - kept);
         let free = row.offset - row.normal.dot(&line.wrench);
         let change = ORDER_OF_TIME * free - row.normal.dot(&line.stretch);
         let interval = interval_of(at, self.parts, self.profile.intervals())?;
@@ -174,15 +181,20 @@ impl Transcription<'_> {
     pub(super) fn curve_leads(&self, builder: &mut Builder, leads: &LeadLines) {
         let straight = |_, _, _| Affine::default();
         for (at, from, factors) in &leads.curvature {
-            for factor in factors {
+            let direction = |&(axis, order): &(usize, usize)| {
+                let now = self.lead_derivative(*at, (axis, order), &straight)?;
+                Some(now.plus_constant(-from[axis][order]))
+            };
+            let Some(directions) = LEAD_FLAT.iter().map(direction).collect::<Option<Vec<Affine>>>() else { continue };
+            let change = |factor: &LeadFlatState| {
                 let mut change = Affine::default();
-                for (&(axis, order), weight) in LEAD_FLAT.iter().zip(factor.iter()).filter(|(_, w)| **w != 0.0) {
-                    let Some(now) = self.lead_derivative(*at, (axis, order), &straight) else { continue };
-                    change.add(&now.plus_constant(-from[axis][order]), *weight);
+                for (direction, weight) in directions.iter().zip(factor.iter()) {
+                    change.add(direction, *weight);
                 }
-                let change = change.merged();
-                builder.inner_product(&change, &change, 0.5);
-            }
+                change
+            };
+            let changes: Vec<Affine> = factors.iter().map(change).collect();
+            builder.squares(&changes, 0.5);
         }
     }
 }

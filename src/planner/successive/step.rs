@@ -6,10 +6,11 @@
 //! 1 + 4 epsilon: rows times that factor hold the snap, whose torques bind first, without any error.
 
 use super::super::hover_model::{X, Y, YAW, Z};
-use super::super::lead::Slope;
+use super::super::lead::{LeadAt, Slope};
 use super::super::limits::Widening;
 use super::super::select::SetRow;
 use super::super::transcribe::{NodeState, Row, RowAt, Transcription};
+use super::super::wrench_expression::WrenchExpression;
 use super::super::wrench_model::DIRECTIONS;
 use super::BACK_OFF;
 use super::lead::LeadLines;
@@ -83,34 +84,7 @@ impl Step<'_> {
     }
 }
 
-/// The wrench at an instant in the program's variables, each once: many rows stand at one instant.
-struct WrenchExpression {
-    terms: Vec<(usize, Wrench)>,
-    constant: Wrench,
-}
-
-impl WrenchExpression {
-    fn along(&self, n: &Wrench) -> Affine {
-        let terms = self.terms.iter().map(|(variable, c)| (*variable, n.dot(c))).collect();
-        Affine { terms, constant: n.dot(&self.constant) }
-    }
-}
-
 impl Transcription<'_> {
-    fn wrench_expression(&self, instant: usize) -> WrenchExpression {
-        let map = &self.maps[instant];
-        let mut constant = map.constant;
-        let mut terms: BTreeMap<usize, Wrench> = BTreeMap::new();
-        for &(axis, order, c) in &map.terms {
-            let derivative = self.derivative(instant, axis, order);
-            constant += c * derivative.constant;
-            for (variable, coefficient) in derivative.terms {
-                *terms.entry(variable).or_insert_with(Wrench::zeros) += c * coefficient;
-            }
-        }
-        WrenchExpression { terms: terms.into_iter().collect(), constant }
-    }
-
     /// The leg that an instant belongs to; at a waypoint the one that ends there.
     pub(super) fn leg_of(&self, instant: usize) -> usize {
         let interval = instant.saturating_sub(1) / self.parts;
@@ -134,9 +108,10 @@ impl Transcription<'_> {
         self.waypoints(&mut builder, &Affine::constant(0.0));
         builder.nonnegative(excess.clone(), RowOrigin::Excess);
         // The row times (1 + delta)^4 = 1 + 4 epsilon: n.w (1 + 4 epsilon) <= e (1 + 4 epsilon).
-        let mut expressions: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
+        let mut wrenches: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
+        let mut leads: BTreeMap<LeadAt, Option<WrenchExpression>> = BTreeMap::new();
         let mut slack = |instant: usize, row: &SetRow| {
-            let wrench = expressions.entry(instant).or_insert_with(|| self.wrench_expression(instant));
+            let wrench = wrenches.entry(instant).or_insert_with(|| self.wrench_expression(instant));
             let mut slack = wrench.along(&-row.normal).plus_constant(row.offset);
             let free = row.offset - row.normal.dot(&step.wrenches[instant]);
             let change = ORDER_OF_TIME * free - row.normal.dot(&step.stretches[instant]);
@@ -172,7 +147,7 @@ impl Transcription<'_> {
                 Row::Upright => self.upright(&mut builder, instant, &widening(instant, bend)),
                 Row::Lead { facet, slope } => {
                     // Where no such interval is, a row that says nothing keeps the places in step.
-                    let mut expression = self.lead_row(step, facet, (instant, slope)).unwrap_or_default();
+                    let mut expression = self.lead_row(step, facet, (instant, slope), &mut leads).unwrap_or_default();
                     expression.add(&excess, 1.0);
                     let node = instant / self.parts;
                     builder.nonnegative(expression, RowOrigin::Lag { facet, node, after: slope == Slope::After });
@@ -235,22 +210,30 @@ impl Transcription<'_> {
         }
     }
 
+    /// `factor . (s' - s)` for each factor of the curvature at an instant; see [`Step::curvature`].
+    fn curved_changes(&self, (instant, from, factors): &(usize, NodeState, Vec<FlatState>)) -> Vec<Affine> {
+        let direction =
+            |(axis, order): (usize, usize)| self.derivative(*instant, axis, order).plus_constant(-from[axis][order]);
+        let directions = DIRECTIONS.map(direction);
+        let change = |factor: &FlatState| {
+            let mut change = Affine::default();
+            for (direction, weight) in directions.iter().zip(factor.iter()) {
+                change.add(direction, *weight);
+            }
+            change
+        };
+        factors.iter().map(change).collect()
+    }
+
     /// Keeps accelerations, and psi, near those of the last motion: there the wrench's curvature lies.
     fn stay_near(&self, builder: &mut Builder, step: &Step) {
         let g = self.model.gravity;
         let mut steps: Vec<f64> = self.profile.steps().collect();
         steps.push(0.0);
-        for (instant, from, factors) in step.curvature {
-            let directions = DIRECTIONS
-                .map(|(axis, order)| self.derivative(*instant, axis, order).plus_constant(-from[axis][order]).merged());
-            let change = |factor: &FlatState| {
-                let mut change = Affine::default();
-                for (direction, weight) in directions.iter().zip(factor.iter()) {
-                    change.add(direction, *weight);
-                }
-                change
-            };
-            let changes: Vec<Affine> = factors.iter().map(change).collect();
+        // Instants of one interval share their variables.
+        let interval = |instant: usize| instant.saturating_sub(1) / self.parts;
+        for beside in step.curvature.chunk_by(|a, b| interval(a.0) == interval(b.0)) {
+            let changes: Vec<Affine> = beside.iter().flat_map(|curved| self.curved_changes(curved)).collect();
             builder.squares(&changes, 0.5);
         }
         if let Some(leads) = step.leads {

@@ -1,0 +1,58 @@
+//! The wrench at an instant in a program's variables: made once, for many facets stand there.
+
+use super::hover_model::WrenchMap;
+use super::lead::LeadAt;
+use super::transcribe::Transcription;
+use crate::actuation::Wrench;
+use crate::qp::build::Affine;
+
+/// `constant + sum of coefficient times variable`, N and N m; each variable once.
+pub struct WrenchExpression {
+    terms: Vec<(usize, Wrench)>,
+    constant: Wrench,
+}
+
+impl WrenchExpression {
+    /// A constant and expressions with their coefficients.
+    fn of(constant: Wrench, parts: impl IntoIterator<Item = (Affine, Wrench)>) -> Self {
+        let mut expression = WrenchExpression { terms: Vec::with_capacity(32), constant };
+        for (part, c) in parts {
+            expression.constant += c * part.constant;
+            for (variable, coefficient) in part.terms {
+                match expression.terms.iter_mut().find(|t| t.0 == variable) {
+                    Some(term) => term.1 += c * coefficient,
+                    None => expression.terms.push((variable, c * coefficient)),
+                }
+            }
+        }
+        expression
+    }
+
+    /// Component `n . w`.
+    pub fn along(&self, n: &Wrench) -> Affine {
+        let terms = self.terms.iter().map(|(variable, c)| (*variable, n.dot(c))).filter(|t| t.1 != 0.0);
+        Affine { terms: terms.collect(), constant: n.dot(&self.constant) }
+    }
+}
+
+impl Transcription<'_> {
+    /// The wrench at an instant, by its map among [`Self::maps`].
+    pub(super) fn wrench_expression(&self, instant: usize) -> WrenchExpression {
+        let map = &self.maps[instant];
+        let parts = map.terms.iter().map(|&(axis, order, c)| (self.derivative(instant, axis, order), c));
+        WrenchExpression::of(map.constant, parts)
+    }
+
+    /// The lead wrench by its map; `bend` as in [`Self::lead_derivative`]. `None` where there is no such interval.
+    pub(super) fn lead_expression(
+        &self,
+        map: &WrenchMap,
+        at: LeadAt,
+        bend: &dyn Fn(usize, usize, usize) -> Affine,
+    ) -> Option<WrenchExpression> {
+        let part =
+            |&(axis, order, c): &(usize, usize, Wrench)| Some((self.lead_derivative(at, (axis, order), bend)?, c));
+        let parts: Option<Vec<_>> = map.terms.iter().map(part).collect();
+        Some(WrenchExpression::of(map.constant, parts?))
+    }
+}
