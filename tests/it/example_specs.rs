@@ -86,3 +86,15 @@ fn an_octocopter_keeps_to_a_bound_on_the_risk() {
     assert!(risks[0] > 1e-8 && *risks.last().unwrap() <= 1e-8, "{risks:?}");
     assert!(report["planners"][0]["risk"].as_f64().unwrap() <= 1e-8);
 }
+
+/// Steps that the cost tempts outside are restored at some cost, and go on from there: a slow survey that keeps to four fault
+/// sets costs hardly more than one that keeps to none.
+#[test]
+fn protection_is_cheap_where_there_is_time() {
+    let cost = |planner: &str| {
+        let planner = format!("plan.planner={planner}");
+        planned("examples/survey_hexa.mav", &["--set", &planner])["planners"][0]["objective"].as_f64().unwrap()
+    };
+    let (rip, rcp) = (cost("rip"), cost("rcp"));
+    assert!(rcp < 1.5 * rip, "{rcp} against {rip}");
+}

@@ -23,6 +23,9 @@ pub(super) const SETTLING: f64 = 0.03;
 /// And at which they begin at most, where the last ones found the motion to bend much.
 const MOST_SETTLING: f64 = 1e3;
 
+/// And where they go on from a motion that was restored.
+const MOST_RESTORED: f64 = 1.0;
+
 /// Steps to another time.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shorter {
@@ -73,6 +76,14 @@ pub(super) const ROUGHLY: Care = Care { steps: 2, small: 0.03 };
 pub(super) const CLOSER: Care = Care { steps: 6, small: 0.01 };
 /// For a plan that is kept.
 pub(super) const CLOSELY: Care = Care { steps: 12, small: 2e-3 };
+
+/// Where a sequence of steps towards the least cost stands.
+struct Descent {
+    /// Steps that it may still take.
+    left: usize,
+    trust: Trust,
+    weights: Weights,
+}
 
 impl Successive<'_, '_> {
     pub(super) fn durations_stand(&self) -> Durations {
@@ -152,14 +163,42 @@ impl Successive<'_, '_> {
     /// Steps towards the least cost. Both the motion given and the one returned are inside at every instant; in between
     /// merit is the cost and a penalty on the excess.
     pub(super) fn settle(&mut self, motion: Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Motion {
+        let weights = Weights { objective: Objective::Cost, penalty: PENALTY, smoothing: 1.0 };
+        let mut descent = Descent { left: care.steps, trust: Trust { proximity: self.settling }, weights };
+        let mut best = (self.cost(&motion), motion);
+        loop {
+            let outside = self.lower(&mut best, &mut descent, care.small, pool);
+            self.settling = descent.trust.proximity.min(MOST_SETTLING);
+            // Where the last motion is still outside, the nearest one inside may well be the best, or lead to it.
+            let mut known = pool.clone();
+            let Some(inside) = outside.and_then(|outside| self.restore(outside, &mut known)) else { return best.1 };
+            let (cost, was) = (self.cost(&inside), best.0);
+            if cost < was {
+                *pool = known;
+                best = (cost, inside);
+            }
+            if descent.left == 0 || cost > (1.0 - care.small) * was {
+                return best.1;
+            }
+            descent.trust.proximity = descent.trust.proximity.min(MOST_RESTORED);
+        }
+    }
+
+    /// The steps of [`Self::settle`] from `best`, which is inside, and keeps the cheapest motion inside that they meet. Also the
+    /// motion that they end with, where that is outside and cheaper.
+    fn lower(
+        &mut self,
+        best: &mut (f64, Motion),
+        Descent { left, trust, weights }: &mut Descent,
+        small: f64,
+        pool: &mut BTreeSet<RowAt>,
+    ) -> Option<Motion> {
         let durations = self.durations_stand();
-        let mut trust = Trust { proximity: self.settling };
-        let mut weights = Weights { objective: Objective::Cost, penalty: PENALTY, smoothing: 1.0 };
-        let mut best = (self.cost(&motion), motion.clone());
-        let (mut at, mut excess) = (motion, 0.0);
-        for _ in 0..care.steps {
+        let (mut at, mut excess) = (best.1.clone(), 0.0);
+        while *left > 0 {
+            *left -= 1;
             let here = self.cost(&at);
-            let Some(stepped) = self.step(&at, &durations, trust, weights, pool) else { break };
+            let Some(stepped) = self.step(&at, &durations, *trust, *weights, pool) else { break };
             // A sigma within the back-off is inside.
             let sigma = stepped.sigma - BACK_OFF;
             // Lines that leave an excess were tempted by the cost: asked again, with less temptation.
@@ -186,10 +225,10 @@ impl Successive<'_, '_> {
             }
             let gained = was - merit(cost, now);
             if now <= 0.0 && cost < best.0 {
-                best = (cost, reached.clone());
+                *best = (cost, reached.clone());
             }
             pool.extend(self.rows_between(&reached));
-            trust = match share {
+            *trust = match share {
                 1.0 if expected > 0.0 => trust.after(gained, expected),
                 _ => trust.shared(share),
             };
@@ -198,23 +237,11 @@ impl Successive<'_, '_> {
                 at = reached;
                 excess = self.excess_by(&at, pool);
             }
-            if expected < care.small && sigma <= 0.0 || trust.exhausted() {
+            if expected < small && sigma <= 0.0 || trust.exhausted() {
                 break;
             }
         }
-        self.settling = trust.proximity.min(MOST_SETTLING);
-        // Where the last motion is still outside, the nearest one inside may well be the best.
-        if excess > 0.0 && self.cost(&at) < best.0 {
-            let mut known = pool.clone();
-            if let Some(inside) = self.restore(at, &mut known) {
-                let cost = self.cost(&inside);
-                if cost < best.0 {
-                    *pool = known;
-                    best = (cost, inside);
-                }
-            }
-        }
-        best.1
+        (excess > 0.0 && self.cost(&at) < best.0).then_some(at)
     }
 
     /// Settles, and looks between the instants until no row is passed there by more than [`BETWEEN`]. `None` where that does
