@@ -1,6 +1,5 @@
 //! Campaigns: statistics against values worked by hand, cases, rows, and shards as schedulers run them.
 
-use jsonschema::Validator;
 use mavc::campaign::cases::{Cases, Shard, fault_time, noise_seed};
 use mavc::campaign::rows::{COLUMNS, Row};
 use mavc::campaign::statistics::{Contingency, Moments, spearman, wilson};
@@ -387,31 +386,18 @@ fn parquet_holds_what_the_csv_holds() {
     assert_eq!(read("merged.parquet"), desk.lines("rows.csv"));
 }
 
-fn schema() -> Validator {
-    let path = format!("{}/docs/schema/campaign.schema.json", env!("CARGO_MANIFEST_DIR"));
-    let schema: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
-    assert!(jsonschema::draft202012::meta::is_valid(&schema));
-    jsonschema::draft202012::new(&schema).unwrap()
-}
-
-/// Fails with all that the schema has against the record, and where an object may have another member.
-fn assert_valid(schema: &Validator, record: &Value) {
-    let errors: Vec<String> = schema.iter_errors(record).map(|e| format!("{}: {e}", e.instance_path())).collect();
-    assert_eq!(errors, Vec::<String>::new());
-}
-
 #[test]
 fn reports_are_as_their_schema_says() {
     let desk = Desk::new();
-    let schema = schema();
+    let schema = crate::schemas::schema("campaign");
     let report = |name: &str| -> Value { serde_json::from_slice(&desk.bytes(name)).unwrap() };
     let size = ["hop.mav", "--times", "3", "--seeds", "2", "--report", "r.json"];
     desk.run(&[&size[..], &["--shard", "2/3"]].concat(), 0);
-    assert_valid(&schema, &report("r.json"));
+    schema.assert_valid(&report("r.json"));
     assert_eq!(report("r.json")["shard"]["index"], 2);
     desk.run(&size, 0);
     let whole = report("r.json");
-    assert_valid(&schema, &whole);
+    schema.assert_valid(&whole);
     assert_eq!(whole["flights"], whole["cases"]);
     let gone = &whole["planners"][0]["modes"][0];
     assert_eq!((&gone["name"], &gone["controllable"]), (&Value::from("gone"), &Value::from(false)));
@@ -426,8 +412,8 @@ fn reports_are_as_their_schema_says() {
 
     // Too fast for any plan, and a mode that nothing can stand: 3, with a report.
     desk.run(&[&size[..], &["--set", "plan.time=0.2s"]].concat(), 3);
-    assert_valid(&schema, &report("r.json"));
+    schema.assert_valid(&report("r.json"));
     assert_eq!(report("r.json")["planners"][0]["status"], "infeasible");
     desk.run(&[&size[..], &["--set", "plan.against=[gone]"]].concat(), 3);
-    assert_valid(&schema, &report("r.json"));
+    schema.assert_valid(&report("r.json"));
 }

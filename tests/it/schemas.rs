@@ -1,6 +1,6 @@
 //! The machine-readable outputs against their schemas in docs/schema.
 
-use jsonschema::Validator;
+use boon::{Compiler, SchemaIndex, Schemas};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::process::{Command, Stdio};
@@ -35,22 +35,37 @@ fn report_of(command: &str, arguments: &[&str], input: &str) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-fn schema(name: &str) -> Validator {
-    let path = format!("{}/docs/schema/{name}.schema.json", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(path).unwrap();
-    let schema: Value = serde_json::from_str(&text).unwrap();
-    assert!(jsonschema::draft202012::meta::is_valid(&schema), "{name} is no schema");
-    jsonschema::draft202012::new(&schema).unwrap()
+/// A schema of docs/schema, itself checked against draft 2020-12.
+pub struct Schema {
+    all: Schemas,
+    this: SchemaIndex,
 }
 
-/// Fails with all that the schema has against the record.
-fn assert_valid(schema: &Validator, record: &Value) {
-    let errors: Vec<String> = schema.iter_errors(record).map(|e| format!("{}: {e}", e.instance_path())).collect();
-    assert_eq!(errors, Vec::<String>::new());
+pub fn schema(name: &str) -> Schema {
+    let path = format!("{}/docs/schema/{name}.schema.json", env!("CARGO_MANIFEST_DIR"));
+    let schema: Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema", "{name}");
+    let (mut all, mut compiler) = (Schemas::new(), Compiler::new());
+    compiler.add_resource(&path, schema).unwrap();
+    let this = compiler.compile(&path, &mut all).unwrap_or_else(|e| panic!("{name} is no schema: {e:#}"));
+    Schema { all, this }
+}
+
+impl Schema {
+    pub fn is_valid(&self, record: &Value) -> bool {
+        self.all.validate(record, self.this).is_ok()
+    }
+
+    /// Fails with all that the schema has against the record.
+    pub fn assert_valid(&self, record: &Value) {
+        if let Err(errors) = self.all.validate(record, self.this) {
+            panic!("{errors:#}");
+        }
+    }
 }
 
 /// Every member of every object is needed, and none may be added.
-fn assert_strict(schema: &Validator, record: &Value, optional: &[&str]) {
+fn assert_strict(schema: &Schema, record: &Value, optional: &[&str]) {
     for pointer in objects(record, String::new()) {
         let members: Vec<String> = record.pointer(&pointer).unwrap().as_object().unwrap().keys().cloned().collect();
         let mut more = record.clone();
@@ -115,12 +130,12 @@ fn analyses_are_as_their_schema_says() {
         ["vehicles/quad_pnpn", "vehicles/hexa_ppnnpn", "vehicles/coaxial_x8", "paper/case2", "missions/inspection"]
     {
         let record = json_of(&["analyze", &format!("specs/{spec}.mav"), "--format", "json"], "");
-        assert_valid(&schema, &record);
+        schema.assert_valid(&record);
     }
     // Flat sets, a stuck rotor, and verdicts that flip.
     let spec = format!("{QUAD}faults {{\n    every 1 rotor lost as M\n    mode held {{ rotor 2 stuck at 40 % }}\n}}\n");
     let record = json_of(&["analyze", "-", "--format", "json", "--sweep", "mass=1..2.8kg"], &spec);
-    assert_valid(&schema, &record);
+    schema.assert_valid(&record);
     assert_eq!(record["modes"][1]["facets"], Value::Null);
     assert_eq!(record["modes"][5]["stuck"][1], json!(0.4));
     assert!(!record["flips"].as_array().unwrap().is_empty());
@@ -131,13 +146,13 @@ fn analyses_are_as_their_schema_says() {
 fn reports_are_as_their_schema_says() {
     let schema = schema("report");
     let solved = report_of("compare", &[], &hop("weak"));
-    assert_valid(&schema, &solved);
+    schema.assert_valid(&solved);
     assert!(solved["planners"].as_array().unwrap().iter().all(|p| p["status"] == "solved"));
     assert_strict(&schema, &solved, &[]);
 
     // A mode that cannot hover with a reserve, and a time too short.
     let too_short = report_of("plan", &["--set", "plan.time=0.2s"], &hop("weak"));
-    assert_valid(&schema, &too_short);
+    schema.assert_valid(&too_short);
     assert_eq!(too_short["planners"][0]["status"], "infeasible");
     assert_eq!(too_short["conflict"]["proved"], json!(true));
     let fixes = too_short["conflict"]["fixes"].as_array().unwrap();
@@ -151,7 +166,7 @@ fn flights_are_as_their_schema_says() {
     let flown = |block: &str| {
         let spec = hop("weak").replace("mode weak", "mode three { rotors [1, 2, 3] lost }\n    mode weak") + block;
         let record = json_of(&["simulate", "-", "--quiet", "--report", "-"], &spec);
-        assert_valid(&schema, &record);
+        schema.assert_valid(&record);
         record
     };
     let healthy = flown("");
@@ -175,7 +190,7 @@ fn problems_are_as_their_schema_says() {
     let records: Vec<Value> = lines.lines().map(|l| serde_json::from_str(l).unwrap()).collect();
     assert!(records.len() >= 3, "{lines}");
     for record in &records {
-        assert_valid(&schema, record);
+        schema.assert_valid(record);
     }
     let labelled = records.iter().find(|r| !r["labels"].as_array().unwrap().is_empty());
     assert_strict(&schema, labelled.expect("some problem has a label"), &[]);
@@ -194,20 +209,20 @@ fn certificates_are_as_their_schema_says() {
     let spec = hop("weak").replace("}\nplan {", limits);
     for (time, claim) in [("plan.time=4s", "plan"), ("plan.time=0.5s", "infeasible")] {
         let certificate = certificate_of(&spec, time);
-        assert_valid(&schema, &certificate);
+        schema.assert_valid(&certificate);
         assert!(certificate["claim"][claim].is_object(), "{certificate:#}");
         assert_strict(&schema, &certificate, &[]);
     }
     // Turning yaw: bounds between nodes that differ from those at the nodes.
     let turning = spec.replace("at [1, 0, 1.5] m", "at [1, 0, 1.5] m yaw 90 deg");
-    assert_valid(&schema, &certificate_of(&turning, "plan.time=6s"));
+    schema.assert_valid(&certificate_of(&turning, "plan.time=6s"));
 }
 
 #[test]
 fn exported_programs_are_as_their_schema_says() {
     let schema = schema("qp");
     let record = json_of(&["emit", "qp", "-", "--format", "json"], &hop("weak"));
-    assert_valid(&schema, &record);
+    schema.assert_valid(&record);
     assert_strict(&schema, &record, &[]);
     let size = |m: &str, of: &str| record[m][of].as_u64().unwrap() as usize;
     let length = |m: &str| record[m].as_array().unwrap().len();
