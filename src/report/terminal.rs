@@ -87,7 +87,8 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
             ),
         });
     }
-    if let Some(bound) = model.plan.require_risk {
+    // Without a first plan there is nothing to choose from.
+    if let Some(bound) = model.plan.require_risk.filter(|_| !comparison.trade_off.is_empty()) {
         out.push_str(&trade_off(comparison, bound));
     }
     for run in &comparison.runs {

@@ -82,6 +82,17 @@ fn no_risk_takes_one_line() {
     assert_eq!(apart.matches("risk 0: no mode").count() + apart.matches("risk: that some").count(), 1, "{apart}");
 }
 
+/// What to protect is chosen from a first plan: where there is none no table stands, least of all an empty one.
+#[test]
+fn without_a_first_plan_there_is_nothing_to_protect() {
+    let requiring = TURN.replacen("plan {", "plan { require risk <= 1e-9;", 1);
+    assert_ne!(requiring, TURN);
+    let told = |time: &str| out(&mavc_with(&["plan", "-", "--set", "plan.planner=rsp", "--set", time], &requiring));
+    assert!(told("plan.time=1.7s").contains("What to protect"), "{}", told("plan.time=1.7s"));
+    let early = told("plan.time=0.1s");
+    assert!(early.contains("RSP: ") && !early.contains("What to protect"), "{early}");
+}
+
 /// A plan that is outside, while a stop is found wherever a fault may strike.
 #[test]
 fn no_risk_by_stops_is_told_as_that() {
