@@ -24,7 +24,9 @@ pub fn between(model: &Model, solved: &Solved, found: &[Between]) -> String {
     let passed: Vec<usize> = passed(model, solved).iter().map(|excess| excess.limit).collect();
     let kept = |shown: Shown| {
         let kept = limits.iter().enumerate().filter(|(i, b)| b.shown == shown && !passed.contains(i));
-        let names: Vec<&str> = kept.map(|(_, b)| b.rows).collect();
+        let mut names: Vec<&str> = kept.map(|(_, b)| b.rows).collect();
+        // Two statements may bound one thing, from above and from below.
+        names.dedup();
         match names[..] {
             [] => None,
             [one] => Some(format!("the limit on {one}")),

@@ -32,41 +32,69 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         let holds = holds(model);
         let own =
             if determined(mission).is_some() { "each planner alone" } else { "each planner at its shortest time" };
+        let has_plans =
+            |which: Run| comparison.runs.iter().any(|run| run.run == which && matches!(run.ending, Ending::Solved(_)));
         for (run, title) in [(Run::Own, own), (Run::Common, "all planners at T_d")] {
+            if !has_plans(run) {
+                continue;
+            }
             let held = if holds { "; where the mission holds, the last one without a stop after it" } else { "" };
             let text = format!("Seconds outside each mode's set, and the last instant outside{held}: {title}");
             out.push_str(&format!("\n{}\n", textwrap::fill(&text, WIDTH)));
             out.push_str(&outside_table(model, comparison, run).render(2));
         }
-        out.push_str(risk_note(model, comparison));
-        out.push_str(
-            "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
-        );
-        for run in comparison.runs.iter().filter(|r| r.run == Run::Common) {
-            if let Ending::Solved(solved) = &run.ending {
-                out.push_str(&format!("  {}\n", name_of(run)));
-                out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
+        if has_plans(Run::Own) || has_plans(Run::Common) {
+            out.push_str(risk_note(model, comparison));
+        }
+        if has_plans(Run::Common) {
+            out.push_str(
+                "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
+            );
+            for run in comparison.runs.iter().filter(|r| r.run == Run::Common) {
+                if let Ending::Solved(solved) = &run.ending {
+                    out.push_str(&format!("  {}\n", name_of(run)));
+                    out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
+                }
             }
+            out.push_str(&heat::legend(color));
         }
-        out.push_str(&heat::legend(color));
     }
-    if !comparison.modes.is_empty() {
-        let n = comparison.selected.len();
-        let plural = if n == 1 { "" } else { "s" };
-        out.push_str(&format!(
-            "\nRSP guards {n} facet{plural} of the fault sets{} beside the healthy set's.\n",
-            in_planes(comparison)
-        ));
-    }
-    for run in comparison.runs.iter().filter(|r| r.planner == PlannerKind::Rsp && r.run == Run::Common) {
-        if let Ending::Infeasible { at } = run.ending {
-            out.push_str(&format!(
-                "RSP has no plan in {} s; its own shortest time is in the first table.\n",
-                number(at)
-            ));
-        }
+    out.push_str(&guarded(comparison));
+    if comparison.runs.iter().any(|run| matches!(run.ending, Ending::Inconclusive { .. })) {
+        out.push_str("\nno verdict: no plan was found, and that there is none is not shown.\n");
     }
     out
+}
+
+/// The planner's run at T_d, of which there is one where there is a T_d.
+fn at_common(comparison: &Comparison, planner: PlannerKind) -> Option<&PlannerRun> {
+    comparison.runs.iter().find(|run| run.planner == planner && run.run == Run::Common)
+}
+
+/// Whether facets were selected at all: RIP's plan at T_d selects them.
+fn selects(comparison: &Comparison) -> bool {
+    let rip = at_common(comparison, PlannerKind::Rip);
+    !comparison.modes.is_empty() && rip.is_none_or(|run| matches!(run.ending, Ending::Solved(_)))
+}
+
+/// How many facets RSP guards, and what it lacks where it has no plan.
+fn guarded(comparison: &Comparison) -> String {
+    let n = comparison.selected.len();
+    match (selects(comparison), comparison.common_time.map(number)) {
+        _ if comparison.modes.is_empty() => String::new(),
+        (false, Some(at)) => format!("\nRIP has no plan at T_d = {at} s to select facets by, so there is no RSP.\n"),
+        _ => {
+            let plural = if n == 1 { "" } else { "s" };
+            let planes = in_planes(comparison);
+            let mut text =
+                format!("\nRSP guards {n} facet{plural} of the fault sets{planes} beside the healthy set's.\n");
+            if let Some(Ending::Infeasible { at }) = at_common(comparison, PlannerKind::Rsp).map(|run| &run.ending) {
+                let at = number(*at);
+                text += &format!("RSP has no plan in {at} s; its own shortest time is in the first table.\n");
+            }
+            text
+        }
+    }
 }
 
 /// What the column of risks means, in one line where all of them are zero; nothing where no mode has a rate.
@@ -99,7 +127,7 @@ fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String
         }
         _ => None,
     };
-    let selected = (!comparison.modes.is_empty())
+    let selected = selects(comparison)
         .then(|| format!("RSP has the facets that are selected at T_d = {at} s, at its own time too."));
     let text: Vec<String> = beside.into_iter().chain(selected).collect();
     if text.is_empty() {
@@ -198,6 +226,7 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
     let Some(common) = comparison.common_time else {
         return "\nNo mode has a plan at any time, so there is no time to select facets at.\n".into();
     };
+    let is_free = model.plan.time == MissionTime::Minimum && determined(mission).is_none();
     let mut out = format!("\nRounds of selection, at T_d = {} s; 0 is RIP, 1 the paper's RSP\n", number(common));
     let mut table = Table::new(&[
         "rounds",
@@ -224,6 +253,7 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
             Ending::Inconclusive { .. } => cells.extend(["no verdict", "", "", "", "", ""].map(String::from)),
         }
         cells.push(match &round.own {
+            _ if !is_free => "-".into(),
             Ending::Solved(s) => number(s.time),
             Ending::Infeasible { .. } => "infeasible".into(),
             Ending::Inconclusive { .. } => "none found".into(),
@@ -234,11 +264,9 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
     out.push_str(
         "  margin: the smallest over all modes, in shares of the healthy set's width; outside: the longest over the modes.\n",
     );
-    out.push_str(match model.plan.time {
-        MissionTime::Minimum if determined(mission).is_none() => {
-            "  Each own time was found with the selection redone there; 0.05 s below it no such plan was found.\n"
-        }
-        _ => "  The time is fixed: no own time was looked for.\n",
+    out.push_str(match is_free {
+        true => "  Each own time was found with the selection redone there; 0.05 s below it no such plan was found.\n",
+        false => "  The time is fixed: no own time was looked for.\n",
     });
     out
 }

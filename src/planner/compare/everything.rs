@@ -4,7 +4,7 @@ use super::{Comparison, Ending, Found, Run, Setting, hint_from, label, plan_foun
 use crate::model::{PlanModel, PlannerKind};
 use crate::planner::pool::Pool;
 use crate::planner::rows::{Decision, Planned};
-use crate::planner::search::{Hint, RESOLUTION};
+use crate::planner::search::{Hint, NoTime, RESOLUTION};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
 use rayon::prelude::*;
@@ -84,7 +84,7 @@ impl Setting<'_> {
                         None => (&rip, &self.sets.rip),
                     };
                     let pool = known.pool.translated(of, &rsp_set);
-                    let begins = planned_of(&decision).into_iter().chain(binding).cloned().collect();
+                    let begins = planned_of(&decision).into_iter().chain(out.known.iter().rev()).cloned().collect();
                     self.rsp_own_and_common(
                         &rsp_set,
                         at,
@@ -132,7 +132,7 @@ impl Setting<'_> {
     }
 
     /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there. Where nothing is
-    /// selected it is RIP, whose decision at T_d is `rip_at`.
+    /// selected it is RIP, whose decision at T_d is `rip_at`; without a plan of RIP there is nothing to select by, and no RSP.
     fn rsp_own_and_common(
         &self,
         set: &PlanningSet,
@@ -144,7 +144,12 @@ impl Setting<'_> {
     ) -> (Found, Ending, Effort) {
         let begins: Vec<&Planned> = above_rip.begins.iter().collect();
         if let Some(same) = rip_at {
-            let own = Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
+            let result = match same {
+                Decision::Feasible(_) => rip.result.clone(),
+                Decision::Infeasible => Err(NoTime::Infeasible { up_to: at }),
+                Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at, status: status.clone() }),
+            };
+            let own = Found { result, pool: Pool::default(), effort: Effort::default() };
             self.ended(2);
             return (own, self.common(at, same), Effort::default());
         }

@@ -158,7 +158,11 @@ impl Setting<'_> {
         for _ in 0..=last {
             let set = self.sets.rip.with(selected.clone());
             let name = format!("round {}", chain.len());
-            let begins: Vec<&Planned> = before.iter().chain(known).collect();
+            // In the order of `everything`, so that both have one plan.
+            let begins: Vec<&Planned> = match &before {
+                None => known.iter().collect(),
+                Some(before) => iter::once(before).chain(known.iter().rev()).collect(),
+            };
             let (decision, spent) = self.at(&name, &set, time, Pool::default(), &begins);
             *effort += spent;
             before = super::planned_of(&decision).cloned();

@@ -251,8 +251,16 @@ impl Successive<'_, '_> {
             let smooth = self.smooth(&full.flown())?;
             found = self.kept_near(smooth, full.total, CLOSELY, &mut pool);
         }
-        for planned in begins.iter().filter(|_| !fixed) {
+        // Where waypoints have times of their own another plan serves only if it has the same.
+        let as_long = |other: &Motion| {
+            let pairs = other.profile.segments.iter().zip(full.segments.iter().filter(|s| !s.hold));
+            !fixed || pairs.into_iter().all(|(a, b)| (a.duration - b.duration).abs() <= 1e-9 * full.total)
+        };
+        for planned in begins {
             let other = self.motion_of(planned);
+            if !as_long(&other) {
+                continue;
+            }
             let scaled = other.slower(flown / other.profile.total);
             let worth = |found: &Planned| self.cost(&scaled) < found.objective && self.excess(&scaled) <= 0.0;
             if found.as_ref().is_none_or(worth) {

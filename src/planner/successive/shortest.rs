@@ -29,7 +29,7 @@ impl Successive<'_, '_> {
             };
         }
         if has_fixed_times(self.engine.mission) {
-            return self.shortest_after_fixed_times();
+            return self.shortest_after_fixed_times(begins);
         }
         let mut pool = BTreeSet::new();
         let first = self.first_of(begins, 0.0, &mut pool);
@@ -69,17 +69,33 @@ impl Successive<'_, '_> {
         not_found(time)
     }
 
-    /// Where only the legs after the last fixed time are free: the first of ever longer times with a plan, then bisection.
-    fn shortest_after_fixed_times(&mut self) -> Result<Shortest, NoTime> {
+    /// Where only the legs after the last fixed time are free: the time of another set's plan, or the first of ever longer times
+    /// with a plan, then bisection.
+    fn shortest_after_fixed_times(&mut self, begins: &[&Planned]) -> Result<Shortest, NoTime> {
         let floor = earliest(self.engine.mission);
         let mut low = floor;
         let mut stride = (0.25 * (self.engine.guess() - floor)).max(GRID);
         let mut best: Option<(f64, Planned)> = None;
         let mut proved = true;
+        let mut known: Vec<f64> = begins.iter().map(|planned| planned.profile.total).collect();
+        known.sort_by(f64::total_cmp);
+        known.dedup();
+        for time in known {
+            match self.decide(time, begins) {
+                Decision::Feasible(planned) => {
+                    best = Some((time, *planned));
+                    break;
+                }
+                decision => {
+                    proved &= matches!(decision, Decision::Infeasible);
+                    low = time;
+                }
+            }
+        }
         while best.as_ref().is_none_or(|b| b.0 - low > (LEAST_FINE * b.0).max(GRID)) {
             let try_at = best.as_ref().map_or(low + stride, |b| 0.5 * (low + b.0));
             let time = (try_at / GRID).ceil() / (1.0 / GRID).round();
-            match self.decide(time, &[]) {
+            match self.decide(time, begins) {
                 Decision::Feasible(planned) => best = Some((time, *planned)),
                 _ if best.as_ref().is_some_and(|b| time >= b.0) => break,
                 decision => {
