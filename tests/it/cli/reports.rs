@@ -82,6 +82,15 @@ fn no_risk_takes_one_line() {
     assert_eq!(apart.matches("risk 0: no mode").count() + apart.matches("risk: that some").count(), 1, "{apart}");
 }
 
+/// RSP has the facets that RIP's plan at T_d passes, so without that plan there is no RSP, at no time.
+#[test]
+fn without_a_plan_to_select_by_there_is_no_rsp() {
+    let text = out(&mavc_with(&["compare", "-", "--set", "plan.time=0.5s"], TURN));
+    assert!(text.contains("RIP has no plan at T_d = 0.5 s to select facets by, so there is no RSP."), "{text}");
+    assert!(!text.contains("RSP guards") && text.matches("RSP          infeasible").count() == 2, "{text}");
+    assert!(!text.contains("comes to the edge"), "a heading without plans:\n{text}");
+}
+
 /// What to protect is chosen from a first plan: where there is none no table stands, least of all an empty one.
 #[test]
 fn without_a_first_plan_there_is_nothing_to_protect() {

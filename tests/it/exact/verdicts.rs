@@ -2,9 +2,13 @@
 
 use super::{compared, last, planning};
 use crate::vehicles::{limit, mission, waypoint};
-use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
+use mavc::admissible::AdmissibleSet;
+use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind, elaborate, load};
 use mavc::planner::compare::Ending;
-use mavc::planner::successive::NOT_FOUND;
+use mavc::planner::rows::{Decision, Engine, Planned};
+use mavc::planner::sets::PlanningSets;
+use mavc::planner::successive::{NOT_FOUND, Successive};
+use mavc::planner::wrench_model::WrenchModel;
 use mavc::report::terminal;
 use std::io::Write;
 use std::process::{Command, Stdio};
@@ -156,4 +160,41 @@ fn exit_codes_tell_proved_from_not_found() {
     let (code, text) = plan(&format!("{up} yaw 150 deg"), "time = 1 s");
     assert_eq!(code, 4, "{text}");
     assert!(text.contains("that there is none is not shown") && !text.contains("cannot hold together"), "{text}");
+}
+
+/// Across in 2.5 s, then around the corner and back: against both modes there is a plan of 7.01 s.
+const DASH: &str = r#"
+vehicle hexa {
+    layout  = "PPNNPN"
+    arm     = 30 cm
+    mass    = 3.4 kg
+    inertia = [0.05, 0.05, 0.09] kg*m^2
+    rotor { max_thrust = 13 N; torque_per_thrust = 17 mm; max_speed = 7500 rpm }
+}
+faults { every 1 rotor lost as M }
+mission dash {
+    start at [0, 0, 5] m yaw 0 deg
+    waypoint at [8, 0, 5] m time 2.5 s
+    waypoint at [8, 8, 9] m yaw 120 deg
+    waypoint at [0, 8, 5] m yaw 180 deg
+    limits { tilt <= 30 deg; yaw_rate <= 60 deg/s }
+}
+plan { planner = rcp; against = [M1, M2]; time = 7.01 s; samples = 60 }
+"#;
+
+/// Where a waypoint has a time of its own another set's plan of the same times is begun from too: one mode leaves all that two do.
+#[test]
+fn with_fixed_times_one_mode_has_the_plan_of_two() {
+    let (files, _) = load("dash.mav", DASH.as_bytes(), &|_| Err(std::io::ErrorKind::NotFound.into()));
+    let model = elaborate(&files, &[]).value.unwrap();
+    let (sets, healthy) = (PlanningSets::of(&model), AdmissibleSet::healthy(&model));
+    let mut engine = Engine::new(&model, model.mission.as_ref().unwrap(), &healthy);
+    let mut plan =
+        |set, begins: &[&Planned]| match Successive::new(&mut engine, WrenchModel::Exact, set).decide(7.01, begins) {
+            Decision::Feasible(planned) => planned,
+            other => panic!("{other:?}"),
+        };
+    let both = plan(&sets.joint, &[]);
+    let one = plan(&sets.singles[1], &[&both]);
+    assert!(one.objective <= 1.01 * both.objective, "{} and {} for both", one.objective, both.objective);
 }
