@@ -37,8 +37,8 @@ pub fn wrench_and_jacobian(vehicle: &Vehicle, gravity: f64, state: &FlatState) -
     jacobian(|s| Course::new(gravity, &s).wrench(vehicle), state)
 }
 
-/// Second derivatives of n.w with respect to the flat state, 12 x 12: forward-mode derivatives of its gradient, at a
-/// twentieth of the cost of forward mode twice (measured).
+/// Second derivatives of n.w with respect to the flat state, 12 x 12: forward-mode derivatives of its gradient, 13
+/// numbers in each operation instead of the 157 of forward mode twice.
 pub fn curvature(vehicle: &Vehicle, gravity: f64, state: &FlatState, n: &Wrench) -> SMatrix<f64, INPUTS, INPUTS> {
     jacobian(|s| Course::new(gravity, &s).gradient(vehicle, n), state).1
 }
