@@ -1,20 +1,33 @@
 //! Certificates: what a sceptic needs to check a plan, or that there is none, without the planner. Here are the JSON
-//! records, whose schema is `docs/schema/certificate.schema.json`; [`plan`] and [`infeasible`] write them from results,
-//! `crate::verify` decides them. [`between`] asks it for what reports say of a plan.
+//! records alone, whose schema is `docs/schema/certificate.schema.json`; `crate::certify` writes them, `crate::verify`
+//! decides them.
+//!
+//! A certificate carries only a witness: a motion, or multipliers. What has to hold of it follows from the spec, and the
+//! checker works that out itself.
 
-pub mod between;
-pub mod infeasible;
-pub mod plan;
+mod bounded;
 
-use crate::model::{Mission, MissionTime, Model};
-use crate::planner::compare::{Comparison, Ending};
+use bounded::{at_most, numbers, rotors};
 use serde::{Deserialize, Serialize};
 
 /// A certificate file may have at most this many bytes.
 pub const MAX_BYTES: usize = 64 << 20;
 
+/// A motion has at most this many nodes: the most samples that a spec may ask for, and a piece for each leg and hold of the
+/// longest mission.
+pub const MAX_NODES: usize = crate::model::MAX_SAMPLES + 2 * crate::model::MAX_WAYPOINTS + 1;
+
+/// Facets of one certificate.
+pub const MAX_FACETS: usize = 50_000;
+
+/// Multipliers of one certificate.
+pub const MAX_MULTIPLIERS: usize = 1_000_000;
+
+/// Motions that RSP selects facets by: one for each round.
+pub const MAX_SELECTIONS: usize = crate::model::MAX_ROUNDS;
+
 /// The version of the records.
-pub const SCHEMA: u32 = 1;
+pub const SCHEMA: u32 = 2;
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a certificate")]
@@ -39,27 +52,20 @@ pub enum DynamicModel {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Claim {
+    /// The motion is a plan of the spec.
     Plan(PlanClaim),
+    /// The spec has no plan on its grid of nodes.
     Infeasible(InfeasibleClaim),
 }
 
-/// A motion, and what is claimed of it.
+/// A motion that is a plan of the spec.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlanClaim {
     pub motion: MotionRecord,
-    /// The pieces of the motion join within this: |gap of the i-th derivative| h^i, h the piece's duration; m and rad.
-    pub joins_within: f64,
-    /// No waypoint is missed by more than its tolerance and this, m.
-    pub position_excess_m: f64,
-    /// No yaw is missed by more than its tolerance and this, rad.
-    pub yaw_excess_rad: f64,
-    /// One for each limit of the mission, in the order written.
-    pub limits: Vec<LimitClaim>,
-    /// The modes whose sets hold the wrench: all that the planner is to stand.
-    pub sets: Vec<SetClaim>,
-    /// The facets that were imposed.
-    pub facets: Vec<FacetClaim>,
+    /// Of RSP: the plans it selects facets by, the RIP plan first, then one for each further round.
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_SELECTIONS, _, _>")]
+    pub selected_by: Vec<MotionRecord>,
 }
 
 /// Node times and derivatives at the nodes. Inputs (the highest derivative of each axis) are linear between nodes; a
@@ -67,76 +73,63 @@ pub struct PlanClaim {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MotionRecord {
+    #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub times_s: Vec<f64>,
     /// Up to the fourth derivative, SI.
+    #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub x: Vec<[f64; 5]>,
+    #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub y: Vec<[f64; 5]>,
-    /// Up to the second derivative in the hover model, up to the fourth in the exact one.
-    pub z: Vec<Vec<f64>>,
+    #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
+    pub z: Vec<Vertical>,
     /// Up to the second derivative.
+    #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub yaw: Vec<[f64; 3]>,
     /// The node at which each waypoint is reached.
+    #[serde(deserialize_with = "at_most::<MAX_NODES, _, _>")]
     pub waypoint_nodes: Vec<usize>,
 }
 
-/// When a bound holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Scope {
-    /// At both ends of every piece.
-    Nodes,
-    /// At so many evenly spaced points of every piece beside its ends.
-    Grid(usize),
-    EveryInstant,
-}
-
-/// A quantity exceeds what it may be by at most `excess` (negative: it keeps clear by so much) wherever `scope` says.
+/// z and its derivatives at a node, SI.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Bound {
-    pub scope: Scope,
-    pub excess: f64,
+#[serde(untagged, expecting = "three derivatives of z in the hover model or five in the exact one")]
+pub enum Vertical {
+    /// Up to the second derivative.
+    Hover([f64; 3]),
+    /// Up to the fourth.
+    Exact([f64; 5]),
 }
 
-/// A limit of the mission. The excess is in the limit's SI unit; of tilt it is |(x'', y'')| cos L - (z'' + g) sin L
-/// over g.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct LimitClaim {
-    /// What is limited, in words.
-    pub limit: String,
-    /// SI
-    pub lower: Option<f64>,
-    pub upper: Option<f64>,
-    pub bounds: Vec<Bound>,
+impl Vertical {
+    pub fn derivatives(&self) -> &[f64] {
+        match self {
+            Vertical::Hover(z) => z,
+            Vertical::Exact(z) => z,
+        }
+    }
 }
 
-/// The wrench, and what rotors that lag are commanded, stay inside a mode's set, shrunk by the reserve. The excess is the largest over all planes that bound
-/// the set, as a share of the healthy set's width.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SetClaim {
-    /// `healthy`, or a fault mode's name.
-    pub mode: String,
-    /// Of the wrench.
-    pub bounds: Vec<Bound>,
-    /// Of what the rotors are commanded, where they lag: w + tau w'.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub commands: Vec<Bound>,
+impl MotionRecord {
+    pub fn nodes(&self) -> usize {
+        self.times_s.len()
+    }
 }
 
-/// There is no motion whose inputs are linear between these nodes and that keeps every row: with these multipliers the
-/// rows add up to a contradiction. Holds are left out: nothing changes in them.
+/// There is no motion whose inputs are linear between the nodes of the spec's grid and that keeps every row: with these
+/// multipliers the rows add up to a contradiction. Holds are left out: nothing changes in them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct InfeasibleClaim {
-    pub times_s: Vec<f64>,
-    pub waypoint_nodes: Vec<usize>,
+    /// Of RSP: the plans it selects facets by, as for [`PlanClaim`].
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_SELECTIONS, _, _>")]
+    pub selected_by: Vec<MotionRecord>,
+    #[serde(deserialize_with = "at_most::<MAX_FACETS, _, _>")]
     pub facets: Vec<FacetRecord>,
     /// In the exact model: facets whose normals, weighed, add up to the axis of T, so that their offsets bound the
     /// thrust.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_FACETS, _, _>")]
     pub thrust: Vec<FacetWeight>,
+    #[serde(deserialize_with = "at_most::<MAX_MULTIPLIERS, _, _>")]
     pub multipliers: Vec<Multiplier>,
 }
 
@@ -154,6 +147,7 @@ pub struct FacetWeight {
 #[serde(deny_unknown_fields)]
 pub struct Multiplier {
     pub row: RowRecord,
+    #[serde(deserialize_with = "numbers")]
     pub z: Vec<f64>,
 }
 
@@ -169,46 +163,20 @@ pub enum Side {
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum RowRecord {
     /// A derivative that is zero at rest; axes count x, y, z, yaw from 0.
-    Rest {
-        node: usize,
-        axis: usize,
-        derivative: usize,
-    },
+    Rest { node: usize, axis: usize, derivative: usize },
     /// `facets[facet]` at a node.
-    Facet {
-        facet: usize,
-        node: usize,
-    },
-    /// The same of what rotors that lag are commanded there; `interval`, beside the node, tells which slopes of the
+    Facet { facet: usize, node: usize },
+    /// The same of what rotors that lag are commanded there; `interval`, beside the node, chooses which slopes of the
     /// inputs are meant.
-    Commands {
-        facet: usize,
-        node: usize,
-        interval: usize,
-    },
+    Commands { facet: usize, node: usize, interval: usize },
     /// A bound on one coordinate or rate.
-    Limit {
-        limit: usize,
-        node: usize,
-        side: Side,
-    },
-    /// A bound on a norm; `interval` tells which z''' of a jerk is meant.
-    LimitNorm {
-        limit: usize,
-        node: usize,
-        interval: usize,
-    },
+    Limit { limit: usize, node: usize, side: Side },
+    /// A bound on a norm; `interval` chooses which z''' of a jerk is meant.
+    LimitNorm { limit: usize, node: usize, interval: usize },
     /// m |(x'', y'', z'' + g)| is at most the thrust that `thrust` shows to be the largest.
-    Thrust {
-        node: usize,
-    },
-    Waypoint {
-        waypoint: usize,
-    },
-    WaypointYaw {
-        waypoint: usize,
-        side: Side,
-    },
+    Thrust { node: usize },
+    Waypoint { waypoint: usize },
+    WaypointYaw { waypoint: usize, side: Side },
 }
 
 /// A facet of a mode's set, by rotors and the side it is on. Where the spec has intervals it is the row that holds for all
@@ -218,58 +186,10 @@ pub enum RowRecord {
 pub struct FacetRecord {
     pub mode: String,
     /// Three rotors, from 1, whose wrenches span it; with the pseudo-inverse the one rotor at a bound.
+    #[serde(deserialize_with = "rotors")]
     pub rotors: Vec<usize>,
     /// Of length 1 in N and N m.
     pub normal: [f64; 4],
     /// The largest `normal . w` over the set, before the reserve.
     pub offset: f64,
-}
-
-/// How the planned wrench keeps to a facet.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct FacetClaim {
-    pub facet: FacetRecord,
-    /// Of the wrench, the reserve taken off; shares of the healthy set's width.
-    pub bounds: Vec<Bound>,
-    /// The same of what the rotors are commanded, where they lag.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub commands: Vec<Bound>,
-}
-
-/// The certificate of the last run's outcome. It is checked before it is given: what is written is accepted.
-///
-/// # Errors
-/// Why there is none.
-pub fn of(
-    model: &Model,
-    mission: &Mission,
-    comparison: &Comparison,
-    spec_sha256: String,
-) -> Result<Certificate, String> {
-    match comparison.runs.last().map(|run| (run, &run.ending)) {
-        Some((run, Ending::Solved(solved))) => {
-            let certificate = plan::certificate(model, mission, run, solved, spec_sha256)?;
-            match crate::verify::decide(&certificate, model) {
-                Ok(_) => Ok(certificate),
-                Err(rejection) => Err(format!("{}: {}", rejection.claim, rejection.detail)),
-            }
-        }
-        Some((run, Ending::Infeasible { at })) if has_one_time(model, mission) => {
-            infeasible::certificate(model, mission, run, *at, spec_sha256)
-        }
-        Some((_, Ending::Infeasible { .. })) => Err("no plan at many times is more than a certificate says".into()),
-        _ => Err("there is no verdict".into()),
-    }
-}
-
-/// Whether the spec leaves one mission time only, so that having no plan then is having none.
-fn has_one_time(model: &Model, mission: &Mission) -> bool {
-    matches!(model.plan.time, MissionTime::Fixed(_)) || mission.waypoints.last().is_some_and(|w| w.time.is_some())
-}
-
-impl MotionRecord {
-    pub fn nodes(&self) -> usize {
-        self.times_s.len()
-    }
 }

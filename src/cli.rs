@@ -22,6 +22,7 @@ mod verify;
 mod watch;
 mod why;
 
+use crate::verify::cost::Budget;
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -38,6 +39,10 @@ pub const NO_PLAN: u8 = 3;
 pub const INCONCLUSIVE: u8 = 4;
 /// A certificate does not show what it claims.
 pub const REJECTED: u8 = 5;
+/// `verify` accepts the certificate, which is weaker than the spec asks.
+pub const WEAKER: u8 = 7;
+/// `verify` would need more than its budget.
+pub const OVER_BUDGET: u8 = 8;
 /// The simulated vehicle is lost.
 pub const LOST: u8 = 6;
 
@@ -47,7 +52,7 @@ pub const LOST: u8 = 6;
     version,
     long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
     about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
-    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict; 5 the certificate is rejected; 6 the simulated vehicle is lost. SPEC may be `-` for standard input."
+    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 not found; 5 the certificate is rejected; 6 the simulated vehicle is lost;\n7 the certificate is true but weaker than the spec asks; 8 deciding it would exceed the budget. SPEC may be `-` for standard input."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -197,6 +202,9 @@ pub(crate) struct VerifyArgs {
     certificate: PathBuf,
     #[command(flatten)]
     spec: SpecArgs,
+    /// What deciding it may cost at most; more work may also prove more between the nodes
+    #[arg(long, value_name = "10s,500MB", value_parser = verify::parse_budget)]
+    budget: Option<Budget>,
 }
 
 #[derive(Args)]

@@ -4,6 +4,7 @@ pub mod actuation;
 pub mod admissible;
 pub mod campaign;
 pub mod certificate;
+pub mod certify;
 pub mod cli;
 pub mod diagnostic;
 pub mod explain;

@@ -14,6 +14,7 @@ mod fault;
 mod fields;
 mod flight;
 mod function;
+pub mod grid;
 mod interval;
 mod lag;
 mod legs;

@@ -1,15 +1,19 @@
-//! Decides certificates with code of its own: from the spec's [`Model`] and the certificate's numbers alone, in
-//! interval and exact arithmetic. Nothing of the planner, the sets or the solver is used, so an error there does not
-//! pass here.
+//! Decides certificates with code of its own: from the spec's [`Model`] and the certificate's witness alone, in interval
+//! and exact arithmetic. Nothing of the planner, the sets or the solver is used, so an error there does not pass here.
+//! What has to hold, and where, follows from the spec; docs/certificates.md states it as a theorem, whose premises
+//! [`Premise`] lists.
 
+pub mod cost;
 pub mod dyadic;
 pub mod facets;
 mod infeasible;
 pub mod interval;
+pub mod joints;
 pub mod lag;
 pub mod limits;
 pub mod motion;
 pub mod plan;
+mod premise;
 pub mod proof;
 mod read;
 mod schedule;
@@ -17,25 +21,29 @@ pub mod series;
 pub mod sets;
 pub mod wrench;
 
-use crate::certificate::{Bound, Certificate, Claim, DynamicModel, Scope};
+use crate::certificate::{Certificate, Claim, DynamicModel};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Allocation, FaultMode, Model, PlanModel, PlannerKind};
+use crate::model::{Allocation, FaultMode, Mission, Model, PlanModel, PlannerKind};
 use crate::report::number::number;
 use crate::source::Span;
-use plan::Checker;
+use cost::{Budget, Estimate};
+use plan::Setting;
 use proof::{Failure, Measure};
 
+pub use premise::{Premise, Premises};
 pub use read::{MALFORMED, Read, read};
 
 /// A certificate that does not show what it claims.
 pub const REJECTED: &str = "mavc::verify::rejected";
 /// A certificate of another spec.
 pub const OTHER_SPEC: &str = "mavc::verify::other_spec";
+/// A certificate that would cost more to decide than the budget.
+pub const TOO_COSTLY: &str = "mavc::verify::too_costly";
 
-/// The first claim found that does not stand.
+/// The first thing found that does not hold.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rejection {
-    /// What is claimed of: a set, a limit, a waypoint.
+    /// What does not hold: a set, a limit, a waypoint.
     pub claim: String,
     pub detail: String,
     /// s
@@ -49,69 +57,144 @@ impl Rejection {
         Rejection { claim: claim.into(), detail: detail.into(), at: None, span: None }
     }
 
-    /// A bound that does not stand; `place` says where beside the instant.
-    fn of_bound(bound: &Bound, failure: &Failure, measure: Measure, place: String) -> Self {
-        let [claimed, found] = [bound.excess, failure.excess].map(|excess| measure.kept_or_passed(excess));
-        let of = measure.whole.map_or(String::new(), |whole| format!(" ({whole})"));
-        let detail = match failure.refuted {
-            true => format!("it is {found}{place}; claimed: {claimed}{of}"),
-            false => format!("that it is {claimed} could not be proved{place}{of}"),
-        };
-        Rejection { at: Some(failure.at), ..Rejection::new("", detail) }
+    /// What does not hold, when and why.
+    pub fn sentence(&self) -> String {
+        let at = self.at.map_or(String::new(), |t| format!(" at {} s", number(t)));
+        format!("{}{at}: {}", self.claim, self.detail)
+    }
+}
+
+/// Why a certificate is not accepted.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Refusal {
+    /// Something does not hold.
+    Rejected(Rejection),
+    /// It would cost more than the budget; nothing was decided.
+    Budget { estimate: Estimate, budget: Budget },
+}
+
+impl From<Rejection> for Refusal {
+    fn from(rejection: Rejection) -> Self {
+        Refusal::Rejected(rejection)
+    }
+}
+
+impl Refusal {
+    /// In one sentence.
+    pub fn sentence(&self) -> String {
+        match self {
+            Refusal::Rejected(rejection) => rejection.sentence(),
+            Refusal::Budget { estimate, budget } => format!(
+                "deciding it takes about {} s and {} MB, and the budget is {} s and {} MB",
+                number(estimate.seconds()),
+                megabytes(estimate.bytes),
+                number(budget.seconds),
+                megabytes(budget.bytes)
+            ),
+        }
     }
 
     fn diagnostic(&self, claim: &Claim, model: &Model) -> Diagnostic {
-        let at = self.at.map_or(String::new(), |t| format!(" at {} s", number(t)));
-        let message = format!("the certificate is rejected: {}{at}: {}", self.claim, self.detail);
-        let error = Diagnostic::error(REJECTED, self.span.unwrap_or(model.plan.span), message);
-        let unproved = match claim {
-            Claim::Plan(_) => "the plan does not hold",
-            Claim::Infeasible(_) => "it is open whether there is a plan",
-        };
-        error.here("not shown for this").help(format!(
-            "write the certificate anew with `mavc plan --certificate`; if that one is rejected too, {unproved}"
-        ))
+        match self {
+            Refusal::Rejected(rejection) => {
+                let message = format!("the certificate is rejected: {}", rejection.sentence());
+                let error = Diagnostic::error(REJECTED, rejection.span.unwrap_or(model.plan.span), message);
+                let open = match claim {
+                    Claim::Plan(_) => "the motion is not a plan of this spec",
+                    Claim::Infeasible(_) => "it is open whether there is a plan",
+                };
+                error.here("not shown for this").help(format!(
+                    "write the certificate anew with `mavc plan --certificate`; if that one is rejected too, {open}"
+                ))
+            }
+            Refusal::Budget { estimate, .. } => {
+                let message = format!("the certificate is not decided: {}", self.sentence());
+                let error = Diagnostic::error(TOO_COSTLY, model.plan.span, message);
+                let seconds = estimate.seconds().ceil();
+                let size = megabytes(estimate.bytes);
+                error.here("what this asks for is too costly").help(format!(
+                    "allow more with `--budget {}s,{size}MB`, or plan with fewer samples or modes",
+                    number(seconds)
+                ))
+            }
+        }
     }
 }
 
-/// How far a claim is shown.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reach {
-    /// `None` where it is about no motion.
-    pub scope: Option<Scope>,
-    /// A wider scope, and by how much the quantity exceeds what it may be there, where that is more than nothing.
-    pub beyond: Option<(Bound, Measure)>,
+/// Rounded up, so that the figure printed is enough.
+fn megabytes(bytes: u64) -> u64 {
+    bytes.div_ceil(1_000_000)
 }
 
-/// What stands, and where it does.
+/// Where a row is shown to hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// At the nodes that the spec's samples ask for.
+    Nodes,
+    /// On a grid of [`plan::OF_A_GRID`] points between two nodes.
+    Grid,
+    EveryInstant,
+}
+
+/// How far beyond the nodes rows are shown to hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    pub scope: Scope,
+    /// By how much they are exceeded between the nodes, where a grid shows that they are.
+    pub beyond: Option<Beyond>,
+}
+
+/// By how much rows are exceeded between the nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Beyond {
+    pub excess: f64,
+    /// s
+    pub at: f64,
+    pub measure: Measure,
+    /// Proved for every instant; otherwise seen on the grid.
+    pub throughout: bool,
+}
+
+impl Reach {
+    const NODES: Reach = Reach { scope: Scope::Nodes, beyond: None };
+    const EVERY_INSTANT: Reach = Reach { scope: Scope::EveryInstant, beyond: None };
+
+    fn exceeded(worst: Failure, measure: Measure) -> Self {
+        let beyond = Beyond { excess: worst.excess, at: worst.at, measure, throughout: false };
+        Reach { scope: Scope::Nodes, beyond: Some(beyond) }
+    }
+
+    /// Why a statement is weaker than the spec asks, if it is.
+    fn weaker(&self, statement: &str) -> Option<String> {
+        match (self.scope, self.beyond) {
+            (Scope::EveryInstant, _) => None,
+            (Scope::Grid, _) => Some(format!("{statement}: not proved between the points of a grid")),
+            (Scope::Nodes, None) => Some(format!("{statement}: shown at the nodes alone")),
+            (Scope::Nodes, Some(beyond)) => {
+                let by = beyond.measure.of(beyond.excess);
+                let of = beyond.measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
+                let most = if beyond.throughout { "at most " } else { "" };
+                Some(format!("{statement}: exceeded between the nodes by {most}{by}{of}, at {} s", number(beyond.at)))
+            }
+        }
+    }
+}
+
+/// A statement, and where it is shown to hold.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shown {
     pub statement: String,
-    pub reach: Reach,
-    /// So many of the kind.
-    pub count: usize,
+    /// `None` where it is about no motion.
+    pub reach: Option<Reach>,
 }
 
 impl Shown {
     fn new(statement: String, reach: Reach) -> Self {
-        Shown { statement, reach, count: 1 }
+        Shown { statement, reach: Some(reach) }
     }
 
     fn at_nodes(statement: String) -> Self {
-        Shown::new(statement, Reach { scope: Some(Scope::Nodes), beyond: None })
-    }
-
-    /// A proof about all motions.
-    fn proved(statement: String) -> Self {
-        Shown::new(statement, Reach { scope: None, beyond: None })
-    }
-
-    /// One more of a kind.
-    fn count(shown: &mut Vec<Shown>, statement: &str, reach: Reach) {
-        match shown.iter_mut().find(|s| s.statement == statement && s.reach == reach) {
-            Some(same) => same.count += 1,
-            None => shown.push(Shown::new(statement.into(), reach)),
-        }
+        Shown::new(statement, Reach::NODES)
     }
 }
 
@@ -139,32 +222,33 @@ fn faults_may_add(model: &Model) -> bool {
     vehicle.allocation == Allocation::PseudoInverse || vehicle.rotors.iter().any(|r| r.min_speed > 0.0)
 }
 
-/// What a certificate shows.
+/// What an accepted certificate shows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
-    /// Every claim, in order.
+    /// One sentence about the spec.
+    pub headline: String,
+    /// What holds, and where.
     pub shown: Vec<Shown>,
-    /// What a plan's certificate claims of each mode that the spec's plan is against.
-    pub guarded: Vec<Guarded>,
+    /// In what it is weaker than the spec asks; empty where it is as strong.
+    pub weaker: Vec<String>,
+    /// What could not be decided at all, of what is in `weaker`.
+    pub undecided: Vec<String>,
 }
 
-/// How much of a mode's set is claimed to be kept to.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Guarded {
-    pub mode: String,
-    /// All of it.
-    pub whole: bool,
-    /// So many different facets.
-    pub facets: usize,
+/// How a decision is made.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Settings {
+    pub budget: Budget,
+    pub premises: Premises,
 }
 
 /// Decides a certificate for a checked spec with the given hash.
 ///
 /// # Errors
-/// It was written for another spec, or shows less than it claims.
-pub fn verify(read: &Read, model: &Model, spec_sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
+/// It was written for another spec, does not hold, or costs more than the budget.
+pub fn verify(read: &Read, model: &Model, spec_sha256: &str, settings: Settings) -> Result<Verdict, Box<Diagnostic>> {
     let certificate = &read.certificate;
-    if certificate.spec_sha256 != spec_sha256 {
+    if settings.premises.has(Premise::Spec) && certificate.spec_sha256 != spec_sha256 {
         // As many digits as tell specs apart.
         let [written, given] = [&certificate.spec_sha256, spec_sha256].map(|hash| hash.chars().take(12).collect());
         let (written, given): (String, String) = (written, given);
@@ -172,33 +256,60 @@ pub fn verify(read: &Read, model: &Model, spec_sha256: &str) -> Result<Verdict, 
         let error = Diagnostic::error(OTHER_SPEC, read.hash, message).here("not the SHA-256 of the spec given");
         return Err(error.help("give the spec it was written for, with the same files and the same `--set`").into());
     }
-    decide(certificate, model).map_err(|r| r.diagnostic(&certificate.claim, model).into())
+    decide(certificate, model, settings).map_err(|r| r.diagnostic(&certificate.claim, model).into())
 }
 
 /// Decides a certificate that is known to be about this model.
-pub fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejection> {
+///
+/// # Errors
+/// It does not hold, or costs more than the budget.
+pub fn decide(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Verdict, Refusal> {
+    decided(certificate, model, settings, true)
+}
+
+/// Decides a certificate at the nodes alone: whether a plan is one, without how far its rows hold between them.
+///
+/// # Errors
+/// As for [`decide`].
+pub fn decide_at_nodes(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Verdict, Refusal> {
+    decided(certificate, model, settings, false)
+}
+
+fn decided(certificate: &Certificate, model: &Model, settings: Settings, between: bool) -> Result<Verdict, Refusal> {
     let Some(mission) = &model.mission else {
-        return Err(Rejection::new("the mission", "the spec has none"));
+        return Err(Rejection::new("the mission", "the spec has none").into());
     };
     let asked = match model.plan.model {
         PlanModel::Hover => DynamicModel::Hover,
         PlanModel::Exact => DynamicModel::Exact,
     };
-    if certificate.model != asked {
+    if settings.premises.has(Premise::Equations) && certificate.model != asked {
         let name = model.plan.model.name();
-        return Err(Rejection::new(
-            "the model",
-            format!("the certificate has another, the spec plans with `model = {name}`"),
-        ));
+        let why = format!("the certificate has another, and the spec plans with `model = {name}`");
+        return Err(Rejection::new("the model", why).into());
     }
+    let setting = Setting::new(model, mission, certificate.model, settings.premises);
     match &certificate.claim {
         Claim::Plan(claim) => {
-            let mut checker = Checker::new(model, mission, certificate.model, &claim.motion)?;
-            Ok(Verdict { shown: checker.decide(claim)?, guarded: checker.guarded(claim) })
+            let found = setting.decide(claim, settings.budget, between)?;
+            let headline = plan_headline(model, mission, found.total, claim.selected_by.len());
+            Ok(Verdict { headline, shown: found.shown, weaker: found.weaker, undecided: found.undecided })
         }
-        Claim::Infeasible(claim) => {
-            let shown = infeasible::decide(model, mission, certificate.model, claim)?;
-            Ok(Verdict { shown, guarded: Vec::new() })
-        }
+        Claim::Infeasible(claim) => infeasible::decide(&setting, certificate.model, claim, settings.budget),
     }
+}
+
+/// What an accepted plan is, in a sentence.
+fn plan_headline(model: &Model, mission: &Mission, total: f64, selected_by: usize) -> String {
+    let planner = model.plan.planner.name().to_uppercase();
+    let selection = match selected_by {
+        0 => String::new(),
+        1 => ", for the selection by the RIP plan carried".into(),
+        rounds => format!(", for the selection by the {rounds} plans carried"),
+    };
+    let in_hover = match model.plan.model {
+        PlanModel::Hover => " in the linear model about hover",
+        PlanModel::Exact => "",
+    };
+    format!("the motion of {} s is a plan of mission {} by {planner}{in_hover}{selection}", number(total), mission.name)
 }

@@ -6,7 +6,7 @@ use super::target::{Target, cannot_write, write};
 use super::why::why;
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::diagnose;
-use crate::certificate::{self, between};
+use crate::certify::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
 use crate::model::{MAX_ROUNDS, Mission, Model};
@@ -44,7 +44,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let certified = proof.as_ref().map(|target| {
         let begin = Instant::now();
         progress.say("making the certificate".into());
-        let certificate = certificate::of(&model, &mission, &comparison, loaded.sha256());
+        let certificate = certify::of(&model, &mission, &comparison, loaded.sha256());
         timing(options, "certify", begin);
         (target, certificate)
     });
@@ -289,9 +289,12 @@ pub(super) fn plan_for(
     let begin = Instant::now();
     let progress = Progress::new(options);
     let tell = |planner: &str, time: f64| progress.tell(planner, time);
-    let comparison = compare_planners(model, mission, scope, Some(&tell));
+    let mut comparison = compare_planners(model, mission, scope, Some(&tell));
     progress.done();
     timing(options, "plan", begin);
+    let checking = Instant::now();
+    certify::check(model, mission, &mut comparison);
+    timing(options, "check", checking);
     if options.timings {
         let e = comparison.effort;
         files::tell(&format!(

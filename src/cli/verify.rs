@@ -1,13 +1,14 @@
 //! `mavc verify`: decide a certificate.
 
 use super::spec::{self, timing};
-use super::{FINE, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, files};
-use crate::certificate::{MAX_BYTES, Scope};
-use crate::model::PlannerKind;
+use super::{FINE, OVER_BUDGET, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, WEAKER, files};
+use crate::certificate::MAX_BYTES;
 use crate::report::table::Table;
 use crate::report::terminal::WIDTH;
 use crate::source::{FileId, Source};
-use crate::verify::{Guarded, Reach, Verdict, read, verify};
+use crate::verify::cost::Budget;
+use crate::verify::plan::OF_A_GRID;
+use crate::verify::{Reach, Scope, Settings, TOO_COSTLY, Verdict, read, verify};
 use std::time::Instant;
 
 pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
@@ -31,72 +32,72 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     let begin = Instant::now();
     let text = Source::from_bytes(spec::name(&name), &bytes).unwrap_or_else(|broken| broken.source);
     let file = loaded.files.sources.add(text);
-    let verdict = read(&bytes, file).and_then(|certificate| verify(&certificate, &model, &sha256));
+    let settings = Settings { budget: args.budget.unwrap_or_default(), ..Settings::default() };
+    let verdict = read(&bytes, file).and_then(|certificate| verify(&certificate, &model, &sha256, settings));
     timing(options, "verify", begin);
     match verdict {
         Ok(verdict) => {
-            files::print(&table(&verdict, model.plan.planner))?;
-            files::print(&format!("{name}: every claim holds\n"))?;
-            Ok(FINE)
+            files::print(&report(&name, &verdict))?;
+            Ok(if verdict.weaker.is_empty() { FINE } else { WEAKER })
         }
         Err(diagnostic) => {
+            let code = if diagnostic.code == TOO_COSTLY { OVER_BUDGET } else { REJECTED };
             loaded.diagnostics.push(*diagnostic);
             loaded.tell(options);
-            Ok(REJECTED)
+            Ok(code)
         }
     }
 }
 
-/// Every claim and how far it is shown, then what is not claimed.
-fn table(verdict: &Verdict, planner: PlannerKind) -> String {
+/// What is shown, then in what it is weaker than the spec asks.
+fn report(name: &str, verdict: &Verdict) -> String {
     let mut table = Table::new(&["shown", "where"]);
     for shown in &verdict.shown {
-        let statement = match (shown.count, shown.statement.strip_prefix("facets of")) {
-            (1, Some(rest)) => format!("1 facet of{rest}"),
-            (1, None) => shown.statement.clone(),
-            (count, _) => format!("{count} {}", shown.statement),
-        };
-        table.row(vec![statement, words(shown.reach)]);
+        table.row(vec![shown.statement.clone(), shown.reach.map_or("proved".into(), words)]);
     }
     let mut out = table.render_left(0);
-    if let Some(text) = guarded(&verdict.guarded, planner) {
-        out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
+    out.push('\n');
+    let strength = match verdict.weaker.is_empty() {
+        true => "accepted",
+        false => "accepted, weaker than the spec asks",
+    };
+    out.push_str(&textwrap::fill(&format!("{name}: {strength}: {}", verdict.headline), WIDTH));
+    out.push('\n');
+    for why in &verdict.weaker {
+        let options = textwrap::Options::new(WIDTH).initial_indent("  - ").subsequent_indent("    ");
+        out.push_str(&textwrap::fill(why, options));
+        out.push('\n');
     }
     out
 }
 
-/// What is claimed of the modes that the plan is against, and what is not; `None` where their whole sets are.
-fn guarded(modes: &[Guarded], planner: PlannerKind) -> Option<String> {
-    let partly: Vec<&Guarded> = modes.iter().filter(|mode| !mode.whole).collect();
-    if partly.is_empty() {
-        return None;
-    }
-    let none: Vec<&str> = partly.iter().filter(|m| m.facets == 0).map(|m| m.mode.as_str()).collect();
-    if planner == PlannerKind::Rip && none.len() == partly.len() {
-        return Some(format!("Nothing is claimed of {}: RIP does not look at faults.", none.join(", ")));
-    }
-    let total: usize = partly.iter().map(|mode| mode.facets).sum();
-    let some = partly.iter().filter(|mode| mode.facets > 0).map(|mode| format!("{} of {}", mode.facets, mode.mode));
-    let none = (!none.is_empty()).then(|| format!("none of {}", none.join(", ")));
-    let each: Vec<String> = some.chain(none).collect();
-    let plural = if total == 1 { "" } else { "s" };
-    Some(format!(
-        "Claimed of the fault sets: {total} facet{plural}, {}. Whether RSP guards more is not claimed: `mavc plan` says how \
-         many it guards.",
-        each.join(", ")
-    ))
+fn words(reach: Reach) -> String {
+    let shown: String = match reach.scope {
+        Scope::Nodes => "at the nodes".into(),
+        // With one of the nodes beside them.
+        Scope::Grid => format!("on a grid of {} points an interval", OF_A_GRID + 1),
+        Scope::EveryInstant => "proved for every instant".into(),
+    };
+    let Some(beyond) = reach.beyond else { return shown };
+    let of = beyond.measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
+    format!("{shown}; exceeded between them by {}{of}", beyond.measure.of(beyond.excess))
 }
 
-fn words(reach: Reach) -> String {
-    let shown = match reach.scope {
-        None => "proved".into(),
-        Some(Scope::Nodes) => "checked at nodes".into(),
-        // With one of the nodes beside them.
-        Some(Scope::Grid(points)) => format!("checked on a grid of {} points an interval", points + 1),
-        Some(Scope::EveryInstant) => "proved for every instant".into(),
-    };
-    let Some((beyond, measure)) = reach.beyond else { return shown };
-    let seen = if beyond.scope == Scope::EveryInstant { "at any instant" } else { "on a grid" };
-    let of = measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
-    format!("{shown}; passed {seen} by at most {}{of}", measure.of(beyond.excess))
+/// `10s`, `500MB` or both with a comma between.
+///
+/// # Errors
+/// It is neither.
+pub fn parse_budget(text: &str) -> Result<Budget, String> {
+    let mut budget = Budget::default();
+    for part in text.split(',').map(str::trim) {
+        let figure = |unit: &str| part.strip_suffix(unit).and_then(|digits| digits.trim().parse::<f64>().ok());
+        let positive = |x: f64| x.is_finite() && x > 0.0;
+        match (figure("GB"), figure("MB"), figure("s")) {
+            (Some(gb), _, _) if positive(gb) => budget.bytes = (gb * 1e9) as u64,
+            (_, Some(mb), _) if positive(mb) => budget.bytes = (mb * 1e6) as u64,
+            (_, _, Some(seconds)) if positive(seconds) => budget.seconds = seconds,
+            _ => return Err(format!("`{part}` is neither a time nor a size: write `60s`, `2GB` or `60s,2GB`")),
+        }
+    }
+    Ok(budget)
 }

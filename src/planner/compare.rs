@@ -8,7 +8,7 @@ pub mod protect;
 pub mod rounds;
 mod times;
 
-pub use outcome::{Comparison, Ending, PlannerRun, Run, Scope, Solved, label};
+pub use outcome::{Comparison, Ending, PlannerRun, Run, Scope, Solved, Verification, label};
 
 use super::pool::Pool;
 use super::profile::determined;
@@ -152,6 +152,7 @@ impl<'a> Setting<'a> {
             objective: planned.objective,
             rows: planned.rows,
             outside,
+            verification: Verification::None,
             infeasible_at: None,
             infeasible_above: Vec::new(),
         }
@@ -189,6 +190,7 @@ impl<'a> Setting<'a> {
             runs: Vec::new(),
             common_time: self.fixed_time(),
             selected: Vec::new(),
+            selected_by: Vec::new(),
             trade_off: Vec::new(),
             known: Vec::new(),
             effort: Effort::default(),

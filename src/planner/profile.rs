@@ -1,6 +1,7 @@
 //! When each waypoint is reached, and which node that is.
 
 use crate::model::Mission;
+use crate::model::grid::{leg_durations, pieces};
 
 /// A stretch of the mission with one step length: a leg, or a hold at a waypoint.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -167,73 +168,7 @@ pub fn has_fixed_times(mission: &Mission) -> bool {
 /// `None` where some leg would get no time.
 pub fn profile(mission: &Mission, total: f64, samples: usize) -> Option<Profile> {
     let durations = leg_durations(mission, total)?;
-    let legs: Vec<(f64, usize)> = durations.iter().map(|&d| (d, 1)).collect();
-    let mut segments = Profile::with_legs(mission, &legs, total).segments;
-    share_intervals(mission, &mut segments, samples);
-    Some(Profile::of_segments(mission, segments, total))
-}
-
-/// Duration of each leg, s.
-fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
-    let points = &mission.waypoints;
-    let last = points.len() - 1;
-    let mut durations = vec![0.0; mission.legs.len()];
-    let (mut from, mut leave) = (0, 0.0);
-    for to in 1..=last {
-        let arrival = match points[to].time {
-            Some(t) => t,
-            None if to == last => total - points[to].hold,
-            None => continue,
-        };
-        let held: f64 = points[from..to].iter().map(|w| w.hold).sum();
-        let free = arrival - leave - held;
-        if free.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
-            return None;
-        }
-        let shares: f64 = mission.legs[from..to].iter().map(|l| l.share).sum();
-        for (duration, leg) in durations[from..to].iter_mut().zip(&mission.legs[from..to]) {
-            *duration = free * leg.share / shares;
-        }
-        (from, leave) = (to, arrival);
-    }
-    Some(durations)
-}
-
-/// One interval for each hold, where nothing changes; legs share the others.
-fn share_intervals(mission: &Mission, segments: &mut [Segment], samples: usize) {
-    let (holds, mut legs): (Vec<_>, Vec<_>) = segments.iter_mut().partition(|s| s.hold);
-    let left = samples.saturating_sub(holds.len()).max(legs.len());
-    let durations: Vec<f64> = legs.iter().map(|l| l.duration).collect();
-    let needs: Vec<usize> = legs.iter().map(|l| mission.least_intervals(l.from)).collect();
-    for (leg, intervals) in legs.iter_mut().zip(shared(&durations, needs, left)) {
-        leg.intervals = intervals;
-    }
-}
-
-/// Whole numbers that sum to `left`, in proportion to durations (largest remainders), but none below what its leg
-/// needs; where there are too few for that, none below one.
-fn shared(durations: &[f64], mut needs: Vec<usize>, left: usize) -> Vec<usize> {
-    if needs.iter().sum::<usize>() > left {
-        needs.fill(1);
-    }
-    let mut intervals = needs.clone();
-    let mut free: Vec<usize> = (0..durations.len()).collect();
-    let mut spare = left;
-    loop {
-        let total: f64 = free.iter().map(|&i| durations[i]).sum();
-        let ideal = |i: usize| durations[i] / total * spare as f64;
-        let (more, enough): (Vec<usize>, Vec<usize>) = free.iter().partition(|&&i| ideal(i) >= needs[i] as f64);
-        if enough.is_empty() {
-            more.iter().for_each(|&i| intervals[i] = (ideal(i) + 1e-9).floor() as usize);
-            let used: usize = more.iter().map(|&i| intervals[i]).sum();
-            let remainder = |i: usize| ideal(i) - intervals[i] as f64;
-            let mut order = more.clone();
-            order.sort_by(|&a, &b| remainder(b).total_cmp(&remainder(a)));
-            order.iter().take(spare - used).for_each(|&i| intervals[i] += 1);
-            return intervals;
-        }
-        // These take what they need; what that costs the others may leave some of them short, too.
-        spare -= enough.iter().map(|&i| needs[i]).sum::<usize>();
-        free = more;
-    }
+    let intervals = pieces(mission, &durations, samples);
+    let legs: Vec<(f64, usize)> = durations.into_iter().zip(intervals).collect();
+    Some(Profile::with_legs(mission, &legs, total))
 }

@@ -3,7 +3,7 @@
 use super::caveats::passed;
 use super::number::percent;
 use super::terminal::WIDTH;
-use crate::certificate::between::{Between, COMMANDS, GRID, Shown, WRENCH};
+use crate::certify::between::{Between, COMMANDS, GRID, Shown, WRENCH};
 use crate::model::Model;
 use crate::planner::compare::Solved;
 use crate::planner::select::VIOLATED;

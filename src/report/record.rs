@@ -2,7 +2,7 @@
 
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
-use crate::certificate::between::Between;
+use crate::certify::between::Between;
 use crate::model::{Mission, Model};
 use crate::planner::compare::protect::{Addition, Protection};
 use crate::planner::compare::rounds::Round;

@@ -2,7 +2,7 @@
 
 use super::Rejection;
 use super::interval::{Interval, exceeds};
-use super::sets::{Facet, Generators};
+use super::sets::{Facet, Generators, Plane};
 use crate::certificate::FacetRecord;
 use crate::model::Model;
 use crate::report::number::number;
@@ -10,23 +10,16 @@ use crate::report::number::number;
 /// Printed normals and offsets may be off by this share.
 const PRINTED: f64 = 1e-9;
 
-/// Facets of one certificate.
-const MAX_FACETS: usize = 50_000;
-
-pub(super) fn few<T>(facets: &[T]) -> Result<(), Rejection> {
-    if facets.len() <= MAX_FACETS {
-        return Ok(());
-    }
-    Err(Rejection::new("the facets", format!("there are {}, and {MAX_FACETS} are checked at once", facets.len())))
-}
-
-/// The facet that the rotors name, once the printed normal and offset are found to be its.
-pub fn named(model: &Model, record: &FacetRecord) -> Result<Facet, Rejection> {
+/// The facet that the rotors name, once the printed normal and offset are found to be its; `strict` compares them.
+pub fn named(model: &Model, record: &FacetRecord, strict: bool) -> Result<Facet, Rejection> {
     let wrong = |why: String| Err(Rejection::new("the facet", why));
     let generators = Generators::of(model, &record.mode)?;
     let Some(facet) = generators.named(&record.rotors, &record.normal) else {
         return wrong("these rotors name no facet on that side".into());
     };
+    if !strict {
+        return Ok(printed_as(record, facet));
+    }
     let off = |printed: f64, exact: Interval, size: f64| {
         exceeds((Interval::point(printed) - exact).magnitude(), PRINTED * size)
     };
@@ -40,4 +33,14 @@ pub fn named(model: &Model, record: &FacetRecord) -> Result<Facet, Rejection> {
         return wrong(format!("the offset is {exact}, not {printed} (thrusts in N, torques in N m)"));
     }
     Ok(facet)
+}
+
+/// The facet as it is printed, right or wrong.
+fn printed_as(record: &FacetRecord, facet: Facet) -> Facet {
+    let scale = |printed: f64, exact: Interval, of: Interval| match exact.contains(0.0) {
+        true => of,
+        false => of * (Interval::point(printed) / exact),
+    };
+    let plane = Plane { offset: scale(record.offset, facet.offset, facet.plane.offset), ..facet.plane };
+    Facet { plane, ..facet }
 }

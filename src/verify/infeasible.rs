@@ -13,21 +13,24 @@
 mod inputs;
 mod rows;
 
-use super::facets::{few, named};
+use super::cost::{self, Budget, Estimate};
+use super::facets::named;
 use super::interval::Interval;
-use super::motion::{X, Y, YAW, Z};
+use super::motion::{Motion, X, Y, YAW, Z};
+use super::plan::Setting;
+use super::premise::{Premise, Premises};
+use super::schedule::{self, Grid};
 use super::sets::Plane;
-use super::{Rejection, Shown, required};
-use super::{lag, schedule};
-use crate::certificate::{DynamicModel, InfeasibleClaim};
-use crate::model::{Mission, Model, PlannerKind};
+use super::{Refusal, Rejection, Shown, Verdict, lag, required};
+use crate::certificate::{DynamicModel, FacetRecord, InfeasibleClaim};
+use crate::model::{Mission, Model};
 use crate::report::number::number;
-use rows::UNBOUNDED;
 
 struct Rows<'a> {
     model: &'a Model,
     mission: &'a Mission,
     claim: &'a InfeasibleClaim,
+    grid: Grid,
     planes: Vec<Plane>,
     kind: DynamicModel,
     /// sin and cos of the one yaw of the hover model.
@@ -36,67 +39,103 @@ struct Rows<'a> {
     lag: Option<Interval>,
     /// The largest thrust of any plan in the exact model, N.
     thrust: Option<Interval>,
+    premises: Premises,
 }
 
+/// Decides a claim that the spec has no plan on its grid.
 pub(super) fn decide(
-    model: &Model,
-    mission: &Mission,
+    setting: &Setting,
     kind: DynamicModel,
     claim: &InfeasibleClaim,
-) -> Result<Vec<Shown>, Rejection> {
-    let outside = |why: &str| Err(Rejection::new("that there is no plan", why));
+    budget: Budget,
+) -> Result<Verdict, Refusal> {
+    let (model, mission, premises) = (setting.model, setting.mission, setting.premises);
+    let outside = |why: &str| Err(Rejection::new("that there is no plan", why).into());
     let first = &mission.waypoints[0];
     match kind {
         DynamicModel::Hover if mission.waypoints.iter().any(|w| (w.yaw - first.yaw).abs() >= 1e-12) => {
             return outside("in the hover model multipliers are checked for one yaw throughout");
         }
         _ if !mission.start_at_rest => return outside("multipliers are checked for a start at rest"),
-        _ if model.plan.chooses_times => {
-            return outside("multipliers are about waypoint times that the spec lays down, and here they are free");
-        }
         _ => {}
     }
-    let total = schedule::check(model, mission, &claim.times_s, &claim.waypoint_nodes)?;
-    few(&claim.facets)?;
-    let mut planes = Vec::new();
-    for (index, facet) in claim.facets.iter().enumerate() {
-        let of_facet = |r: Rejection| Rejection {
-            claim: format!("facet {} ({}, rotors {:?})", index + 1, facet.mode, facet.rotors),
-            ..r
-        };
-        if !may_bind(model, &facet.mode) {
-            return Err(of_facet(Rejection::new("", "the planner does not keep to this mode's set")));
-        }
-        planes.push(named(model, facet).map_err(of_facet)?.plane);
+    let grid = schedule::grid(model, mission)?;
+    let estimate = estimate(setting, claim, &grid)?;
+    if !estimate.fits(budget) {
+        return Err(Refusal::Budget { estimate, budget });
     }
+    let selected_by = setting.selected_by(&claim.selected_by)?;
+    let planes = planes(setting, claim, &selected_by)?;
+    let (total, pieces) = (grid.total, grid.times.len() - 1);
     let yaw = Interval::point(first.yaw).sin_cos();
-    let mut rows = Rows { model, mission, claim, planes, kind, yaw, lag: lag::constant(model), thrust: None };
+    let lag = lag::constant(model);
+    let mut rows = Rows { model, mission, claim, grid, planes, kind, yaw, lag, thrust: None, premises };
     if kind == DynamicModel::Exact {
         rows.thrust = Some(rows.most_thrust()?);
     }
     let most = rows.largest()?;
-    if most.high < 0.0 {
-        let selected = claim.facets.iter().any(|f| !required(model).contains(&f.mode));
-        let keeping = if selected { " keeps the facets selected" } else { "" };
-        let pieces = claim.times_s.len() - 1;
-        let statement = format!("no plan of {} s with {pieces} pieces in flight{keeping}", number(total));
-        Ok(vec![Shown::proved(statement)])
-    } else {
+    if !(most.high < 0.0) {
         let why = format!("the rows, weighted, add up to {} at most, which contradicts nothing", number(most.high));
-        Err(Rejection { span: Some(mission.span), ..Rejection::new("that there is no plan", why) })
+        return Err(Rejection { span: Some(mission.span), ..Rejection::new("that there is no plan", why) }.into());
     }
+    let selection = if claim.selected_by.is_empty() { "" } else { " and the facets that the plans carried select" };
+    let keeping = format!("{} rows on {} facets{selection}", claim.multipliers.len(), claim.facets.len());
+    let planner = model.plan.planner.name().to_uppercase();
+    let headline = format!(
+        "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the nodes of \
+         the spec's {pieces} pieces in flight",
+        mission.name,
+        number(total)
+    );
+    let proved = Shown { statement: format!("{keeping} contradict each other"), reach: None };
+    let weaker = vec![format!("one grid: motions with other nodes than those of {} samples are not excluded", model.plan.samples)];
+    Ok(Verdict { headline, shown: vec![proved], weaker, undecided: Vec::new() })
 }
 
-/// Whether the spec's planner may keep to a facet of this mode's set.
-fn may_bind(model: &Model, mode: &str) -> bool {
-    let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i));
-    let selected = model.plan.planner == PlannerKind::Rsp && against.into_iter().any(|m| m.name == mode);
-    selected || required(model).iter().any(|m| m == mode)
+/// What deciding a claim takes.
+fn estimate(setting: &Setting, claim: &InfeasibleClaim, grid: &Grid) -> Result<Estimate, Rejection> {
+    let mut all = setting.estimate_of(&claim.selected_by)?;
+    let (rows, nodes, facets) = (claim.multipliers.len() as u64, grid.times.len() as u64, claim.facets.len() as u64);
+    all.add(cost::times(rows, cost::OF_A_MULTIPLIER), cost::times(rows, cost::BYTES_OF_A_MULTIPLIER));
+    all.add(cost::times(nodes, cost::OF_A_NODE_CARRIED), cost::times(nodes, cost::BYTES_OF_A_NODE));
+    all.add(cost::times(facets, cost::OF_A_PLANE), cost::times(facets, cost::BYTES_OF_A_PLANE));
+    Ok(all)
+}
+
+/// The planes of the facets listed, each of a set that every plan keeps to, or selected by the plans carried.
+fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) -> Result<Vec<Plane>, Rejection> {
+    let required = required(setting.model);
+    let mut planes = Vec::new();
+    let mut to_select = Vec::new();
+    for (index, facet) in claim.facets.iter().enumerate() {
+        let (kept, selectable) = (required.contains(&facet.mode), setting.selects_facets_of(&facet.mode));
+        if setting.premises.has(Premise::Rows) && !kept && !selectable {
+            return Err(of_facet(index, facet)(Rejection::new("", "the planner does not keep to this mode's set")));
+        }
+        let strict = setting.premises.has(Premise::Facets);
+        planes.push(named(setting.model, facet, strict).map_err(of_facet(index, facet))?.plane);
+        if !kept {
+            to_select.push(index);
+        }
+    }
+    if setting.premises.has(Premise::Selection) {
+        let violated = setting.violated(to_select.iter().map(|&index| &planes[index]), selected_by);
+        if let Some((&index, _)) = to_select.iter().zip(&violated).find(|(_, over)| !**over) {
+            let why = "no plan carried violates it, so RSP does not select it";
+            return Err(of_facet(index, &claim.facets[index])(Rejection::new("", why)));
+        }
+    }
+    Ok(planes)
+}
+
+fn of_facet(index: usize, facet: &FacetRecord) -> impl Fn(Rejection) -> Rejection {
+    let claim = format!("facet {} ({}, rotors {:?})", index + 1, facet.mode, facet.rotors);
+    move |r| Rejection { claim: claim.clone(), ..r }
 }
 
 impl Rows<'_> {
     fn nodes(&self) -> usize {
-        self.claim.times_s.len()
+        self.grid.times.len()
     }
 
     /// The input's derivative order: x, y (and z in the exact model) are quadruple integrators, the others double ones.
@@ -123,7 +162,10 @@ impl Rows<'_> {
             }
         }
         self.carry_back(&mut sums);
-        let inputs = self.inputs()?;
+        let inputs = match self.premises.has(Premise::Inputs) {
+            true => self.inputs()?,
+            false => [Interval::ZERO; 4],
+        };
         let mut most = constant;
         for node in &sums {
             for (axis, order) in self.orders().into_iter().enumerate() {
@@ -139,9 +181,8 @@ impl Rows<'_> {
         let (near, turned) = self.tolerances(0);
         for (axis, due, reach) in [(X, x, near), (Y, y, near), (Z, z, near), (YAW, start.yaw, turned)] {
             let near = Interval::point(due) + Interval::around_zero(reach.high);
-            let at = if axis != YAW && start.within >= UNBOUNDED { Interval::WHOLE } else { near };
             if sums[0][axis][0] != Interval::ZERO {
-                most = most + sums[0][axis][0] * at;
+                most = most + sums[0][axis][0] * near;
             }
         }
         Ok(most)
@@ -155,7 +196,7 @@ impl Rows<'_> {
         const FACTORIAL: [f64; 6] = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0];
         let over = |power: Interval, n: usize| power / Interval::point(FACTORIAL[n]);
         for k in (1..self.nodes()).rev() {
-            let h = Interval::point(self.claim.times_s[k]) - Interval::point(self.claim.times_s[k - 1]);
+            let h = Interval::point(self.grid.times[k]) - Interval::point(self.grid.times[k - 1]);
             let mut powers = [Interval::ONE; 5];
             for n in 1..5 {
                 powers[n] = powers[n - 1] * h;

@@ -1,5 +1,6 @@
 //! The mission's limits as quantities along a motion.
 
+use super::cost::OF_A_LIMIT;
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
@@ -26,7 +27,10 @@ pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
         });
         series.map(|s| Rated { value: s.value(), rate: s.slope() }).collect()
     };
-    Family { members, evaluate: Box::new(evaluate), linear: false, jumps: false, measure: measure(kind) }
+    let measure = measure(kind);
+    // The jerk along z is the slope of an input in the hover model, which changes at nodes.
+    let jumps = kind == LimitKind::Jerk;
+    Family { members, evaluate: Box::new(evaluate), linear: false, jumps, measure, overhead: OF_A_LIMIT }
 }
 
 /// How messages say an excess.

@@ -2,7 +2,7 @@
 
 use super::interval::Interval;
 use super::series::Series;
-use crate::certificate::{DynamicModel, MotionRecord};
+use crate::certificate::{DynamicModel, MotionRecord, Vertical};
 
 /// Axes in the order of the records.
 pub const X: usize = 0;
@@ -13,7 +13,7 @@ pub const YAW: usize = 3;
 /// Derivatives of one axis up to the fifth; what is above a piece's degree is zero.
 pub type Axis = [Interval; 6];
 
-/// Enclosures of all derivatives at an instant, or over a stretch of time.
+/// Enclosures of all derivatives at an instant, or over a time interval.
 pub type State = [Axis; 4];
 
 /// Pieces between nodes.
@@ -22,37 +22,79 @@ pub struct Motion {
     /// s
     pub times: Vec<f64>,
     /// `[node][axis][derivative]` up to the input's.
-    nodes: Vec<[Vec<f64>; 4]>,
+    nodes: Vec<[[f64; 5]; 4]>,
     pub waypoint_nodes: Vec<usize>,
     /// The input's derivative order of each axis.
     orders: [usize; 4],
+    /// Points between the ends of each piece at which rows are looked at like at nodes, because the piece is longer than
+    /// the spec's samples make it.
+    asked: Vec<usize>,
 }
 
 impl Motion {
-    /// Orders the numbers of a record; says what is wrong with its shape.
-    pub fn new(record: &MotionRecord, model: DynamicModel) -> Result<Motion, String> {
+    /// Orders the numbers of a record; says what is wrong with its shape. `strict` refuses what is not finite and times
+    /// that do not rise.
+    pub fn new(record: &MotionRecord, model: DynamicModel, strict: bool) -> Result<Motion, String> {
         let count = record.nodes();
         let lengths = [record.x.len(), record.y.len(), record.z.len(), record.yaw.len()];
         if count < 2 || lengths.iter().any(|&n| n != count) {
-            return Err(format!("{count} times with {lengths:?} nodes of x, y, z and yaw are no motion"));
+            return Err(format!("{count} times with {lengths:?} nodes of x, y, z and yaw are not a motion"));
         }
         let vertical = match model {
             DynamicModel::Hover => 2,
             DynamicModel::Exact => 4,
         };
-        if let Some(node) = record.z.iter().position(|z| z.len() != vertical + 1) {
-            return Err(format!("z needs {} derivatives at node {node}", vertical + 1));
+        let fits = |z: &Vertical| z.derivatives().len() == vertical + 1;
+        if let Some(node) = record.z.iter().position(|z| !fits(z)) {
+            return Err(format!("z needs {} numbers at node {node}", vertical + 1));
         }
-        if !record.times_s.windows(2).all(|w| w[0] < w[1]) {
-            return Err("the times do not rise".into());
+        let padded = |values: &[f64]| {
+            let mut all = [0.0; 5];
+            all[..values.len()].copy_from_slice(values);
+            all
+        };
+        let node = |k: usize| [record.x[k], record.y[k], padded(record.z[k].derivatives()), padded(&record.yaw[k])];
+        let nodes: Vec<[[f64; 5]; 4]> = (0..count).map(node).collect();
+        if strict {
+            let finite = record.times_s.iter().chain(nodes.iter().flatten().flatten()).all(|v| v.is_finite());
+            if !finite {
+                return Err("a number is not finite".into());
+            }
+            if !record.times_s.windows(2).all(|w| w[0] < w[1]) {
+                return Err("the times do not rise".into());
+            }
         }
-        let node = |k: usize| [record.x[k].to_vec(), record.y[k].to_vec(), record.z[k].clone(), record.yaw[k].to_vec()];
         Ok(Motion {
             times: record.times_s.clone(),
-            nodes: (0..count).map(node).collect(),
+            nodes,
             waypoint_nodes: record.waypoint_nodes.clone(),
             orders: [4, 4, vertical, 2],
+            asked: vec![0; count - 1],
         })
+    }
+
+    /// Rows are to be looked at `points` times between the ends of a piece.
+    pub(super) fn ask(&mut self, piece: usize, points: usize) {
+        if let Some(asked) = self.asked.get_mut(piece) {
+            *asked = points;
+        }
+    }
+
+    /// Points at which rows are looked at: nodes and what is asked for between them.
+    pub fn looks(&self) -> u64 {
+        self.times.len() as u64 + self.asked.iter().map(|&n| n as u64).fold(0, u64::saturating_add)
+    }
+
+    /// When rows are looked at within a piece, s since it began.
+    pub fn asked_within(&self, piece: usize) -> impl Iterator<Item = Interval> {
+        self.grid(piece, self.asked[piece])
+    }
+
+    /// Evenly spaced instants between the ends of a piece, s since it began.
+    pub fn grid(&self, piece: usize, points: usize) -> impl Iterator<Item = Interval> {
+        let whole = self.duration(piece);
+        let share = move |i: usize| Interval::point(i as f64) / Interval::point((points + 1) as f64);
+        (1..=points).map(move |i| share(i) * whole)
     }
 
     pub fn pieces(&self) -> usize {
@@ -84,7 +126,7 @@ impl Motion {
     pub fn node_in(&self, node: usize, piece: usize) -> State {
         std::array::from_fn(|axis| {
             let mut state = [Interval::ZERO; 6];
-            for (slot, &value) in state.iter_mut().zip(&self.nodes[node][axis]) {
+            for (slot, &value) in state.iter_mut().zip(&self.nodes[node][axis][..=self.orders[axis]]) {
                 *slot = Interval::point(value);
             }
             state[self.orders[axis] + 1] = self.slope(piece, axis);
@@ -92,8 +134,8 @@ impl Motion {
         })
     }
 
-    /// All derivatives at every instant of a stretch `at` of a piece, s since the piece began: Taylor's formula about
-    /// the middle of the stretch, whose derivatives are d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
+    /// All derivatives at every instant of a part `at` of a piece, s since the piece began: Taylor's formula about
+    /// the middle of the part, whose derivatives are d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
     pub fn over(&self, piece: usize, at: Interval) -> State {
         let left = self.node_in(piece, piece);
         let middle = Interval::point(at.middle());
@@ -104,20 +146,15 @@ impl Motion {
         })
     }
 
-    /// How far the end of a piece misses its right node: |gap of derivative i| h^i, m or rad.
-    pub fn gap(&self, piece: usize) -> f64 {
-        let h = self.duration(piece);
-        let end = self.over(piece, h);
-        let mut widest = 0.0_f64;
-        for (axis, derivatives) in end.iter().enumerate() {
-            let mut power = Interval::ONE;
-            for (i, &derivative) in derivatives.iter().enumerate().take(self.orders[axis]) {
-                let gap = (derivative - Interval::point(self.nodes[piece + 1][axis][i])) * power;
-                widest = widest.max(gap.magnitude());
-                power = power * h;
-            }
-        }
-        widest
+    /// How far the end of a piece misses its right node: `[axis][derivative]`, below the input's order.
+    pub fn gaps(&self, piece: usize) -> [[f64; 4]; 4] {
+        let end = self.over(piece, self.duration(piece));
+        std::array::from_fn(|axis| {
+            std::array::from_fn(|i| match i < self.orders[axis] {
+                true => (end[axis][i] - Interval::point(self.nodes[piece + 1][axis][i])).magnitude(),
+                false => 0.0,
+            })
+        })
     }
 }
 

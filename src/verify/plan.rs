@@ -1,72 +1,84 @@
-//! Decides what a certificate claims of a plan: here its motion, in `bounds` what is bounded along it.
+//! Decides whether a motion is a plan of the spec. What has to hold is worked out from the spec; of the certificate only the
+//! motion is taken, and for RSP the motions it selects facets by.
 
-mod bounds;
+mod along;
+mod selection;
 
+use super::cost::{self, Budget, Estimate, Purse, times};
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, X, Y, YAW, Z};
-use super::proof::{Budget, Family, holds, kept};
+use super::premise::{Premise, Premises};
+use super::proof::Family;
+use super::sets::{Generators, HEALTHY, Plane};
 use super::wrench::{Dynamics, Held};
-use super::{Rejection, Shown, lag, mode_named, required};
-use crate::certificate::{Bound, DynamicModel, MotionRecord, PlanClaim};
-use crate::model::{Mission, MissionTime, Model};
+use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, schedule};
+use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
+use crate::model::{Mission, Model, PlannerKind};
 use crate::report::number::number;
 use crate::source::Span;
 
-use bounds::Direction;
-use std::collections::BTreeSet;
+pub use along::{OF_A_GRID, wrench_family};
 
-pub use bounds::wrench_family;
-
-/// Pieces of a plan join within this, m and rad.
-pub const MOST_GAP: f64 = 1e-5;
 /// A waypoint may be missed by this beside its tolerance, m and rad.
 pub const MOST_MISS: f64 = 1e-5;
-/// A limit may be passed by this at the nodes, in its SI unit, and by this share of itself.
+/// A limit may be exceeded by this at the nodes, in its SI unit, and by this share of itself.
 pub const MOST_PAST_LIMIT: f64 = 1e-4;
 /// A set may be left by this share of the healthy set's width, as reports count violations.
 pub const MOST_OUTSIDE: f64 = 1e-4;
-/// Two instants are one, s.
-const SAME_TIME: f64 = 1e-9;
-/// Evaluations that one certificate may cost.
-pub const EVALUATIONS: usize = 200_000_000;
+/// In the exact model the vertical part of the thrust is at least this share of the weight.
+pub const UPRIGHT: f64 = 0.1;
 
-/// Decides claims about one motion.
-pub struct Checker<'a> {
-    model: &'a Model,
-    mission: &'a Mission,
-    dynamics: Dynamics<'a>,
+/// What is found of one motion at the nodes, and what is then to be looked at between them.
+struct Checked<'m> {
     motion: Motion,
-    /// Of rotors that lag.
-    commands: Option<Held>,
-    budget: Budget,
-    triples: usize,
-    /// Of the facets decided.
-    directions: BTreeSet<Direction>,
+    /// Sets, and under RSP what is selected.
+    groups: Vec<Group>,
+    /// Sets that the checker cannot work out, and why.
+    undecided: Vec<String>,
+    /// Remarks on the selection.
+    selection: Vec<String>,
+    coarser_legs: usize,
+    setting: &'m Setting<'m>,
 }
 
-impl<'a> Checker<'a> {
-    pub fn new(
-        model: &'a Model,
-        mission: &'a Mission,
-        kind: DynamicModel,
-        motion: &MotionRecord,
-    ) -> Result<Self, Rejection> {
-        let motion = Motion::new(motion, kind).map_err(|why| Rejection::new("the motion", why))?;
+/// Planes that one statement is about.
+#[derive(Debug, Clone)]
+struct Group {
+    /// `healthy`, or a mode.
+    mode: String,
+    /// The whole set, or facets selected.
+    whole: bool,
+    span: Option<Span>,
+    planes: Vec<Plane>,
+}
+
+/// What a decision is made from.
+pub struct Setting<'a> {
+    pub(super) model: &'a Model,
+    pub(super) mission: &'a Mission,
+    dynamics: Dynamics<'a>,
+    /// Of rotors that lag.
+    commands: Option<Held>,
+    pub(super) premises: Premises,
+}
+
+/// A plan's planner, as far as it decides which rows there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Role {
+    /// The spec's own.
+    Asked,
+    /// A plan that RSP selects by: this many selections came before it.
+    SelectedBy(usize),
+}
+
+impl<'a> Setting<'a> {
+    pub fn new(model: &'a Model, mission: &'a Mission, kind: DynamicModel, premises: Premises) -> Self {
         let first = mission.waypoints.first().map_or(0.0, |w| w.yaw);
         // As the language says: one yaw throughout is linearised there.
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
         let dynamics = Dynamics { vehicle: &model.vehicle, gravity: model.gravity, model: kind, one_yaw };
         let commands = lag::constant(model).map(|tau| Held::Commands { tau });
-        Ok(Checker {
-            model,
-            mission,
-            dynamics,
-            motion,
-            commands,
-            budget: Budget(EVALUATIONS),
-            triples: 0,
-            directions: BTreeSet::new(),
-        })
+        Setting { model, mission, dynamics, commands, premises }
     }
 
     /// What turns the motion into wrenches.
@@ -79,220 +91,226 @@ impl<'a> Checker<'a> {
         self.commands
     }
 
-    /// So many evaluations from now on, and as many sets as at first.
-    pub fn allow(&mut self, evaluations: usize) {
-        self.budget = Budget(evaluations);
-        self.triples = 0;
+    pub fn motion(&self, record: &MotionRecord) -> Result<Motion, Rejection> {
+        let strict = self.premises.has(Premise::Shape);
+        Motion::new(record, self.dynamics.model, strict).map_err(|why| Rejection::new("the motion", why))
     }
 
-    /// Evaluations that are left.
-    pub fn left(&self) -> usize {
-        self.budget.0
+    /// What deciding a plan takes without proofs between the nodes.
+    fn estimate(&self, claim: &PlanClaim) -> Result<Estimate, Rejection> {
+        let mut all = self.estimate_of(std::slice::from_ref(&claim.motion))?;
+        let others = self.estimate_of(&claim.selected_by)?;
+        all.add(others.units, others.bytes);
+        Ok(all)
     }
 
-    /// The quantities of a family that are shown to keep to a bound along the motion.
-    pub fn kept(&mut self, family: &Family, bound: &Bound) -> Vec<usize> {
-        kept(family, &self.motion, bound, &mut self.budget)
-    }
-
-    /// Whether all quantities of a family are shown to keep to a bound along the motion.
-    pub fn keeps(&mut self, family: &Family, bound: &Bound) -> bool {
-        holds(family, &self.motion, bound, &mut self.budget).is_ok()
-    }
-
-    /// Everything that is claimed, and that nothing is missing.
-    pub fn decide(&mut self, claim: &PlanClaim) -> Result<Vec<Shown>, Rejection> {
-        self.times()?;
-        self.joins(claim)?;
-        self.rest()?;
-        self.waypoints(claim)?;
-        let mut shown = vec![
-            Shown::at_nodes(format!("{} pieces join", self.motion.pieces())),
-            Shown::at_nodes(format!(
-                "{} waypoints met, and rest where the spec asks for it",
-                self.mission.waypoints.len()
-            )),
-        ];
-        if claim.limits.len() != self.mission.limits.len() {
-            let counts = format!(
-                "the mission has {}, the certificate tells of {}",
-                self.mission.limits.len(),
-                claim.limits.len()
-            );
-            return Err(Rejection::new("the limits", counts));
+    /// What deciding some motions takes, and what they select.
+    pub(super) fn estimate_of(&self, records: &[MotionRecord]) -> Result<Estimate, Rejection> {
+        let mut all = Estimate::default();
+        for record in records {
+            let mut motion = self.motion(record)?;
+            schedule::check(self.model, self.mission, &mut motion, self.premises)?;
+            let nodes = motion.times.len() as u64;
+            let planes = self.planes_at_most()?;
+            let of_state = if self.commands.is_some() { 2 } else { 1 };
+            let rows = planes.saturating_add(self.overhead());
+            all.add(times(nodes, cost::OF_A_JOINT), times(nodes, cost::BYTES_OF_A_NODE));
+            all.add(times(times(motion.looks(), rows), of_state), times(planes, cost::BYTES_OF_A_PLANE));
+            all.add(times(times(motion.looks(), self.mission.limits.len() as u64), 2 * cost::OF_A_LIMIT), 0);
+            all.add(times(planes, cost::OF_A_PLANE), 0);
+            all.add(self.cost_of_selecting(nodes, planes), 0);
         }
-        for (index, limit) in claim.limits.iter().enumerate() {
-            let reach = self.limit(index, limit)?;
-            shown.push(Shown::new(format!("limit on {}", limit.limit), reach));
+        Ok(all)
+    }
+
+    /// Units of one state with its wrench.
+    fn overhead(&self) -> u64 {
+        match self.dynamics.model {
+            DynamicModel::Hover => cost::OF_HOVER_WRENCH,
+            DynamicModel::Exact => cost::OF_EXACT_WRENCH,
         }
-        for mode in required(self.model) {
-            if !claim.sets.iter().any(|s| s.mode == mode) {
-                let why = "the planner is to stay inside it, and the certificate says nothing of it".to_string();
-                return Err(Rejection {
-                    span: self.span_of(&mode),
-                    ..Rejection::new(format!("the set of {mode}"), why)
-                });
+    }
+
+    /// Planes of all sets that may be looked at.
+    fn planes_at_most(&self) -> Result<u64, Rejection> {
+        let against = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i));
+        let modes = against.map(|m| m.name.as_str()).chain([HEALTHY]);
+        modes.map(|mode| Ok(Generators::of(self.model, mode)?.planes_at_most())).sum()
+    }
+
+    /// Decides that the motion is a plan: everything at the nodes, and as far as `budget` goes between them.
+    pub(super) fn decide(&self, claim: &PlanClaim, budget: Budget, between: bool) -> Result<Found, Refusal> {
+        let estimate = self.estimate(claim)?;
+        if !estimate.fits(budget) {
+            return Err(Refusal::Budget { estimate, budget });
+        }
+        let selected_by = match self.premises.has(Premise::SelectedBy) {
+            true => self.selections(claim)?,
+            false => self.unchecked(&claim.selected_by)?,
+        };
+        let checked = self.at_nodes(&claim.motion, &selected_by, Role::Asked)?;
+        let mut purse = Purse(budget.units().saturating_sub(estimate.units));
+        let mut found = checked.found();
+        match between {
+            true => checked.between(&mut purse, &mut found),
+            false => checked.nodes_only(&mut found),
+        }
+        Ok(found)
+    }
+
+    /// Everything at the nodes of one motion.
+    fn at_nodes(
+        &self,
+        record: &MotionRecord,
+        selected_by: &[Motion],
+        role: Role,
+    ) -> Result<Checked<'_>, Rejection> {
+        let mut motion = self.motion(record)?;
+        let coarser = schedule::check(self.model, self.mission, &mut motion, self.premises)?;
+        if self.premises.has(Premise::Joints) {
+            joints::check(&motion)?;
+        }
+        if self.premises.has(Premise::Rest) {
+            self.rest(&motion)?;
+        }
+        if self.premises.has(Premise::Waypoints) {
+            self.waypoints(&motion)?;
+        }
+        self.limits_at_nodes(&motion)?;
+        if self.premises.has(Premise::Upright) {
+            self.upright_at_nodes(&motion)?;
+        }
+        let (mut groups, undecided) = self.sets(role)?;
+        self.inside_at_nodes(&motion, &groups)?;
+        let mut remarks = Vec::new();
+        if self.premises.has(Premise::Selection) {
+            let selected = self.select(&motion, selected_by)?;
+            groups.extend(selected.groups);
+            remarks = selected.remarks;
+        }
+        Ok(Checked { motion, groups, undecided, selection: remarks, coarser_legs: coarser.legs, setting: self })
+    }
+
+    /// The sets that the planner keeps to whole.
+    fn sets(&self, role: Role) -> Result<(Vec<Group>, Vec<String>), Rejection> {
+        let (mut groups, mut undecided) = (Vec::new(), Vec::new());
+        let modes = match role {
+            Role::Asked => required(self.model),
+            Role::SelectedBy(_) => vec![HEALTHY.into()],
+        };
+        for mode in modes {
+            let span = self.span_of(&mode);
+            match Generators::of(self.model, &mode)?.planes() {
+                Ok(planes) => groups.push(Group { mode, whole: true, span, planes }),
+                Err(why) => undecided.push(format!("the set of {mode} is not decided: {why}")),
             }
         }
-        self.sets(&claim.sets, &mut shown)?;
-        self.facets(&claim.facets, &mut shown)?;
-        Ok(shown)
+        Ok((groups, undecided))
     }
 
     fn span_of(&self, mode: &str) -> Option<Span> {
         mode_named(self.model, mode).map(|m| m.span)
     }
 
-    /// Node times: from zero, with fixed arrivals, holds and the mission's time as the spec says.
-    fn times(&self) -> Result<(), Rejection> {
-        let (times, nodes) = (&self.motion.times, &self.motion.waypoint_nodes);
-        let wrong = |why: String, span: Option<Span>| Err(Rejection { span, ..Rejection::new("the times", why) });
-        let points = &self.mission.waypoints;
-        if times[0] != 0.0 {
-            return wrong(format!("the motion begins at {} s", number(times[0])), None);
-        }
-        let within = nodes.iter().all(|&n| n < times.len()) && nodes.windows(2).all(|w| w[0] < w[1]);
-        if nodes.len() != points.len() || !within || nodes.first() != Some(&0) {
-            return wrong(
-                "each waypoint needs a node of its own, in flight order, the first at the start".into(),
-                None,
-            );
-        }
-        for (i, (point, &node)) in points.iter().zip(nodes).enumerate() {
-            if let Some(fixed) = point.time.filter(|t| exceeds((t - times[node]).abs(), SAME_TIME * t.max(1.0))) {
-                let why = format!(
-                    "waypoint {} is due at {} s and reached at {} s",
-                    i + 1,
-                    number(fixed),
-                    number(times[node])
-                );
-                return wrong(why, point.time_span);
-            }
-            let Some(leaves) = self.held_until(i) else {
-                let why = format!("the motion does not stay {} s at waypoint {}", number(point.hold), i + 1);
-                return wrong(why, point.hold_span);
-            };
-            if i + 1 == points.len() && leaves + 1 != times.len() {
-                return wrong("the motion goes on after the last waypoint".into(), Some(point.span));
-            }
-        }
-        match self.model.plan.time {
-            MissionTime::Fixed(total)
-                if exceeds((total - times[times.len() - 1]).abs(), SAME_TIME * total.max(1.0)) =>
-            {
-                let why = format!(
-                    "the mission is to take {} s and takes {} s",
-                    number(total),
-                    number(times[times.len() - 1])
-                );
-                wrong(why, Some(self.model.plan.time_span))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// The node at which a waypoint's hold ends; its own where there is none.
-    fn held_until(&self, waypoint: usize) -> Option<usize> {
-        let node = self.motion.waypoint_nodes[waypoint];
-        let hold = self.mission.waypoints[waypoint].hold;
-        let ends = self.motion.times[node] + hold;
-        let is_end = |&n: &usize| (self.motion.times[n] - ends).abs() <= SAME_TIME * ends.max(1.0);
-        if hold > 0.0 { (node + 1..self.motion.times.len()).find(is_end) } else { Some(node) }
-    }
-
-    fn joins(&self, claim: &PlanClaim) -> Result<(), Rejection> {
-        allowed("joins_within", claim.joins_within, MOST_GAP, "(m or rad)")?;
-        if claim.joins_within < 0.0 {
-            return Err(Rejection::new(
-                "joins_within",
-                format!("{} (m or rad) is below zero", number(claim.joins_within)),
-            ));
-        }
-        for piece in 0..self.motion.pieces() {
-            let gap = self.motion.gap(piece);
-            if exceeds(gap, claim.joins_within) {
-                let why = format!(
-                    "piece {} misses the next by {} (m or rad), not by {} at most",
-                    piece + 1,
-                    number(gap),
-                    number(claim.joins_within)
-                );
-                return Err(Rejection { at: Some(self.motion.times[piece + 1]), ..Rejection::new("the pieces", why) });
-            }
-        }
-        Ok(())
-    }
-
     /// Rest at both ends (unless `moving`) and in holds: derivatives are zero, in holds the inputs too.
-    fn rest(&self) -> Result<(), Rejection> {
-        let last = self.motion.times.len() - 1;
+    fn rest(&self, motion: &Motion) -> Result<(), Rejection> {
+        let last = motion.times.len() - 1;
         let ends = [(0, self.mission.start_at_rest), (last, self.mission.end_at_rest)];
         let mut still: Vec<(usize, bool)> = ends.iter().filter(|e| e.1).map(|e| (e.0, false)).collect();
         for (i, point) in self.mission.waypoints.iter().enumerate().filter(|(_, w)| w.hold > 0.0) {
-            let until = self.held_until(i).unwrap_or(self.motion.waypoint_nodes[i]);
-            if until == self.motion.waypoint_nodes[i] {
+            let node = motion.waypoint_nodes[i];
+            let Some(until) = schedule::held_until(self.mission, motion, i) else {
                 let why = format!("the motion does not stay at waypoint {}", i + 1);
                 return Err(Rejection { span: point.hold_span, ..Rejection::new("rest", why) });
-            }
-            still.extend((self.motion.waypoint_nodes[i]..=until).map(|node| (node, true)));
+            };
+            still.extend((node..=until).map(|node| (node, true)));
         }
         for (node, held) in still {
             for axis in [X, Y, Z, YAW] {
                 // At rest the jerk vanishes beside velocity and acceleration, where it is no input's slope.
-                let highest = if held { self.motion.order(axis) } else { self.motion.order(axis).min(3) };
-                if let Some(order) = (1..=highest).find(|&i| self.motion.at_node(node, axis, i) != 0.0) {
+                let highest = if held { motion.order(axis) } else { motion.order(axis).min(3) };
+                if let Some(order) = (1..=highest).find(|&i| motion.at_node(node, axis, i) != 0.0) {
                     let name = ["x", "y", "z", "yaw"][axis];
                     let why = format!("derivative {order} of {name} is not zero");
-                    return Err(Rejection { at: Some(self.motion.times[node]), ..Rejection::new("rest", why) });
+                    return Err(Rejection { at: Some(motion.times[node]), ..Rejection::new("rest", why) });
                 }
             }
         }
         Ok(())
     }
 
-    fn waypoints(&self, claim: &PlanClaim) -> Result<(), Rejection> {
-        allowed("position_excess_m", claim.position_excess_m, MOST_MISS, "m")?;
-        allowed("yaw_excess_rad", claim.yaw_excess_rad, MOST_MISS, "rad")?;
-        // A tolerance of a kilometre binds nothing.
-        const UNBOUNDED: f64 = 1e3;
-        for (i, (point, &node)) in self.mission.waypoints.iter().zip(&self.motion.waypoint_nodes).enumerate() {
-            let apart =
-                |axis: usize, due: f64| Interval::point(self.motion.at_node(node, axis, 0)) - Interval::point(due);
+    fn waypoints(&self, motion: &Motion) -> Result<(), Rejection> {
+        for (i, (point, &node)) in self.mission.waypoints.iter().zip(&motion.waypoint_nodes).enumerate() {
+            let apart = |axis: usize, due: f64| Interval::point(motion.at_node(node, axis, 0)) - Interval::point(due);
             let [x, y, z] = point.position;
             let distance = [(X, x), (Y, y), (Z, z)]
                 .iter()
                 .fold(Interval::ZERO, |sum, &(axis, due)| sum + apart(axis, due).square())
                 .sqrt();
-            let position = distance - Interval::point(point.within);
-            let yaw = apart(YAW, point.yaw).abs() - Interval::point(point.yaw_within);
-            let missed = |what: &str, by: Interval, most: f64, unit: &str| {
-                let tolerance = |by: f64| match by > 0.0 {
-                    true => format!("missed by {} {unit} more than its tolerance", number(by)),
-                    false => format!("met with {} {unit} to spare", number(-by)),
-                };
-                let why = format!("the {what} is {}; claimed: {}", tolerance(by.high), tolerance(most));
-                Err(Rejection {
-                    at: Some(self.motion.times[node]),
-                    span: Some(point.span),
-                    ..Rejection::new(format!("waypoint {}", i + 1), why)
-                })
-            };
-            if point.within < UNBOUNDED && exceeds(position.high, claim.position_excess_m) {
-                return missed("position", position, claim.position_excess_m, "m");
-            }
-            if exceeds(yaw.high, claim.yaw_excess_rad) {
-                return missed("yaw", yaw, claim.yaw_excess_rad, "rad");
+            let turned = apart(YAW, point.yaw).abs();
+            let off = [("position", distance, point.within, "m"), ("yaw", turned, point.yaw_within, "rad")];
+            for (what, error, within, unit) in off {
+                if exceeds((error - Interval::point(within)).high, MOST_MISS) {
+                    let [error, within] = [error.high, within].map(number);
+                    let why = format!("its {what} is missed by {error} {unit}, and {within} {unit} is allowed");
+                    let (at, span) = (Some(motion.times[node]), Some(point.span));
+                    return Err(Rejection { at, span, ..Rejection::new(format!("waypoint {}", i + 1), why) });
+                }
             }
         }
         Ok(())
     }
 }
 
-/// A tolerance that a certificate allows itself, and no more than means something.
-fn allowed(name: &str, claimed: f64, most: f64, unit: &str) -> Result<(), Rejection> {
-    if claimed <= most {
-        return Ok(());
+/// What is found of a plan.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Found {
+    pub shown: Vec<Shown>,
+    pub weaker: Vec<String>,
+    /// Sets that could not be decided.
+    pub undecided: Vec<String>,
+    /// s
+    pub total: f64,
+}
+
+impl Checked<'_> {
+    /// What the nodes show.
+    fn found(&self) -> Found {
+        let mission = self.setting.mission;
+        let shown = vec![
+            Shown::at_nodes(format!("{} pieces join", self.motion.pieces())),
+            Shown::at_nodes(format!("{} waypoints met, and rest where the spec asks for it", mission.waypoints.len())),
+        ];
+        let mut weaker = Vec::new();
+        if self.coarser_legs > 0 {
+            weaker.push(format!(
+                "fewer pieces than the spec's {} samples make, on {} of {} legs",
+                self.setting.model.plan.samples,
+                self.coarser_legs,
+                mission.legs.len()
+            ));
+        }
+        weaker.extend(self.undecided.iter().cloned());
+        weaker.extend(self.selection.iter().cloned());
+        if self.setting.model.plan.require_risk.is_some() && self.setting.model.plan.planner == PlannerKind::Rsp {
+            weaker.push("`require risk` is not checked: what protects the plan is not part of a certificate".into());
+        }
+        let total = self.motion.times[self.motion.times.len() - 1];
+        Found { shown, weaker, undecided: self.undecided.clone(), total }
     }
-    let [claimed, most] = [claimed, most].map(number);
-    Err(Rejection::new(name, format!("{claimed} {unit} is more than the {most} that a plan may miss")))
+}
+
+/// The planes of all groups side by side.
+fn all_planes(groups: &[Group]) -> Vec<Plane> {
+    groups.iter().flat_map(|group| group.planes.iter().cloned()).collect()
+}
+
+/// Whether a family of rows on the wrench is linear over each piece.
+fn is_linear(dynamics: &Dynamics) -> bool {
+    dynamics.model == DynamicModel::Hover && dynamics.one_yaw.is_some()
+}
+
+/// A family whose members are listed by group.
+fn of_groups<'f>(setting: &Setting<'f>, held: Held, planes: &'f [Plane]) -> Family<'f> {
+    Family { overhead: setting.overhead(), ..wrench_family(&setting.dynamics, held, planes) }
 }

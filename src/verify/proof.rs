@@ -1,11 +1,11 @@
 //! What holds at nodes, on a grid, at every instant: bounds on quantities along a motion.
 
+use super::cost::Purse;
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, State};
-use crate::certificate::{Bound, Scope};
 use crate::report::number::number;
 
-/// A quantity and its rate of change, at an instant or over a stretch.
+/// A quantity and its rate of change, at an instant or over a time interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rated {
     pub value: Interval,
@@ -24,9 +24,11 @@ pub struct Family<'a> {
     /// They may jump where two pieces meet, so that each node is looked at from both.
     pub jumps: bool,
     pub measure: Measure,
+    /// Units of work for a state, beside one for each member.
+    pub overhead: u64,
 }
 
-/// How messages say by how much a bound is passed or kept.
+/// How messages say by how much a bound is exceeded or kept.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measure {
     /// Of the unit in that of the records.
@@ -44,145 +46,167 @@ impl Measure {
     pub fn of(self, x: f64) -> String {
         format!("{} {}", number(x * self.factor), self.unit)
     }
-
-    /// What an excess says of a bound.
-    pub fn kept_or_passed(self, excess: f64) -> String {
-        match excess > 0.0 {
-            true => format!("passed by {}", self.of(excess)),
-            false => format!("kept with {} to spare", self.of(-excess)),
-        }
-    }
 }
 
-/// Why a bound does not stand.
-#[derive(Debug, Clone, PartialEq)]
+/// Where and by how much a bound is exceeded.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Failure {
     pub member: usize,
     /// s
     pub at: f64,
-    /// What the quantity is at most there.
+    /// The quantity is at most this there.
     pub excess: f64,
-    /// It is false; otherwise it could not be proved.
-    pub refuted: bool,
 }
-
-/// Points of a grid in one piece.
-pub const MAX_GRID: usize = 1_000;
 
 /// Halvings of one piece.
 const DEEPEST: u32 = 24;
 
-/// Evaluations of single quantities left to one certificate.
-#[derive(Debug, Clone, Copy)]
-pub struct Budget(pub usize);
+impl Family<'_> {
+    fn units(&self, members: usize) -> u64 {
+        self.overhead.saturating_add(members as u64)
+    }
 
-impl Budget {
-    fn spend(&mut self, much: usize) -> bool {
-        self.0 = self.0.saturating_sub(much + 1);
-        self.0 > 0
+    fn everything(&self) -> Vec<usize> {
+        (0..self.members).collect()
     }
 }
 
-/// Shows that every member stays at or below the bound, or says where it does not.
-pub fn holds(family: &Family, motion: &Motion, bound: &Bound, budget: &mut Budget) -> Result<(), Failure> {
-    let everything: Vec<usize> = (0..family.members).collect();
-    (0..motion.pieces()).try_for_each(|piece| over_piece(family, motion, piece, &everything, bound, budget))
-}
-
-/// The members that are shown to stay at or below the bound, in order; none once the budget is spent.
-pub fn kept(family: &Family, motion: &Motion, bound: &Bound, budget: &mut Budget) -> Vec<usize> {
-    let mut members: Vec<usize> = (0..family.members).collect();
+/// The largest value of any member at the nodes and the points between them that the spec's samples ask for, where it is
+/// above `most`.
+pub fn above_at_nodes(family: &Family, motion: &Motion, most: f64) -> Option<Failure> {
+    let members = family.everything();
+    let mut worst: Option<Failure> = None;
     for piece in 0..motion.pieces() {
-        while let Err(failure) = over_piece(family, motion, piece, &members, bound, budget) {
-            members.retain(|&member| member != failure.member);
+        // What does not jump is the same seen from either piece.
+        let ends = if family.jumps || piece + 1 == motion.pieces() { piece..=piece + 1 } else { piece..=piece };
+        for node in ends {
+            let state = motion.node_in(node, piece);
+            keep_worst(&mut worst, above(family, &members, &state, motion.times[node], most));
         }
-    }
-    members
-}
-
-/// Shows it over one piece of the motion.
-fn over_piece(
-    family: &Family,
-    motion: &Motion,
-    piece: usize,
-    members: &[usize],
-    bound: &Bound,
-    budget: &mut Budget,
-) -> Result<(), Failure> {
-    // What is linear and does not jump does not depend on the piece that a node is seen from.
-    let once = family.linear && !family.jumps && piece + 1 < motion.pieces();
-    for node in piece..=piece + usize::from(!once) {
-        at_instant(family, &motion.node_in(node, piece), motion.times[node], members, bound.excess, budget)?;
-    }
-    let whole = motion.duration(piece);
-    match bound.scope {
-        Scope::Nodes => Ok(()),
-        Scope::Grid(points) => (1..=points.min(MAX_GRID)).try_for_each(|i| {
-            let share = Interval::point(i as f64) / Interval::point((points + 1) as f64);
-            let at = share * whole;
+        for at in motion.asked_within(piece) {
             let state = motion.over(piece, at);
-            at_instant(family, &state, motion.times[piece] + at.middle(), members, bound.excess, budget)
-        }),
-        Scope::EveryInstant if family.linear => Ok(()),
-        Scope::EveryInstant => {
-            let stretch = Interval::new(0.0, whole.high);
-            throughout(family, motion, piece, stretch, members, bound.excess, DEEPEST, budget)
+            keep_worst(&mut worst, above(family, &members, &state, motion.times[piece] + at.middle(), most));
         }
+    }
+    worst
+}
+
+/// The largest value of any of `members` on a grid of `points` between the ends of every piece, and at them.
+pub fn largest_on_grid(family: &Family, motion: &Motion, members: &[usize], points: usize) -> Option<Failure> {
+    let mut worst: Option<Failure> = None;
+    for piece in 0..motion.pieces() {
+        for node in [piece, piece + 1] {
+            let state = motion.node_in(node, piece);
+            keep_worst(&mut worst, above(family, members, &state, motion.times[node], f64::NEG_INFINITY));
+        }
+        for at in motion.grid(piece, points) {
+            let state = motion.over(piece, at);
+            let when = motion.times[piece] + at.middle();
+            keep_worst(&mut worst, above(family, members, &state, when, f64::NEG_INFINITY));
+        }
+    }
+    worst
+}
+
+/// Units that [`largest_on_grid`] takes.
+pub fn cost_of_grid(family: &Family, motion: &Motion, members: usize, points: usize) -> u64 {
+    (motion.pieces() as u64).saturating_mul(points as u64 + 2).saturating_mul(family.units(members))
+}
+
+fn keep_worst(worst: &mut Option<Failure>, found: Option<Failure>) {
+    if let Some(found) = found.filter(|f| worst.is_none_or(|w| exceeds(f.excess, w.excess))) {
+        *worst = Some(found);
     }
 }
 
-fn at_instant(
-    family: &Family,
-    state: &State,
-    at: f64,
-    members: &[usize],
-    most: f64,
-    budget: &mut Budget,
-) -> Result<(), Failure> {
-    let enough = budget.spend(members.len());
+/// The largest of the members at a state that is above `most`.
+fn above(family: &Family, members: &[usize], state: &State, at: f64, most: f64) -> Option<Failure> {
+    let mut worst: Option<Failure> = None;
     for (&member, found) in members.iter().zip(&(family.evaluate)(state, members)) {
-        if !enough || exceeds(found.value.high, most) {
-            return Err(Failure { member, at, excess: found.value.high, refuted: found.value.low > most });
+        if exceeds(found.value.high, most) {
+            keep_worst(&mut worst, Some(Failure { member, at, excess: found.value.high }));
         }
     }
-    Ok(())
+    worst
 }
 
-/// Halves a stretch of a piece until the mean value form keeps every member below: f(t) lies in f(m) + f'(T)(T - m).
-#[allow(clippy::too_many_arguments)]
-fn throughout(
-    family: &Family,
-    motion: &Motion,
-    piece: usize,
-    stretch: Interval,
-    members: &[usize],
+/// For each member whether it is proved to stay at or below the bound at every instant; none is that the work left does not
+/// reach for.
+pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut Purse) -> Vec<bool> {
+    let mut proof = Proof { family, motion, most, proved: vec![true; family.members], purse };
+    for piece in 0..motion.pieces() {
+        let members = proof.open();
+        if members.is_empty() {
+            break;
+        }
+        proof.at_ends(piece, &members);
+        if !family.linear {
+            let whole = Interval::new(0.0, motion.duration(piece).high);
+            let members = proof.open();
+            proof.over(piece, whole, members, DEEPEST);
+        }
+    }
+    proof.proved
+}
+
+struct Proof<'p> {
+    family: &'p Family<'p>,
+    motion: &'p Motion,
     most: f64,
-    deeper: u32,
-    budget: &mut Budget,
-) -> Result<(), Failure> {
-    let middle = Interval::point(stretch.middle());
-    let at_middle = (family.evaluate)(&motion.over(piece, middle), members);
-    let over = (family.evaluate)(&motion.over(piece, stretch), members);
-    let away = stretch - middle;
-    let at = motion.times[piece] + middle.low;
-    let enough = budget.spend(2 * members.len());
-    let mut left = Vec::new();
-    for ((&member, there), all) in members.iter().zip(&at_middle).zip(&over) {
-        let value = (there.value + all.rate * away).meet(all.value);
-        if !exceeds(value.high, most) {
-            continue;
+    proved: Vec<bool>,
+    purse: &'p mut Purse,
+}
+
+impl Proof<'_> {
+    /// The members that nothing speaks against so far.
+    fn open(&self) -> Vec<usize> {
+        (0..self.proved.len()).filter(|&member| self.proved[member]).collect()
+    }
+
+    fn give_up(&mut self, members: &[usize]) {
+        members.iter().for_each(|&member| self.proved[member] = false);
+    }
+
+    fn at_ends(&mut self, piece: usize, members: &[usize]) {
+        for node in [piece, piece + 1] {
+            if !self.purse.spend(self.family.units(members.len())) {
+                return self.give_up(members);
+            }
+            let found = (self.family.evaluate)(&self.motion.node_in(node, piece), members);
+            for (&member, found) in members.iter().zip(&found) {
+                if exceeds(found.value.high, self.most) {
+                    self.proved[member] = false;
+                }
+            }
         }
-        let refuted = there.value.low > most;
-        if refuted || deeper == 0 || !enough {
-            return Err(Failure { member, at, excess: there.value.high, refuted });
+    }
+
+    /// Halves a part of a piece until the mean value form keeps every member below: f(t) lies in f(m) + f'(T)(T - m).
+    fn over(&mut self, piece: usize, part: Interval, mut members: Vec<usize>, deeper: u32) {
+        members.retain(|&member| self.proved[member]);
+        if members.is_empty() {
+            return;
         }
-        left.push(member);
+        if !self.purse.spend(self.family.units(members.len()).saturating_mul(2)) {
+            return self.give_up(&members);
+        }
+        let middle = Interval::point(part.middle());
+        let at_middle = (self.family.evaluate)(&self.motion.over(piece, middle), &members);
+        let over = (self.family.evaluate)(&self.motion.over(piece, part), &members);
+        let away = part - middle;
+        let mut left = Vec::new();
+        for ((&member, there), all) in members.iter().zip(&at_middle).zip(&over) {
+            let value = (there.value + all.rate * away).meet(all.value);
+            if !exceeds(value.high, self.most) {
+                continue;
+            }
+            match there.value.low > self.most || deeper == 0 {
+                true => self.proved[member] = false,
+                false => left.push(member),
+            }
+        }
+        for half in [Interval::new(part.low, middle.low), Interval::new(middle.low, part.high)] {
+            self.over(piece, half, left.clone(), deeper.saturating_sub(1));
+        }
     }
-    if left.is_empty() {
-        return Ok(());
-    }
-    for half in [Interval::new(stretch.low, middle.low), Interval::new(middle.low, stretch.high)] {
-        throughout(family, motion, piece, half, &left, most, deeper - 1, budget)?;
-    }
-    Ok(())
 }

@@ -20,8 +20,9 @@ use std::cmp::Ordering;
 /// The name of the set without faults.
 pub const HEALTHY: &str = "healthy";
 
-/// Triples of generators that one certificate may need.
-pub const MAX_TRIPLES: usize = 500_000;
+/// Three generators are independent, and the plane they span bounds the set in a facet, where the volume they span, each of
+/// length 1 in units of the set's extent along each axis, is more than this. What is less may be rounding alone.
+const INDEPENDENT: f64 = 1e-6;
 
 type Exact = [Dyadic; 4];
 
@@ -33,6 +34,8 @@ pub struct Plane {
     /// The rotors that span it, from 1; fewer than three in a flat set. Of the pseudo-inverse the one that is at a bound;
     /// none where the row says that T is not negative.
     pub rotors: Vec<usize>,
+    /// Whether the plane is known to hold a facet of the set; others may only touch it.
+    pub is_facet: bool,
 }
 
 impl Plane {
@@ -146,10 +149,13 @@ impl Generators {
         }
     }
 
-    /// Triples of generators there are.
-    pub fn triples(&self) -> usize {
-        let n = self.own.len();
-        n * n.saturating_sub(1) * n.saturating_sub(2) / 6
+    /// Planes that [`Generators::planes`] works out, at most.
+    pub fn planes_at_most(&self) -> u64 {
+        let n = self.own.len() as u64;
+        match self.inverse {
+            Some(_) => 2 * n + 1,
+            None => n * n.saturating_sub(1) * n.saturating_sub(2) / 3 + n * n.saturating_sub(1) + 1,
+        }
     }
 
     /// The facet that a certificate names by rotors, on the side that `towards` points to; `None` where they name none.
@@ -179,7 +185,7 @@ impl Generators {
         Facet {
             normal: row.map(|n| n / length),
             offset: bound / length,
-            plane: self.plane(normal, offset, rotors.to_vec()),
+            plane: self.plane(normal, offset, rotors.to_vec(), true),
         }
     }
 
@@ -189,14 +195,15 @@ impl Generators {
         let mut planes = match &self.inverse {
             Some(inverse) => {
                 let rows = inverse.rows()?;
-                rows.into_iter().map(|(rotor, normal, offset)| self.plane(&normal, &offset, vec![rotor])).collect()
+                // A rotor's bound may be out of the others' reach.
+                rows.into_iter().map(|(rotor, normal, offset)| self.plane(&normal, &offset, vec![rotor], false)).collect()
             }
             None => self.spanned()?,
         };
         if self.doubts.is_some() {
             let mut down = zero();
             down[0] = Dyadic::of(-1.0);
-            planes.push(self.plane(&down, &Dyadic::zero(), Vec::new()));
+            planes.push(self.plane(&down, &Dyadic::zero(), Vec::new(), false));
         }
         Ok(planes)
     }
@@ -204,17 +211,22 @@ impl Generators {
     fn spanned(&self) -> Result<Vec<Plane>, String> {
         let used: Vec<usize> = (0..self.own.len()).filter(|&k| !is_zero(&self.own[k])).collect();
         let mut normals = Vec::new();
+        let extent = self.extents();
+        let scaled: Vec<[f64; 4]> = self.own.iter().map(|g| in_units_of(&extent, g)).collect();
         for (i, &a) in used.iter().enumerate() {
             for (j, &b) in used.iter().enumerate().skip(i + 1) {
                 for &c in &used[j + 1..] {
                     let normal = orthogonal(&self.own[a], &self.own[b], &self.own[c]);
                     if !is_zero(&normal) {
-                        normals.push((normal, vec![a + 1, b + 1, c + 1]));
+                        let independent = volume([&scaled[a], &scaled[b], &scaled[c]]) > INDEPENDENT;
+                        // What intervals take off a plane may leave it out of the others' reach.
+                        let is_facet = independent && self.doubts.is_none();
+                        normals.push((normal, vec![a + 1, b + 1, c + 1], is_facet));
                     }
                 }
             }
         }
-        let Some((first, _)) = normals.first().cloned() else {
+        let Some((first, _, _)) = normals.first().cloned() else {
             return Err("the set has fewer than three dimensions".into());
         };
         if self.own.iter().all(|g| dot(&first, g).is_zero()) {
@@ -223,16 +235,22 @@ impl Generators {
                 for &b in &used[i + 1..] {
                     let normal = orthogonal(&self.own[a], &self.own[b], &first);
                     if !is_zero(&normal) {
-                        normals.push((normal, vec![a + 1, b + 1]));
+                        normals.push((normal, vec![a + 1, b + 1], false));
                     }
                 }
             }
         }
-        let both = |(normal, rotors): (Exact, Vec<usize>)| {
+        let both = |(normal, rotors, is_facet): (Exact, Vec<usize>, bool)| {
             let opposite = normal.clone().map(|n| n.negated());
-            [&normal, &opposite].map(|n| self.plane(n, &self.support(n), rotors.clone()))
+            [&normal, &opposite].map(|n| self.plane(n, &self.support(n), rotors.clone(), is_facet))
         };
         Ok(normals.into_iter().flat_map(both).collect())
+    }
+
+    /// How far all generators together reach along each axis.
+    fn extents(&self) -> [f64; 4] {
+        let reach = |axis: usize| self.own.iter().map(|g| g[axis].enclosure().magnitude()).sum::<f64>();
+        std::array::from_fn(|axis| reach(axis).max(f64::MIN_POSITIVE))
     }
 
     /// Bounds on T, tau_x, tau_y and tau_z over the set, the reserve taken off: those of all that the rotors give.
@@ -264,7 +282,7 @@ impl Generators {
     }
 
     /// The half-space, shrunk about hover by the reserve: n.w <= n.h + (1 - reserve) (e - n.h).
-    fn plane(&self, normal: &Exact, offset: &Dyadic, rotors: Vec<usize>) -> Plane {
+    fn plane(&self, normal: &Exact, offset: &Dyadic, rotors: Vec<usize>, is_facet: bool) -> Plane {
         if self.doubts.is_none() {
             let width = absolute(self.healthy.iter().map(|g| dot(normal, g))).enclosure();
             let hover = dot(normal, &self.hover);
@@ -273,14 +291,31 @@ impl Generators {
                 normal: normal.each_ref().map(|n| n.enclosure() / width),
                 offset: (hover.enclosure() + self.kept * room) / width,
                 rotors,
+                is_facet,
             };
         }
         let (normal, offset) = self.row(normal, offset);
         let enclosed = |v: &Exact| v.each_ref().map(Dyadic::enclosure);
         let width = self.healthy.iter().fold(Interval::ZERO, |sum, g| sum + along(&normal, &enclosed(g)).abs());
         let hover = along(&normal, &enclosed(&self.hover));
-        Plane { normal: normal.map(|n| n / width), offset: (hover + self.kept * (offset - hover)) / width, rotors }
+        let offset = (hover + self.kept * (offset - hover)) / width;
+        Plane { normal: normal.map(|n| n / width), offset, rotors, is_facet }
     }
+}
+
+/// A generator of length 1, in units of `extent` along each axis.
+fn in_units_of(extent: &[f64; 4], generator: &Exact) -> [f64; 4] {
+    let parts: [f64; 4] = std::array::from_fn(|axis| generator[axis].enclosure().middle() / extent[axis]);
+    let length = parts.iter().map(|p| p * p).sum::<f64>().sqrt();
+    parts.map(|p| p / length)
+}
+
+/// The volume that three vectors span.
+fn volume([a, b, c]: [&[f64; 4]; 3]) -> f64 {
+    let dot = |p: &[f64; 4], q: &[f64; 4]| (0..4).map(|i| p[i] * q[i]).sum::<f64>();
+    // Gram's determinant, of rows that have length 1.
+    let (ab, ac, bc) = (dot(a, b), dot(a, c), dot(b, c));
+    (1.0 + 2.0 * ab * ac * bc - ab * ab - ac * ac - bc * bc).max(0.0).sqrt()
 }
 
 /// The sum of absolute values.

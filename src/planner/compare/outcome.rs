@@ -43,10 +43,24 @@ pub struct Solved {
     /// How long the mission is committed to each of them, s, by what it does after a fault
     /// ([`crate::model::Model::after_fault`]). Empty under [`Scope::Common`] and for rounds, which weigh no risk.
     pub committed: Vec<f64>,
+    /// What the check of plans said of it ([`crate::certify::check`]).
+    pub verification: Verification,
     /// For an own shortest time: the shorter time shown infeasible.
     pub infeasible_at: Option<f64>,
     /// Longer times that were tried and found infeasible.
     pub infeasible_above: Vec<f64>,
+}
+
+/// What the check of a finished plan found. One that fails is not kept as a plan.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub enum Verification {
+    /// Not made: plans within a search.
+    #[default]
+    None,
+    /// Every row of the spec holds at the nodes.
+    Passed,
+    /// Something could not be decided, and why.
+    Undecided(String),
 }
 
 impl Solved {
@@ -80,6 +94,8 @@ pub struct Comparison {
     /// Facets (of `against` modes) that RSP selects at T_d, as rows: those the RIP plan violates, and with more rounds those
     /// that the plans of the rounds before violate.
     pub selected: Vec<SetRow>,
+    /// The plans at T_d that RSP selects them by: the RIP plan, then one for each further round.
+    pub selected_by: Vec<Trajectory>,
     /// Where the spec requires a risk: the plan without protection, then what each addition gives.
     pub trade_off: Vec<Addition>,
     /// The plans of RIP and of the tightest RCP at their own shortest times, where they were sought: what further plans can

@@ -12,6 +12,7 @@ use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::RESOLUTION;
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::solve::Effort;
+use crate::trajectory::Trajectory;
 use std::collections::BTreeMap;
 use std::iter;
 
@@ -141,6 +142,7 @@ impl Setting<'_> {
                     _ => break,
                 }
             }
+            out.selected_by.push(Trajectory::of(&planned));
             let new = self.sets.violated(self.model, &planned);
             if new.is_empty() {
                 break;

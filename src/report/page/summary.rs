@@ -4,7 +4,7 @@ use super::chart::length;
 use super::flown::headline;
 use super::motion::{nearest, signed_percent};
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
-use crate::certificate::between::Shown;
+use crate::certify::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};

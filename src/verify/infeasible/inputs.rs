@@ -67,7 +67,7 @@ impl Rows<'_> {
     ///
     /// Without either limit nothing bounds them: splines that vanish at all nodes may grow from each to the next.
     fn at_a_moving_end(&self, axis: usize, acceleration: Interval) -> Interval {
-        let times = &self.claim.times_s;
+        let times = &self.grid.times;
         let [.., before, end] = times[..] else { return Interval::WHOLE };
         let step = Interval::point(end) - Interval::point(before);
         let jerk = self.upper(LimitKind::Jerk).map(|j| Interval::point(6.0) * Interval::point(j) / step);
@@ -108,7 +108,7 @@ impl Rows<'_> {
 
     /// s
     fn shortest_step(&self) -> Interval {
-        let steps = self.claim.times_s.windows(2).map(|w| Interval::point(w[1]) - Interval::point(w[0]));
+        let steps = self.grid.times.windows(2).map(|w| Interval::point(w[1]) - Interval::point(w[0]));
         steps.reduce(|a, b| if b.low < a.low { b } else { a }).unwrap_or(Interval::ZERO)
     }
 

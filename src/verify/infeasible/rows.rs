@@ -1,7 +1,8 @@
 //! What rows say: expressions in the derivatives at the nodes that are not negative for any plan.
 
-use super::super::interval::Interval;
+use super::super::interval::{Interval, exceeds};
 use super::super::motion::{X, Y, YAW, Z};
+use super::super::premise::Premise;
 use super::super::sets::Plane;
 use super::Rows;
 use crate::certificate::{DynamicModel, Multiplier, RowRecord, Side};
@@ -9,9 +10,6 @@ use crate::model::{Limit, LimitKind};
 
 /// A plan may miss a waypoint by this much beside its tolerance, m; yaw in proportion.
 const FEASIBLE: f64 = 1e-6;
-
-/// A tolerance of a kilometre binds nothing, m.
-pub(super) const UNBOUNDED: f64 = 1e3;
 
 /// A linear expression in the derivatives at some nodes.
 #[derive(Debug, Clone, Default)]
@@ -51,7 +49,8 @@ impl Rows<'_> {
         }
         let free = matches!(multiplier.row, RowRecord::Rest { .. });
         let rest = z[1..].iter().fold(Interval::ZERO, |sum, &v| sum + Interval::point(v).square()).sqrt();
-        if !free && rest.high > z[0] {
+        // A number that is not one exceeds everything.
+        if self.premises.has(Premise::DualCone) && !free && exceeds(rest.high, z[0]) {
             return Err("it lies outside the dual cone".into());
         }
         Ok(parts)
@@ -61,12 +60,12 @@ impl Rows<'_> {
     fn expressions(&self, row: &RowRecord) -> Result<Vec<Expression>, String> {
         let points = &self.mission.waypoints;
         let at = |node: usize| if node < self.nodes() { Ok(node) } else { Err(format!("there is no node {node}")) };
-        let of_waypoint = |i: usize| match (points.get(i), self.claim.waypoint_nodes.get(i)) {
+        let of_waypoint = |i: usize| match (points.get(i), self.grid.waypoint_nodes.get(i)) {
             (Some(point), Some(&node)) => Ok((point, node)),
             _ => Err(format!("there is no waypoint {i}")),
         };
         match *row {
-            RowRecord::Rest { node, axis, derivative } if self.rests(at(node)?, axis, derivative) => {
+            RowRecord::Rest { node, axis, derivative } if self.may_rest(at(node)?, axis, derivative) => {
                 Ok(vec![Expression::of(node, axis, derivative)])
             }
             RowRecord::Rest { node, axis, derivative } => {
@@ -101,9 +100,6 @@ impl Rows<'_> {
             }
             RowRecord::Waypoint { waypoint } => {
                 let (point, node) = of_waypoint(waypoint)?;
-                if point.within >= UNBOUNDED {
-                    return Err(format!("waypoint {waypoint} has no tolerance that binds"));
-                }
                 let mut parts = vec![Expression::constant(self.tolerances(waypoint).0)];
                 for (axis, due) in [X, Y, Z].into_iter().zip(point.position) {
                     parts.push(Expression::of(node, axis, 0).minus(Interval::point(due)));
@@ -126,6 +122,14 @@ impl Rows<'_> {
         (within + more, turned * (Interval::ONE + more / within))
     }
 
+    /// Whether a row may say that a derivative vanishes.
+    fn may_rest(&self, node: usize, axis: usize, derivative: usize) -> bool {
+        match self.premises.has(Premise::Rest) {
+            true => self.rests(node, axis, derivative),
+            false => axis <= YAW && derivative <= self.orders()[axis],
+        }
+    }
+
     /// Rest as the language has it: velocity, acceleration, horizontal jerk, yaw rate and yaw acceleration; in a hold
     /// the inputs too.
     fn rests(&self, node: usize, axis: usize, derivative: usize) -> bool {
@@ -135,7 +139,7 @@ impl Rows<'_> {
         let last = self.nodes() - 1;
         let ends = node == 0 && self.mission.start_at_rest || node == last && self.mission.end_at_rest;
         let held =
-            self.mission.waypoints.iter().zip(&self.claim.waypoint_nodes).any(|(w, &n)| n == node && w.hold > 0.0);
+            self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes).any(|(w, &n)| n == node && w.hold > 0.0);
         let highest = if held { self.orders()[axis] } else { self.orders()[axis].min(3) };
         (ends || held) && derivative <= highest
     }
@@ -163,7 +167,7 @@ impl Rows<'_> {
 
     /// e - n.(w + tau w'): with one yaw w is linear in an interval, so w' is what it changes there over the duration.
     fn keeps_commands(&self, plane: &Plane, tau: Interval, node: usize, interval: usize) -> Expression {
-        let times = &self.claim.times_s;
+        let times = &self.grid.times;
         let ahead = tau / (Interval::point(times[interval + 1]) - Interval::point(times[interval]));
         let mut row = self.keeps(plane, node);
         for (end, share) in [(interval + 1, ahead), (interval, -ahead)] {
@@ -202,7 +206,7 @@ impl Rows<'_> {
             }
             LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),
             LimitKind::Jerk if self.beside(node, interval) => {
-                let times = &self.claim.times_s;
+                let times = &self.grid.times;
                 let h = Interval::point(times[interval + 1]) - Interval::point(times[interval]);
                 let rate = Interval::ONE / h;
                 let slope = Expression::default().plus(interval + 1, Z, 2, rate).plus(interval, Z, 2, -rate);

@@ -1,7 +1,6 @@
 //! What reports say of a plan between its nodes: proved for every instant by the checker's intervals, or checked on a grid.
 
 use super::plan::{limit_excess, model_of, motion};
-use super::{Bound, Scope};
 use crate::actuation::Wrench;
 use crate::model::{Limit, Mission, Model};
 use crate::planner::compare::{PlannerRun, Solved};
@@ -11,20 +10,24 @@ use crate::report::caveats::limit_words;
 use crate::trajectory::Trajectory;
 use crate::verify::interval::Interval;
 use crate::verify::limits;
-use crate::verify::plan::{Checker, MOST_OUTSIDE, MOST_PAST_LIMIT, wrench_family};
+use crate::verify::cost::Purse;
+use crate::verify::motion::Motion;
+use crate::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT, OF_A_GRID, Setting, wrench_family};
+use crate::verify::proof::throughout;
 use crate::verify::sets::Plane;
-use crate::verify::wrench::Held;
+use crate::verify::wrench::{Dynamics, Held};
+use crate::verify::Premises;
 use serde::Serialize;
 
 /// Points of each interval, one of its ends included, where nothing is proved: those on which plans of the exact model are
 /// settled.
-pub const GRID: usize = 64;
+pub const GRID: usize = OF_A_GRID + 1;
 
-/// Evaluations of single rows that one proof may take: a small part of what planning takes.
-const EVALUATIONS: usize = 3_000_000;
+/// Work that one proof may take, in the checker's units: a small part of what planning takes.
+const WORK: u64 = 3_000_000;
 
 /// The same for each row and piece, where that is more.
-const EVALUATIONS_EACH: usize = 20;
+const WORK_EACH: u64 = 20;
 
 /// By how much a limit may be passed, in shares of itself or in its SI unit if that is more: tried in turn. Up to the
 /// last it counts as kept.
@@ -69,28 +72,30 @@ pub const COMMANDS: &str = "commands";
 pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> Vec<Between> {
     let trajectory = &solved.trajectory;
     let kind = model_of(trajectory);
-    let Ok(mut checker) = Checker::new(model, mission, kind, &motion(trajectory, kind)) else { return Vec::new() };
+    let setting = Setting::new(model, mission, kind, Premises::default());
+    let Ok(motion) = setting.motion(&motion(trajectory)) else { return Vec::new() };
     let rows = &run.set.rows;
     let plane = |side: f64, row: &SetRow| Plane {
         normal: std::array::from_fn(|i| Interval::point(side * row.normal[i])),
         offset: Interval::point(side * row.offset),
         rotors: Vec::new(),
+        is_facet: true,
     };
     let other_sides = rows.iter().filter(|r| r.equality).map(|r| plane(-1.0, r));
     let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
     let largest = |wrench: &Wrench| rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, f64::max);
-    let mut found = vec![kept_facets(&mut checker, Held::Wrench, &planes, trajectory, |_, state| {
+    let mut found = vec![kept_facets((setting.dynamics(), &motion), Held::Wrench, &planes, trajectory, |_, state| {
         largest(&trajectory.wrench(&model.vehicle, model.gravity, state))
     })];
-    found.extend(mission.limits.iter().map(|limit| kept_limit(&mut checker, limit, trajectory, model.gravity)));
-    if let Some((held, tau)) = checker.commands().zip(model.thrust_lag()) {
+    found.extend(mission.limits.iter().map(|limit| kept_limit(&motion, limit, trajectory, model.gravity)));
+    if let Some((held, tau)) = setting.commands().zip(model.thrust_lag()) {
         // Where the wrench stays in a plane its rate does, and so do the commands.
         let planes: Vec<Plane> = rows.iter().filter(|r| !r.equality).map(|r| plane(1.0, r)).collect();
         let largest = |lead: &Wrench| {
             let rows = rows.iter().filter(|r| !r.equality);
             rows.map(|row| row.excess(lead)).fold(f64::NEG_INFINITY, f64::max)
         };
-        found.push(kept_facets(&mut checker, held, &planes, trajectory, |k, state| {
+        found.push(kept_facets((setting.dynamics(), &motion), held, &planes, trajectory, |k, state| {
             largest(&trajectory.lead(&model.vehicle, model.gravity, tau, k, state))
         }));
     }
@@ -99,16 +104,16 @@ pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solv
 
 /// Of the facets imposed those that are proved, else what a grid shows; `excess` is the largest at a state of an interval.
 fn kept_facets(
-    checker: &mut Checker,
+    (dynamics, motion): (&Dynamics, &Motion),
     held: Held,
     planes: &[Plane],
     trajectory: &Trajectory,
     excess: impl Fn(usize, &NodeState) -> f64,
 ) -> Between {
     let rows = if held == Held::Wrench { WRENCH } else { COMMANDS };
-    let family = wrench_family(checker.dynamics(), held, planes);
-    checker.allow(EVALUATIONS.max(EVALUATIONS_EACH * planes.len() * trajectory.intervals()));
-    let proved = checker.kept(&family, &Bound { scope: Scope::EveryInstant, excess: MOST_OUTSIDE }).len();
+    let family = wrench_family(dynamics, held, planes);
+    let mut purse = Purse(WORK.max(WORK_EACH * (planes.len() * trajectory.intervals()) as u64));
+    let proved = throughout(&family, motion, MOST_OUTSIDE, &mut purse).into_iter().filter(|&proved| proved).count();
     let (shown, points, excess) = match proved == planes.len() {
         true => (Shown::Proved, None, MOST_OUTSIDE),
         false => (Shown::Checked, Some(GRID), seen(trajectory, excess)),
@@ -117,14 +122,13 @@ fn kept_facets(
 }
 
 /// Of the bounds that may be claimed the first that is proved, else what a grid shows.
-fn kept_limit(checker: &mut Checker, limit: &Limit, trajectory: &Trajectory, gravity: f64) -> Between {
+fn kept_limit(motion: &Motion, limit: &Limit, trajectory: &Trajectory, gravity: f64) -> Between {
     let rows = limit_words(limit.kind).0;
     let family = limits::family(limit, gravity);
     let seen = seen(trajectory, |_, state| limit_excess(limit, state, gravity));
     // What is seen to be false is not tried.
     let proved = PAST.map(|share| share * limit.size()).into_iter().filter(|bound| seen <= *bound).find(|&excess| {
-        checker.allow(EVALUATIONS);
-        checker.keeps(&family, &Bound { scope: Scope::EveryInstant, excess })
+        throughout(&family, motion, excess, &mut Purse(WORK)).iter().all(|&kept| kept)
     });
     match proved {
         Some(excess) => Between { rows, shown: Shown::Proved, points: None, imposed: 1, proved: 1, excess },

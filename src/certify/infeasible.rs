@@ -1,9 +1,11 @@
 //! A certificate that there is no plan: multipliers from the program (of the exact model: its relaxation) that asks how
 //! far waypoints would have to be overshot. Those of the dynamics are left out; the checker works them out itself.
 
-use super::{
-    Certificate, Claim, DynamicModel, FacetRecord, FacetWeight, InfeasibleClaim, Multiplier, RowRecord, SCHEMA, Side,
-    plan::facet_of,
+use super::facet::facet_of;
+use super::plan::motion;
+use crate::certificate::{
+    Certificate, Claim, DynamicModel, FacetRecord, FacetWeight, InfeasibleClaim, MAX_FACETS, MAX_MULTIPLIERS, Multiplier,
+    RowRecord, SCHEMA, Side,
 };
 use crate::admissible::AdmissibleSet;
 use crate::model::{LimitKind, Mission, Model, PlanModel};
@@ -18,7 +20,8 @@ use crate::planner::wrench_model::WrenchModel;
 use crate::planner::yaw::YawPlan;
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use crate::solve::{Outcome, solve};
-use crate::verify;
+use crate::trajectory::Trajectory;
+use crate::verify::{self, Settings};
 
 /// Of a plan that is missing for one motion of yaw only.
 const YAW_FIRST: &str = "in the hover model a yaw that changes is planned first, and that there is no plan is shown for that \
@@ -37,9 +40,6 @@ struct Asked {
     program: QuadraticProgram,
     /// Unit of time of its variables, s.
     tau: f64,
-    /// Without holds.
-    times: Vec<f64>,
-    waypoint_nodes: Vec<usize>,
     /// In the exact model: of the set's rows, see `MostThrust::weights`.
     thrust: Vec<f64>,
 }
@@ -54,7 +54,7 @@ pub fn certificate(
     mission: &Mission,
     run: &PlannerRun,
     total: f64,
-    sha256: String,
+    (selected_by, sha256): (&[Trajectory], String),
 ) -> Result<Certificate, String> {
     let healthy = AdmissibleSet::healthy(model);
     let mut engine = Engine::new(model, mission, &healthy);
@@ -72,11 +72,13 @@ pub fn certificate(
         DynamicModel::Exact => weighed(model, run, &asked.thrust)?,
     };
     let every = multipliers(&asked.program, &z, asked.tau, mission).ok_or("a row of the program has no name")?;
+    if facets.len() > MAX_FACETS || every.len() > MAX_MULTIPLIERS {
+        return Err("it has more rows than a certificate may hold".into());
+    }
     let size = |m: &Multiplier| m.z.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let largest = every.iter().map(size).fold(0.0, f64::max);
     let about = |part: Part, share: f64| InfeasibleClaim {
-        times_s: asked.times.clone(),
-        waypoint_nodes: asked.waypoint_nodes.clone(),
+        selected_by: selected_by.iter().map(motion).collect(),
         facets: facets.clone(),
         thrust: thrust.clone(),
         multipliers: every.iter().filter(|m| part.has(&m.row, mission) && size(m) > share * largest).cloned().collect(),
@@ -89,9 +91,9 @@ pub fn certificate(
         let claim = Claim::Infeasible(about(part, share));
         let certificate = Certificate { schema: SCHEMA, spec_sha256: sha256.clone(), model: kind, claim };
         // What does not show it is not written.
-        match verify::decide(&certificate, model) {
+        match verify::decide(&certificate, model, Settings::default()) {
             Ok(_) => return Ok(certificate),
-            Err(rejection) => last = format!("{}: {}", rejection.claim, rejection.detail),
+            Err(refusal) => last = refusal.sentence(),
         }
     }
     Err(format!("the multipliers found do not show it ({last})"))
@@ -115,8 +117,6 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
     Ok(Asked {
         program: form.full_program(Purpose::Overshoot { epsilon: COST }),
         tau: form.tau(),
-        times: layout.flown.node_times.clone(),
-        waypoint_nodes: layout.flown.waypoint_nodes.clone(),
         thrust: Vec::new(),
     })
 }
@@ -126,8 +126,7 @@ fn relaxed(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Asked, S
     let flown = profile(engine.mission, total, engine.model.plan.samples).ok_or(NO_TIME)?.flown();
     let Relaxed { program, tau, thrust } =
         Successive::new(engine, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
-    let (times, waypoint_nodes) = (flown.node_times, flown.waypoint_nodes);
-    Ok(Asked { program, tau, times, waypoint_nodes, thrust: thrust.weights })
+    Ok(Asked { program, tau, thrust: thrust.weights })
 }
 
 fn named<'r>(model: &Model, rows: impl Iterator<Item = &'r SetRow>) -> Result<Vec<FacetRecord>, String> {

@@ -1,0 +1,41 @@
+//! The last word on a plan: each one found goes through the checker, at the nodes, before it is called a plan.
+
+use super::plan::certificate;
+use crate::model::{Mission, Model, PlannerKind};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Verification};
+use crate::verify::{self, Refusal, Settings};
+
+/// Decides every plan of a comparison. What fails is not a plan: its run ends without one, and says why.
+pub fn check(model: &Model, mission: &Mission, comparison: &mut Comparison) {
+    let selected_by = comparison.selected_by.clone();
+    let risk_required = !comparison.trade_off.is_empty();
+    for run in &mut comparison.runs {
+        let asked = asked_of(model, mission, run, risk_required);
+        let Ending::Solved(solved) = &mut run.ending else { continue };
+        let selected_by = if run.planner == PlannerKind::Rsp { &selected_by[..] } else { &[] };
+        let certificate = certificate(&solved.trajectory, selected_by, String::new());
+        match verify::decide_at_nodes(&certificate, &asked, Settings::default()) {
+            Ok(verdict) if verdict.undecided.is_empty() => solved.verification = Verification::Passed,
+            Ok(verdict) => solved.verification = Verification::Undecided(verdict.undecided.join("; ")),
+            Err(refusal @ Refusal::Budget { .. }) => {
+                solved.verification = Verification::Undecided(refusal.sentence());
+            }
+            Err(Refusal::Rejected(rejection)) => {
+                let status = format!("a motion was found, but it fails the check of plans: {}", rejection.sentence());
+                run.ending = Ending::Inconclusive { at: solved.time, status };
+            }
+        }
+    }
+}
+
+/// The spec as one run of a comparison plans it.
+fn asked_of(model: &Model, mission: &Mission, run: &PlannerRun, risk_required: bool) -> Model {
+    let mut asked = Model { mission: Some(mission.clone()), ..model.clone() };
+    asked.plan.planner = run.planner;
+    let named = |&mode: &usize| model.modes.get(mode).is_some_and(|m| run.against.contains(&m.name));
+    asked.plan.against.retain(named);
+    if !risk_required {
+        asked.plan.require_risk = None;
+    }
+    asked
+}

@@ -1,0 +1,245 @@
+//! What is bounded along a motion: limits, sets and facets, and that the thrust points up. Nodes decide; what holds between
+//! them is proved for every instant or looked at on a grid.
+
+use super::super::cost::{self, Purse};
+use super::super::interval::{Interval, exceeds};
+use super::super::limits;
+use super::super::motion::{Motion, State, Z, series};
+use super::super::premise::Premise;
+use super::super::proof::{
+    Failure, Family, Measure, Rated, above_at_nodes, cost_of_grid, largest_on_grid, throughout,
+};
+use super::super::series::Series;
+use super::super::sets::{Plane, along};
+use super::super::wrench::{Dynamics, Held};
+use super::super::{Reach, Rejection, Scope, Shown};
+use super::{
+    Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups,
+};
+use crate::certificate::DynamicModel;
+use crate::report::caveats::limit_words;
+
+/// Points between the ends of a piece at which what is not proved is looked at; with one of the ends 64.
+pub const OF_A_GRID: usize = 63;
+
+/// What limits and sets are exceeded by between nodes is claimed for every instant up to this share more than a grid shows.
+const MISSED: f64 = 1e-3;
+
+impl<'a> Setting<'a> {
+    pub(super) fn limits_at_nodes(&self, motion: &Motion) -> Result<(), Rejection> {
+        if !self.premises.has(Premise::Limits) {
+            return Ok(());
+        }
+        for (index, limit) in self.mission.limits.iter().enumerate() {
+            let family = limits::family(limit, self.model.gravity);
+            let most = MOST_PAST_LIMIT * limit.size();
+            if let Some(failure) = above_at_nodes(&family, motion, most) {
+                let claim = format!("limit {} ({})", index + 1, limit_words(limit.kind).0);
+                return Err(Rejection { span: Some(limit.span), ..exceeded(claim, &failure, family.measure, most) });
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn upright_at_nodes(&self, motion: &Motion) -> Result<(), Rejection> {
+        if self.dynamics.model == DynamicModel::Hover {
+            return Ok(());
+        }
+        let family = upright(self.model.gravity);
+        match above_at_nodes(&family, motion, MOST_PAST_LIMIT) {
+            Some(f) => Err(exceeded("the upright thrust".into(), &f, family.measure, MOST_PAST_LIMIT)),
+            None => Ok(()),
+        }
+    }
+
+    /// The wrench, and where rotors lag what they are commanded, inside every group's planes.
+    pub(super) fn inside_at_nodes(&self, motion: &Motion, groups: &[Group]) -> Result<(), Rejection> {
+        let planes = all_planes(groups);
+        for held in self.held() {
+            let family = of_groups(self, held, &planes);
+            if let Some(failure) = above_at_nodes(&family, motion, MOST_OUTSIDE) {
+                return Err(self.outside(groups, &failure, held));
+            }
+        }
+        Ok(())
+    }
+
+    /// What is held against sets.
+    pub(super) fn held(&self) -> Vec<Held> {
+        let wrench = self.premises.has(Premise::Sets).then_some(Held::Wrench);
+        let commands = self.commands.filter(|_| self.premises.has(Premise::Commands));
+        wrench.into_iter().chain(commands).collect()
+    }
+
+    fn outside(&self, groups: &[Group], failure: &Failure, held: Held) -> Rejection {
+        let Some((group, member)) = group_of(groups, failure.member) else {
+            return exceeded("a set".into(), failure, Measure::WIDTH, MOST_OUTSIDE);
+        };
+        let rotors = &group.planes[member].rotors;
+        let plane = if rotors.is_empty() { String::new() } else { format!(", at the plane of rotors {rotors:?}") };
+        let subject = if held == Held::Wrench { "" } else { "the commands in " };
+        let claim = format!("{subject}{}{plane}", group.name());
+        Rejection { span: group.span, ..exceeded(claim, failure, Measure::WIDTH, MOST_OUTSIDE) }
+    }
+
+    /// What is held against sets, in words. What is shown of the linear model's wrench is not shown of the vehicle's.
+    fn words(&self, held: Held) -> &'static str {
+        match (self.dynamics.model, held) {
+            (DynamicModel::Hover, Held::Wrench) => "linear model's wrench",
+            (DynamicModel::Hover, Held::Commands { .. }) => "linear model's commands",
+            (DynamicModel::Exact, Held::Wrench) => "wrench",
+            (DynamicModel::Exact, Held::Commands { .. }) => "commands",
+        }
+    }
+}
+
+/// A row that is not kept at a node.
+fn exceeded(claim: String, failure: &Failure, measure: Measure, most: f64) -> Rejection {
+    let of = measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
+    let detail = format!("exceeded by {}{of}, and at most {} is allowed", measure.of(failure.excess), measure.of(most));
+    Rejection { at: Some(failure.at), ..Rejection::new(claim, detail) }
+}
+
+/// The group that a member of [`all_planes`] belongs to, and which of its planes that is.
+fn group_of(groups: &[Group], member: usize) -> Option<(&Group, usize)> {
+    let mut first = 0;
+    for group in groups {
+        if member < first + group.planes.len() {
+            return Some((group, member - first));
+        }
+        first += group.planes.len();
+    }
+    None
+}
+
+impl Group {
+    fn name(&self) -> String {
+        match self.whole {
+            true => format!("the set of {}", self.mode),
+            false => format!("a facet of {} that RSP selects", self.mode),
+        }
+    }
+}
+
+impl Checked<'_> {
+    /// Limits, sets and facets between the nodes, as far as the work left goes.
+    pub(super) fn between(&self, purse: &mut Purse, found: &mut Found) {
+        let setting = self.setting;
+        let before = purse.0;
+        for limit in &setting.mission.limits {
+            let family = limits::family(limit, setting.model.gravity);
+            let reach = self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse);
+            found.add(format!("limit on {}", limit_words(limit.kind).0), reach);
+        }
+        if setting.dynamics.model == DynamicModel::Exact {
+            let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
+            found.add("thrust points up, by a tenth of the weight at least".into(), reach);
+        }
+        let planes = all_planes(&self.groups);
+        for held in [Some(Held::Wrench), setting.commands].into_iter().flatten() {
+            let family = of_groups(setting, held, &planes);
+            self.groups_between(&family, held, purse, found);
+        }
+        if purse.0 == 0 && before > 0 {
+            found.weaker.push("the budget ended before every row was proved; a larger `--budget` may show more".into());
+        }
+    }
+
+    /// What a check of the nodes alone leaves open.
+    pub(super) fn nodes_only(&self, found: &mut Found) {
+        for limit in &self.setting.mission.limits {
+            found.add(format!("limit on {}", limit_words(limit.kind).0), Reach::NODES);
+        }
+        for group in &self.groups {
+            found.shown.push(Shown::new(self.statement(group, Held::Wrench, group.planes.len()), Reach::NODES));
+        }
+    }
+
+    fn statement(&self, group: &Group, held: Held, count: usize) -> String {
+        let held = self.setting.words(held);
+        match group.whole {
+            true => format!("{held} inside the set of {}", group.mode),
+            false if count == 1 => format!("{held} inside 1 plane selected of {}", group.mode),
+            false => format!("{held} inside {count} planes selected of {}", group.mode),
+        }
+    }
+
+    fn groups_between(&self, family: &Family, held: Held, purse: &mut Purse, found: &mut Found) {
+        let proved = throughout(family, &self.motion, MOST_OUTSIDE, purse);
+        let mut first = 0;
+        for group in &self.groups {
+            let members: Vec<usize> = (first..first + group.planes.len()).collect();
+            first += group.planes.len();
+            let open: Vec<usize> = members.iter().copied().filter(|&member| !proved[member]).collect();
+            let reach = self.on_grid(family, &open, MOST_OUTSIDE, purse);
+            found.add(self.statement(group, held, members.len()), reach);
+        }
+    }
+
+    fn reach(&self, family: &Family, most: f64, size: f64, purse: &mut Purse) -> Reach {
+        let proved = throughout(family, &self.motion, most, purse);
+        let open: Vec<usize> = (0..family.members).filter(|&member| !proved[member]).collect();
+        let mut reach = self.on_grid(family, &open, most, purse);
+        // What is exceeded between nodes is bounded for every instant, where that can be proved.
+        if let Some(beyond) = reach.beyond.as_mut() {
+            let excess = beyond.excess + MISSED * size;
+            if throughout(family, &self.motion, excess, purse).iter().all(|&kept| kept) {
+                (beyond.excess, beyond.throughout) = (excess, true);
+            }
+        }
+        reach
+    }
+
+    /// What a grid shows of members that are not proved.
+    fn on_grid(&self, family: &Family, open: &[usize], most: f64, purse: &mut Purse) -> Reach {
+        if open.is_empty() {
+            return Reach::EVERY_INSTANT;
+        }
+        if !purse.spend(cost_of_grid(family, &self.motion, open.len(), OF_A_GRID)) {
+            return Reach::NODES;
+        }
+        match largest_on_grid(family, &self.motion, open, OF_A_GRID) {
+            Some(worst) if exceeds(worst.excess, most) => Reach::exceeded(worst, family.measure),
+            _ => Reach { scope: Scope::Grid, beyond: None },
+        }
+    }
+}
+
+impl Found {
+    /// One more statement; what is not shown for every instant makes the whole weaker.
+    fn add(&mut self, statement: String, reach: Reach) {
+        if let Some(why) = reach.weaker(&statement) {
+            self.weaker.push(why);
+        }
+        self.shown.push(Shown::new(statement, reach));
+    }
+}
+
+/// `0.1 - (z'' + g)/g`: how far the vertical part of the thrust falls below a tenth of the weight, in weights.
+fn upright(gravity: f64) -> Family<'static> {
+    let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
+        let g = Interval::point(gravity);
+        let lift: Series<2> = series(&state[Z], 2) + Series::constant(g);
+        let short = Series::constant(Interval::point(UPRIGHT) * g) + -lift;
+        let rated = Rated { value: short.value() / g, rate: short.slope() / g };
+        wanted.iter().map(|_| rated).collect()
+    };
+    let measure = Measure { factor: 100.0, unit: "%", whole: Some("of the weight") };
+    let evaluate = Box::new(evaluate);
+    Family { members: 1, evaluate, linear: false, jumps: false, measure, overhead: cost::OF_A_LIMIT }
+}
+
+/// The excess over each plane of what is held against it.
+pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'b [Plane]) -> Family<'b> {
+    let linear = is_linear(dynamics);
+    let dynamics = dynamics.clone();
+    let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
+        let found = dynamics.held(held, state);
+        let planes = wanted.iter().filter_map(|&m| planes.get(m));
+        planes.map(|p| Rated { value: p.excess(&found.value), rate: along(&p.normal, &found.rate) }).collect()
+    };
+    // The rate of the wrench has the slopes of the inputs, which change at nodes.
+    let jumps = held != Held::Wrench;
+    let overhead = cost::OF_EXACT_WRENCH;
+    Family { members: planes.len(), evaluate: Box::new(evaluate), linear, jumps, measure: Measure::WIDTH, overhead }
+}

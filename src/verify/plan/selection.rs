@@ -1,0 +1,195 @@
+//! What RSP selects (step (e) of the paper's section 5.3): the facets of the modes' sets that the RIP plan violates, and with
+//! more `rounds` those that each plan kept to the selection so far violates. A certificate carries these plans; each is
+//! checked like a plan, and what it violates is worked out here.
+
+use super::super::cost;
+use super::super::interval::Interval;
+use super::super::motion::Motion;
+use super::super::proof::above_at_nodes;
+use super::super::sets::{Generators, Plane};
+use super::super::wrench::{Held, Wrench};
+use super::super::{Rejection, mode_named};
+use super::{Group, MOST_OUTSIDE, Role, Setting, of_groups};
+use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
+use crate::model::{Model, PlannerKind};
+
+/// A facet counts as violated where it is exceeded by more than this share of the healthy set's width.
+const VIOLATED: f64 = 1e-4;
+
+/// Parts of a piece at whose ends violations are looked for in the exact model, where the wrench is not linear.
+const PARTS: usize = 16;
+
+/// What is imposed for a selection.
+pub(super) struct Selected {
+    /// One for each mode with a facet selected.
+    pub groups: Vec<Group>,
+    /// Where it stays open whether something is selected.
+    pub remarks: Vec<String>,
+}
+
+/// Whether the spec's planner selects facets by plans that a certificate has to carry. What `require risk` protects is
+/// chosen otherwise.
+pub(in crate::verify) fn selects(model: &Model) -> bool {
+    let plan = &model.plan;
+    plan.planner == PlannerKind::Rsp && plan.rounds > 0 && !plan.against.is_empty() && plan.require_risk.is_none()
+}
+
+impl Setting<'_> {
+    /// The motions that a claim selects by, once each is found to be a plan.
+    pub(super) fn selections(&self, claim: &PlanClaim) -> Result<Vec<Motion>, Rejection> {
+        if selects(self.model) && claim.selected_by.is_empty() {
+            let why = "RSP selects facets by a RIP plan, and the certificate carries none";
+            return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
+        }
+        self.selected_by(&claim.selected_by)
+    }
+
+    /// The same of a claim that there is no plan, which may select nothing.
+    pub(in crate::verify) fn selected_by(&self, records: &[MotionRecord]) -> Result<Vec<Motion>, Rejection> {
+        if !selects(self.model) && !records.is_empty() {
+            let why = "the spec's planner selects no facets, and the certificate carries plans to select by";
+            return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
+        }
+        if records.len() > self.model.plan.rounds {
+            let why = format!(
+                "the spec selects in {} rounds, and the certificate carries {} plans to select by",
+                self.model.plan.rounds,
+                records.len()
+            );
+            return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
+        }
+        let mut before: Vec<Motion> = Vec::new();
+        for (round, record) in records.iter().enumerate() {
+            let named = |r: Rejection| Rejection { claim: format!("plan {} to select by: {}", round + 1, r.claim), ..r };
+            let checked = self.at_nodes(record, &before, Role::SelectedBy(round)).map_err(named)?;
+            if let Some(why) = checked.undecided.first() {
+                return Err(named(Rejection::new("the plan", why.clone())));
+            }
+            before.push(checked.motion);
+        }
+        Ok(before)
+    }
+
+    /// The motions as they are.
+    pub(super) fn unchecked(&self, records: &[MotionRecord]) -> Result<Vec<Motion>, Rejection> {
+        records.iter().map(|record| self.motion(record)).collect()
+    }
+
+    /// The facets that the plans before violate, once the motion is found to keep them at the nodes.
+    pub(super) fn select(&self, motion: &Motion, selected_by: &[Motion]) -> Result<Selected, Rejection> {
+        let mut out = Selected { groups: Vec::new(), remarks: Vec::new() };
+        if !selects(self.model) || selected_by.is_empty() {
+            return Ok(out);
+        }
+        let (bounding, undecided) = self.planes_of_modes()?;
+        out.remarks.extend(undecided.into_iter().map(|(mode, why)| format!("what is selected of {mode} is not decided: {why}")));
+        let violated = self.violated(bounding.iter().map(|(_, plane)| plane), selected_by);
+        for mode in self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i)) {
+            let of_mode = bounding.iter().zip(&violated).filter(|((of, _), over)| **over && *of == mode.name);
+            let selected: Vec<Plane> = of_mode.map(|((_, plane), _)| plane.clone()).collect();
+            let (facets, open): (Vec<Plane>, Vec<Plane>) = selected.into_iter().partition(|plane| plane.is_facet);
+            let span = Some(mode.span);
+            let group = |planes: Vec<Plane>| Group { mode: mode.name.clone(), whole: false, span, planes };
+            let facets = group(facets);
+            self.inside_at_nodes(motion, std::slice::from_ref(&facets))?;
+            let (kept, missed): (Vec<Plane>, Vec<Plane>) =
+                open.into_iter().partition(|plane| self.keeps(motion, plane));
+            if !missed.is_empty() {
+                out.remarks.push(format!(
+                    "{} planes that may bound the set of {} are violated by the plan that RSP selects by, and not kept; \
+                     whether they hold facets is not decided",
+                    missed.len(),
+                    mode.name
+                ));
+            }
+            let planes: Vec<Plane> = facets.planes.iter().cloned().chain(kept).collect();
+            if !planes.is_empty() {
+                out.groups.push(group(planes));
+            }
+        }
+        if selected_by.len() < self.model.plan.rounds && !out.groups.is_empty() && !self.closed(motion, selected_by)? {
+            out.remarks.push(format!(
+                "the spec selects in {} rounds, and the plans of {} are carried",
+                self.model.plan.rounds,
+                selected_by.len()
+            ));
+        }
+        Ok(out)
+    }
+
+    /// Whether the last plan to select by violates nothing that those before it did not, or the motion itself nothing new:
+    /// further rounds select nothing then.
+    fn closed(&self, motion: &Motion, selected_by: &[Motion]) -> Result<bool, Rejection> {
+        let (bounding, _) = self.planes_of_modes()?;
+        let over = |motions: &[Motion]| self.violated(bounding.iter().map(|(_, plane)| plane), motions);
+        let new_in = |motion: &Motion, before: &[Motion]| {
+            let (now, known) = (over(std::slice::from_ref(motion)), over(before));
+            bounding.iter().zip(now.iter().zip(&known)).any(|((_, plane), (now, known))| plane.is_facet && *now && !known)
+        };
+        let Some((last, before)) = selected_by.split_last() else { return Ok(false) };
+        Ok(!new_in(last, before) || !new_in(motion, selected_by))
+    }
+
+    fn keeps(&self, motion: &Motion, plane: &Plane) -> bool {
+        let planes = std::slice::from_ref(plane);
+        self.held().into_iter().all(|held| {
+            let family = of_groups(self, held, planes);
+            above_at_nodes(&family, motion, MOST_OUTSIDE).is_none()
+        })
+    }
+
+    /// The planes that bound the sets of the modes planned against, each with its mode; and modes whose set cannot be worked
+    /// out, with the reason.
+    #[allow(clippy::type_complexity)]
+    fn planes_of_modes(&self) -> Result<(Vec<(String, Plane)>, Vec<(String, String)>), Rejection> {
+        let (mut bounding, mut undecided) = (Vec::new(), Vec::new());
+        for mode in self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i)) {
+            match Generators::of(self.model, &mode.name)?.planes() {
+                Ok(planes) => bounding.extend(planes.into_iter().map(|plane| (mode.name.clone(), plane))),
+                Err(why) => undecided.push((mode.name.clone(), why)),
+            }
+        }
+        Ok((bounding, undecided))
+    }
+
+    /// For each plane whether some motion violates it: at a node, in the exact model at one of [`PARTS`] instants of a piece.
+    pub(in crate::verify) fn violated<'p>(
+        &self,
+        planes: impl Iterator<Item = &'p Plane>,
+        motions: &[Motion],
+    ) -> Vec<bool> {
+        // Selecting needs no enclosure: what is exceeded by just this much may count or not.
+        let middles = |v: &[Interval; 4]| v.map(Interval::middle);
+        let planes: Vec<([f64; 4], f64)> = planes.map(|p| (middles(&p.normal), p.offset.middle())).collect();
+        let mut over = vec![false; planes.len()];
+        for wrench in motions.iter().flat_map(|motion| self.wrenches(motion)) {
+            let wrench = middles(&wrench.value);
+            for ((normal, offset), over) in planes.iter().zip(&mut over) {
+                *over |= (0..4).map(|i| normal[i] * wrench[i]).sum::<f64>() - offset > VIOLATED;
+            }
+        }
+        over
+    }
+
+    /// The wrench where violations are looked for.
+    fn wrenches<'s>(&'s self, motion: &'s Motion) -> impl Iterator<Item = Wrench> + 's {
+        let parts = if self.dynamics.model == DynamicModel::Exact { PARTS } else { 1 };
+        let nodes = (0..motion.times.len()).map(move |node| motion.node_in(node, node.min(motion.pieces() - 1)));
+        let between = (0..motion.pieces())
+            .flat_map(move |piece| motion.grid(piece, parts - 1).map(move |at| motion.over(piece, at)));
+        nodes.chain(between).map(|state| self.dynamics.held(Held::Wrench, &state))
+    }
+
+    /// Units of looking for what a claim's motions select.
+    pub(super) fn cost_of_selecting(&self, nodes: u64, planes: u64) -> u64 {
+        let parts = if self.dynamics.model == DynamicModel::Exact { PARTS as u64 } else { 1 };
+        let of_state = self.overhead().saturating_add(planes);
+        cost::times(cost::times(nodes, parts), of_state)
+    }
+
+    /// Whether facets of a mode may be selected at all.
+    pub(in crate::verify) fn selects_facets_of(&self, mode: &str) -> bool {
+        let against = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i));
+        selects(self.model) && mode_named(self.model, mode).is_some() && against.into_iter().any(|m| m.name == mode)
+    }
+}

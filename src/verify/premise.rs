@@ -1,0 +1,83 @@
+//! The premises of the theorem in docs/certificates.md, each checked in one place. A test switches them off one by one to
+//! see that a forgery passes without it; nothing else does.
+
+/// Something that an accepted certificate was checked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Premise {
+    /// The certificate carries the hash of the spec given.
+    Spec,
+    /// The equations are those of the spec's `model`.
+    Equations,
+    /// Every number is finite, node times rise and every node has all derivatives.
+    Shape,
+    /// Start, end, fixed times, holds and the shares of legs are the spec's.
+    Times,
+    /// Rows are looked at at least as densely as the spec's samples.
+    Density,
+    /// The pieces join.
+    Joints,
+    /// Derivatives vanish where the spec asks for rest.
+    Rest,
+    /// Every waypoint is met.
+    Waypoints,
+    /// Every limit is kept.
+    Limits,
+    /// The wrench stays in the sets that the spec's planner keeps to.
+    Sets,
+    /// So does what lagging rotors are commanded.
+    Commands,
+    /// The thrust's vertical part stays above a tenth of the weight.
+    Upright,
+    /// RSP carries the plans it selects by, and they are plans.
+    SelectedBy,
+    /// RSP keeps every facet that they violate.
+    Selection,
+    /// Multipliers lie in the dual cone.
+    DualCone,
+    /// Rows are those that every plan of the spec keeps.
+    Rows,
+    /// A facet's normal and offset are those of its rotors.
+    Facets,
+    /// What multipliers leave of the inputs is weighed with a bound on them.
+    Inputs,
+}
+
+impl Premise {
+    pub const ALL: [Premise; 18] = [
+        Premise::Spec,
+        Premise::Equations,
+        Premise::Shape,
+        Premise::Times,
+        Premise::Density,
+        Premise::Joints,
+        Premise::Rest,
+        Premise::Waypoints,
+        Premise::Limits,
+        Premise::Sets,
+        Premise::Commands,
+        Premise::Upright,
+        Premise::SelectedBy,
+        Premise::Selection,
+        Premise::DualCone,
+        Premise::Rows,
+        Premise::Facets,
+        Premise::Inputs,
+    ];
+}
+
+/// The premises that are checked: all of them, outside the tests of the checker itself.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Premises {
+    without: Option<Premise>,
+}
+
+impl Premises {
+    /// All but one. A certificate accepted so shows nothing.
+    pub fn without(premise: Premise) -> Self {
+        Premises { without: Some(premise) }
+    }
+
+    pub(super) fn has(self, premise: Premise) -> bool {
+        self.without != Some(premise)
+    }
+}
