@@ -5,9 +5,12 @@ mod arithmetic;
 mod between;
 mod command;
 mod exact;
+mod findings;
 mod infeasible;
+mod joints;
 mod lag;
 mod relaxation;
+mod selection;
 mod sets;
 mod tampering;
 mod wrench;
@@ -18,14 +21,22 @@ use mavc::diagnostic::Diagnostic;
 use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::{Comparison, Scope, compare};
 use mavc::source::FileId;
-use mavc::verify::Verdict;
+use mavc::verify::{Refusal, Rejection, Settings, Verdict};
 
 /// The hash that certificates in these tests carry.
 const SHA: &str = "0123";
 
 /// Reads bytes and decides what they claim.
 fn verify(bytes: &[u8], model: &Model, sha256: &str) -> Result<Verdict, Box<Diagnostic>> {
-    mavc::verify::verify(&mavc::verify::read(bytes, FileId::default())?, model, sha256)
+    mavc::verify::verify(&mavc::verify::read(bytes, FileId::default())?, model, sha256, Settings::default())
+}
+
+/// Decides a certificate within the usual budget.
+fn decide(certificate: &Certificate, model: &Model) -> Result<Verdict, Rejection> {
+    mavc::verify::decide(certificate, model, Settings::default()).map_err(|refusal| match refusal {
+        Refusal::Rejected(rejection) => rejection,
+        costly @ Refusal::Budget { .. } => panic!("{costly:?}"),
+    })
 }
 
 /// Numbers that look random and are the same in every run (splitmix64).
@@ -98,5 +109,5 @@ fn planned(model: &Model) -> Comparison {
 }
 
 fn certified(model: &Model) -> Option<Certificate> {
-    mavc::certificate::of(model, model.mission.as_ref().unwrap(), &planned(model), SHA.into()).ok()
+    mavc::certify::of(model, model.mission.as_ref().unwrap(), &planned(model), SHA.into()).ok()
 }

@@ -1,16 +1,14 @@
 //! Certificates in the exact model: a motion from rest to rest with turning yaw, built here, with bounds from
 //! differences of its attitude.
 
-use super::SHA;
+use super::{SHA, decide};
 use super::wrench::{G, Path, at, exact_by_differences};
 use crate::vehicles::{limit, mission, octocopter, waypoint};
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
-use mavc::certificate::{
-    Bound, Certificate, Claim, DynamicModel, LimitClaim, MotionRecord, PlanClaim, SCHEMA, Scope, SetClaim,
-};
+use mavc::certificate::{Certificate, Claim, DynamicModel, MotionRecord, PlanClaim, SCHEMA, Vertical};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
-use mavc::verify::decide;
+use mavc::verify::{Premise, Premises, Refusal, Scope, Settings};
 use nalgebra::{DMatrix, DVector};
 
 const PIECES: usize = 24;
@@ -67,8 +65,8 @@ fn sampled(model: &Model, record: &MotionRecord) -> (f64, [f64; 3]) {
     let (mut outside, mut past) = (f64::NEG_INFINITY, [f64::NEG_INFINITY; 3]);
     for k in 0..PIECES {
         let mut path: Path = [[0.0; 6]; 4];
-        let axes = [&record.x[k][..], &record.y[k], &record.z[k], &record.yaw[k]];
-        let next = [&record.x[k + 1][..], &record.y[k + 1], &record.z[k + 1], &record.yaw[k + 1]];
+        let axes = [&record.x[k][..], &record.y[k], record.z[k].derivatives(), &record.yaw[k]];
+        let next = [&record.x[k + 1][..], &record.y[k + 1], record.z[k + 1].derivatives(), &record.yaw[k + 1]];
         for (axis, (now, then)) in axes.into_iter().zip(next).enumerate() {
             path[axis][..now.len()].copy_from_slice(now);
             path[axis][now.len()] = (then[now.len() - 1] - now[now.len() - 1]) / STEP;
@@ -91,7 +89,7 @@ fn sampled(model: &Model, record: &MotionRecord) -> (f64, [f64; 3]) {
     (outside, past)
 }
 
-fn certificate(model: &Model) -> Certificate {
+fn certificate() -> Certificate {
     let wide = |start, end| -> Vec<[f64; 5]> {
         rest_to_rest(4, start, end).into_iter().map(|n| n.try_into().unwrap()).collect()
     };
@@ -99,27 +97,19 @@ fn certificate(model: &Model) -> Certificate {
         times_s: (0..=PIECES).map(|k| STEP * k as f64).collect(),
         x: wide(0.0, 2.5),
         y: wide(0.0, -1.5),
-        z: rest_to_rest(4, 2.0, 3.0),
+        z: wide(2.0, 3.0).into_iter().map(Vertical::Exact).collect(),
         yaw: rest_to_rest(2, 0.2, 1.2).into_iter().map(|n| n.try_into().unwrap()).collect(),
         waypoint_nodes: vec![0, PIECES],
     };
-    let (outside, past) = sampled(model, &motion);
-    assert!(outside < -0.01, "the motion leaves the set: {outside}");
-    let every = |excess: f64| vec![Bound { scope: Scope::EveryInstant, excess }];
-    let names = ["tilt", "jerk", "yaw rate"];
-    let limits = model.mission.as_ref().unwrap().limits.iter().zip(names).zip(past).map(|((limit, name), most)| {
-        LimitClaim { limit: name.into(), lower: limit.lower, upper: limit.upper, bounds: every(most + 1e-3) }
-    });
-    let claim = PlanClaim {
-        joins_within: 1e-9,
-        position_excess_m: 0.0,
-        yaw_excess_rad: 0.0,
-        limits: limits.collect(),
-        sets: vec![SetClaim { mode: "healthy".into(), bounds: every(outside + 1e-3), commands: vec![] }],
-        facets: vec![],
-        motion,
-    };
+    let claim = PlanClaim { motion, selected_by: vec![] };
     Certificate { schema: SCHEMA, spec_sha256: SHA.into(), model: DynamicModel::Exact, claim: Claim::Plan(claim) }
+}
+
+fn motion(certificate: &Certificate) -> &MotionRecord {
+    match &certificate.claim {
+        Claim::Plan(claim) => &claim.motion,
+        Claim::Infeasible(_) => panic!("no plan"),
+    }
 }
 
 fn changed(certificate: &Certificate, change: impl Fn(&mut PlanClaim)) -> Certificate {
@@ -129,35 +119,59 @@ fn changed(certificate: &Certificate, change: impl Fn(&mut PlanClaim)) -> Certif
     changed
 }
 
+/// Limits just above what differences of the attitude show are proved for every instant; just below they are exceeded, by as
+/// much as was sampled. So is the set, whose reserve takes the place of a limit.
 #[test]
-fn exact_motions_are_proved_at_every_instant() {
-    let model = model();
-    let certificate = certificate(&model);
-    let verdict = decide(&certificate, &model).unwrap();
-    let proved = verdict.shown.iter().filter(|s| s.reach.scope == Some(Scope::EveryInstant)).count();
-    assert_eq!(proved, 4, "{verdict:?}");
-    // Grids are weaker claims, and have a size.
-    let on_grid = |points| changed(&certificate, |c| c.sets[0].bounds[0].scope = Scope::Grid(points));
-    assert!(decide(&on_grid(10), &model).is_ok());
-    assert!(decide(&on_grid(100_000), &model).unwrap_err().detail.contains("1000 points"));
-    // A little less than what was sampled is false, and found to be.
-    let tighter = changed(&certificate, |c| c.sets[0].bounds[0].excess -= 2e-3);
-    let rejection = decide(&tighter, &model).unwrap_err();
-    assert!(
-        rejection.claim == "the set of healthy" && rejection.detail.contains("claimed: kept with"),
-        "{rejection:?}"
-    );
-    for limit in 0..3 {
-        let tighter = changed(&certificate, |c| c.limits[limit].bounds[0].excess -= 2e-3);
-        assert!(decide(&tighter, &model).unwrap_err().claim.starts_with(&format!("limit {}", limit + 1)));
+fn exact_motions_are_decided_at_every_instant() {
+    let mut model = model();
+    // As many samples as the motion has pieces: what is between its nodes is between the spec's.
+    model.plan.samples = PIECES;
+    let certificate = certificate();
+    let (outside, past) = sampled(&model, motion(&certificate));
+    assert!(outside < -0.01, "the motion leaves the set: {outside}");
+    let with = |change: &dyn Fn(&mut Model)| {
+        let mut model = model.clone();
+        change(&mut model);
+        model
+    };
+    let limits = |model: &mut Model, more: f64| {
+        let limits = &mut model.mission.as_mut().unwrap().limits;
+        limits.iter_mut().zip(past).for_each(|(limit, past)| {
+            // The tilt's excess is nearly |a|/g times the angle.
+            limit.upper = limit.upper.map(|upper| upper + past + more);
+        });
+    };
+    let verdict = decide(&certificate, &with(&|m| limits(m, 0.02))).unwrap();
+    assert_eq!(verdict.weaker, Vec::<String>::new(), "{verdict:?}");
+    let proved = |s: &&mavc::verify::Shown| s.reach.is_some_and(|r| r.scope == Scope::EveryInstant);
+    // Three limits, that thrust points up, and the set.
+    assert_eq!(verdict.shown.iter().filter(proved).count(), 5, "{verdict:?}");
+    // A little less than what was sampled is false, and found to be: at a node, or between two.
+    for index in 0..3 {
+        let tighter = with(&|m| {
+            limits(m, 0.05);
+            let limit = &mut m.mission.as_mut().unwrap().limits[index];
+            limit.upper = limit.upper.map(|upper| upper - 0.07);
+        });
+        match decide(&certificate, &tighter) {
+            Err(rejection) => assert!(rejection.claim.starts_with(&format!("limit {}", index + 1)), "{rejection:?}"),
+            Ok(verdict) => assert!(verdict.weaker.iter().any(|w| w.contains("exceeded between")), "{verdict:?}"),
+        }
     }
+    // Half of what the set leaves is kept, a tenth more than all of it is not.
+    let share = |reserve: f64| with(&|m| m.plan.reserve = reserve);
+    let leaves = |reserve: f64| sampled(&share(reserve), motion(&certificate)).0;
+    let edge = (6..100).map(|i| f64::from(i) / 100.0).find(|&r| leaves(r) > 0.0).unwrap();
+    assert!(decide(&certificate, &share(edge - 0.02)).unwrap().weaker.is_empty());
+    let told = decide(&certificate, &share(edge + 0.05)).unwrap_err();
+    assert!(told.claim.starts_with("the set of healthy"), "{told:?}");
 }
 
 /// The two models differ by more than the claims leave, and a certificate in one is none in the other.
 #[test]
 fn models_are_told_apart() {
     let mut model = model();
-    let exact = certificate(&model);
+    let exact = certificate();
     let hover = Certificate { model: DynamicModel::Hover, ..exact.clone() };
     assert_eq!(decide(&hover, &model).unwrap_err().claim, "the model");
     model.plan.model = PlanModel::Hover;
@@ -176,11 +190,17 @@ fn models_are_told_apart() {
 #[test]
 fn free_fall_is_not_proved() {
     let model = model();
-    let falling = changed(&certificate(&model), |c| {
+    let falling = changed(&certificate(), |c| {
         c.motion.x.iter_mut().chain(&mut c.motion.y).for_each(|n| n[1..].fill(0.0));
-        c.motion.z[5][2] = -G;
+        let Vertical::Exact(z) = &mut c.motion.z[5] else { panic!("exact") };
+        z[2] = -G;
     });
-    assert!(decide(&falling, &model).is_err());
-    let only_set = changed(&falling, |c| c.joins_within = f64::INFINITY);
-    assert!(decide(&only_set, &model).is_err());
+    // Whether the pieces join does not matter for this.
+    let settings = Settings { premises: Premises::without(Premise::Joints), ..Settings::default() };
+    for verdict in [decide(&falling, &model), mavc::verify::decide(&falling, &model, settings).map_err(|r| match r {
+        Refusal::Rejected(rejection) => rejection,
+        other => panic!("{other:?}"),
+    })] {
+        assert!(verdict.is_err());
+    }
 }

@@ -1,0 +1,108 @@
+//! Forgeries that were once accepted, and specs of which too much was once said.
+
+use super::decide;
+use mavc::certificate::{Certificate, Claim, InfeasibleClaim, Multiplier, RowRecord, Side};
+use mavc::model::{Model, elaborate, load};
+use std::path::{Path, PathBuf};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/findings")
+}
+
+/// A spec of the corpus, elaborated.
+fn spec(name: &str) -> Model {
+    let text = std::fs::read(folder().join(format!("{name}.mav"))).unwrap();
+    let (files, diagnostics) = load(name, &text, &|used: &Path| std::fs::read(folder().join(used)));
+    assert!(diagnostics.is_empty(), "{diagnostics:?}");
+    elaborate(&files, &[]).value.unwrap()
+}
+
+fn forged(name: &str) -> Certificate {
+    let text = std::fs::read_to_string(folder().join(format!("{name}.forged.json"))).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+fn refused(name: &str) -> String {
+    decide(&forged(name), &spec(name)).unwrap_err().sentence()
+}
+
+/// Five metres in a second under 5 m/s^2, by velocities that jump at both ends of pieces of a microsecond.
+#[test]
+fn short_pieces_buy_no_jump() {
+    let told = refused("teleport");
+    assert!(told.starts_with("the joints of the motion at ") && told.contains("m/s in velocity"), "{told}");
+}
+
+/// Ten pieces where a thousand samples are asked for: rows are looked at where those samples lie.
+#[test]
+fn few_pieces_hide_nothing() {
+    let told = refused("nodes_not_tied");
+    assert!(told.starts_with("limit 1 (jerk) at "), "{told}");
+}
+
+/// A leg from rest to rest in one piece has no motion; the spec's samples make more pieces.
+#[test]
+fn pieces_per_leg_are_the_specs() {
+    let told = refused("nodes_per_leg");
+    assert!(told.starts_with("that there is no plan") || told.starts_with("multiplier"), "{told}");
+}
+
+/// RCP's proof is none for RSP, which selects other facets; without rounds it selects none.
+#[test]
+fn another_planners_proof_shows_nothing() {
+    let told = refused("other_planner");
+    assert!(told.contains("the planner does not keep to this mode's set"), "{told}");
+    let mut model = spec("other_planner");
+    model.plan.rounds = 1;
+    let told = decide(&forged("other_planner"), &model).unwrap_err().sentence();
+    assert!(told.contains("no plan carried violates it"), "{told}");
+}
+
+/// Numbers near 2^64 in every place that counts nodes, intervals, waypoints, limits, facets, axes or derivatives.
+#[test]
+fn no_index_overflows() {
+    assert!(decide(&forged("overflow"), &spec("overflow")).is_err());
+    let model = spec("other_planner");
+    let Claim::Infeasible(whole) = forged("other_planner").claim else { panic!("a plan") };
+    for most in [usize::MAX, usize::MAX - 1, usize::MAX / 2, 1 << 32, 81] {
+        for row in [
+            RowRecord::Rest { node: most, axis: 0, derivative: 1 },
+            RowRecord::Rest { node: 0, axis: most, derivative: 1 },
+            RowRecord::Rest { node: 0, axis: 0, derivative: most },
+            RowRecord::Facet { facet: most, node: 0 },
+            RowRecord::Facet { facet: 0, node: most },
+            RowRecord::Commands { facet: 0, node: 0, interval: most },
+            RowRecord::Commands { facet: 0, node: most, interval: most },
+            RowRecord::Limit { limit: most, node: 0, side: Side::Upper },
+            RowRecord::Limit { limit: 0, node: most, side: Side::Upper },
+            RowRecord::LimitNorm { limit: 0, node: 0, interval: most },
+            RowRecord::LimitNorm { limit: 0, node: most, interval: most },
+            RowRecord::Thrust { node: most },
+            RowRecord::Waypoint { waypoint: most },
+            RowRecord::WaypointYaw { waypoint: most, side: Side::Lower },
+        ] {
+            for exact in [false, true] {
+                let mut model = model.clone();
+                let kind = if exact { mavc::certificate::DynamicModel::Exact } else { mavc::certificate::DynamicModel::Hover };
+                model.plan.model = if exact { mavc::model::PlanModel::Exact } else { mavc::model::PlanModel::Hover };
+                model.plan.planner = mavc::model::PlannerKind::Rcp;
+                let multipliers = vec![Multiplier { row, z: vec![1.0] }];
+                let claim = InfeasibleClaim { multipliers, ..whole.clone() };
+                let certificate = Certificate { model: kind, claim: Claim::Infeasible(claim), ..forged("other_planner") };
+                let told = decide(&certificate, &model).unwrap_err();
+                assert!(!told.claim.is_empty(), "{row:?}");
+            }
+        }
+    }
+}
+
+/// A motion on a coarser grid than the spec's samples whose rows hold all the same is true, and weaker.
+#[test]
+fn fewer_pieces_are_weaker() {
+    let mut model = super::hop(mavc::model::PlannerKind::Rip, 12.0);
+    let certificate = super::certified(&model).unwrap();
+    assert!(decide(&certificate, &model).unwrap().weaker.is_empty());
+    model.plan.samples = 61;
+    let weaker = decide(&certificate, &model).unwrap().weaker;
+    assert!(weaker.len() == 1 && weaker[0].starts_with("fewer pieces than the spec's 61 samples make, on 2 of 2 legs"), "{weaker:?}");
+}

@@ -1,0 +1,73 @@
+//! What RSP selects is worked out from the plans that its certificate carries, and they are checked as plans.
+
+use super::{certified, decide, hop};
+use mavc::certificate::{Certificate, Claim, MotionRecord, PlanClaim};
+use mavc::model::{Model, PlannerKind};
+
+fn claim(certificate: &Certificate) -> &PlanClaim {
+    match &certificate.claim {
+        Claim::Plan(claim) => claim,
+        Claim::Infeasible(_) => panic!("no plan"),
+    }
+}
+
+fn with(certificate: &Certificate, motion: &MotionRecord, selected_by: &[MotionRecord]) -> Certificate {
+    let claim = PlanClaim { motion: motion.clone(), selected_by: selected_by.to_vec() };
+    Certificate { claim: Claim::Plan(claim), ..certificate.clone() }
+}
+
+fn rsp(rounds: usize) -> Model {
+    let mut model = hop(PlannerKind::Rsp, 7.0);
+    model.plan.rounds = rounds;
+    model
+}
+
+#[test]
+fn rsp_is_decided_by_the_plan_it_carries() {
+    let model = rsp(1);
+    let certificate = certified(&model).unwrap();
+    let verdict = decide(&certificate, &model).unwrap();
+    assert!(verdict.headline.ends_with("for the selection by the RIP plan carried"), "{verdict:?}");
+    let selected: Vec<_> = verdict.shown.iter().filter(|s| s.statement.contains("selected of")).collect();
+    assert!(!selected.is_empty(), "{verdict:?}");
+
+    let rsp = claim(&certificate);
+    let rip = certified(&hop(PlannerKind::Rip, 7.0)).unwrap();
+    let rip = &claim(&rip).motion;
+    // The RIP plan violates what it selects.
+    let told = decide(&with(&certificate, rip, &rsp.selected_by), &model).unwrap_err();
+    assert!(told.claim.contains("that RSP selects"), "{told:?}");
+    // Without a plan to select by, or with more than the spec has rounds.
+    let told = decide(&with(&certificate, &rsp.motion, &[]), &model).unwrap_err();
+    assert!(told.claim == "the selection" && told.detail.contains("carries none"), "{told:?}");
+    let twice = [rip.clone(), rip.clone()];
+    let told = decide(&with(&certificate, &rsp.motion, &twice), &model).unwrap_err();
+    assert!(told.claim == "the selection" && told.detail.contains("in 1 rounds"), "{told:?}");
+    // A plan to select by has to be one.
+    let mut tame = rip.clone();
+    tame.x.iter_mut().for_each(|x| x[0] += 0.5);
+    let told = decide(&with(&certificate, &rsp.motion, &[tame]), &model).unwrap_err();
+    assert!(told.claim.starts_with("plan 1 to select by: waypoint 1"), "{told:?}");
+    // Planners that select nothing carry none.
+    let told = decide(&with(&certificate, rip, &twice[..1]), &hop(PlannerKind::Rip, 7.0)).unwrap_err();
+    assert!(told.claim == "the selection" && told.detail.contains("selects no facets"), "{told:?}");
+}
+
+#[test]
+fn rounds_carry_a_plan_each() {
+    let model = rsp(2);
+    let certificate = certified(&model).unwrap();
+    let verdict = decide(&certificate, &model).unwrap();
+    let carried = claim(&certificate).selected_by.len();
+    assert!((1..=2).contains(&carried));
+    assert_eq!(verdict.weaker.iter().filter(|w| w.contains("rounds")).count(), 0, "{verdict:?}");
+    // One round fewer is carried than the spec has: said, unless the rounds had ended by themselves.
+    let fewer = with(&certificate, &claim(&certificate).motion, &claim(&certificate).selected_by[..1]);
+    match decide(&fewer, &model) {
+        Ok(verdict) if carried == 2 => {
+            let closed = !verdict.weaker.iter().any(|w| w.contains("selects in 2 rounds"));
+            assert!(closed || verdict.headline.contains("RIP plan carried"), "{verdict:?}");
+        }
+        other => assert!(carried == 1 && other.is_ok(), "{other:?}"),
+    }
+}
