@@ -12,7 +12,7 @@ use crate::model::{Mission, MissionTime, Model};
 use crate::planner::compare::{Comparison, Ending};
 use crate::verify::{self, Settings};
 
-pub use check::check;
+pub use check::{check, check_rounds};
 
 /// The certificate of the last run's outcome. It is decided before it is given: what is written is accepted.
 ///

@@ -1,6 +1,7 @@
 //! Trajectories: piecewise polynomials with exact evaluation, the planned wrench, and when it leaves a set.
 
 pub mod checks;
+mod joined;
 pub mod nearness;
 pub mod outside;
 pub mod risk;
@@ -29,12 +30,13 @@ pub struct Trajectory {
 
 impl Trajectory {
     pub fn of(planned: &Planned) -> Self {
-        Trajectory {
+        let carried = Trajectory {
             times: planned.profile.node_times.clone(),
             nodes: planned.states.clone(),
             waypoint_nodes: planned.profile.waypoint_nodes.clone(),
             model: planned.model,
-        }
+        };
+        carried.joined()
     }
 
     /// s

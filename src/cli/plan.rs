@@ -137,8 +137,9 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let rounds = wanted.map(|wanted| {
         let progress = Progress::new(options);
         let tell = |round: &str, time: f64| progress.tell(round, time);
-        let rounds = rounds::rounds(&model, &mission, &mut comparison, wanted, Some(&tell));
+        let mut rounds = rounds::rounds(&model, &mission, &mut comparison, wanted, Some(&tell));
         progress.done();
+        certify::check_rounds(&model, &mission, &mut rounds);
         rounds
     });
     let told = ![&report, &html].into_iter().flatten().any(Target::is_stdout);

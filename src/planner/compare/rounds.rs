@@ -29,6 +29,9 @@ pub struct Round {
     pub common: Ending,
     /// At the shortest time found at which the plan of this many rounds, selected there, exists.
     pub own: Ending,
+    /// The plans that each of the two selects by.
+    pub common_selected_by: Vec<Trajectory>,
+    pub own_selected_by: Vec<Trajectory>,
 }
 
 /// The plans of rounds 0, 1, ... at one time, each with the facets selected for it. Where nothing new is passed the last
@@ -55,14 +58,27 @@ pub fn rounds(
     let mut found = Vec::new();
     for k in first..=last {
         let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
-        let own = match setting.fixed_time() {
-            Some(_) => setting.common(common, decision),
+        let common_selected_by = selected_by(&at_common, k);
+        let (own, own_selected_by) = match setting.fixed_time() {
+            Some(_) => (setting.common(common, decision), common_selected_by.clone()),
             None => search.shortest(k, common),
         };
-        found.push(Round { rounds: k, selected: selected.len(), common: setting.common(common, decision), own });
+        found.push(Round {
+            rounds: k,
+            selected: selected.len(),
+            common: setting.common(common, decision),
+            own,
+            common_selected_by,
+            own_selected_by,
+        });
     }
     comparison.effort += search.effort;
     found
+}
+
+/// The plans that `rounds` rounds select by: those of the rounds before, as far as they go.
+fn selected_by(chain: &Chain, rounds: usize) -> Vec<Trajectory> {
+    chain.iter().take(rounds).filter_map(|(_, decision)| super::planned_of(decision)).map(Trajectory::of).collect()
 }
 
 struct Search<'s, 'a> {
@@ -84,7 +100,7 @@ impl Search<'_, '_> {
 
     /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, for the
     /// selection is another at each: the time found is one below which, by [`RESOLUTION`], there is no plan.
-    fn shortest(&mut self, rounds: usize, common: f64) -> Ending {
+    fn shortest(&mut self, rounds: usize, common: f64) -> (Ending, Vec<Trajectory>) {
         let mut high = (common / RESOLUTION - 1e-6).ceil() as i64;
         let mut tried = 0;
         let mut low = 0;
@@ -93,7 +109,8 @@ impl Search<'_, '_> {
             high = (high as f64 * 1.05).ceil() as i64;
             tried += 1;
             if tried > MOST_STEPS {
-                return Ending::Inconclusive { at: seconds(low), status: crate::planner::successive::NOT_FOUND.into() };
+                let status = crate::planner::successive::NOT_FOUND.into();
+                return (Ending::Inconclusive { at: seconds(low), status }, Vec::new());
             }
         }
         let mut stride = 2;
@@ -114,8 +131,11 @@ impl Search<'_, '_> {
         }
         let setting = self.setting;
         match self.at(high, rounds) {
-            Some(planned) => Ending::Solved(Box::new(setting.solved(seconds(high), planned))),
-            None => Ending::Infeasible { at: seconds(high) },
+            Some(planned) => {
+                let ending = Ending::Solved(Box::new(setting.solved(seconds(high), planned)));
+                (ending, self.chains.get(&high).map_or_else(Vec::new, |chain| selected_by(chain, rounds)))
+            }
+            None => (Ending::Infeasible { at: seconds(high) }, Vec::new()),
         }
     }
 }

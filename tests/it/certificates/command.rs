@@ -278,7 +278,7 @@ fn hostile_bytes_end_in_a_verdict() {
         let _ = super::verify(&bytes, &model, super::SHA);
     }
     for extreme in ["1e308", "-1e308", "1e-320", "0", "18446744073709551615", "1e400"] {
-        for at in [100, 1_000, 5_000, 20_000] {
+        for at in [100, 500, 1_500, 3_000] {
             let mut changed = String::from_utf8(text.clone()).unwrap();
             let begin = changed[at..].find(',').unwrap() + at + 1;
             let end = begin + changed[begin..].find([',', ']', '}']).unwrap();
