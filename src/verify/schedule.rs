@@ -176,7 +176,11 @@ fn dense(model: &Model, mission: &Mission, motion: &mut Motion) -> Coarser {
         legs.push((first, motion.waypoint_nodes[leg + 1]));
     }
     let durations: Vec<f64> = legs.iter().map(|&(a, b)| motion.times[b] - motion.times[a]).collect();
-    let asked = pieces(mission, &durations, model.plan.samples);
+    // Where the spec lays times down, its own durations count: pieces are shared out in whole numbers, and a difference in
+    // the last digit can give one to another leg.
+    let end = motion.times[motion.times.len() - 1];
+    let laid_down = leg_durations(mission, end).filter(|_| !model.plan.chooses_times);
+    let asked = pieces(mission, laid_down.as_ref().unwrap_or(&durations), model.plan.samples);
     let mut coarser = Coarser::default();
     for ((&(first, last), &duration), &count) in legs.iter().zip(&durations).zip(&asked) {
         let longest = duration / count as f64;

@@ -18,7 +18,7 @@ fn with(certificate: &Certificate, motion: &MotionRecord, selected_by: &[MotionR
 
 /// A hop without limits that is quick enough to leave the sets of lost rotors.
 fn quick(planner: PlannerKind, rounds: usize) -> Model {
-    let mut model = hop(planner, 3.6);
+    let mut model = hop(planner, 3.3);
     model.mission.as_mut().unwrap().limits.clear();
     model.plan.rounds = rounds;
     model
