@@ -13,17 +13,22 @@ mod new;
 mod plan;
 mod progress;
 mod shell;
+mod signals;
 mod simulate;
 mod spec;
 mod specs;
 mod sweep;
 mod target;
+mod temporary;
+mod threads;
 mod verify;
 mod watch;
 mod why;
 
+use crate::source::visible;
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 /// Done; `analyze` ends so whatever its verdicts.
@@ -291,7 +296,7 @@ pub fn run() -> u8 {
         Ok(cli) => cli,
         Err(mut e) => {
             without_escape(&mut e);
-            return match files::told(e.print()) {
+            return match told(&e) {
                 Ok(()) if !e.use_stderr() => FINE,
                 Err(problem) if !e.use_stderr() => usage(&problem),
                 _ => USAGE,
@@ -299,6 +304,10 @@ pub fn run() -> u8 {
         }
     };
     let options = Options { quiet: cli.quiet, timings: cli.timings };
+    threads::limit(match &cli.command {
+        Command::Campaign(args) => args.threads(),
+        _ => None,
+    });
     let result = match &cli.command {
         Command::Check(args) => check::run(args, &options),
         Command::Analyze(args) => analyze::run(args, &options),
@@ -318,6 +327,17 @@ pub fn run() -> u8 {
     result.unwrap_or_else(|problem| usage(&problem))
 }
 
+/// Prints help, or what is wrong with the arguments: they may be names of files.
+fn told(error: &clap::Error) -> Result<(), Problem> {
+    match visible::text(&error.to_string()) {
+        Cow::Borrowed(_) => files::told(error.print()),
+        Cow::Owned(text) => {
+            files::tell(&text);
+            Ok(())
+        }
+    }
+}
+
 /// Takes out the tip to pass an unknown option as a value, after `--`: no argument of mavc looks like an option.
 fn without_escape(error: &mut clap::Error) {
     if let Some(ContextValue::StyledStrs(mut tips)) = error.remove(ContextKind::Suggested) {
@@ -329,7 +349,7 @@ fn without_escape(error: &mut clap::Error) {
 }
 
 fn usage(problem: &Problem) -> u8 {
-    files::tell(&format!("mavc: {problem}\n"));
+    files::tell(&format!("mavc: {}\n", visible::line(problem)));
     USAGE
 }
 

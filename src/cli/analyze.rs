@@ -4,6 +4,7 @@ use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files};
 use crate::admissible::AdmissibleSet;
 use crate::admissible::verdict::{ModeAnalysis, analyze_all};
 use crate::report::analysis_text;
+use crate::source::visible;
 use serde::Serialize;
 use std::time::Instant;
 
@@ -45,6 +46,7 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
                 flips: flips.as_ref().map(|f| f.flips.as_slice()),
             };
             let text = serde_json::to_string(&record).map_err(|e| e.to_string())?;
+            let text = visible::json(text);
             files::print(&(text + "\n"))?;
         }
         Format::Human => match &flips {

@@ -10,6 +10,7 @@ use crate::planner::compare::{Ending, PlannerRun, Scope, compare};
 use crate::planner::rows::{Engine, FEASIBLE};
 use crate::planner::transcribe::{Purpose, Transcription};
 use crate::qp::{QuadraticProgram, mps};
+use crate::source::visible;
 use serde::Serialize;
 
 /// MPS cannot say a second-order cone.
@@ -51,7 +52,7 @@ fn ast(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
         return Ok(SPEC_ERRORS);
     }
     for file in &loaded.files.files {
-        let name = &loaded.files.sources.get(file.file).name;
+        let name = visible::line(&loaded.files.sources.get(file.file).name);
         files::print(&format!("// {name}\n{file}"))?;
     }
     Ok(FINE)
@@ -84,6 +85,7 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
         EmitFormat::Text => files::print(&summary(&program, time))?,
         EmitFormat::Json => {
             let text = serde_json::to_string(&Exported::of(&program, time)).map_err(|e| e.to_string())?;
+            let text = visible::json(text);
             files::print(&(text + "\n"))?;
         }
         EmitFormat::Mps => match mps::render(&program, "mavc") {

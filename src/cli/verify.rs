@@ -36,7 +36,7 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     match verdict {
         Ok(verdict) => {
             files::print(&table(&verdict, model.plan.planner))?;
-            files::print(&format!("{name}: every claim holds\n"))?;
+            files::print(&format!("{}: every claim holds\n", spec::shown(&name)))?;
             Ok(FINE)
         }
         Err(diagnostic) => {
