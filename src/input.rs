@@ -144,12 +144,10 @@ mod tests {
     #[test]
     fn names_say_what_a_file_is() {
         let of = |name: &str| Kind::of(Path::new(name));
-        assert_eq!(["a.mav", "b/A.MAV", "t.csv", "t.txt"].map(of), [
-            Some(Kind::Spec),
-            Some(Kind::Spec),
-            Some(Kind::Table),
-            Some(Kind::Table)
-        ]);
+        assert_eq!(
+            ["a.mav", "b/A.MAV", "t.csv", "t.txt"].map(of),
+            [Some(Kind::Spec), Some(Kind::Spec), Some(Kind::Table), Some(Kind::Table)]
+        );
         assert_eq!(["", "mav", ".mav", "a.mav.key", "environ", "a.mav~"].map(of), [None; 6]);
     }
 

@@ -33,12 +33,12 @@ mod unreadable;
 mod vehicle;
 pub mod vocabulary;
 
+pub use crate::input::MAX_TABLE_BYTES;
 pub use elaborate::{elaborate, understand};
 pub use flight::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
 pub use interval::{RotorSpread, Spread};
-pub use crate::input::MAX_TABLE_BYTES;
 pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
 pub use mission::MAX_WAYPOINTS;
 pub(crate) use near_files::is_unfit;

@@ -11,7 +11,7 @@ use super::simulate::cannot_fly;
 use super::spec::{self, Loaded, hex, timing};
 use super::target::{Target, write};
 use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, files};
-use crate::campaign::cases::Shard;
+use crate::campaign::cases::{MAX_FLIGHTS, Shard};
 use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
@@ -30,10 +30,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// Most instants, seeds and flights of a campaign.
+/// Most instants and seeds of a campaign.
 const MAX_TIMES: u64 = 10_000;
 const MAX_SEEDS: u64 = 1_000_000;
-const MAX_FLIGHTS: usize = 100_000_000;
 
 #[derive(Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
@@ -171,8 +170,9 @@ fn binary() -> String {
 
 /// Flies what is not there yet. `None`: the reader of the rows has gone away.
 fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Options) -> Result<Option<Tally>, Problem> {
-    let begin = Instant::now();
     let (mut output, mut tally) = Output::open(rows, design, shard)?;
+    // Rows that are there are none of this run's speed.
+    let begin = Instant::now();
     let (done, all) = (tally.flights(), shard.count(design.cases.count()));
     if done > 0 && !options.quiet {
         files::tell(&if output.is_complete() {

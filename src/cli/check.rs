@@ -1,6 +1,6 @@
 use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs};
 use super::{files, spec, specs, usage, watch};
-use crate::admissible::diagnose::diagnose;
+use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::flight::twins;
 use crate::report::table::Table;
@@ -110,7 +110,7 @@ fn one(
     if let Some(model) = &loaded.model {
         let answers = diagnose(model);
         if answers.iter().any(|d| d.severity == Severity::Error) {
-            code = NO_PLAN;
+            code = if is_too_large(&answers) { SPEC_ERRORS } else { NO_PLAN };
         }
         loaded.diagnostics.extend(answers);
         loaded.diagnostics.extend(twins::diagnose(model));

@@ -3,7 +3,7 @@ use super::spec::{self, Loaded};
 use super::{EmitArgs, EmitFormat, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
 use crate::actuation::Actuation;
 use crate::admissible::AdmissibleSet;
-use crate::admissible::diagnose::diagnose;
+use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Severity, sort};
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Ending, PlannerRun, Scope, compare};
@@ -34,8 +34,9 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
         Stage::Model => files::print(&model.to_string())?,
         Stage::Actuation => files::print(&Actuation::of(&model.vehicle).to_string())?,
         Stage::Sets => {
-            let sets: Vec<String> = AdmissibleSet::all(&model).iter().map(|s| s.to_string()).collect();
-            files::print(&sets.join("\n"))?;
+            for (k, set) in AdmissibleSet::each(&model).enumerate() {
+                files::print(&format!("{}{set}", if k > 0 { "\n" } else { "" }))?;
+            }
         }
         Stage::Constraints | Stage::Qp => return planned(args, &mut loaded, &model, options),
     }
@@ -60,11 +61,13 @@ fn ast(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
 
 /// The stages that need the planner's choice of rows and a mission time.
 fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Options) -> Result<u8, Problem> {
-    loaded.diagnostics.extend(diagnose(model));
+    let answers = diagnose(model);
+    let is_too_large = is_too_large(&answers);
+    loaded.diagnostics.extend(answers);
     loaded.diagnostics.extend(no_mission(model));
     sort(&mut loaded.diagnostics);
     loaded.tell(options);
-    let Some(mission) = &model.mission else { return Ok(SPEC_ERRORS) };
+    let Some(mission) = model.mission.as_ref().filter(|_| !is_too_large) else { return Ok(SPEC_ERRORS) };
     if loaded.diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Ok(NO_PLAN);
     }

@@ -1,5 +1,5 @@
-use super::target::{Target, write};
 use super::files::shown;
+use super::target::{Target, write};
 use super::{FINE, Options, Problem, files};
 use std::path::Path;
 

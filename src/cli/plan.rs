@@ -5,7 +5,7 @@ use super::spec::{self, Loaded, timing};
 use super::target::{Target, cannot_write, write};
 use super::why::why;
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
-use crate::admissible::diagnose::diagnose;
+use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certificate::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
@@ -15,8 +15,8 @@ use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_plan
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::page::{self, Kind, Subject};
 use crate::report::record::{Record, RoundRecord};
-use crate::source::visible;
 use crate::report::{self, comparison_text, terminal, trajectory_csv};
+use crate::source::visible;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::time::Instant;
@@ -148,7 +148,12 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     });
     let told = ![&report, &html].into_iter().flatten().any(Target::is_stdout);
     if told {
-        files::print_painted(&comparison_text::compare(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
+        files::print_painted(&comparison_text::compare(
+            &model,
+            &mission,
+            &comparison,
+            spec::colored(&std::io::stdout()),
+        ))?;
         if let Some(rounds) = &rounds {
             files::print(&comparison_text::rounds(&model, &mission, &comparison, rounds))?;
         }
@@ -228,7 +233,9 @@ fn figures(
         let target = Target::within(folder, &name)?;
         target.must_spare(subject.sources.iter().map(|(_, source)| source.name.as_str()))?;
         match others.iter().copied().flatten().any(|other| target.is_same(other)) {
-            true => Err(format!("a chart and another result would go to {}: give --svg its own folder", target.shown())),
+            true => {
+                Err(format!("a chart and another result would go to {}: give --svg its own folder", target.shown()))
+            }
             false => Ok((target, text)),
         }
     };
@@ -276,9 +283,13 @@ pub(super) fn spare(loaded: &Loaded, targets: &[&Option<Target>]) -> Result<(), 
 pub(super) fn ready(loaded: &mut Loaded, options: &Options) -> Option<(Model, Mission)> {
     if let Some(model) = &loaded.model {
         let answers = diagnose(model);
+        let is_too_large = is_too_large(&answers);
         loaded.diagnostics.extend(answers);
         loaded.diagnostics.extend(no_mission(model));
         sort(&mut loaded.diagnostics);
+        if is_too_large {
+            loaded.model = None;
+        }
     }
     loaded.tell(options);
     let model = loaded.model.clone()?;

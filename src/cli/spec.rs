@@ -3,9 +3,7 @@
 use super::{Options, Problem, SpecArgs, files, links};
 use crate::diagnostic::{Diagnostic, Severity, render_linked, render_short, sort, to_json_line};
 use crate::input::read_named;
-use crate::model::{
-    FileSet, Model, OVERRIDE, Override, elaborate, entries, load_among, parse_override,
-};
+use crate::model::{FileSet, Model, OVERRIDE, Override, elaborate, entries, load_among, parse_override};
 use crate::source::{SourceMap, visible};
 use sha2::{Digest, Sha256};
 use std::borrow::Cow;

@@ -52,7 +52,8 @@ impl Found {
         let entries = WalkDir::new(folder).follow_links(true).max_depth(DEPTH).sort_by_file_name().into_iter();
         for (count, entry) in entries.filter_entry(|entry| !is_hidden(entry)).enumerate() {
             if count >= MOST_ENTRIES {
-                self.problems.push(format!("{folder} has more than {MOST_ENTRIES} entries; the others are not looked at"));
+                self.problems
+                    .push(format!("{folder} has more than {MOST_ENTRIES} entries; the others are not looked at"));
                 return;
             }
             match entry {

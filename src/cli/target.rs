@@ -134,9 +134,7 @@ impl Pieces<'_> {
     pub fn finish(self) -> Result<(), Problem> {
         let finished = match self.sink {
             Sink::Stream(mut stream) => stream.flush(),
-            Sink::File(file, path) => {
-                file.file().sync_all().and_then(|()| file.persist(path))
-            }
+            Sink::File(file, path) => file.file().sync_all().and_then(|()| file.persist(path)),
         };
         finished.map_err(|e| cannot_write(self.name, &e))
     }

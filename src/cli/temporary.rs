@@ -111,7 +111,8 @@ pub fn remove_stale(result: &Path) {
     };
     let entries = std::fs::read_dir(folder(result)).into_iter().flatten().flatten();
     for entry in entries.filter(|entry| entry.file_name().to_str().is_some_and(is_of_result)) {
-        if let Some(_locked) = crate::input::open_unfollowed(&entry.path()).ok().filter(|file| file.try_lock().is_ok()) {
+        if let Some(_locked) = crate::input::open_unfollowed(&entry.path()).ok().filter(|file| file.try_lock().is_ok())
+        {
             // While it is locked no other run can take it for its own.
             let _ = std::fs::remove_file(entry.path());
         }

@@ -172,9 +172,6 @@ impl miette::Diagnostic for Elsewhere<'_> {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        Some(Box::new(std::iter::once(LabeledSpan::new_primary_with_span(
-            None,
-            self.excerpt.place(self.label.span),
-        ))))
+        Some(Box::new(std::iter::once(LabeledSpan::new_primary_with_span(None, self.excerpt.place(self.label.span)))))
     }
 }

@@ -201,13 +201,7 @@ impl Loader<'_> {
     }
 
     /// Reads what `path`, written in `from`, leads to; a name of another kind is not even opened.
-    fn bytes(
-        &self,
-        kind: Kind,
-        target: &Path,
-        path: &Spanned<String>,
-        from: &str,
-    ) -> Result<Vec<u8>, Box<Diagnostic>> {
+    fn bytes(&self, kind: Kind, target: &Path, path: &Spanned<String>, from: &str) -> Result<Vec<u8>, Box<Diagnostic>> {
         if let Some(refused) = refused_by_name(kind, target, path, from, self.list) {
             return Err(Box::new(refused));
         }

@@ -18,8 +18,11 @@ pub fn entries(folder: &Path) -> Vec<String> {
     let found = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_ENTRIES);
     let mut names: Vec<String> = found
         .filter_map(|entry| {
-            let name =
-                entry.file_name().into_string().ok().filter(|name| !name.starts_with('.') && !name.contains(is_unfit))?;
+            let name = entry
+                .file_name()
+                .into_string()
+                .ok()
+                .filter(|name| !name.starts_with('.') && !name.contains(is_unfit))?;
             Some(if entry.path().is_dir() { name + "/" } else { name })
         })
         .collect();

@@ -21,7 +21,7 @@ use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 pub const MAX_ROUNDS: usize = 100;
 
 /// Most intervals of one plan.
-pub const MAX_SAMPLES: usize = 100_000;
+pub const MAX_SAMPLES: usize = 10_000;
 
 const CHOICE: &str = "mavc::plan::choice";
 pub(super) const FIELDS: [&str; 17] = [

@@ -33,11 +33,7 @@ pub fn json(text: String) -> String {
     }
 }
 
-fn escaped<'a>(
-    text: &'a str,
-    stays: impl Fn(usize, char) -> bool,
-    escape: impl Fn(&mut String, char),
-) -> Cow<'a, str> {
+fn escaped<'a>(text: &'a str, stays: impl Fn(usize, char) -> bool, escape: impl Fn(&mut String, char)) -> Cow<'a, str> {
     let is_bad = |at: usize, c: char| is_disguise(c) && !stays(at, c);
     let Some((first, _)) = text.char_indices().find(|&(at, c)| is_bad(at, c)) else { return Cow::Borrowed(text) };
     let mut out = String::with_capacity(text.len() + 16);
@@ -57,7 +53,10 @@ mod tests {
 
     #[test]
     fn control_and_bidirectional_characters_become_escapes() {
-        assert_eq!(text("a\x1b[31m\u{9b}2J\u{202e}\u{2066}\u{7f}\0b"), "a\\u{1b}[31m\\u{9b}2J\\u{202e}\\u{2066}\\u{7f}\\u{0}b");
+        assert_eq!(
+            text("a\x1b[31m\u{9b}2J\u{202e}\u{2066}\u{7f}\0b"),
+            "a\\u{1b}[31m\\u{9b}2J\\u{202e}\\u{2066}\\u{7f}\\u{0}b"
+        );
         assert_eq!(text("a\tb\r\nc\rd\n"), "a\tb\r\nc\\u{d}d\n");
         assert_eq!(line("a\nerror: b\t"), "a\\u{a}error: b\\u{9}");
     }

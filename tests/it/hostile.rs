@@ -1,5 +1,12 @@
 //! Hostile texts: an error with a code, in bounded time and memory, never a panic.
 
+#[cfg(unix)]
+mod ending;
+mod merging;
+#[cfg(unix)]
+mod reading;
+mod showing;
+
 use mavc::diagnostic::{Diagnostic, render_human, render_short, to_json_line};
 use mavc::model::{elaborate, load};
 use mavc::source::{FileId, Source, SourceMap};

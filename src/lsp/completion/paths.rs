@@ -33,7 +33,8 @@ pub fn offers(source: &Source, offset: usize) -> Option<(Vec<Offer>, Range<usize
     let end = offset + rest.find(['"', '/', '\n', '\r', ';']).unwrap_or(rest.len());
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_ENTRIES);
     let offer = |entry: std::fs::DirEntry| {
-        let name = entry.file_name().into_string().ok().filter(|name| !name.starts_with('.') && !name.contains(is_unfit))?;
+        let name =
+            entry.file_name().into_string().ok().filter(|name| !name.starts_with('.') && !name.contains(is_unfit))?;
         let path = entry.path();
         if path.is_dir() {
             return Some(Offer::new(&format!("{name}/"), ItemKind::Folder, 1));
