@@ -2,6 +2,7 @@
 //! nothing else is opened for longer than it takes to see what it is, so that no pipe can hold mavc up and no text of
 //! another kind is quoted in a diagnostic.
 
+use crate::source::visible;
 use crate::syntax::MAX_FILE_BYTES;
 use std::fs::{File, OpenOptions};
 use std::io::{Error, ErrorKind, Read, Result};
@@ -53,7 +54,7 @@ pub enum Refused {
     #[error("its name does not end in {}", .0.endings_in_words())]
     Ending(Kind),
     /// A link to a file of another kind.
-    #[error("it is a link to `{}`, whose name does not end in {}", .target.display(), .kind.endings_in_words())]
+    #[error("it is a link to `{}`, whose name does not end in {}", visible::line(&.target.display().to_string()), .kind.endings_in_words())]
     Elsewhere { target: PathBuf, kind: Kind },
 }
 

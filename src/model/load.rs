@@ -8,7 +8,7 @@ use super::near_files::List;
 use super::unreadable::{refused_by_name, unreadable};
 use crate::diagnostic::{Diagnostic, sort};
 use crate::input::{Kind, MAX_TABLE_BYTES};
-use crate::source::{FileId, Source, SourceMap, Span, Spanned};
+use crate::source::{FileId, Source, SourceMap, Span, Spanned, visible};
 use crate::syntax::ast::{Item, SpecFile, Statement};
 use crate::syntax::{MAX_FILE_BYTES, not_utf8, parse, too_large};
 
@@ -143,8 +143,11 @@ impl Loader<'_> {
     fn bring(&mut self, from: &str, path: &Spanned<String>) {
         let target = resolve(from, &path.value);
         if let Some(first) = self.open.iter().position(|open| *open == target) {
-            let circle: Vec<String> =
-                self.open[first..].iter().chain([&target]).map(|p| format!("`{}`", p.display())).collect();
+            let circle: Vec<String> = self.open[first..]
+                .iter()
+                .chain([&target])
+                .map(|p| format!("`{}`", visible::line(&p.display().to_string())))
+                .collect();
             let message = format!("`{}` uses itself", target.display());
             let error = Diagnostic::error("mavc::file::cycle", path.span, message)
                 .here("leads back to a file that is being read")

@@ -3,7 +3,7 @@
 use super::near_files::{List, MOST_ENTRIES, near_file};
 use crate::diagnostic::Diagnostic;
 use crate::input::{Kind, Refused};
-use crate::source::Spanned;
+use crate::source::{Spanned, visible};
 use crate::syntax::too_large;
 use std::io::{Error, ErrorKind};
 use std::path::Path;
@@ -59,7 +59,7 @@ fn refusal(kind: Kind, target: &Path, path: &Spanned<String>, refused: &Refused)
         Kind::Spec => "`use`",
         Kind::Table => "`waypoints from`",
     };
-    let message = format!("`{}` is not read: {refused}", target.display());
+    let message = format!("`{}` is not read: {refused}", shown(target));
     let help = match refused {
         Refused::NotRegular => "copy its contents into a regular file and name that",
         Refused::Ending(Kind::Spec) => "name a spec, as in `vehicles/quad.mav`",
@@ -75,10 +75,10 @@ fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &Error, lis
     // `..` and the like lead to folders, whatever the system says of them.
     let kind = if target.file_name().is_none() { ErrorKind::IsADirectory } else { error.kind() };
     let message = match kind {
-        ErrorKind::NotFound => format!("there is no file `{}`", target.display()),
+        ErrorKind::NotFound => format!("there is no file `{}`", shown(target)),
         ErrorKind::IsADirectory => format!("`{}` is a folder", path.value),
-        ErrorKind::PermissionDenied => format!("`{}` may not be read: permission denied", target.display()),
-        _ => format!("`{}` cannot be read: {error}", target.display()),
+        ErrorKind::PermissionDenied => format!("`{}` may not be read: permission denied", shown(target)),
+        _ => format!("`{}` cannot be read: {error}", shown(target)),
     };
     let diagnostic = Diagnostic::error("mavc::file::missing", path.span, message).here("named here");
     match kind {
@@ -96,11 +96,17 @@ fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &Error, lis
     }
 }
 
+/// A path within a line.
+fn shown(path: &Path) -> String {
+    visible::line(&path.display().to_string()).into_owned()
+}
+
 /// Where a file was looked for, and how to name one elsewhere.
 fn looked_in(target: &Path, from: &str) -> String {
     let folder = match target.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-        Some(folder) => format!("the folder `{}`", folder.display()),
+        Some(folder) => format!("the folder `{}`", shown(folder)),
         None => "this folder".to_string(),
     };
+    let from = visible::line(from);
     format!("it was looked for in {folder}: write its path from `{from}`, as in `../vehicles/quad.mav`")
 }
