@@ -28,7 +28,6 @@ mod why;
 use crate::source::visible;
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use std::borrow::Cow;
 use std::path::PathBuf;
 
 /// Done; `analyze` ends so whatever its verdicts.
@@ -294,9 +293,10 @@ pub(crate) struct Options {
 pub fn run() -> u8 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(mut e) => {
+        Err(e) => {
+            let mut e = without_disguise(e);
             without_escape(&mut e);
-            return match told(&e) {
+            return match files::told(e.print()) {
                 Ok(()) if !e.use_stderr() => FINE,
                 Err(problem) if !e.use_stderr() => usage(&problem),
                 _ => USAGE,
@@ -327,15 +327,13 @@ pub fn run() -> u8 {
     result.unwrap_or_else(|problem| usage(&problem))
 }
 
-/// Prints help, or what is wrong with the arguments: they may be names of files.
-fn told(error: &clap::Error) -> Result<(), Problem> {
-    match visible::text(&error.to_string()) {
-        Cow::Borrowed(_) => files::told(error.print()),
-        Cow::Owned(text) => {
-            files::tell(&text);
-            Ok(())
-        }
+/// The error with all arguments on one line each and free of disguises: they may be names of files.
+fn without_disguise(error: clap::Error) -> clap::Error {
+    let arguments: Vec<String> = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned()).collect();
+    if !arguments.iter().any(|argument| argument.contains(visible::is_disguise)) {
+        return error;
     }
+    Cli::try_parse_from(arguments.iter().map(|argument| visible::line(argument).into_owned())).err().unwrap_or(error)
 }
 
 /// Takes out the tip to pass an unknown option as a value, after `--`: no argument of mavc looks like an option.

@@ -3,7 +3,7 @@
 use super::Problem;
 use crate::input::{Kind, at_most, open_regular, read_named};
 use crate::source::visible;
-use std::io::{Error, ErrorKind, Write};
+use std::io::{Error, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
 /// The bytes of a spec or a certificate, at most one more than `most`; `-` is standard input. A name that ends as a spec's
@@ -57,7 +57,16 @@ pub fn print_painted(text: &str) -> Result<(), Problem> {
     print_as_it_is(&painted(text))
 }
 
-/// Prints results, and what is free of disguises with the colours and links that belong there.
+/// Prints a result, byte by byte as a file would get it; only on a terminal are disguises shown as escapes.
+pub fn print_result(text: &str) -> Result<(), Problem> {
+    if std::io::stdout().is_terminal() {
+        return print(text);
+    }
+    let mut stream = std::io::stdout().lock();
+    told(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
+}
+
+/// Prints what is free of disguises with the colours and links that belong there.
 pub fn print_as_it_is(text: &str) -> Result<(), Problem> {
     let mut stream = anstream::stdout().lock();
     told(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))

@@ -1,7 +1,7 @@
 //! Where results go: files whole or not at all, pipes, standard output.
 
 use super::Problem;
-use super::files::{print_as_it_is, reason, unless_gone};
+use super::files::{print_result, reason, unless_gone};
 use super::temporary::{Temporary, folder, remove_stale};
 use crate::input::Refused;
 use std::fs::{File, OpenOptions};
@@ -146,7 +146,7 @@ pub fn write(results: &[(&Target, String)]) -> Result<(), Problem> {
     for (target, text) in results {
         let attempt = match &target.place {
             Place::Stdout => {
-                print_as_it_is(text)?;
+                print_result(text)?;
                 Ok(())
             }
             Place::File(path) => beside(path, text).map(|file| whole.push((target, path, file))),

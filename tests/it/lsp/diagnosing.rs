@@ -197,7 +197,7 @@ fn pipes_and_links_to_other_files_are_refused_unread() {
 fn what_is_shown_has_escapes_for_control_and_bidirectional_characters() {
     let mut client = Client::start();
     let uri = "untitled:a";
-    client.open(uri, "/// \u{1b}[31m\u{202e}\nlet a = b\u{1b}[2J\u{202e}\n");
+    client.open(uri, "/// \u{1b}[31m\u{202e}\nlet a = 1\nlet c = b\u{1b}[2J\u{202e}\n");
     let told = client.wait(uri, Some(1), |told| !told.is_empty());
     let place = json!({ "textDocument": { "uri": uri }, "position": { "line": 1, "character": 4 } });
     let hover = client.ask("textDocument/hover", place).unwrap();
