@@ -21,7 +21,7 @@ use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 pub const MAX_ROUNDS: usize = 100;
 
 /// Most intervals of one plan, so that planning takes less than 500 MB; docs/performance.md has the figures.
-pub const MAX_SAMPLES: usize = 5_000;
+pub const MAX_SAMPLES: usize = 3_000;
 
 const CHOICE: &str = "mavc::plan::choice";
 pub(super) const FIELDS: [&str; 17] = [
