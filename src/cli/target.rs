@@ -62,7 +62,7 @@ impl Target {
         let refuse = |what: &str| Err(format!("{} is {what}: write to another file", self.name.display()));
         let is_own = |name: &&str| {
             let name = Path::new(name);
-            [identity(name), own_identity(name)].contains(&Some(own.clone()))
+            [identity(name), own_identity(name)].iter().flatten().any(|id| *id == own)
         };
         if let Some(name) = read.into_iter().find(is_own) {
             let same = Path::new(name) == self.name;
