@@ -87,9 +87,14 @@ impl AdmissibleSet {
         Self::new(model, Some(index))
     }
 
-    /// Healthy first, then every declared mode.
+    /// Healthy first, then every declared mode; each is made when it is its turn, for all at once may not fit in memory.
+    pub fn each(model: &Model) -> impl Iterator<Item = Self> {
+        std::iter::once(Self::healthy(model)).chain((0..model.modes.len()).map(|i| Self::of_mode(model, i)))
+    }
+
+    /// The same, all at once.
     pub fn all(model: &Model) -> Vec<Self> {
-        std::iter::once(Self::healthy(model)).chain((0..model.modes.len()).map(|i| Self::of_mode(model, i))).collect()
+        Self::each(model).collect()
     }
 
     /// The set shrunk about hover, keeping `reserve` (0..1) of it for feedback.

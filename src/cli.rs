@@ -13,15 +13,19 @@ mod new;
 mod plan;
 mod progress;
 mod shell;
+mod signals;
 mod simulate;
 mod spec;
 mod specs;
 mod sweep;
 mod target;
+mod temporary;
+mod threads;
 mod verify;
 mod watch;
 mod why;
 
+use crate::source::visible;
 use crate::verify::cost::Budget;
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -297,7 +301,8 @@ pub(crate) struct Options {
 pub fn run() -> u8 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(mut e) => {
+        Err(e) => {
+            let mut e = without_disguise(e);
             without_escape(&mut e);
             return match files::told(e.print()) {
                 Ok(()) if !e.use_stderr() => FINE,
@@ -307,6 +312,10 @@ pub fn run() -> u8 {
         }
     };
     let options = Options { quiet: cli.quiet, timings: cli.timings };
+    threads::limit(match &cli.command {
+        Command::Campaign(args) => args.threads(),
+        _ => None,
+    });
     let result = match &cli.command {
         Command::Check(args) => check::run(args, &options),
         Command::Analyze(args) => analyze::run(args, &options),
@@ -326,6 +335,15 @@ pub fn run() -> u8 {
     result.unwrap_or_else(|problem| usage(&problem))
 }
 
+/// The error with all arguments on one line each and free of disguises: they may be names of files.
+fn without_disguise(error: clap::Error) -> clap::Error {
+    let arguments: Vec<String> = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned()).collect();
+    if !arguments.iter().any(|argument| argument.contains(visible::is_disguise)) {
+        return error;
+    }
+    Cli::try_parse_from(arguments.iter().map(|argument| visible::line(argument).into_owned())).err().unwrap_or(error)
+}
+
 /// Takes out the tip to pass an unknown option as a value, after `--`: no argument of mavc looks like an option.
 fn without_escape(error: &mut clap::Error) {
     if let Some(ContextValue::StyledStrs(mut tips)) = error.remove(ContextKind::Suggested) {
@@ -337,7 +355,7 @@ fn without_escape(error: &mut clap::Error) {
 }
 
 fn usage(problem: &Problem) -> u8 {
-    files::tell(&format!("mavc: {problem}\n"));
+    files::tell(&format!("mavc: {}\n", visible::line(problem)));
     USAGE
 }
 

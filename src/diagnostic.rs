@@ -3,6 +3,7 @@
 //! Stages up to the model return [`Checked`]: a value if one could be built, and every diagnostic.
 
 pub mod codes;
+mod excerpt;
 mod json;
 mod nearest;
 mod short;

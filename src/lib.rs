@@ -12,6 +12,7 @@ pub mod flatness;
 pub mod flight;
 pub mod format;
 pub mod geometry;
+pub mod input;
 pub mod lsp;
 pub mod model;
 pub mod planner;

@@ -28,6 +28,7 @@ mod mentions;
 mod names;
 mod navigation;
 mod outline;
+mod plain;
 mod publication;
 mod rename;
 mod server;

@@ -30,16 +30,19 @@ mod simulate;
 mod slip;
 mod survey;
 mod understanding;
+mod unreadable;
 mod vehicle;
 pub mod vocabulary;
 
+pub use crate::input::MAX_TABLE_BYTES;
 pub use elaborate::{elaborate, understand};
 pub use flight::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
 pub use interval::{RotorSpread, Spread};
-pub use load::{FileSet, MAX_FILES, MAX_TABLE_BYTES, Table, load, load_among, resolve};
+pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
 pub use mission::MAX_WAYPOINTS;
+pub(crate) use near_files::is_unfit;
 pub use near_files::{List, entries};
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES};

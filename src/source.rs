@@ -3,6 +3,8 @@
 //! Every file of a file set gets a [`FileId`]; a [`Span`] is a byte range of one file. Lines and
 //! columns are computed only when a person or an editor has to be told.
 
+pub mod visible;
+
 use std::fmt;
 
 /// Index of a file in a [`SourceMap`].

@@ -20,6 +20,13 @@ pub const NOT_ROBUST: &str = "mavc::analysis::not_robust";
 /// Two rows of the actuation matrix are nearly parallel once a mode strikes.
 pub const PARALLEL_ROWS: &str = "mavc::analysis::parallel_rows";
 
+/// The sets of the modes that the plan is against have more facets than can be planned with.
+pub const TOO_MANY_FACETS: &str = "mavc::plan::too_many_facets";
+
+/// Facets of all modes together that a plan can be against. Before anything is planned each set is reduced to its least
+/// description, in time quadratic in its facets: 1.1 s for a ring of 32 rotors, so about a minute up to here.
+pub const MAX_FACETS: usize = 100_000;
+
 /// Modes named one by one in a message; of more, the first ones and the number.
 const NAMED: usize = 8;
 
@@ -46,8 +53,13 @@ pub fn diagnose_by(
     let before = |row: &Parallel| healthy.nearest_rows.is_some_and(|r| r.axes == row.axes && r.angle < least_angle());
     let mut found: Vec<Answer> = Vec::new();
     let against = if model.mission.is_some() { model.plan.against.as_slice() } else { &[] };
+    let mut facets = 0;
     for &index in against {
         let mode = analysis(Some(index))?;
+        facets += mode.facets.unwrap_or(0);
+        if facets > MAX_FACETS {
+            return Some(vec![too_many_facets(model)]);
+        }
         let span = model.modes[index].span;
         let faint = || mode.nearest_rows.filter(|row| !before(row)).and_then(|row| nearly_parallel(&row, span));
         let Some(answer) = judge(model, &mode, span).or_else(faint) else { continue };
@@ -106,6 +118,20 @@ impl Answer {
             diagnostic
         }
     }
+}
+
+/// Whether an answer is that the spec is too large, which is a mistake in it.
+pub fn is_too_large(answers: &[Diagnostic]) -> bool {
+    answers.iter().any(|answer| answer.code == TOO_MANY_FACETS)
+}
+
+fn too_many_facets(model: &Model) -> Diagnostic {
+    let modes = model.plan.against.len();
+    let span = if is_written(model, "plan.against") { model.plan.against_span } else { model.vehicle.span };
+    let message = format!("the sets of the {modes} fault modes planned against have more than {MAX_FACETS} facets");
+    Diagnostic::error(TOO_MANY_FACETS, span, message)
+        .here(format!("{} rotors and {modes} modes", model.vehicle.rotors.len()))
+        .help("list fewer modes in `against`, such as those that are most likely; `mavc analyze` takes all of them")
 }
 
 /// A warning where two rows can coincide by a tenth of their length.

@@ -92,6 +92,11 @@ pub fn analyze_all(model: &Model, sets: &[AdmissibleSet]) -> Vec<ModeAnalysis> {
     sets.iter().map(|s| analyze(model, s)).collect()
 }
 
+/// Analyses every set of a spec, healthy first, one at a time.
+pub fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
+    AdmissibleSet::each(model).map(|set| analyze(model, &set)).collect()
+}
+
 /// The record of one mode.
 pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     let rotors = model.vehicle.rotors.len();

@@ -1,5 +1,8 @@
 //! Cases by number: planner, then mode, then instant of the fault, then seed, the last one fastest.
 
+/// Most flights of a campaign.
+pub const MAX_FLIGHTS: usize = 100_000_000;
+
 /// How many of each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cases {

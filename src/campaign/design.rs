@@ -73,16 +73,14 @@ impl<'a> Design<'a> {
     pub fn new(model: &'a Model, comparison: &Comparison, origin: &str) -> Result<Self, Vec<Missing>> {
         let mut plans = Vec::new();
         let mut missing = Vec::new();
-        let modes = mode_rows(model);
         for &planner in &model.campaign.planners {
             let run = comparison.runs.iter().find(|r| r.planner == planner);
             match run.map(|r| (&r.ending, &r.against)) {
                 Some((Ending::Solved(solved), against)) => {
-                    let stand = |rows: &Vec<SetRow>| outside(&solved.trajectory, &model.vehicle, model.gravity, rows);
                     plans.push(Plan {
                         planner,
                         against: against.clone(),
-                        outside: modes.iter().map(|(rows, _)| stand(rows)).collect(),
+                        outside: Vec::new(),
                         trajectory: solved.trajectory.clone(),
                     });
                 }
@@ -93,7 +91,7 @@ impl<'a> Design<'a> {
         let campaign = &model.campaign;
         let cases =
             Cases { planners: plans.len(), modes: model.modes.len(), times: campaign.times, seeds: campaign.seeds };
-        let controllable = modes.iter().map(|(_, controllable)| *controllable).collect();
+        let controllable = judge(model, &mut plans);
         let mut design = Design { model, plans, missing, controllable, time, cases, id: Identity(0) };
         design.id = design.identity(origin);
         Ok(design)
@@ -128,22 +126,33 @@ impl<'a> Design<'a> {
     }
 }
 
-/// Each declared mode's set as rows, and whether hover lies inside, that is, whether the mode is controllable. Sets
-/// that hold hover keep the reserve; the others cannot be shrunk about it.
-fn mode_rows(model: &Model) -> Vec<(Vec<SetRow>, bool)> {
+/// Finds for each declared mode whether it is controllable, that is, whether hover lies inside its set, and when each plan is
+/// outside. Sets that hold hover keep the reserve; the others cannot be shrunk about it. One set is kept at a time: those
+/// of all modes may not fit in memory.
+fn judge(model: &Model, plans: &mut [Plan]) -> Vec<bool> {
     let healthy = AdmissibleSet::healthy(model);
-    let rows = |mode: usize| {
-        let mut set = AdmissibleSet::of_mode(model, mode);
-        let controllable = set.rank == 4 && set.polytope.margin(&set.hover) > 0.0;
-        if controllable {
-            set = set.with_reserve(model.plan.reserve);
+    let mut controllable = Vec::new();
+    for mode in 0..model.modes.len() {
+        let (rows, is_controllable) = mode_rows(model, mode, &healthy);
+        for plan in plans.iter_mut() {
+            plan.outside.push(outside(&plan.trajectory, &model.vehicle, model.gravity, &rows));
         }
-        let equalities = set.polytope.equalities.iter().map(|e| {
-            let width = healthy.zonotope.width(&e.normal);
-            SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new() }
-        });
-        let facets = set.polytope.facets.iter().map(|f| row(f, &healthy, Vec::new()));
-        (equalities.chain(facets).collect(), controllable)
-    };
-    (0..model.modes.len()).map(rows).collect()
+        controllable.push(is_controllable);
+    }
+    controllable
+}
+
+/// A declared mode's set as rows, and whether hover lies inside.
+fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow>, bool) {
+    let mut set = AdmissibleSet::of_mode(model, mode);
+    let controllable = set.rank == 4 && set.polytope.margin(&set.hover) > 0.0;
+    if controllable {
+        set = set.with_reserve(model.plan.reserve);
+    }
+    let equalities = set.polytope.equalities.iter().map(|e| {
+        let width = healthy.zonotope.width(&e.normal);
+        SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new() }
+    });
+    let facets = set.polytope.facets.iter().map(|f| row(f, healthy, Vec::new()));
+    (equalities.chain(facets).collect(), controllable)
 }

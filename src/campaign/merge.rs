@@ -1,7 +1,8 @@
 //! Joining the rows of shards: every case exactly once, in order, byte for byte as one run would have written them.
 
+use super::cases::MAX_FLIGHTS;
 use super::design::Identity;
-use super::rows::{Row, header};
+use super::rows::{Row, header, read_line};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::io::{BufRead, Error, Write};
@@ -87,10 +88,8 @@ impl<R: BufRead> Source<R> {
 
     /// Reads the next line with its end; false where there is none.
     fn read(&mut self) -> Result<bool, MergeError> {
-        self.bytes.clear();
         self.line += 1;
-        let read = self.input.read_until(b'\n', &mut self.bytes);
-        read.map_err(|e| MergeError::Read(self.name.clone(), e))?;
+        read_line(&mut self.input, &mut self.bytes).map_err(|e| MergeError::Read(self.name.clone(), e))?;
         match self.bytes.last() {
             None => Ok(false),
             Some(b'\n') => Ok(true),
@@ -117,6 +116,9 @@ impl<R: BufRead> Source<R> {
         if own != *first {
             let what = format!("a row of campaign {}, while {of} is of {}", own.campaign, first.campaign);
             return Err(self.wrong(&what));
+        }
+        if row.cases > MAX_FLIGHTS {
+            return Err(self.wrong(&format!("{} cases, and a campaign has at most {MAX_FLIGHTS}", row.cases)));
         }
         if row.case >= row.cases {
             return Err(self.wrong(&format!("case {} of only {}", row.case, row.cases)));
@@ -145,17 +147,23 @@ struct Missing {
 
 impl Missing {
     fn add(&mut self, cases: std::ops::Range<usize>) {
-        for case in cases {
-            if self.count > 0 {
-                let stride = *self.stride.get_or_insert(case - self.last);
-                self.is_uneven |= case - self.last != stride;
-            }
-            if self.first.len() < NAMED {
-                self.first.push(case);
-            }
-            self.last = case;
-            self.count += 1;
+        if cases.is_empty() {
+            return;
         }
+        if self.count > 0 {
+            self.step(cases.start - self.last);
+        }
+        if cases.len() > 1 {
+            self.step(1);
+        }
+        self.count += cases.len();
+        self.last = cases.end - 1;
+        self.first.extend(cases.take(NAMED - self.first.len()));
+    }
+
+    /// From one missing case to the next.
+    fn step(&mut self, step: usize) {
+        self.is_uneven |= *self.stride.get_or_insert(step) != step;
     }
 
     /// `shards`: how many there seem to be.

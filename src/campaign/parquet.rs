@@ -33,6 +33,7 @@ const SCHEMA: &str = "message campaign {
     optional double isolated_after_s;
     required int64 false_alarms;
     required int64 refused;
+    required byte_array checksum (UTF8);
 }";
 
 /// Writes the rows of a finished CSV. Errors: reading, writing, or a line that is no row.
@@ -89,6 +90,7 @@ fn group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, rows: &[Row]) ->
     columns.optional(|r| r.isolated_after)?;
     columns.count(|r| r.false_alarms)?;
     columns.count(|r| r.refused)?;
+    columns.text(|r| Some(r.checksum()), false)?;
     columns.group.close().map(drop)
 }
 

@@ -5,8 +5,10 @@ use super::cases::Case;
 use super::design::{Design, Identity};
 use crate::flight::{Cause, Flight, Outcome};
 use crate::report::trajectory_csv::shortest;
+use sha2::{Digest, Sha256};
+use std::io::{BufRead, ErrorKind, Read};
 
-pub const COLUMNS: [&str; 18] = [
+pub const COLUMNS: [&str; 19] = [
     "campaign",
     "cases",
     "case",
@@ -25,7 +27,29 @@ pub const COLUMNS: [&str; 18] = [
     "isolated_after_s",
     "false_alarms",
     "refused",
+    "checksum",
 ];
+
+/// Bytes of a line at most: names of planners and modes are far shorter.
+const MOST_LINE: u64 = 1 << 16;
+
+/// Reads the next line with its end into `line`; how many bytes these are, 0 at the end of the input.
+///
+/// # Errors
+/// As reading fails, and [`ErrorKind::InvalidData`] for a line that no row is as long as.
+pub fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> std::io::Result<usize> {
+    line.clear();
+    let read = input.by_ref().take(MOST_LINE).read_until(b'\n', line)?;
+    match read as u64 == MOST_LINE && line.last() != Some(&b'\n') {
+        true => Err(std::io::Error::new(ErrorKind::InvalidData, "a line is longer than any row")),
+        false => Ok(read),
+    }
+}
+
+/// The first eight hexadecimal digits of the hash of a line's other cells, as they are written.
+fn checksum(cells: &str) -> String {
+    Sha256::digest(cells.as_bytes()).iter().take(4).map(|byte| format!("{byte:02x}")).collect()
+}
 
 /// The first line, without its end.
 pub fn header() -> String {
@@ -119,6 +143,18 @@ impl Row {
 
     /// The line, without its end. Numbers are the shortest that read back as the same.
     pub fn line(&self) -> String {
+        let cells = self.cells();
+        let checksum = checksum(&cells);
+        cells + "," + &checksum
+    }
+
+    /// The last cell of the line.
+    pub fn checksum(&self) -> String {
+        checksum(&self.cells())
+    }
+
+    /// All cells but the checksum.
+    fn cells(&self) -> String {
         let optional = |v: Option<f64>| v.map(shortest).unwrap_or_default();
         let (outcome, cause) = match self.ending {
             Ending::Flown => ("flown", ""),
@@ -146,12 +182,23 @@ impl Row {
         )
     }
 
-    /// A line without its end. Errors: what is wrong with it.
+    /// A line without its end, which must be what [`Row::line`] writes. Errors: what is wrong with it.
     pub fn read(line: &str) -> Result<Row, String> {
-        let cells: Vec<&str> = line.split(',').collect();
-        if cells.len() != COLUMNS.len() {
-            return Err(format!("{} cells where there should be {}", cells.len(), COLUMNS.len()));
+        let count = line.split(',').count();
+        let (cells, sum) = line
+            .rsplit_once(',')
+            .filter(|_| count == COLUMNS.len())
+            .ok_or_else(|| format!("{count} cells where there should be {}", COLUMNS.len()))?;
+        let row = Row::read_cells(&cells.split(',').collect::<Vec<_>>())?;
+        match (sum == checksum(cells), row.cells() == cells) {
+            (true, true) => Ok(row),
+            (false, _) => Err("the row does not fit its checksum: it was changed after it was written".into()),
+            (true, false) => Err("a number is not written as mavc writes it".into()),
         }
+    }
+
+    /// All cells but the checksum, as many as there should be.
+    fn read_cells(cells: &[&str]) -> Result<Row, String> {
         let wrong = |k: usize| format!("{:?} is no {}", cells[k], COLUMNS[k]);
         let count = |k: usize| cells[k].parse::<usize>().map_err(|_| wrong(k));
         let float = |k: usize| cells[k].parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(k));

@@ -2,7 +2,7 @@
 
 use super::cases::{Case, Shard};
 use super::design::Design;
-use super::rows::{Row, header};
+use super::rows::{Row, header, read_line};
 use std::io::{BufRead, Error};
 
 /// How far the rows go.
@@ -44,8 +44,7 @@ pub fn scan(
     let mut scan = Scan::default();
     let mut bytes = Vec::new();
     for line in 1.. {
-        bytes.clear();
-        let read = input.read_until(b'\n', &mut bytes).map_err(ScanError::Read)?;
+        let read = read_line(&mut input, &mut bytes).map_err(ScanError::Read)?;
         if bytes.pop() != Some(b'\n') {
             scan.torn = read > 0;
             break;

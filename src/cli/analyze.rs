@@ -1,9 +1,9 @@
 use super::spec::{self, timing};
 use super::sweep::{Flip, Subject, Sweep};
 use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files};
-use crate::admissible::AdmissibleSet;
-use crate::admissible::verdict::{ModeAnalysis, analyze_all};
+use crate::admissible::verdict::{ModeAnalysis, analyze_each};
 use crate::report::analysis_text;
+use crate::source::visible;
 use serde::Serialize;
 use std::time::Instant;
 
@@ -23,10 +23,7 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
     loaded.tell(options);
     let Some(model) = &loaded.model else { return Ok(SPEC_ERRORS) };
     let begin = Instant::now();
-    let sets = AdmissibleSet::all(model);
-    timing(options, "sets", begin);
-    let begin = Instant::now();
-    let modes = analyze_all(model, &sets);
+    let modes = analyze_each(model);
     timing(options, "verdicts", begin);
     let flips = match &args.sweep {
         Some(text) => {
@@ -45,6 +42,7 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
                 flips: flips.as_ref().map(|f| f.flips.as_slice()),
             };
             let text = serde_json::to_string(&record).map_err(|e| e.to_string())?;
+            let text = visible::json(text);
             files::print(&(text + "\n"))?;
         }
         Format::Human => match &flips {

@@ -6,11 +6,12 @@ mod parquet;
 
 use super::plan::{self, json, plan_for, ready, spare};
 use super::progress::Flights;
+use super::signals::Saying;
 use super::simulate::cannot_fly;
 use super::spec::{self, Loaded, hex, timing};
 use super::target::{Target, write};
 use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, files};
-use crate::campaign::cases::Shard;
+use crate::campaign::cases::{MAX_FLIGHTS, Shard};
 use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
@@ -19,17 +20,19 @@ use crate::planner::compare::{Ending, Scope};
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::campaign_text;
 use crate::report::page;
+use crate::source::visible;
 use clap::{Args, Subcommand};
 use output::{Output, Stop};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// Most instants, seeds and flights of a campaign.
+/// Most instants and seeds of a campaign.
 const MAX_TIMES: u64 = 10_000;
 const MAX_SEEDS: u64 = 1_000_000;
-const MAX_FLIGHTS: usize = 100_000_000;
 
 #[derive(Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
@@ -54,7 +57,7 @@ pub(crate) struct CampaignArgs {
     /// Fly only the I-th of N parts, such as 3/16
     #[arg(long, value_name = "I/N")]
     shard: Option<String>,
-    /// Threads that fly; as many as there are cores without it. Results are the same
+    /// Threads that fly, at most four for each core; as many as there are cores without it. Results are the same
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..=1024))]
     threads: Option<u64>,
     /// Instants of the fault, instead of the spec's
@@ -66,6 +69,12 @@ pub(crate) struct CampaignArgs {
     /// Report from rows that were flown, without flying
     #[arg(long, value_name = "ROWS.CSV", conflicts_with_all = ["output", "threads"])]
     rows: Option<PathBuf>,
+}
+
+impl CampaignArgs {
+    pub fn threads(&self) -> Option<u64> {
+        self.threads
+    }
 }
 
 #[derive(Subcommand)]
@@ -95,10 +104,6 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
     apart(&rows, &report)?;
     apart(&rows, &html)?;
     plan::apart(plan::PAGE, &html, &[&report])?;
-    if let Some(threads) = args.threads {
-        // Only the first pool of a process is the global one; a command starts none before.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads as usize).build_global();
-    }
     let spec_args = SpecArgs { spec: args.spec.clone().unwrap_or_default(), set: args.set.clone() };
     let mut loaded = spec::read(&spec_args, options)?;
     spare(&loaded, &[&rows, &report, &html])?;
@@ -165,22 +170,26 @@ fn binary() -> String {
 
 /// Flies what is not there yet. `None`: the reader of the rows has gone away.
 fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Options) -> Result<Option<Tally>, Problem> {
-    let begin = Instant::now();
     let (mut output, mut tally) = Output::open(rows, design, shard)?;
+    // Rows that are there are none of this run's speed.
+    let begin = Instant::now();
     let (done, all) = (tally.flights(), shard.count(design.cases.count()));
     if done > 0 && !options.quiet {
         files::tell(&if output.is_complete() {
-            format!("mavc: {}: all {all} flights are there, nothing to fly\n", output.name())
+            format!("mavc: {}: all {all} flights are there, nothing to fly\n", visible::line(&output.name()))
         } else {
-            format!("mavc: {}: going on after {done} of {all} flights\n", output.name())
+            format!("mavc: {}: going on after {done} of {all} flights\n", visible::line(&output.name()))
         });
     }
     let progress = Flights::new(options, done, all);
+    let kept = Arc::new(AtomicUsize::new(done));
+    let _saying = Saying::new(farewell(&output, kept.clone(), all));
     let flown = fly_all(design, design.cases.of(shard).skip(done), |cases, rows| {
         let lines: String = rows.iter().map(|row| row.line() + "\n").collect();
         output.add(&lines)?;
         cases.iter().zip(rows).for_each(|(case, row)| tally.add(case, row));
         progress.more(rows.len());
+        kept.fetch_add(rows.len(), Ordering::Relaxed);
         Ok(())
     });
     progress.done();
@@ -196,6 +205,17 @@ fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Options) 
         files::tell(&format!("{:<10} {flights} flights, {rate:.1} a second\n", ""));
     }
     Ok(Some(tally))
+}
+
+/// What Ctrl-C says.
+fn farewell(output: &Output, kept: Arc<AtomicUsize>, all: usize) -> impl Fn() -> String + Send + 'static {
+    let part = output.part().map(|part| visible::line(&part.display().to_string()).into_owned());
+    move || match (&part, kept.load(Ordering::Relaxed)) {
+        (Some(part), done) => {
+            format!("{done} of {all} flights are in {part}: the same command goes on from there")
+        }
+        (None, _) => "the flights are not kept: with `-o rows.csv` a campaign goes on from where it was stopped".into(),
+    }
 }
 
 /// No plan, so no flight: the report says why.

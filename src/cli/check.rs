@@ -1,6 +1,6 @@
 use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs};
 use super::{files, spec, specs, usage, watch};
-use crate::admissible::diagnose::diagnose;
+use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::flight::twins;
 use crate::report::table::Table;
@@ -28,9 +28,10 @@ pub struct Round {
 
 /// Checks every spec once and prints what it finds. What is wrong with a file that several specs use is told once.
 pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, Problem> {
-    let found = specs::find(&args.specs)?;
-    let mut tally = Tally::default();
-    let mut round = Round { code: FINE, files: found.clone() };
+    let found = specs::find(&args.specs);
+    let mut tally = Tally { passed_over: found.problems.len(), ..Tally::default() };
+    let mut round = Round { code: found.tell(), files: found.specs.clone() };
+    let found = found.specs;
     for name in &found {
         let outcome = one(name, args, options, &mut tally, &mut round.files);
         let code = outcome.unwrap_or_else(|problem| {
@@ -40,7 +41,7 @@ pub fn round(args: &CheckArgs, options: &Options) -> Result<Round, Problem> {
         round.code = specs::worst([round.code, code]);
     }
     let is_alone = found.len() == 1 && !args.specs.iter().any(|name| Path::new(name).is_dir());
-    if !is_alone && !options.quiet && args.format == CheckFormat::Human {
+    if !is_alone && !found.is_empty() && !options.quiet && args.format == CheckFormat::Human {
         files::print(&tally.summary(found.len()))?;
     }
     Ok(round)
@@ -55,6 +56,8 @@ struct Tally {
     warnings: usize,
     with_problems: usize,
     unreadable: usize,
+    /// Entries of folders that are bad.
+    passed_over: usize,
 }
 
 impl Tally {
@@ -84,6 +87,11 @@ impl Tally {
         if self.unreadable > 0 {
             text += &format!(", {} could not be read", self.unreadable);
         }
+        match self.passed_over {
+            0 => {}
+            1 => text += ", 1 entry passed over",
+            n => text += &format!(", {n} entries passed over"),
+        }
         let all_unreadable = self.unreadable == specs;
         if all_unreadable { text + "\n" } else { text + &format!(": {}\n", verdict(self.errors, self.warnings)) }
     }
@@ -102,7 +110,7 @@ fn one(
     if let Some(model) = &loaded.model {
         let answers = diagnose(model);
         if answers.iter().any(|d| d.severity == Severity::Error) {
-            code = NO_PLAN;
+            code = if is_too_large(&answers) { SPEC_ERRORS } else { NO_PLAN };
         }
         loaded.diagnostics.extend(answers);
         loaded.diagnostics.extend(twins::diagnose(model));
@@ -117,10 +125,10 @@ fn one(
         CheckFormat::Json => files::print(&loaded.json())?,
         CheckFormat::Short => files::print(&loaded.short())?,
         CheckFormat::Human => {
-            files::print(&loaded.human(&std::io::stdout()))?;
+            files::print_as_it_is(&loaded.human(&std::io::stdout()))?;
             if !options.quiet {
                 let above = if repeated > 0 { format!(" ({repeated} told above)") } else { String::new() };
-                files::print(&format!("{}: {}{above}\n", spec::name(name), verdict(errors, warnings)))?;
+                files::print(&format!("{}: {}{above}\n", spec::shown(name), verdict(errors, warnings)))?;
             }
         }
     }

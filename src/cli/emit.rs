@@ -3,13 +3,14 @@ use super::spec::{self, Loaded};
 use super::{EmitArgs, EmitFormat, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
 use crate::actuation::Actuation;
 use crate::admissible::AdmissibleSet;
-use crate::admissible::diagnose::diagnose;
+use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Severity, sort};
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Ending, PlannerRun, Scope, compare};
 use crate::planner::rows::{Engine, FEASIBLE};
 use crate::planner::transcribe::{Purpose, Transcription};
 use crate::qp::{QuadraticProgram, mps};
+use crate::source::visible;
 use serde::Serialize;
 
 /// MPS cannot say a second-order cone.
@@ -33,8 +34,9 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
         Stage::Model => files::print(&model.to_string())?,
         Stage::Actuation => files::print(&Actuation::of(&model.vehicle).to_string())?,
         Stage::Sets => {
-            let sets: Vec<String> = AdmissibleSet::all(&model).iter().map(|s| s.to_string()).collect();
-            files::print(&sets.join("\n"))?;
+            for (k, set) in AdmissibleSet::each(&model).enumerate() {
+                files::print(&format!("{}{set}", if k > 0 { "\n" } else { "" }))?;
+            }
         }
         Stage::Constraints | Stage::Qp => return planned(args, &mut loaded, &model, options),
     }
@@ -51,7 +53,7 @@ fn ast(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
         return Ok(SPEC_ERRORS);
     }
     for file in &loaded.files.files {
-        let name = &loaded.files.sources.get(file.file).name;
+        let name = visible::line(&loaded.files.sources.get(file.file).name);
         files::print(&format!("// {name}\n{file}"))?;
     }
     Ok(FINE)
@@ -59,11 +61,13 @@ fn ast(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
 
 /// The stages that need the planner's choice of rows and a mission time.
 fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Options) -> Result<u8, Problem> {
-    loaded.diagnostics.extend(diagnose(model));
+    let answers = diagnose(model);
+    let is_too_large = is_too_large(&answers);
+    loaded.diagnostics.extend(answers);
     loaded.diagnostics.extend(no_mission(model));
     sort(&mut loaded.diagnostics);
     loaded.tell(options);
-    let Some(mission) = &model.mission else { return Ok(SPEC_ERRORS) };
+    let Some(mission) = model.mission.as_ref().filter(|_| !is_too_large) else { return Ok(SPEC_ERRORS) };
     if loaded.diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Ok(NO_PLAN);
     }
@@ -84,6 +88,7 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
         EmitFormat::Text => files::print(&summary(&program, time))?,
         EmitFormat::Json => {
             let text = serde_json::to_string(&Exported::of(&program, time)).map_err(|e| e.to_string())?;
+            let text = visible::json(text);
             files::print(&(text + "\n"))?;
         }
         EmitFormat::Mps => match mps::render(&program, "mavc") {

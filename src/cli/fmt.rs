@@ -8,8 +8,10 @@ use std::path::Path;
 
 /// `mavc fmt`: each file by itself; one that cannot be laid out is left as it is and does not keep the others waiting.
 pub fn run(args: &FmtArgs, options: &Options) -> Result<u8, Problem> {
-    let found = specs::find(&args.specs)?;
-    Ok(specs::worst(found.iter().map(|name| one(name, args.check, options).unwrap_or_else(|problem| usage(&problem)))))
+    let found = specs::find(&args.specs);
+    let bad = found.tell();
+    let each = found.specs.iter().map(|name| one(name, args.check, options).unwrap_or_else(|problem| usage(&problem)));
+    Ok(specs::worst(each.chain([bad])))
 }
 
 fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
@@ -27,14 +29,14 @@ fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
     };
     let Some(text) = formatted.value else {
         let errors = formatted.diagnostics.into_iter().filter(|d| d.severity == Severity::Error || !options.quiet);
-        files::tell(&spec::human(&errors.collect::<Vec<_>>(), &sources, &std::io::stderr()));
+        files::tell_as_it_is(&spec::human(&errors.collect::<Vec<_>>(), &sources, &std::io::stderr()));
         return Ok(SPEC_ERRORS);
     };
     let is_same = text.as_bytes() == bytes;
     if check {
         if !is_same {
             // What `format` reads is text, so these bytes are.
-            files::print(&difference(spec::name(name), &String::from_utf8_lossy(&bytes), &text, options.quiet))?;
+            files::print(&difference(&spec::shown(name), &String::from_utf8_lossy(&bytes), &text, options.quiet))?;
         }
         return Ok(if is_same { FINE } else { SPEC_ERRORS });
     }

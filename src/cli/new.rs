@@ -1,10 +1,11 @@
+use super::files::shown;
 use super::target::{Target, write};
 use super::{FINE, Options, Problem, files};
 use std::path::Path;
 
 /// `mavc new`: never overwrites.
 pub fn run(file: &Path, options: &Options) -> Result<u8, Problem> {
-    let name = file.display();
+    let name = shown(file);
     if file.as_os_str() != "-" && file.symlink_metadata().is_ok() {
         return Err(format!("{name} exists; nothing was written"));
     }

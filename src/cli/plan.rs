@@ -5,7 +5,7 @@ use super::spec::{self, Loaded, timing};
 use super::target::{Target, cannot_write, write};
 use super::why::why;
 use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
-use crate::admissible::diagnose::diagnose;
+use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
@@ -16,6 +16,7 @@ use crate::report::conflict_record::ConflictRecord;
 use crate::report::page::{self, Kind, Subject};
 use crate::report::record::{Record, RoundRecord};
 use crate::report::{self, comparison_text, terminal, trajectory_csv};
+use crate::source::visible;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::time::Instant;
@@ -98,26 +99,30 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     }
     let told = stdout;
     if told {
-        files::print(&text)?;
+        files::print_painted(&text)?;
     }
+    let figures = figures(
+        args.svg.as_deref(),
+        &subject(&loaded, &model, &mission, &[]),
+        &comparison,
+        &[&table, &report, &proof, &html],
+    )?;
+    results.extend(figures.iter().map(|(target, text)| (target, text.clone())));
     write(&results)?;
     if !told && !report.is_some_and(|r| r.is_stdout()) {
-        files::tell(&text);
+        files::tell_painted(&text);
     }
     if let Some(why) = &why {
         loaded.tell_also(why);
     }
     if told && code == FINE && !options.quiet {
         files::print(&match args.output.as_deref() {
-            Some(path) => format!("\nTrajectory written to {}\n", path.display()),
+            Some(path) => format!("\nTrajectory written to {}\n", files::shown(path)),
             None => "\nNo trajectory was written: say where with -o traj.csv\n".into(),
         })?;
     }
     tell_page(told, &html, args.html.as_deref(), options)?;
-    if let Some(folder) = &args.svg {
-        figures(folder, &subject(&loaded, &model, &mission, &[]), &comparison)?;
-        tell_written("Figures", told, Some(folder), options)?;
-    }
+    tell_written("Figures", told, args.svg.as_deref(), options)?;
     timing(options, "report", begin);
     Ok(code)
 }
@@ -144,29 +149,33 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     });
     let told = ![&report, &html].into_iter().flatten().any(Target::is_stdout);
     if told {
-        files::print(&comparison_text::compare(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
+        files::print_painted(&comparison_text::compare(
+            &model,
+            &mission,
+            &comparison,
+            spec::colored(&std::io::stdout()),
+        ))?;
         if let Some(rounds) = &rounds {
             files::print(&comparison_text::rounds(&model, &mission, &comparison, rounds))?;
         }
     }
+    let subject = subject(&loaded, &model, &mission, &[]);
+    let figures = figures(args.svg.as_deref(), &subject, &comparison, &[&report, &html])?;
+    let mut results: Vec<_> = figures.iter().map(|(target, text)| (target, text.clone())).collect();
     if report.is_some() || html.is_some() {
         let rounds = rounds.map(|all| all.iter().map(|r| RoundRecord::new(&mission, r)).collect());
         let record = Record { rounds, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
-        let mut results = Vec::new();
         if let Some(target) = &report {
             results.push((target, json(&record)?));
         }
         if let Some(target) = &html {
-            let subject = subject(&loaded, &model, &mission, &loaded.diagnostics);
+            let subject = Subject { diagnostics: &loaded.diagnostics, ..subject };
             results.push((target, page::plans(Kind::Compare, &subject, &comparison, &record)));
         }
-        write(&results)?;
     }
+    write(&results)?;
     tell_page(told, &html, args.html.as_deref(), options)?;
-    if let Some(folder) = &args.svg {
-        figures(folder, &subject(&loaded, &model, &mission, &[]), &comparison)?;
-        tell_written("Figures", told, Some(folder), options)?;
-    }
+    tell_written("Figures", told, args.svg.as_deref(), options)?;
     let any = |wanted: fn(&Ending) -> bool| comparison.runs.iter().any(|r| wanted(&r.ending));
     Ok(if any(|e| matches!(e, Ending::Inconclusive { .. })) {
         INCONCLUSIVE
@@ -208,13 +217,30 @@ fn is_folder(name: &Path) -> Result<(), Problem> {
     }
 }
 
-/// Writes the charts into a folder, which is made where it is missing.
-fn figures(folder: &Path, subject: &Subject, comparison: &Comparison) -> Result<(), Problem> {
+/// A chart: where it goes, and its text.
+type Figure = (Target, String);
+
+/// Draws the charts for a folder, which is made where it is missing. None goes where `read` is or another result.
+fn figures(
+    folder: Option<&Path>,
+    subject: &Subject,
+    comparison: &Comparison,
+    others: &[&Option<Target>],
+) -> Result<Vec<Figure>, Problem> {
+    let Some(folder) = folder else { return Ok(Vec::new()) };
     std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
     let drawn = page::figures(subject, comparison).map_err(|e| format!("cannot draw the charts: {e}"))?;
-    let named = |(name, text): (String, String)| Ok((Target::new(&folder.join(name))?, text));
-    let files = drawn.into_iter().map(named).collect::<Result<Vec<_>, Problem>>()?;
-    write(&files.iter().map(|(target, text)| (target, text.clone())).collect::<Vec<_>>())
+    let placed = |(name, text): (String, String)| {
+        let target = Target::within(folder, &name)?;
+        target.must_spare(subject.sources.iter().map(|(_, source)| source.name.as_str()))?;
+        match others.iter().copied().flatten().any(|other| target.is_same(other)) {
+            true => {
+                Err(format!("a chart and another result would go to {}: give --svg its own folder", target.shown()))
+            }
+            false => Ok((target, text)),
+        }
+    };
+    drawn.into_iter().map(placed).collect()
 }
 
 /// Says where the page is, where anything is said.
@@ -229,7 +255,7 @@ pub(super) fn tell_page(
 
 fn tell_written(what: &str, told: bool, name: Option<&Path>, options: &Options) -> Result<(), Problem> {
     match name {
-        Some(name) if told && !options.quiet => files::print(&format!("{what} written to {}\n", name.display())),
+        Some(name) if told && !options.quiet => files::print(&format!("{what} written to {}\n", files::shown(name))),
         _ => Ok(()),
     }
 }
@@ -258,9 +284,13 @@ pub(super) fn spare(loaded: &Loaded, targets: &[&Option<Target>]) -> Result<(), 
 pub(super) fn ready(loaded: &mut Loaded, options: &Options) -> Option<(Model, Mission)> {
     if let Some(model) = &loaded.model {
         let answers = diagnose(model);
+        let is_too_large = is_too_large(&answers);
         loaded.diagnostics.extend(answers);
         loaded.diagnostics.extend(no_mission(model));
         sort(&mut loaded.diagnostics);
+        if is_too_large {
+            loaded.model = None;
+        }
     }
     loaded.tell(options);
     let model = loaded.model.clone()?;
@@ -343,7 +373,7 @@ pub(super) fn refused(
 
 pub(super) fn json(record: &impl serde::Serialize) -> Result<String, Problem> {
     let text = serde_json::to_string_pretty(record).map_err(|e| format!("cannot write the report: {e}"))?;
-    Ok(text + "\n")
+    Ok(visible::json(text) + "\n")
 }
 
 /// `0..5` or `3`, both ends included.

@@ -32,7 +32,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let Some(Ending::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
         // Where nothing is flown the report is that of the plan.
         if ![&report, &html].into_iter().flatten().any(Target::is_stdout) {
-            files::print(&terminal::plan(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
+            files::print_painted(&terminal::plan(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
         }
         let record = Record::new(&model, &mission, &comparison, loaded.sha256());
         let mut results = Vec::new();
@@ -106,7 +106,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         files::tell(&words);
     }
     if let (true, false, Some(path)) = (to_people, options.quiet, args.output.as_deref()) {
-        files::print(&format!("\nFlight log written to {}\n", path.display()))?;
+        files::print(&format!("\nFlight log written to {}\n", files::shown(path)))?;
     }
     tell_page(to_people, &html, args.html.as_deref(), options)?;
     Ok(if flight.outcome.is_lost() { LOST } else { FINE })

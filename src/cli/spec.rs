@@ -2,11 +2,11 @@
 
 use super::{Options, Problem, SpecArgs, files, links};
 use crate::diagnostic::{Diagnostic, Severity, render_linked, render_short, sort, to_json_line};
-use crate::model::{
-    FileSet, MAX_TABLE_BYTES, Model, OVERRIDE, Override, elaborate, entries, load_among, parse_override,
-};
-use crate::source::SourceMap;
+use crate::input::read_named;
+use crate::model::{FileSet, Model, OVERRIDE, Override, elaborate, entries, load_among, parse_override};
+use crate::source::{SourceMap, visible};
 use sha2::{Digest, Sha256};
+use std::borrow::Cow;
 use std::io::IsTerminal;
 use std::time::Instant;
 
@@ -23,19 +23,17 @@ pub fn name(spec: &str) -> &str {
     if spec == "-" { "<stdin>" } else { spec }
 }
 
+/// The spec's name, on one line of a terminal.
+pub fn shown(spec: &str) -> Cow<'_, str> {
+    visible::line(name(spec))
+}
+
 /// Reads and parses: no model yet, and no diagnostic that needs one.
 pub fn parse(args: &SpecArgs, options: &Options) -> Result<(Loaded, Vec<Override>), Problem> {
     let begin = Instant::now();
     let bytes = files::read_spec(&args.spec, crate::syntax::MAX_FILE_BYTES)?;
     let name = name(&args.spec);
-    let reader = |path: &std::path::Path| {
-        use std::io::Read;
-        let mut bytes = Vec::new();
-        let limit = MAX_TABLE_BYTES as u64 + 1;
-        std::fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
-        Ok(bytes)
-    };
-    let (mut files, mut diagnostics) = load_among(name, &bytes, &reader, &entries);
+    let (mut files, mut diagnostics) = load_among(name, &bytes, &read_named, &entries);
     let mut overrides = Vec::new();
     for text in &args.set {
         match parse_override(text, &mut files.sources) {
@@ -92,7 +90,7 @@ impl Loaded {
 
     /// Tells one more thing about the spec on standard error.
     pub fn tell_also(&self, diagnostic: &Diagnostic) {
-        files::tell(&human(std::slice::from_ref(diagnostic), &self.files.sources, &std::io::stderr()));
+        files::tell_as_it_is(&human(std::slice::from_ref(diagnostic), &self.files.sources, &std::io::stderr()));
     }
 
     pub fn short(&self) -> String {
@@ -108,13 +106,16 @@ impl Loaded {
         if options.quiet {
             self.diagnostics.retain(|d| d.severity == Severity::Error);
         }
-        files::tell(&self.human(&std::io::stderr()));
+        files::tell_as_it_is(&self.human(&std::io::stderr()));
     }
 }
 
+/// Columns that `COLUMNS` can ask for: each line is as wide as that in memory.
+const MOST_COLUMNS: usize = 1000;
+
 /// Diagnostics for people who read them on `stream`.
 pub fn human(diagnostics: &[Diagnostic], sources: &SourceMap, stream: &impl IsTerminal) -> String {
-    let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100);
+    let width = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok()).unwrap_or(100).clamp(20, MOST_COLUMNS);
     render_linked(diagnostics, sources, width, colored(stream), links::docs(stream).as_deref())
 }
 

@@ -1,40 +1,101 @@
 //! Several specs at once: files as named, folders searched for specs.
 
-use super::Problem;
+use super::files::reason;
+use super::{Problem, usage};
+use crate::input::Kind;
+use std::io::Error;
 use std::path::Path;
-use walkdir::WalkDir;
+use walkdir::{DirEntry, WalkDir};
 
-/// Every spec that the names lead to, each once: a file as it is named, a folder's `*.mav` in order of their paths. Hidden
-/// folders are passed over. A name that leads nowhere is left for the reader to find, for a file may yet come.
-pub fn find(names: &[String]) -> Result<Vec<String>, Problem> {
-    let mut found: Vec<String> = Vec::new();
+/// Entries of a folder that are looked at, at any depth: a link may lead to the whole disk.
+const MOST_ENTRIES: usize = 200_000;
+const DEPTH: usize = 64;
+
+/// What names lead to.
+#[derive(Default)]
+pub struct Found {
+    /// Every spec, each once: a file as it is named, a folder's `*.mav` in order of their paths.
+    pub specs: Vec<String>,
+    /// What could not be looked at, or led nowhere.
+    pub problems: Vec<Problem>,
+}
+
+impl Found {
+    /// Tells the problems; the exit code that they call for.
+    pub fn tell(&self) -> u8 {
+        worst(self.problems.iter().map(usage))
+    }
+}
+
+/// Every spec that the names lead to. Hidden files and folders of a folder are passed over, and so is what cannot be read
+/// in it. A name that leads nowhere is left for the reader to find, for a file may yet come.
+pub fn find(names: &[String]) -> Found {
+    let mut found = Found::default();
     for name in names {
-        let before = found.len();
+        let before = (found.specs.len(), found.problems.len());
         match Path::new(name).is_dir() {
-            true => in_folder(name, &mut found)?,
-            false => found.push(name.clone()),
+            true => found.search(name),
+            false => found.specs.push(name.clone()),
         }
-        if found.len() == before {
-            return Err(format!("{name} holds no file whose name ends in .mav"));
+        if (found.specs.len(), found.problems.len()) == before {
+            found.problems.push(format!("{name} holds no file whose name ends in .mav"));
         }
     }
     let mut seen = std::collections::HashSet::new();
-    found.retain(|name| seen.insert(name.clone()));
-    Ok(found)
+    found.specs.retain(|name| seen.insert(name.clone()));
+    found
 }
 
-fn in_folder(folder: &str, found: &mut Vec<String>) -> Result<(), Problem> {
-    let is_hidden = |name: &std::ffi::OsStr| name.as_encoded_bytes().starts_with(b".");
-    let entries = WalkDir::new(folder).follow_links(true).sort_by_file_name();
-    for entry in entries.into_iter().filter_entry(|e| e.depth() == 0 || !is_hidden(e.file_name())) {
-        let entry = entry.map_err(|e| format!("cannot read {folder}: {e}"))?;
-        if entry.file_type().is_file() && entry.path().extension().is_some_and(|e| e == "mav") {
-            // As other specs name it: `base.mav`, not `./base.mav`.
-            let path = entry.path().strip_prefix(".").unwrap_or(entry.path());
-            found.push(path.display().to_string());
+impl Found {
+    fn search(&mut self, folder: &str) {
+        let is_hidden = |entry: &DirEntry| entry.depth() > 0 && entry.file_name().as_encoded_bytes().starts_with(b".");
+        let entries = WalkDir::new(folder).follow_links(true).max_depth(DEPTH).sort_by_file_name().into_iter();
+        for (count, entry) in entries.filter_entry(|entry| !is_hidden(entry)).enumerate() {
+            if count >= MOST_ENTRIES {
+                self.problems
+                    .push(format!("{folder} has more than {MOST_ENTRIES} entries; the others are not looked at"));
+                return;
+            }
+            match entry {
+                Ok(entry) => self.take(&entry),
+                Err(error) => self.problems.extend(bad_entry(folder, &error)),
+            }
         }
     }
-    Ok(())
+
+    fn take(&mut self, entry: &DirEntry) {
+        if !is_spec(entry.path()) || entry.file_type().is_dir() {
+            return;
+        }
+        // As other specs name it: `base.mav`, not `./base.mav`.
+        let path = entry.path().strip_prefix(".").unwrap_or(entry.path());
+        match (entry.file_type().is_file(), path.to_str()) {
+            (true, Some(name)) => self.specs.push(name.into()),
+            (true, None) => self.problems.push(format!("cannot read {}: its name is not UTF-8", path.display())),
+            (false, _) => self.problems.push(format!("cannot read {}: it is not a regular file", path.display())),
+        }
+    }
+}
+
+fn is_spec(path: &Path) -> bool {
+    Kind::of(path) == Some(Kind::Spec)
+}
+
+/// What to say of an entry that cannot be looked at; nothing of hidden ones and of links to nowhere that no spec's name has.
+fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<Problem> {
+    let path = error.path().unwrap_or(Path::new(folder));
+    let name = path.file_name().unwrap_or_default();
+    let is_dangling = path.symlink_metadata().is_ok_and(|there| there.is_symlink()) && !path.exists();
+    if error.depth() > 0 && (name.as_encoded_bytes().starts_with(b".") || is_dangling && !is_spec(path)) {
+        return None;
+    }
+    let why = match (error.loop_ancestor(), error.io_error()) {
+        (Some(ancestor), _) => format!("it leads back to {}", ancestor.display()),
+        _ if is_dangling => "it is a link to a file that does not exist".into(),
+        (None, Some(error)) => reason(&Error::new(error.kind(), error.to_string())),
+        (None, None) => error.to_string(),
+    };
+    Some(format!("cannot read {}: {why}", path.display()))
 }
 
 /// Of the exit codes of several specs the worst: what could not be read, then errors, then modes that cannot hover.

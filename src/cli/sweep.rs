@@ -1,8 +1,7 @@
 //! `mavc analyze --sweep`: where verdicts flip as one field varies.
 
 use super::Problem;
-use crate::admissible::AdmissibleSet;
-use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_all};
+use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
 use crate::diagnostic::{Diagnostic, Severity, nearest};
 use crate::model::{FileSet, Model, elaborate, parse_override};
 use crate::report::number::significant;
@@ -118,7 +117,7 @@ impl Subject<'_> {
         }
         let checked = elaborate(&files, &overrides);
         if let Some(model) = checked.value {
-            return Ok(analyze_all(&model, &AdmissibleSet::all(&model)).iter().map(|m| m.verdict).collect());
+            return Ok(analyze_each(&model).iter().map(|m| m.verdict).collect());
         }
         let mut errors = checked.diagnostics.iter().filter(|d| d.severity == Severity::Error);
         match errors.find(|d| !self.is_too_heavy(d)) {

@@ -1,11 +1,12 @@
 //! Where results go: files whole or not at all, pipes, standard output.
 
 use super::Problem;
-use super::files::{print, reason, unless_gone};
+use super::files::{print_result, reason, unless_gone};
+use super::temporary::{Temporary, folder, remove_stale};
+use crate::input::Refused;
 use std::fs::{File, OpenOptions};
 use std::io::{Error, ErrorKind, Result as IoResult, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
 
 /// Where one result goes.
 pub struct Target {
@@ -30,17 +31,40 @@ impl Target {
         Ok(Target { name: name.into(), place })
     }
 
+    /// Its name on one line.
+    pub fn shown(&self) -> String {
+        super::files::shown(&self.name)
+    }
+
     pub fn is_stdout(&self) -> bool {
         matches!(self.place, Place::Stdout)
+    }
+
+    /// The place of a file that mavc names, in a folder that the user names: no link that lies there is followed, it gives
+    /// way as a file does.
+    pub fn within(folder: &Path, name: &str) -> Result<Target, Problem> {
+        let path = folder.join(name);
+        let cannot = |e: Error| cannot_write(&path, &e);
+        match path.symlink_metadata() {
+            Ok(there) if there.is_dir() => return Err(cannot(ErrorKind::IsADirectory.into())),
+            Ok(there) if !there.is_file() && !there.is_symlink() => return Err(cannot(Refused::NotRegular.into())),
+            _ => {}
+        }
+        let place = folder.canonicalize().and_then(|folder| checked(folder.join(name))).map_err(cannot)?;
+        Ok(Target { name: path, place })
     }
 
     /// Refuses to write over something that is read, or where another result goes.
     pub fn must_spare<'a>(&self, read: impl IntoIterator<Item = &'a str>) -> Result<(), Problem> {
         let Place::File(path) = &self.place else { return Ok(()) };
         // What does not exist yet is none of the files that were read.
-        let Some(own) = identity(path) else { return Ok(()) };
+        let Some(own) = own_identity(path) else { return Ok(()) };
         let refuse = |what: &str| Err(format!("{} is {what}: write to another file", self.name.display()));
-        if let Some(name) = read.into_iter().find(|name| identity(Path::new(name)).as_ref() == Some(&own)) {
+        let is_own = |name: &&str| {
+            let name = Path::new(name);
+            [identity(name), own_identity(name)].iter().flatten().any(|id| *id == own)
+        };
+        if let Some(name) = read.into_iter().find(is_own) {
             let same = Path::new(name) == self.name;
             return refuse(&if same { "a file that is read".into() } else { format!("{name}, which is read") });
         }
@@ -87,21 +111,21 @@ pub struct Pieces<'a> {
 
 enum Sink<'a> {
     Stream(Box<dyn Write + Send>),
-    File(NamedTempFile, &'a Path),
+    File(Temporary, &'a Path),
 }
 
 impl Write for Pieces<'_> {
     fn write(&mut self, bytes: &[u8]) -> IoResult<usize> {
         match &mut self.sink {
             Sink::Stream(stream) => stream.write(bytes),
-            Sink::File(file, _) => file.write(bytes),
+            Sink::File(file, _) => file.file().write(bytes),
         }
     }
 
     fn flush(&mut self) -> IoResult<()> {
         match &mut self.sink {
             Sink::Stream(stream) => stream.flush(),
-            Sink::File(file, _) => file.flush(),
+            Sink::File(file, _) => file.file().flush(),
         }
     }
 }
@@ -110,9 +134,7 @@ impl Pieces<'_> {
     pub fn finish(self) -> Result<(), Problem> {
         let finished = match self.sink {
             Sink::Stream(mut stream) => stream.flush(),
-            Sink::File(file, path) => {
-                file.as_file().sync_all().and_then(|()| file.persist(path).map(drop).map_err(|e| e.error))
-            }
+            Sink::File(file, path) => file.file().sync_all().and_then(|()| file.persist(path)),
         };
         finished.map_err(|e| cannot_write(self.name, &e))
     }
@@ -124,7 +146,7 @@ pub fn write(results: &[(&Target, String)]) -> Result<(), Problem> {
     for (target, text) in results {
         let attempt = match &target.place {
             Place::Stdout => {
-                print(text)?;
+                print_result(text)?;
                 Ok(())
             }
             Place::File(path) => beside(path, text).map(|file| whole.push((target, path, file))),
@@ -136,7 +158,7 @@ pub fn write(results: &[(&Target, String)]) -> Result<(), Problem> {
         attempt.map_err(|e| cannot_write(&target.name, &e))?;
     }
     for (target, path, file) in whole {
-        file.persist(path).map_err(|e| cannot_write(&target.name, &e.error))?;
+        file.persist(path).map_err(|e| cannot_write(&target.name, &e))?;
     }
     Ok(())
 }
@@ -170,26 +192,24 @@ fn place(name: &Path) -> IoResult<Place> {
 
 /// The folder takes a temporary file.
 fn checked(path: PathBuf) -> IoResult<Place> {
-    temporary(&path)?;
+    remove_stale(&path);
+    Temporary::beside(&path)?;
     Ok(Place::File(path))
 }
 
-fn folder(path: &Path) -> &Path {
-    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
 /// A temporary file beside `path`, with its text, and with its permissions and owner where it exists.
-fn beside(path: &Path, text: &str) -> IoResult<NamedTempFile> {
-    let mut file = prepared(path)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
+fn beside(path: &Path, text: &str) -> IoResult<Temporary> {
+    let file = prepared(path)?;
+    file.file().write_all(text.as_bytes())?;
+    file.file().sync_all()?;
     Ok(file)
 }
 
 /// The same, still empty.
-fn prepared(path: &Path) -> IoResult<NamedTempFile> {
-    let file = temporary(path)?;
-    if let Ok(there) = path.metadata() {
+fn prepared(path: &Path) -> IoResult<Temporary> {
+    let file = Temporary::beside(path)?;
+    // A link lies only where a file of mavc's own naming goes; it has no say.
+    if let Some(there) = path.symlink_metadata().ok().filter(std::fs::Metadata::is_file) {
         #[cfg(unix)]
         {
             use std::os::unix::fs::MetadataExt;
@@ -199,15 +219,6 @@ fn prepared(path: &Path) -> IoResult<NamedTempFile> {
         std::fs::set_permissions(file.path(), there.permissions())?;
     }
     Ok(file)
-}
-
-fn temporary(path: &Path) -> IoResult<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".mavc-");
-    // Temporary files are private; results are as any new file is.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder(path))
 }
 
 /// What tells files apart whatever their names.
@@ -222,9 +233,23 @@ fn identity(path: &Path) -> Option<Identity> {
     path.metadata().ok().map(|there| (there.dev(), there.ino()))
 }
 
+/// That of the link itself, where there is one.
+#[cfg(unix)]
+fn own_identity(path: &Path) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    path.symlink_metadata().ok().map(|there| (there.dev(), there.ino()))
+}
+
 #[cfg(not(unix))]
 fn identity(path: &Path) -> Option<Identity> {
     path.canonicalize().ok()
+}
+
+#[cfg(not(unix))]
+fn own_identity(path: &Path) -> Option<Identity> {
+    let there = path.symlink_metadata().ok()?;
+    let name = path.file_name().filter(|_| there.is_symlink());
+    name.map_or_else(|| path.canonicalize().ok(), |name| Some(folder(path).canonicalize().ok()?.join(name)))
 }
 
 /// Files that standard input comes from and standard output goes to.

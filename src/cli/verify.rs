@@ -37,7 +37,7 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     timing(options, "verify", begin);
     match verdict {
         Ok(verdict) => {
-            files::print(&report(&name, &verdict))?;
+            files::print(&report(&spec::shown(&name), &verdict))?;
             Ok(if verdict.weaker.is_empty() { FINE } else { WEAKER })
         }
         Err(diagnostic) => {

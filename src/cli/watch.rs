@@ -2,6 +2,7 @@
 
 use super::check::round;
 use super::{CheckArgs, CheckFormat, Options, Problem, files, usage};
+use crate::input::Kind;
 use notify::event::{EventKind, ModifyKind};
 use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
 use std::collections::HashSet;
@@ -25,7 +26,7 @@ pub fn run(args: &CheckArgs, options: &Options) -> Result<u8, Problem> {
     watched.add(&args.specs)?;
     loop {
         if args.format == CheckFormat::Human && std::io::stdout().is_terminal() {
-            files::print("\u{1b}[2J\u{1b}[3J\u{1b}[H")?;
+            files::print_as_it_is("\u{1b}[2J\u{1b}[3J\u{1b}[H")?;
         }
         match round(args, options) {
             Ok(round) => watched.add(&round.files)?,
@@ -85,7 +86,7 @@ impl Watched {
     fn matters(&self, change: &notify::Result<Event>) -> bool {
         let Ok(event) = change else { return true };
         let comes = matches!(event.kind, EventKind::Create(_) | EventKind::Modify(ModifyKind::Name(_)));
-        let is_spec = |path: &Path| path.extension().is_some_and(|e| e == "mav" || e == "csv");
+        let is_spec = |path: &Path| Kind::of(path).is_some();
         let bears = |path: &PathBuf| {
             is_spec(path) || comes && path.is_dir() || self.files.iter().any(|file| file.starts_with(path))
         };

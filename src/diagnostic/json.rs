@@ -1,7 +1,7 @@
 //! Diagnostics for programs: one JSON object a line. Lines and columns count from 1, columns in Unicode scalars.
 
 use super::Diagnostic;
-use crate::source::{SourceMap, Span};
+use crate::source::{SourceMap, Span, visible};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -54,7 +54,7 @@ pub fn to_json_line(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
         help: diagnostic.help.as_deref(),
         fixes: diagnostic.fix.iter().map(|f| Fix { text: &f.text, place: place(f.span, sources) }).collect(),
     };
-    serde_json::to_string(&record).expect("texts and numbers always serialise")
+    visible::json(serde_json::to_string(&record).expect("texts and numbers always serialise"))
 }
 
 fn place(span: Span, sources: &SourceMap) -> Place<'_> {

@@ -1,7 +1,7 @@
 //! Diagnostics for editors and `grep`: one line each.
 
 use super::Diagnostic;
-use crate::source::SourceMap;
+use crate::source::{SourceMap, visible};
 use std::fmt::Write;
 
 /// `file:line:column: error[code]: message`, a newline after each.
@@ -11,8 +11,9 @@ pub fn render_short(diagnostics: &[Diagnostic], sources: &SourceMap) -> String {
         let source = sources.get(d.span.file);
         let place = source.place(d.span.start as usize);
         let (severity, message) = (d.severity.name(), d.message.replace('\n', " "));
+        let (name, message) = (visible::line(&source.name), visible::line(&message));
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{}:{}:{}: {severity}[{}]: {message}", source.name, place.line, place.column, d.code);
+        let _ = writeln!(text, "{name}:{}:{}: {severity}[{}]: {message}", place.line, place.column, d.code);
     }
     text
 }

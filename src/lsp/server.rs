@@ -4,6 +4,7 @@ use super::Ending;
 use super::answer;
 use super::documents::name_of;
 use super::hover::{Shown, verdicts};
+use super::plain::plainly;
 use super::publication::Progress;
 use super::verdicts::{Found, Verdicts};
 use super::workspace::{Spec, Workspace};
@@ -216,7 +217,7 @@ impl<'c> Server<'c> {
     fn notification(&mut self, note: Notification) {
         match note.method.as_str() {
             "initialized" if self.watches_files => {
-                let watchers = json!([{ "globPattern": "**/*.mav" }, { "globPattern": "**/*.csv" }]);
+                let watchers = json!([{ "globPattern": "**/*.mav" }, { "globPattern": "**/*.csv" }, { "globPattern": "**/*.txt" }]);
                 let registration = json!({
                     "id": "files",
                     "method": "workspace/didChangeWatchedFiles",
@@ -302,7 +303,7 @@ impl<'c> Server<'c> {
 
     pub fn send(&self, message: impl Into<Message>) {
         // An editor that is gone is noticed where its messages are read.
-        let _ = self.connection.sender.send(message.into());
+        let _ = self.connection.sender.send(plainly(message.into()));
     }
 
     fn fail(&self, id: RequestId, code: i32, message: &str) {

@@ -1,6 +1,7 @@
 //! Messages over standard input and output. What is no message is told to the editor and passed over; no length is believed
 //! beyond what texts may have.
 
+use crate::source::visible;
 use crossbeam_channel::{Sender, bounded};
 use lsp_server::{Connection, Message, Notification};
 use serde_json::json;
@@ -61,7 +62,7 @@ fn read_all(input: &mut impl BufRead, incoming: &Sender<Message>, replies: &Send
                 taken
             }
             Err(why) => {
-                let text = format!("mavc passes over a message that it cannot read: {why}");
+                let text = format!("mavc passes over a message that it cannot read: {}", visible::line(&why));
                 let params = json!({ "type": ERROR, "message": text });
                 replies.send(Notification { method: "window/logMessage".into(), params }.into())
             }

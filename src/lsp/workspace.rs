@@ -4,11 +4,12 @@ use super::documents::{Documents, name_of, range};
 use super::mentions::Mentions;
 use super::names::Names;
 use crate::diagnostic::{Diagnostic, Severity, sort};
-use crate::model::{FileSet, MAX_TABLE_BYTES, Model, Understanding, entries, load_among, understand};
+use crate::input::read_named;
+use crate::model::{FileSet, Model, Understanding, entries, load_among, understand};
 use crate::source::{FileId, Source, Span};
 use gen_lsp_types::{Location, TextDocumentContentChangeEvent};
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 use url::Url;
@@ -155,9 +156,7 @@ impl Workspace {
         if let Some(document) = self.documents.get(&path.display().to_string()) {
             return Ok(document.text.clone().into_bytes());
         }
-        let mut bytes = Vec::new();
-        std::fs::File::open(path)?.take(MAX_TABLE_BYTES as u64 + 1).read_to_end(&mut bytes)?;
-        Ok(bytes)
+        read_named(path)
     }
 
     /// The specs that the file of this name is part of: those of open texts, and of files in `folders` that use it.

@@ -9,7 +9,7 @@ use super::fields::Fields;
 use super::{AfterFault, FaultMode, after_fault};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
-use crate::source::{Span, Spanned};
+use crate::source::{Span, Spanned, visible};
 use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
 
 /// Fault modes of one spec.
@@ -74,7 +74,7 @@ impl Modes {
             return;
         };
         let mut mode = numbers.mode(name.value.clone(), rotors, name.span);
-        mode.title = block.title.as_ref().map(|t| t.value.clone());
+        mode.title = block.title.as_ref().map(|t| visible::line(&t.value).into_owned());
         mode.doc = block.doc.clone();
         effects.iter().for_each(|(k, effect)| effect.apply(&mut mode, *k));
         self.push(mode);

@@ -4,16 +4,16 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
-use super::near_files::{List, near_file};
+use super::near_files::List;
+use super::unreadable::{refused_by_name, unreadable};
 use crate::diagnostic::{Diagnostic, sort};
-use crate::source::{FileId, Source, SourceMap, Span, Spanned};
+use crate::input::{Kind, MAX_TABLE_BYTES};
+use crate::source::{FileId, Source, SourceMap, Span, Spanned, visible};
 use crate::syntax::ast::{Item, SpecFile, Statement};
 use crate::syntax::{MAX_FILE_BYTES, not_utf8, parse, too_large};
 
 /// Files of one file set.
 pub const MAX_FILES: usize = 256;
-/// Largest table of waypoints, in bytes: 4 MiB.
-pub const MAX_TABLE_BYTES: usize = 4 << 20;
 
 /// Everything one compilation reads.
 #[derive(Debug, Clone, Default)]
@@ -143,8 +143,11 @@ impl Loader<'_> {
     fn bring(&mut self, from: &str, path: &Spanned<String>) {
         let target = resolve(from, &path.value);
         if let Some(first) = self.open.iter().position(|open| *open == target) {
-            let circle: Vec<String> =
-                self.open[first..].iter().chain([&target]).map(|p| format!("`{}`", p.display())).collect();
+            let circle: Vec<String> = self.open[first..]
+                .iter()
+                .chain([&target])
+                .map(|p| format!("`{}`", visible::line(&p.display().to_string())))
+                .collect();
             let message = format!("`{}` uses itself", target.display());
             let error = Diagnostic::error("mavc::file::cycle", path.span, message)
                 .here("leads back to a file that is being read")
@@ -162,11 +165,11 @@ impl Loader<'_> {
             }
             return;
         }
-        match (self.read)(&target) {
+        match self.bytes(Kind::Spec, &target, path, from) {
             Ok(bytes) => self.file(target.display().to_string(), &bytes, Some(path.span)),
-            Err(error) => {
+            Err(told) => {
                 self.seen.insert(target.clone(), ());
-                self.fail(missing(&target, path, from, &error, self.list));
+                self.fail(*told);
             }
         }
     }
@@ -182,7 +185,7 @@ impl Loader<'_> {
             self.fail(Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many"));
             return;
         }
-        match (self.read)(&target) {
+        match self.bytes(Kind::Table, &target, path, from) {
             Ok(bytes) if bytes.len() > MAX_TABLE_BYTES => self.fail(too_large(&name, path.span, MAX_TABLE_BYTES)),
             Ok(bytes) => match Source::from_bytes(&name, &bytes) {
                 Ok(source) => {
@@ -196,55 +199,22 @@ impl Loader<'_> {
                     self.fail(not_utf8(file, &error).also(path.span, "named here"));
                 }
             },
-            Err(error) => self.fail(missing(&target, path, from, &error, self.list)),
+            Err(told) => self.fail(*told),
         }
+    }
+
+    /// Reads what `path`, written in `from`, leads to; a name of another kind is not even opened.
+    fn bytes(&self, kind: Kind, target: &Path, path: &Spanned<String>, from: &str) -> Result<Vec<u8>, Box<Diagnostic>> {
+        if let Some(refused) = refused_by_name(kind, target, path, from, self.list) {
+            return Err(Box::new(refused));
+        }
+        (self.read)(target).map_err(|error| Box::new(unreadable(kind, target, path, from, &error, self.list)))
     }
 
     fn fail(&mut self, diagnostic: Diagnostic) {
         self.set.incomplete = true;
         self.diagnostics.push(diagnostic);
     }
-}
-
-fn missing(target: &Path, path: &Spanned<String>, from: &str, error: &io::Error, list: &List) -> Diagnostic {
-    if path.value.is_empty() {
-        return Diagnostic::error("mavc::file::missing", path.span, "no file is named")
-            .here("nothing stands between the quotes")
-            .help("write a file's name, as in `vehicles/quad.mav`");
-    }
-    // `..` and the like lead to folders, whatever the system says of them.
-    let kind = if target.file_name().is_none() { io::ErrorKind::IsADirectory } else { error.kind() };
-    let message = match kind {
-        io::ErrorKind::NotFound => format!("there is no file `{}`", target.display()),
-        io::ErrorKind::IsADirectory => format!("`{}` is a folder", path.value),
-        io::ErrorKind::PermissionDenied => format!("`{}` may not be read: permission denied", target.display()),
-        _ => format!("`{}` cannot be read: {error}", target.display()),
-    };
-    let diagnostic = Diagnostic::error("mavc::file::missing", path.span, message).here("named here");
-    match kind {
-        io::ErrorKind::NotFound if path.value.contains("://") => {
-            diagnostic.help("only files on this machine can be named")
-        }
-        io::ErrorKind::NotFound if path.value.contains('\\') => diagnostic.help("paths are written with `/`"),
-        io::ErrorKind::NotFound => match near_file(from, &path.value, list) {
-            Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(path.span, format!("\"{near}\"")),
-            None if target.extension().is_none() => {
-                diagnostic.help(format!("write the whole name, as in `{}.mav`", path.value))
-            }
-            None => diagnostic.help(looked_in(target, from)),
-        },
-        io::ErrorKind::IsADirectory => diagnostic.help("name a file in it"),
-        _ => diagnostic.help("see that the file can be read"),
-    }
-}
-
-/// Where a file was looked for, and how to name one elsewhere.
-fn looked_in(target: &Path, from: &str) -> String {
-    let folder = match target.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-        Some(folder) => format!("the folder `{}`", folder.display()),
-        None => "this folder".to_string(),
-    };
-    format!("it was looked for in {folder}: write its path from `{from}`, as in `../vehicles/quad.mav`")
 }
 
 enum Wanted {

@@ -2,13 +2,14 @@
 
 use super::load::resolve;
 use crate::diagnostic::nearest;
+use crate::source::visible;
 use std::path::Path;
 
 /// What a folder holds: names of files, and of folders with a `/` behind; nothing where it is none.
 pub type List<'l> = dyn Fn(&Path) -> Vec<String> + 'l;
 
 /// Entries of a folder, and folders of one, that are looked at.
-const MOST_ENTRIES: usize = 1000;
+pub(super) const MOST_ENTRIES: usize = 1000;
 const MOST_FOLDERS: usize = 50;
 
 /// What a folder on this machine holds, in order, what is hidden aside.
@@ -17,13 +18,21 @@ pub fn entries(folder: &Path) -> Vec<String> {
     let found = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_ENTRIES);
     let mut names: Vec<String> = found
         .filter_map(|entry| {
-            let name =
-                entry.file_name().into_string().ok().filter(|name| !name.starts_with('.') && !name.contains('"'))?;
+            let name = entry
+                .file_name()
+                .into_string()
+                .ok()
+                .filter(|name| !name.starts_with('.') && !name.contains(is_unfit))?;
             Some(if entry.path().is_dir() { name + "/" } else { name })
         })
         .collect();
     names.sort_unstable();
     names
+}
+
+/// Whether a name with this character can neither be written between quotes nor be shown.
+pub(crate) fn is_unfit(c: char) -> bool {
+    c == '"' || visible::is_disguise(c)
 }
 
 /// A path like `path`, written in the file `from`, to a file that is there: one of the same folder whose name is alike, or

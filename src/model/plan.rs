@@ -20,8 +20,8 @@ use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 /// Most rounds of selection.
 pub const MAX_ROUNDS: usize = 100;
 
-/// Most intervals of one plan.
-pub const MAX_SAMPLES: usize = 100_000;
+/// Most intervals of one plan, so that planning takes less than 500 MB; docs/performance.md has the figures.
+pub const MAX_SAMPLES: usize = 3_000;
 
 const CHOICE: &str = "mavc::plan::choice";
 pub(super) const FIELDS: [&str; 17] = [

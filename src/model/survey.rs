@@ -9,7 +9,7 @@ use super::due::Due;
 use super::load::Table;
 use super::mission::{Manner, Route, Stop};
 use crate::diagnostic::Diagnostic;
-use crate::source::{Span, Spanned};
+use crate::source::{Span, Spanned, visible};
 use crate::unit::{Quantity, Unit, parse_unit};
 use std::collections::BTreeMap;
 
@@ -179,7 +179,7 @@ impl Row {
             let fail = |message: String| Diagnostic::error(CODE, span, message).here("this cell");
             let (title, due_unit, due) = COLUMNS[column.kind];
             if due_unit.is_empty() {
-                name = (!cell.is_empty()).then(|| cell.to_string());
+                name = (!cell.is_empty()).then(|| visible::line(cell).into_owned());
                 continue;
             }
             if cell.is_empty() {

@@ -19,8 +19,7 @@ mod survival;
 mod svg;
 mod verdicts;
 
-use crate::admissible::AdmissibleSet;
-use crate::admissible::verdict::analyze_all;
+use crate::admissible::verdict::analyze_each;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Comparison, Ending, Run};
@@ -55,7 +54,7 @@ pub enum Kind {
 /// The page of `mavc plan` or `mavc compare`: `record` is what `--report` gives. HTML, complete, the same for the same input.
 pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record) -> String {
     let Subject { model, mission, .. } = *subject;
-    let analyses = analyze_all(model, &AdmissibleSet::all(model));
+    let analyses = analyze_each(model);
     let shown = sets::shown(model, comparison);
     let content = Content::of_plans(subject, comparison, &shown, record);
     let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
@@ -86,7 +85,7 @@ pub fn figures(subject: &Subject, comparison: &Comparison) -> Result<Vec<(String
 /// The page where some mode that the plan must stand cannot hover: nothing was planned.
 pub fn refused(subject: &Subject, record: &Record) -> String {
     let model = subject.model;
-    let analyses = analyze_all(model, &AdmissibleSet::all(model));
+    let analyses = analyze_each(model);
     let content = Content::of_sets(subject, &sets::declared(model), record);
     let found = summary::refused(model, &analyses, subject.diagnostics);
     let sections = vec![
@@ -100,7 +99,7 @@ pub fn refused(subject: &Subject, record: &Record) -> String {
 /// The page of `mavc simulate`: the flight first, and the plan it was flown along.
 pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: &FlightRecord) -> String {
     let model = subject.model;
-    let analyses = analyze_all(model, &AdmissibleSet::all(model));
+    let analyses = analyze_each(model);
     let shown = sets::shown(model, comparison);
     let mut content = Content::of_plans(subject, comparison, &shown, record);
     for plan in &mut content.runs {
@@ -121,7 +120,7 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
 /// The page of `mavc campaign`.
 pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
     let model = subject.model;
-    let analyses = analyze_all(model, &AdmissibleSet::all(model));
+    let analyses = analyze_each(model);
     let content = Content::of_sets(subject, &sets::declared(model), record);
     let sections = vec![
         Section::new("planners", "Planners", survival::table(record)),

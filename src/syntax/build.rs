@@ -10,7 +10,7 @@ use super::layout::{Doc, Layout};
 use super::mistake::{self, Separation};
 use super::place::{Kind, Place};
 use crate::diagnostic::{Diagnostic, Label};
-use crate::source::{FileId, Span, Spanned};
+use crate::source::{FileId, Span, Spanned, visible};
 use pest::Parser;
 use pest::iterators::Pair;
 use statement::Parts;
@@ -407,7 +407,8 @@ impl Builder<'_> {
     fn doc(&mut self, start: u32) -> Option<String> {
         let mut lines = Vec::new();
         while let Some(doc) = self.docs.next_if(|d| d.span.start < start) {
-            lines.push(doc.text.as_str());
+            // It is shown, and never read again.
+            lines.push(visible::text(&doc.text));
         }
         (!lines.is_empty()).then(|| lines.join("\n"))
     }

@@ -56,7 +56,7 @@ fn text(path: &Path) -> &str {
 const CASE_1: &str = "specs/paper/case1.mav";
 
 /// A short mission that plans in a moment.
-const HOP: &str = r#"
+pub const HOP: &str = r#"
 vehicle quad {
     layout  = "PNPN"
     arm     = 0.211 m

@@ -1,5 +1,12 @@
 //! Hostile texts: an error with a code, in bounded time and memory, never a panic.
 
+#[cfg(unix)]
+mod ending;
+mod merging;
+#[cfg(unix)]
+mod reading;
+mod showing;
+
 use mavc::diagnostic::{Diagnostic, render_human, render_short, to_json_line};
 use mavc::model::{elaborate, load};
 use mavc::source::{FileId, Source, SourceMap};
@@ -300,5 +307,22 @@ proptest! {
     #[test]
     fn any_text_never_panics(text in "\\PC{0,200}") {
         parse(&text);
+    }
+}
+
+/// Neither time nor memory for sets that nobody can plan with: the error comes as soon as the bound is passed.
+#[test]
+fn plans_against_too_many_facets_are_refused() {
+    let ring = "PN".repeat(16);
+    let spec = format!(
+        "vehicle r {{ layout = \"{ring}\"; arm = 1 m; mass = 8 kg; inertia = [0.9, 0.9, 1.6] kg*m^2\n rotor {{ max_thrust = 9 \
+         N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }} }}\nfaults {{ every 2 rotors lost as M }}\nmission hop {{ \
+         start at [0, 0, 2] m; waypoint at [6, 3, 5] m }}\nplan {{ against = all; time = 12 s }}\n"
+    );
+    for args in [&["check", "-"][..], &["plan", "-", "-o", "-"], &["emit", "constraints", "-"], &["campaign", "-"]] {
+        let ran = crate::cli::mavc_with(args, &spec);
+        let told = String::from_utf8([ran.stdout, ran.stderr].concat()).unwrap();
+        assert_eq!(ran.status.code(), Some(1), "{told}");
+        assert!(told.contains("the 496 fault modes planned against have more than 100000 facets"), "{told}");
     }
 }

@@ -1,11 +1,11 @@
 //! `mavc campaign merge`: from the rows of all shards to those of the whole campaign.
 
-use super::super::files::{self, reason};
+use super::super::files::{self, cannot_read, reason};
 use super::super::target::Target;
 use super::super::{FINE, Options, Problem};
 use super::parquet;
 use crate::campaign::merge::{MergeError, merge};
-use std::fs::File;
+use crate::input::open_regular;
 use std::io::{BufReader, BufWriter, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -16,9 +16,8 @@ pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, Pro
         target.must_spare(path.to_str())?;
     }
     let open = |path: &PathBuf| {
-        let name = path.display().to_string();
-        let file = File::open(path).map_err(|e| format!("cannot read {name}: {}", reason(&e)))?;
-        Ok((name, BufReader::new(file)))
+        let file = open_regular(path).map_err(|e| cannot_read(path, &e))?;
+        Ok((path.display().to_string(), BufReader::new(file)))
     };
     let sources = rows.iter().map(open).collect::<Result<Vec<_>, Problem>>()?;
     let problem = |e: MergeError| match e {

@@ -1,7 +1,7 @@
 //! Where the rows of a campaign go. A file grows as `.part` beside its final name, so that an interrupted campaign
 //! goes on from what is there.
 
-use super::super::files::reason;
+use super::super::files::{cannot_read, reason};
 use super::super::target::{Pieces, Target, cannot_write};
 use super::{Problem, parquet};
 use crate::campaign::cases::Shard;
@@ -9,6 +9,7 @@ use crate::campaign::design::Design;
 use crate::campaign::rows::header;
 use crate::campaign::scan::{Scan, ScanError, scan};
 use crate::campaign::tally::Tally;
+use crate::input::{open_regular, regular, without_waiting};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, Error, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -77,6 +78,14 @@ impl<'a> Output<'a> {
         matches!(self.place, Place::Complete(_))
     }
 
+    /// The file of rows that an interrupted campaign goes on from.
+    pub fn part(&self) -> Option<&Path> {
+        match &self.place {
+            Place::Part { part, .. } => Some(part),
+            _ => None,
+        }
+    }
+
     pub fn name(&self) -> String {
         match &self.place {
             Place::Part { part, .. } => part.display().to_string(),
@@ -120,7 +129,7 @@ impl<'a> Output<'a> {
 
 /// Whether a file begins like rows of some campaign, and holds at least one.
 fn holds_rows(path: &Path) -> bool {
-    let Ok(file) = File::open(path) else { return false };
+    let Ok(file) = open_regular(path) else { return false };
     let mut lines = BufReader::new(file).lines();
     lines.next().is_some_and(|line| line.is_ok_and(|l| l == header())) && lines.next().is_some()
 }
@@ -128,7 +137,7 @@ fn holds_rows(path: &Path) -> bool {
 /// The tally of a file that holds every row of the shard.
 fn complete(path: &Path, design: &Design, shard: Shard) -> Option<Tally> {
     let mut tally = Tally::new(design.cases);
-    let input = BufReader::new(File::open(path).ok()?);
+    let input = BufReader::new(open_regular(path).ok()?);
     let scan = scan(design, shard, input, |case, row| tally.add(case, row)).ok()?;
     is_whole(&scan, design, shard).then_some(tally)
 }
@@ -141,7 +150,11 @@ fn is_whole(scan: &Scan, design: &Design, shard: Shard) -> bool {
 /// The file of rows that are coming in, behind its last complete line, with a tally of those that are there.
 fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), Problem> {
     let cannot = |e: Error| cannot_write(part, &e);
-    let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(part).map_err(cannot)?;
+    let mut options = OpenOptions::new();
+    options.read(true).write(true).create(true).truncate(false);
+    without_waiting(&mut options);
+    let mut file = options.open(part).map_err(cannot)?;
+    file.metadata().and_then(|there| regular(&there)).map_err(cannot)?;
     // File systems that know no locks do without.
     if let Err(TryLockError::WouldBlock) = file.try_lock() {
         return Err(format!("{} is being written by another run: wait for it, or choose another name", part.display()));
@@ -160,7 +173,7 @@ fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), P
 
 /// The tally of rows that were flown before.
 pub fn tally(path: &Path, design: &Design, shard: Shard) -> Result<Tally, Problem> {
-    let input = File::open(path).map_err(|e| format!("cannot read {}: {}", path.display(), reason(&e)))?;
+    let input = open_regular(path).map_err(|e| cannot_read(path, &e))?;
     let mut tally = Tally::new(design.cases);
     let found = scan(design, shard, BufReader::new(input), |case, row| tally.add(case, row));
     let found = found.map_err(|e| unfit(path, &e, design))?;

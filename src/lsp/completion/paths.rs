@@ -1,6 +1,8 @@
 //! Files that `use` and `waypoints from` may name, while their path is typed.
 
 use super::{ItemKind, Offer};
+use crate::input::Kind;
+use crate::model::is_unfit;
 use crate::source::Source;
 use std::ops::Range;
 use std::path::Path;
@@ -15,9 +17,9 @@ pub fn offers(source: &Source, offset: usize) -> Option<(Vec<Offer>, Range<usize
     let (before, typed) = line.split_once('"').filter(|(_, typed)| !typed.contains('"'))?;
     // A `;` may end another statement before.
     let before = before.rsplit([';', '{']).next()?.split_whitespace().collect::<Vec<_>>();
-    let extension = match before.as_slice() {
-        ["use"] => "mav",
-        ["waypoints", "from"] => "csv",
+    let kind = match before.as_slice() {
+        ["use"] => Kind::Spec,
+        ["waypoints", "from"] => Kind::Table,
         _ => return None,
     };
     let (folder, begun) = typed.rsplit_once('/').map_or(("", typed), |(folder, begun)| (folder, begun));
@@ -31,12 +33,13 @@ pub fn offers(source: &Source, offset: usize) -> Option<(Vec<Offer>, Range<usize
     let end = offset + rest.find(['"', '/', '\n', '\r', ';']).unwrap_or(rest.len());
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_ENTRIES);
     let offer = |entry: std::fs::DirEntry| {
-        let name = entry.file_name().into_string().ok().filter(|name| !name.starts_with('.') && !name.contains('"'))?;
+        let name =
+            entry.file_name().into_string().ok().filter(|name| !name.starts_with('.') && !name.contains(is_unfit))?;
         let path = entry.path();
         if path.is_dir() {
             return Some(Offer::new(&format!("{name}/"), ItemKind::Folder, 1));
         }
-        let fits = path.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension)) && path != file;
+        let fits = Kind::of(&path) == Some(kind) && path != file;
         fits.then(|| Offer::new(&name, ItemKind::File, 0))
     };
     Some((entries.filter_map(offer).collect(), offset - begun.len()..end))

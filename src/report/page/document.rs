@@ -7,6 +7,7 @@ use super::{Subject, embed};
 use crate::planner::compare::Comparison;
 use crate::report::number::percent;
 use crate::report::terminal::vehicle_line;
+use crate::source::visible;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// A part of the page that the contents lead to.
@@ -89,7 +90,8 @@ impl Document<'_> {
                 }
             }
         };
-        page.into_string()
+        // Script and style, which have hashes, hold no such character.
+        visible::text(&page.into_string()).into_owned()
     }
 
     fn setting(&self) -> String {

@@ -1,5 +1,6 @@
 //! Script, style and data inside a page, so that nothing in a spec can become either.
 
+use crate::source::visible;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Serialize;
@@ -21,11 +22,11 @@ pub fn policy() -> String {
 
 /// JSON that stands in a `script` element: no `<`, `>` or `&` of it is markup, and no line ends where JSON does not.
 pub fn json(content: &impl Serialize) -> String {
-    let text = serde_json::to_string(content).expect("texts and finite numbers always serialise");
+    let text = visible::json(serde_json::to_string(content).expect("texts and finite numbers always serialise"));
     let mut safe = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
-            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => safe.push_str(&format!("\\u{:04x}", u32::from(c))),
+            '<' | '>' | '&' => safe.push_str(&format!("\\u{:04x}", u32::from(c))),
             c => safe.push(c),
         }
     }

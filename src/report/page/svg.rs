@@ -4,6 +4,7 @@ use super::chart::{Bound, Chart};
 use super::content::{Content, RunContent};
 use super::sets::SetContent;
 use crate::report::number::number;
+use crate::source::visible;
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::element::DashedPathElement;
@@ -80,7 +81,8 @@ pub fn files(content: &Content) -> Result<Vec<(String, String)>, String> {
             files.push((format!("set-{}{plan}.svg", set.name), section(content, set, run)?));
         }
     }
-    for (name, _) in &mut files {
+    for (name, text) in &mut files {
+        *text = visible::text(text).into_owned();
         *name = name.chars().map(|c| if c.is_alphanumeric() || "_-.".contains(c) { c } else { '-' }).collect();
     }
     Ok(files)

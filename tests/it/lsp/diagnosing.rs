@@ -4,7 +4,8 @@ use super::client::{Client, SPEC, uri_of};
 use mavc::admissible::diagnose::diagnose;
 use mavc::diagnostic::{Diagnostic, Severity, sort};
 use mavc::flight::twins;
-use mavc::model::{elaborate, load};
+use mavc::input::read_named;
+use mavc::model::{elaborate, entries, load_among};
 use mavc::source::SourceMap;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -12,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// What `mavc check` says of a file.
 fn check(path: &Path) -> (Vec<Diagnostic>, SourceMap) {
     let bytes = std::fs::read(path).unwrap();
-    let (files, mut diagnostics) = load(path.to_str().unwrap(), &bytes, &|used| std::fs::read(used));
+    let (files, mut diagnostics) = load_among(path.to_str().unwrap(), &bytes, &read_named, &entries);
     let checked = elaborate(&files, &[]);
     diagnostics.extend(checked.diagnostics);
     let broken = diagnostics.iter().any(|d| d.severity == Severity::Error);
@@ -159,5 +160,51 @@ fn warnings_and_their_places_are_told_in_files_that_are_used() {
     client.note("textDocument/didClose", json!({ "textDocument": { "uri": root_uri } }));
     client.wait(&root_uri, None, <[Value]>::is_empty);
     client.wait(&library_uri, None, <[Value]>::is_empty);
+    client.stop();
+}
+
+/// Neither waits the server for a pipe, nor does it quote what is no spec.
+#[cfg(unix)]
+#[test]
+fn pipes_and_links_to_other_files_are_refused_unread() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path().canonicalize().unwrap();
+    std::fs::write(folder.join("secret.key"), "token = hunter2\n").unwrap();
+    std::os::unix::fs::symlink("secret.key", folder.join("link.mav")).unwrap();
+    let made = std::process::Command::new("mkfifo").args(["pipe.mav", "pipe.csv"]).current_dir(&folder).status();
+    assert!(made.unwrap().success());
+    let mut client = Client::start();
+    let uri = uri_of(&folder.join("root.mav"));
+    for (version, statement) in (2..).zip([
+        "use \"link.mav\"",
+        "use \"pipe.mav\"",
+        "use \"secret.key\"",
+        "mission m { waypoints from \"pipe.csv\" }",
+        "mission m { waypoints from \"/dev/zero\" }",
+    ]) {
+        if version == 2 {
+            client.open(&uri, "let a = 1\n");
+        }
+        client.replace(&uri, version, &format!("{statement}\n"));
+        let told = client.wait(&uri, Some(version), |_| true);
+        assert!(told.iter().any(|d| d["code"] == "mavc::file::kind"), "{statement}: {told:?}");
+        assert!(!format!("{told:?}{:?}", client.told).contains("hunter2"), "{told:?}");
+    }
+    client.stop();
+}
+
+#[test]
+fn what_is_shown_has_escapes_for_control_and_bidirectional_characters() {
+    let mut client = Client::start();
+    let uri = "untitled:a";
+    client.open(uri, "/// \u{1b}[31m\u{202e}\nlet a = 1\nlet c = b\u{1b}[2J\u{202e}\n");
+    let told = client.wait(uri, Some(1), |told| !told.is_empty());
+    let place = json!({ "textDocument": { "uri": uri }, "position": { "line": 1, "character": 4 } });
+    let hover = client.ask("textDocument/hover", place).unwrap();
+    for shown in [told.iter().map(|d| d["message"].to_string()).collect(), hover.to_string()] {
+        let text: String = serde_json::from_str::<Value>(&shown).map_or(shown.clone(), |v| v.to_string());
+        assert!(!text.contains(mavc::source::visible::is_disguise) && !text.contains("\\u001b"), "{text}");
+    }
+    assert!(hover.to_string().contains("\\\\u{1b}[31m\\\\u{202e}"), "{hover}");
     client.stop();
 }

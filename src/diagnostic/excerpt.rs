@@ -1,0 +1,161 @@
+//! Sources as the terminal shows them: every control and bidirectional character as an escape, and no line longer than
+//! somebody reads.
+
+use crate::source::{FileId, Source, SourceMap, Span, visible};
+use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
+use std::borrow::Cow;
+use std::cell::OnceCell;
+
+/// Lines are shown from their beginning and to their end where a span is no further than so many bytes from either.
+pub const LONGEST: usize = 400;
+
+/// Bytes shown on a side of a span where the line goes on for longer: a line may be as long as a file.
+pub const MARGIN: usize = 60;
+
+/// A source with its escapes. Offsets without a word of their own are those of the text that is shown.
+pub struct Excerpt<'a> {
+    read: &'a Source,
+    /// The text that was read, if nothing in it is escaped.
+    pub shown: Cow<'a, Source>,
+    name: String,
+    /// Behind each escape the offset in the text that was read, and in the one that is shown.
+    marks: Vec<(usize, usize)>,
+}
+
+impl<'a> Excerpt<'a> {
+    pub fn new(source: &'a Source) -> Self {
+        let name = visible::line(&source.name).into_owned();
+        let mut marks = Vec::new();
+        let shown = match visible::text(&source.text) {
+            Cow::Borrowed(_) => Cow::Borrowed(source),
+            Cow::Owned(text) => {
+                marks = escapes(&source.text, &text);
+                Cow::Owned(Source::new(&name, text))
+            }
+        };
+        Excerpt { read: source, shown, name, marks }
+    }
+
+    /// Where something that was read is shown.
+    fn offset(&self, read: usize) -> usize {
+        let behind = self.marks.partition_point(|mark| mark.0 <= read);
+        behind.checked_sub(1).map_or(read, |k| self.marks[k].1 + (read - self.marks[k].0))
+    }
+
+    /// A span of the text that was read.
+    pub fn start(&self, span: Span) -> usize {
+        self.offset(span.start as usize)
+    }
+
+    /// Where a span is drawn: its beginning, where it is very long.
+    pub fn place(&self, span: Span) -> SourceSpan {
+        let (start, end) = (self.start(span), self.offset(span.end as usize));
+        let end = end.min(boundary(&self.shown.text, start + LONGEST)).max(start);
+        (start, end - start).into()
+    }
+
+    /// The offset in the text that was read.
+    fn back(&self, shown: usize) -> usize {
+        let behind = self.marks.partition_point(|mark| mark.1 <= shown);
+        let next = self.marks.get(behind).map_or(usize::MAX, |mark| mark.0);
+        behind.checked_sub(1).map_or(shown, |k| self.marks[k].0 + (shown - self.marks[k].1)).min(next)
+    }
+}
+
+/// The offsets behind each escape, in a text and in what [`visible::text`] makes of it.
+fn escapes(read: &str, shown: &str) -> Vec<(usize, usize)> {
+    let (mut marks, mut at) = (Vec::new(), 0);
+    for (offset, c) in read.char_indices() {
+        if shown[at..].starts_with(c) {
+            at += c.len_utf8();
+        } else {
+            at += visible::line(c.encode_utf8(&mut [0; 4])).len();
+            marks.push((offset + c.len_utf8(), at));
+        }
+    }
+    marks
+}
+
+/// The excerpts of a file set, each made when it is first shown.
+pub struct Excerpts<'a> {
+    sources: &'a SourceMap,
+    made: Vec<OnceCell<Excerpt<'a>>>,
+}
+
+impl<'a> Excerpts<'a> {
+    pub fn new(sources: &'a SourceMap) -> Self {
+        Excerpts { sources, made: sources.iter().map(|_| OnceCell::new()).collect() }
+    }
+
+    pub fn get(&self, file: FileId) -> &Excerpt<'a> {
+        self.made[file.0 as usize].get_or_init(|| Excerpt::new(self.sources.get(file)))
+    }
+}
+
+/// Reads lines by the source's own index, so that many reports on a long file cost little.
+impl SourceCode for Excerpt<'_> {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        before: usize,
+        after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let (source, text) = (&self.shown, &self.shown.text);
+        let (start, end) = (span.offset(), span.offset() + span.len());
+        if !text.is_char_boundary(start) || !text.is_char_boundary(end) {
+            return Err(MietteError::OutOfBounds);
+        }
+        let first = source.place(start).line.saturating_sub(before).max(1);
+        let last = source.place(end.saturating_sub(1).max(start)).line + after;
+        let from = if before == 0 { start } else { source.line(first).start };
+        // Without the line before, where that one is long.
+        let own = source.line(source.place(start).line).start;
+        let whole = [from, own].into_iter().find(|from| start <= from + LONGEST);
+        let from = whole.unwrap_or_else(|| boundary(text, start - MARGIN));
+        let to = source.line(last).end.max(end);
+        let to = if to > end + LONGEST { boundary(text, end + MARGIN) } else { to };
+        // Lines and columns are told as they were written.
+        let place = self.read.place(self.back(from));
+        let contents = MietteSpanContents::new_named(
+            self.name.clone(),
+            &text.as_bytes()[from..to],
+            (from, to - from).into(),
+            place.line - 1,
+            place.column - 1,
+            last.saturating_sub(place.line) + 1,
+        );
+        Ok(Box::new(contents))
+    }
+}
+
+/// The last place at or before `at` where a character begins.
+fn boundary(text: &str, at: usize) -> usize {
+    (0..=at.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_found_behind_escapes_and_back() {
+        let source = Source::new("t", "a\x1bk\u{202e}\u{202e}é\r\n\x07\nz");
+        let excerpt = Excerpt::new(&source);
+        assert_eq!(excerpt.shown.text, "a\\u{1b}k\\u{202e}\\u{202e}é\r\n\\u{7}\nz");
+        for letter in ['a', 'k', 'é', 'z', '\r'] {
+            let (read, shown) = (source.text.find(letter).unwrap(), excerpt.shown.text.find(letter).unwrap());
+            assert_eq!((excerpt.offset(read), excerpt.back(shown)), (shown, read), "{letter}");
+        }
+        assert_eq!(excerpt.offset(source.text.len()), excerpt.shown.text.len());
+        // An escape's own place is where it begins.
+        assert_eq!((excerpt.offset(1), excerpt.back(3)), (1, 2));
+    }
+
+    #[test]
+    fn escapes_written_in_a_source_are_none() {
+        let source = Source::new("t", "\\u{1b}\x1b\\u{1b}!");
+        let excerpt = Excerpt::new(&source);
+        assert_eq!(excerpt.shown.text, "\\u{1b}\\u{1b}\\u{1b}!");
+        assert_eq!(excerpt.offset(source.text.find('!').unwrap()), 18);
+    }
+}
