@@ -15,7 +15,7 @@ use mavc::planner::transcribe::NodeState;
 use mavc::planner::wrench_model::WrenchModel;
 use mavc::qp::RowOrigin;
 use mavc::qp::build::{Affine, Builder};
-use mavc::report::trajectory_csv::{instants, render};
+use mavc::report::trajectory_csv::{self, render};
 use mavc::solve::{Outcome, solve};
 use mavc::trajectory::checks::{limit_excesses, peak};
 use mavc::trajectory::outside::outside;
@@ -274,7 +274,7 @@ fn planned(model: &Model, mission: &Mission, total: f64) -> Trajectory {
 }
 
 const HEADER: &str = "t,x,y,z,yaw,vx,vy,vz,yaw_rate,ax,ay,az,yaw_acc,jx,jy,jz,sx,sy,sz,roll,pitch,thrust,tau_x,tau_y,\
-tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8";
+tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8,waypoint";
 
 /// The cells, each shown to be the shortest text of its number.
 fn table(text: &str) -> Vec<Vec<f64>> {
@@ -319,7 +319,7 @@ fn the_table_is_what_was_planned() {
         let by_speeds =
             (0..8).fold(Wrench::zeros(), |sum, i| sum + actuation.effectiveness.column(i) * row[25 + i].powi(2));
         assert!((by_speeds - w).amax() < 1e-5, "row {k}: {by_speeds} {w}");
-        assert!(row[25..].iter().all(|o| (0.0..=874.0 + 1e-9).contains(o)));
+        assert!(row[25..33].iter().all(|o| (0.0..=874.0 + 1e-9).contains(o)));
     }
     assert_eq!(rows[100][0], 20.0);
     assert_eq!(render(&flight, &model, None), text);
@@ -350,24 +350,35 @@ fn the_table_has_what_an_exact_wrench_depends_on() {
 }
 
 #[test]
-fn a_rate_keeps_the_waypoints_rows() {
+fn a_rate_gives_even_rows_to_the_end_and_marks_waypoints_at_the_nearest() {
     let mut model = paper_case(PlannerKind::Rip, &[]);
     model.plan.samples = 60;
     let flight = planned(&model, &viviani(), 19.37);
-    for rate in [100.0, 7.3, 0.01] {
-        let times = instants(&flight, Some(rate));
-        assert!(times.windows(2).all(|w| w[1] - w[0] > 1e-9));
-        for &node in &flight.waypoint_nodes {
-            assert!(times.contains(&flight.times[node]), "waypoint at {}", flight.times[node]);
+    // 100 Hz ends on a row, the others do not; at 0.01 Hz there is the start and what is after the end.
+    for (rate, count) in [(100.0, 1938), (50.0, 970), (7.3, 143), (0.01, 2)] {
+        let cells = table(&render(&flight, &model, Some(rate)));
+        assert_eq!((cells.len(), trajectory_csv::count(&flight, Some(rate))), (count, count as u64), "{rate} Hz");
+        assert!(cells.iter().enumerate().all(|(k, row)| row[0] == k as f64 / rate), "{rate} Hz");
+        let (last, before) = (cells[count - 1][0], cells[count - 2][0]);
+        assert!(before < 19.37 - 1e-9 && last >= 19.37 - 1e-9, "{rate} Hz ends at {last} s");
+        // After the end the last state is held.
+        let end = table(&render(&flight, &model, None)).pop().unwrap();
+        let held = |row: &[f64]| row[1..25].iter().zip(&end[1..25]).all(|(a, b)| (a - b).abs() < 1e-9);
+        assert!(held(&cells[count - 1]), "{:?} {end:?}", cells[count - 1]);
+        let marked: Vec<(usize, f64)> =
+            cells.iter().map(|row| (row[row.len() - 1] as usize, row[0])).filter(|row| row.0 > 0).collect();
+        assert!(marked.windows(2).all(|w| w[0].0 < w[1].0), "{marked:?}");
+        for (waypoint, t) in marked.iter().filter(|_| rate > 1.0) {
+            let met = flight.times[flight.waypoint_nodes[waypoint - 1]];
+            assert!((t - met).abs() <= 0.5 / rate + 1e-9, "waypoint {waypoint} at {met} s is marked at {t} s");
         }
-        let mut raster = (0..).map(|i| f64::from(i) / rate).take_while(|t| *t <= 19.37);
-        assert!(raster.all(|r| times.iter().any(|t| (t - r).abs() < 1e-7)));
-        let on_raster = |t: &f64| ((t * rate).round() / rate - t).abs() < 1e-7;
-        let on_waypoint = |t: &f64| flight.waypoint_nodes.iter().any(|&n| flight.times[n] == *t);
-        assert!(times.iter().all(|t| on_raster(t) || on_waypoint(t)));
-        assert_eq!(table(&render(&flight, &model, Some(rate))).len(), times.len());
+        assert_eq!(marked.len(), if rate > 1.0 { 21 } else { 1 });
     }
-    assert_eq!(instants(&flight, None), flight.times);
+    // Without a rate waypoints lie on nodes.
+    let rows = trajectory_csv::rows(&flight, None);
+    assert!(rows.iter().zip(&flight.times).all(|(row, t)| row.time == *t));
+    let marked: Vec<usize> = (0..rows.len()).filter(|&k| rows[k].waypoint > 0).collect();
+    assert_eq!(marked, flight.waypoint_nodes);
 }
 
 #[test]

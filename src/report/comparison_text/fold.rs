@@ -1,0 +1,114 @@
+//! Runs with one plan, told in one line that names them all.
+
+use super::name_of;
+use crate::model::PlannerKind;
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run};
+use crate::report::terminal::WIDTH;
+
+/// Names in the first column take no more room than this; where they need more, a note below the table has them.
+const LONGEST_NAME: usize = 36;
+
+/// Runs that ended alike, in their order; at least one.
+pub struct Fold<'c> {
+    pub runs: Vec<&'c PlannerRun>,
+    modes: &'c [String],
+}
+
+/// The runs of one kind, those with one plan together, where the first of them stands.
+pub fn folded(comparison: &Comparison, which: Run) -> Vec<Fold<'_>> {
+    let mut folds: Vec<Fold> = Vec::new();
+    for run in comparison.runs.iter().filter(|run| run.run == which) {
+        match folds.iter_mut().find(|fold| are_alike(fold.runs[0], run)) {
+            Some(fold) => fold.runs.push(run),
+            None => folds.push(Fold { runs: vec![run], modes: &comparison.modes }),
+        }
+    }
+    folds
+}
+
+/// Whether two runs have one plan to the last digit, or are RCP for single modes that ended without one in the same way.
+fn are_alike(one: &PlannerRun, other: &PlannerRun) -> bool {
+    match (&one.ending, &other.ending) {
+        (Ending::Solved(a), Ending::Solved(b)) => {
+            a.time == b.time && a.objective == b.objective && a.trajectory == b.trajectory
+        }
+        (Ending::Infeasible { .. }, Ending::Infeasible { .. })
+        | (Ending::Inconclusive { .. }, Ending::Inconclusive { .. }) => is_of_one_mode(one) && is_of_one_mode(other),
+        _ => false,
+    }
+}
+
+fn is_of_one_mode(run: &PlannerRun) -> bool {
+    run.planner == PlannerKind::Rcp && run.against.len() == 1
+}
+
+impl Fold<'_> {
+    pub fn ending(&self) -> &Ending {
+        &self.runs[0].ending
+    }
+
+    /// `RIP, RCP M1, M3 .. M6, RSP`: all runs by name, modes that follow each other as ranges.
+    pub fn name(&self) -> String {
+        let single: Vec<usize> =
+            self.runs.iter().filter(|run| is_of_one_mode(run)).filter_map(|r| self.place(r)).collect();
+        let mut names = Vec::new();
+        let mut told = false;
+        for run in &self.runs {
+            match is_of_one_mode(run) {
+                false => names.push(name_of(run)),
+                true if told => {}
+                true => {
+                    told = true;
+                    names.push(format!("RCP {}", self.ranges(&single).join(", ")));
+                }
+            }
+        }
+        names.join(", ")
+    }
+
+    /// The name where it is short; otherwise that of the first run and how many more there are.
+    pub fn short_name(&self) -> String {
+        let whole = self.name();
+        match self.runs.len() - 1 {
+            more if whole.chars().count() > LONGEST_NAME && more > 0 => {
+                format!("{} and {more} more", name_of(self.runs[0]))
+            }
+            _ => whole,
+        }
+    }
+
+    /// What the short name leaves out, as a paragraph; nothing where it is whole.
+    pub fn note(&self) -> String {
+        let (whole, short) = (self.name(), self.short_name());
+        if whole == short {
+            return String::new();
+        }
+        let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+        format!("{}\n", textwrap::fill(&format!("{short}: {whole}."), options))
+    }
+
+    /// The rows at each node, of which runs with one plan may have different numbers: `52`, `52 to 60`.
+    pub fn rows(&self) -> String {
+        let rows = || self.runs.iter().map(|run| run.set.rows.len());
+        match (rows().min().unwrap_or(0), rows().max().unwrap_or(0)) {
+            (least, most) if least == most => least.to_string(),
+            (least, most) => format!("{least} to {most}"),
+        }
+    }
+
+    /// The place of a run's one mode among those of the comparison.
+    fn place(&self, run: &PlannerRun) -> Option<usize> {
+        self.modes.iter().position(|mode| *mode == run.against[0])
+    }
+
+    /// Places as names, three and more that follow each other as a range.
+    fn ranges(&self, places: &[usize]) -> Vec<String> {
+        let name = |place: usize| self.modes[place].clone();
+        let runs = places.chunk_by(|a, b| a + 1 == *b);
+        runs.flat_map(|run| match run {
+            [first, _, .., last] => vec![format!("{} .. {}", name(*first), name(*last))],
+            few => few.iter().map(|place| name(*place)).collect(),
+        })
+        .collect()
+    }
+}
