@@ -2,11 +2,19 @@
 
 use super::name_of;
 use crate::model::PlannerKind;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
+use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::planner::transcribe::NodeState;
 use crate::report::terminal::WIDTH;
+use crate::trajectory::outside::Outside;
 
 /// Names in the first column take no more room than this; where they need more, a note below the table has them.
 const LONGEST_NAME: usize = 36;
+
+/// Plans count as one that differ by no more than this: m and rad at the nodes; shares of the healthy set's width; s.
+const PLACE: f64 = 1e-6;
+const MARGIN: f64 = 1e-6;
+const SECONDS: f64 = 1e-3;
 
 /// Runs that ended alike, in their order; at least one.
 pub struct Fold<'c> {
@@ -26,16 +34,33 @@ pub fn folded(comparison: &Comparison, which: Run) -> Vec<Fold<'_>> {
     folds
 }
 
-/// Whether two runs have one plan to the last digit, or are RCP for single modes that ended without one in the same way.
+/// Whether two runs have one plan, or are RCP for single modes that ended without one in the same way.
 fn are_alike(one: &PlannerRun, other: &PlannerRun) -> bool {
     match (&one.ending, &other.ending) {
-        (Ending::Solved(a), Ending::Solved(b)) => {
-            a.time == b.time && a.objective == b.objective && a.trajectory == b.trajectory
-        }
+        (Ending::Solved(a), Ending::Solved(b)) => have_one_plan(a, b),
         (Ending::Infeasible { .. }, Ending::Infeasible { .. })
         | (Ending::Inconclusive { .. }, Ending::Inconclusive { .. }) => is_of_one_mode(one) && is_of_one_mode(other),
         _ => false,
     }
+}
+
+/// Whether two plans are one but for what the solver's last digits differ by: at every node, and in what is said of the sets.
+fn have_one_plan(a: &Solved, b: &Solved) -> bool {
+    let same_node = |(p, q): (&NodeState, &NodeState)| [X, Y, Z, YAW].iter().all(|&i| near(p[i][0], q[i][0], PLACE));
+    let same_outside = |(p, q): (&Outside, &Outside)| {
+        near(p.max_violation, q.max_violation, MARGIN)
+            && near(p.seconds, q.seconds, SECONDS)
+            && near(p.last.unwrap_or(0.0), q.last.unwrap_or(0.0), SECONDS)
+    };
+    a.time == b.time
+        && a.trajectory.times == b.trajectory.times
+        && a.trajectory.nodes.iter().zip(&b.trajectory.nodes).all(same_node)
+        && a.outside.iter().zip(&b.outside).all(same_outside)
+        && a.committed.iter().zip(&b.committed).all(|(p, q)| near(*p, *q, SECONDS))
+}
+
+fn near(a: f64, b: f64, within: f64) -> bool {
+    (a - b).abs() <= within
 }
 
 fn is_of_one_mode(run: &PlannerRun) -> bool {
@@ -101,10 +126,11 @@ impl Fold<'_> {
         self.modes.iter().position(|mode| *mode == run.against[0])
     }
 
-    /// Places as names, three and more that follow each other as a range.
+    /// Places as names, three and more of one `every` that follow each other as a range.
     fn ranges(&self, places: &[usize]) -> Vec<String> {
         let name = |place: usize| self.modes[place].clone();
-        let runs = places.chunk_by(|a, b| a + 1 == *b);
+        let family = |place: usize| self.modes[place].trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
+        let runs = places.chunk_by(|a, b| a + 1 == *b && family(*a) == family(*b));
         runs.flat_map(|run| match run {
             [first, _, .., last] => vec![format!("{} .. {}", name(*first), name(*last))],
             few => few.iter().map(|place| name(*place)).collect(),

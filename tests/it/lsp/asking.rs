@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 const URI: &str = "untitled:spec";
 
 /// The Markdown shown at each place marked.
-fn hovers(text: &str) -> Vec<String> {
+pub(super) fn hovers(text: &str) -> Vec<String> {
     let (text, places) = marked(text);
     let mut client = Client::start();
     client.open(URI, &text);
@@ -77,7 +77,7 @@ fn with_errors_a_hover_says_what_is_known_all_the_same() {
 }
 
 /// The labels offered at each place marked, and what they put in.
-fn offers(text: &str) -> Vec<Vec<(String, String)>> {
+pub(super) fn offers(text: &str) -> Vec<Vec<(String, String)>> {
     let (text, places) = marked(text);
     let mut client = Client::start();
     client.open(URI, &text);
@@ -96,7 +96,7 @@ fn offers(text: &str) -> Vec<Vec<(String, String)>> {
     all
 }
 
-fn labels(offers: &[(String, String)]) -> Vec<&str> {
+pub(super) fn labels(offers: &[(String, String)]) -> Vec<&str> {
     offers.iter().map(|offer| offer.0.as_str()).collect()
 }
 
@@ -129,24 +129,6 @@ fn behind_a_number_units_of_the_right_dimension_are_offered() {
     assert!(of(3).contains(&"m/s") && of(3).contains(&"km/h") && !of(3).contains(&"s"), "{:?}", of(3));
     assert!(of(4).contains(&"s") && !of(4).contains(&"kg"), "{:?}", of(4));
     assert_eq!(of(5)[0], "%");
-}
-
-#[test]
-fn families_and_ranges_of_modes_are_offered_and_explained() {
-    let of = |against: &str| offers(&SPEC.replace("[worn, weak1]", against));
-    let alone = of("|");
-    assert!(labels(&alone[0]).contains(&"weak") && labels(&alone[0]).contains(&"all"), "{alone:?}");
-    let listed = of("[weak, |]");
-    assert!(!labels(&listed[0]).contains(&"weak") && labels(&listed[0]).contains(&"worn"), "{listed:?}");
-    for range in ["weak4 .. |", "[worn, weak4 .. |]", "weak4 .. we|"] {
-        assert_eq!(labels(&of(range)[0]), ["weak5", "weak6"], "{range}");
-    }
-    // A strike is of one mode.
-    let strike = offers(&format!("{SPEC}simulate {{ fault | }}\n"));
-    assert!(labels(&strike[0]).contains(&"weak1") && !labels(&strike[0]).contains(&"weak"), "{strike:?}");
-    let shown = hovers(&SPEC.replace("[worn, weak1]", "[we|ak, weak2 .. w|eak3]"));
-    assert!(shown[0].contains("fault modes **weak**") && shown[0].contains("6 modes: weak1, weak2"), "{}", shown[0]);
-    assert!(shown[1].contains("fault mode **weak3**") && shown[1].contains("rotor 3 reduced to 90 %"), "{}", shown[1]);
 }
 
 #[test]
