@@ -88,7 +88,10 @@ fn a_plan_writes_a_table_and_a_report() {
     assert!(
         lines[0].starts_with("t,x,y,z,yaw,vx,vy,vz,yaw_rate,ax,ay,az,yaw_acc,jx,jy,jz,sx,sy,sz,roll,pitch,thrust,")
     );
-    assert!(lines[0].ends_with("tau_x,tau_y,tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8"));
+    assert!(
+        lines[0]
+            .ends_with("tau_x,tau_y,tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8,waypoint")
+    );
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
     assert_eq!(record["planners"][0]["status"], "solved");
     assert_eq!(record["planners"][0]["time_s"], 20.0);

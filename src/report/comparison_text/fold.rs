@@ -12,8 +12,8 @@ use crate::trajectory::outside::Outside;
 const LONGEST_NAME: usize = 36;
 
 /// Plans count as one that differ by no more than this: m and rad at the nodes; shares of the healthy set's width; s.
-const PLACE: f64 = 1e-6;
-const MARGIN: f64 = 1e-6;
+const PLACE: f64 = 1e-5;
+const MARGIN: f64 = 1e-5;
 const SECONDS: f64 = 1e-3;
 
 /// Runs that ended alike, in their order; at least one.
