@@ -10,7 +10,7 @@ test("a page opens at the worst instant and mode, and plays from the start", asy
   await open("plan", {}, async (page) => {
     const [at] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
     assert.ok(Math.abs(at - 15.12) < 0.05, `opens at ${at} s`);
-    const worst = (await text(page, "#strips-headline")).match(/smallest margin is \u2212([\d.]+) %/)[1];
+    const worst = (await text(page, "#strips-headline")).match(/smallest margin is \u2212([\d.]+)\s%/)[1];
     assert.match(await text(page, "#sets-headline"), /the planned wrench is outside what M1 leaves, by 1\d/);
     assert.ok((await text(page, "#sets-headline")).includes(`by ${worst} %`), worst);
     assert.ok((await text(page, "#room caption")).includes("M1"));
