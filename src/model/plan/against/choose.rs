@@ -16,6 +16,8 @@ pub(super) type Runs = Vec<Range<usize>>;
 pub(super) struct Choice<'a> {
     modes: &'a Modes,
     by_name: BTreeMap<&'a str, usize>,
+    /// In the order declared.
+    names: Vec<&'a str>,
     /// What the field gives: the one element, or the list of all.
     whole: &'a Expr,
     elements: &'a [Expr],
@@ -23,8 +25,9 @@ pub(super) struct Choice<'a> {
 
 impl<'a> Choice<'a> {
     pub fn new(modes: &'a Modes, whole: &'a Expr, elements: &'a [Expr]) -> Self {
-        let by_name = modes.modes.iter().enumerate().map(|(k, mode)| (mode.name.as_str(), k)).collect();
-        Choice { modes, by_name, whole, elements }
+        let names: Vec<&str> = modes.modes.iter().map(|mode| mode.name.as_str()).collect();
+        let by_name = names.iter().enumerate().map(|(k, name)| (*name, k)).collect();
+        Choice { modes, by_name, names, whole, elements }
     }
 
     /// The modes of an element; `None` where it has an error.
@@ -92,15 +95,17 @@ impl<'a> Choice<'a> {
     }
 
     fn misspelt(&self, cx: &mut Context, name: &str, span: Span) {
-        let names: Vec<&str> = self.modes.modes.iter().map(|mode| mode.name.as_str()).collect();
+        let names = &self.names;
         let is_listed = |mode: &str| self.elements.iter().any(|e| matches!(&e.kind, ExprKind::Name(n) if n == mode));
         // One that is listed already was not meant, and a number is rarely misspelt.
         let open = |mode: &str| !is_listed(mode) && without_digits(mode) != without_digits(name);
-        let families = self.modes.families.names();
-        let near_mode = nearest(name, names.iter().copied().filter(|mode| open(mode)));
-        match nearest(name, families.iter().copied().filter(|family| open(family))) {
-            Some(family) if near_mode.is_none() => cx.unknown("fault mode", name, span, &[family]),
-            _ => cx.unknown_among("fault mode", name, span, &names, open),
+        // Looking for near names takes time, and nobody reads hundreds of errors.
+        let families = if cx.is_full() { Vec::new() } else { self.modes.families.names() };
+        let near_family = nearest(name, families.into_iter().filter(|family| open(family)));
+        let has_mode = || nearest(name, names.iter().copied().filter(|m| open(m))).is_some();
+        match near_family {
+            Some(family) if !has_mode() => cx.unknown("fault mode", name, span, &[family]),
+            _ => cx.unknown_among("fault mode", name, span, names, open),
         }
     }
 
