@@ -8,13 +8,17 @@ default:
 ci:
     bash .ci/run
 
-# The tests, or those with NAME in their name.
+# The tests, without the long ones, or those with NAME in their name.
 test NAME="":
     cargo test {{ if NAME == "" { "" } else { "--test it " + NAME } }}
 
+# All tests.
+test-all:
+    cargo test -- --include-ignored
+
 # Accept what the stages print now, and show what changed.
 snapshots:
-    INSTA_UPDATE=always cargo test
+    INSTA_UPDATE=always cargo test -- --include-ignored
     git diff --stat -- tests
 
 # Lay out the code and the specs.

@@ -185,7 +185,7 @@ pub(crate) struct PlanArgs {
     /// Where the report goes (JSON); `-` for standard output, without the one for people
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
-    /// Resample the trajectory, such as 100Hz; waypoints keep their rows
+    /// Rows of the trajectory at a fixed rate, such as 100Hz, in place of one for each node
     #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     rate: Option<String>,
     /// Where the certificate goes (JSON), for `mavc verify`

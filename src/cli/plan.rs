@@ -62,6 +62,9 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let mut results = Vec::new();
     let code = match comparison.runs.last().map(|r| &r.ending) {
         Some(Ending::Solved(solved)) => {
+            if table.is_some() {
+                few_enough(trajectory_csv::count(&solved.trajectory, rate))?;
+            }
             let rows = |target| (target, trajectory_csv::render(&solved.trajectory, &model, rate));
             results.extend(table.as_ref().map(rows));
             FINE
@@ -384,6 +387,15 @@ fn parse_rounds(text: &str) -> Result<(usize, usize), Problem> {
         (Some(a), Some(b)) if a <= b => Ok((a, b)),
         (Some(_), Some(_)) => Err(format!("--rounds {text}: the first number is the smaller one, as in 0..5")),
         _ => Err(format!("--rounds {text}: write whole numbers up to {MAX_ROUNDS}, such as 0..5")),
+    }
+}
+
+/// Refuses tables that nobody could read back.
+fn few_enough(rows: u64) -> Result<(), Problem> {
+    let most = trajectory_csv::MAX_ROWS;
+    match rows <= most {
+        true => Ok(()),
+        false => Err(format!("the trajectory would have {rows} rows, and {most} are the most: give a lower --rate")),
     }
 }
 

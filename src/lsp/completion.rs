@@ -1,6 +1,7 @@
 //! What may be written next.
 
 mod context;
+mod modes;
 mod paths;
 mod units;
 
@@ -16,9 +17,6 @@ use gen_lsp_types::CompletionItemKind as ItemKind;
 
 /// What a spec mostly begins with, in this order.
 const ORDER: [&str; 8] = ["vehicle", "faults", "mission", "plan", "simulate", "campaign", "let", "use"];
-
-/// Modes offered by name.
-const MOST_MODES: usize = 500;
 
 /// One thing that may be written, in place of the word under the cursor.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,7 +87,7 @@ pub fn offers(spec: &Spec, file: FileId, offset: usize) -> (Vec<Offer>, std::ops
             list.extend(forms.iter().map(|form| Offer::new(form, ItemKind::Operator, 0)));
         }
         Before::Clause => next_clauses(&context, list),
-        Before::Mode => modes(spec, &context, list),
+        Before::Mode => modes::offers(spec, &context, list),
         Before::ModeNumber => {
             let number = |name: &&str| {
                 let entry = documentation::field(Place::Mode, name).map(described);
@@ -172,14 +170,19 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
     let is_against = (place, field) == (Place::Plan, "against");
     // `all` is no element of a list.
     let words_here = words(place, field).iter().filter(|word| !context.listed.contains(**word));
-    let words_here = words_here.filter(|_| !(is_against && context.in_brackets));
+    let words_here = words_here.filter(|_| !is_against || !context.in_brackets && context.range_from.is_none());
     list.extend(words_here.map(|word| Offer::new(word, ItemKind::EnumMember, 0)));
     match (place, field) {
         (Place::Plan, "against") => {
+            if let Some(first) = &context.range_from {
+                modes::range(spec, first, list);
+                return;
+            }
             if !context.in_brackets {
                 list.push(Offer::new("where", ItemKind::Keyword, 0).insert("where "));
             }
-            modes(spec, context, list);
+            modes::families(spec, context, list);
+            modes::offers(spec, context, list);
             return;
         }
         (Place::Plan, "vehicle") => {
@@ -246,20 +249,4 @@ fn next_clauses(context: &Context, list: &mut Vec<Offer>) {
         let entry = documentation::field(context.place, word).map(described);
         list.push(Offer::new(word, ItemKind::Property, 4).insert(format!("{word} ")).documented(entry));
     }
-}
-
-/// The modes that the list around does not have yet.
-fn modes(spec: &Spec, context: &Context, list: &mut Vec<Offer>) {
-    let modes = spec.understanding.modes.iter().filter(|mode| !context.listed.contains(&mode.name));
-    for mode in modes.take(MOST_MODES) {
-        let offer = Offer::new(&mode.name, ItemKind::Event, 1).documented(mode.doc.clone());
-        list.push(match &mode.title {
-            Some(title) => offer.detail(title),
-            None => offer,
-        });
-    }
-    // Modes that could not be made out, for an error of theirs or of the vehicle, have a name all the same.
-    let known = |name: &str| spec.understanding.modes.iter().any(|mode| mode.name == name);
-    let rest = spec.names().of_kind(Kind::Mode).filter(|d| !known(&d.name) && !context.listed.contains(&d.name));
-    list.extend(rest.map(|d| Offer::new(&d.name, ItemKind::Event, 1)));
 }

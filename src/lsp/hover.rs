@@ -215,12 +215,16 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
         Kind::Vehicle => parts.extend(facts::vehicle(spec, definition.span)),
         Kind::Mission => parts.extend(facts::mission(spec, definition.span)),
         Kind::Mode | Kind::Modes => {
+            let names = spec.names();
+            let alike = names.declared_at(definition.span).map(|index| names.alike(index)).unwrap_or_default();
+            let is_of_family = |span: Span| alike.iter().any(|&k| names.definitions[k].statement == span);
             let of_statement = |k: &usize| {
                 let mode = &spec.understanding.modes[*k];
                 match definition.kind {
                     Kind::Mode => mode.span == definition.span,
                     _ if mention.span == definition.span => mode.span == definition.statement,
-                    _ => mode.span == definition.statement && mode.name == name,
+                    // `against = M` is all of them.
+                    _ => is_of_family(mode.span) && (name == definition.name || mode.name == name),
                 }
             };
             let modes: Vec<usize> = (0..spec.understanding.modes.len()).filter(of_statement).collect();

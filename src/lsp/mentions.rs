@@ -209,7 +209,12 @@ impl<'a> Walk<'a> {
             (Place::Plan, "mission") => Some(Names::mission),
             _ => None,
         };
-        for element in elements {
+        // The modes between which a range of them goes are named as those of a list.
+        let ends = |element: &'a Expr| match &element.kind {
+            ExprKind::Range { low, high } if of_kind.is_some() => vec![&**low, &**high],
+            _ => vec![element],
+        };
+        for element in elements.iter().flat_map(ends) {
             match &element.kind {
                 ExprKind::Name(name) if known.contains(&name.as_str()) => self.note(element.span, What::Word),
                 ExprKind::Name(name) if of_kind.is_some() => {

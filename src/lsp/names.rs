@@ -120,15 +120,26 @@ impl Names {
         self.named(Kind::Mission, name)
     }
 
-    /// A mode by its name: one declared alone, or one of the modes of an `every`, `M1_6` of `as M`.
+    /// A mode by its name: one declared alone, all modes of an `every`, or one of them, `M1_6` of `as M`.
     pub fn mode(&self, name: &str) -> Option<usize> {
-        self.named(Kind::Mode, name).or_else(|| {
+        let whole = self.named(Kind::Mode, name).or_else(|| self.named(Kind::Modes, name));
+        whole.or_else(|| {
             let prefixes = (1..name.len()).rev().filter(|&end| {
                 let is_number = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
                 name.is_char_boundary(end) && name[end..].split('_').all(is_number)
             });
             prefixes.filter_map(|end| self.named(Kind::Modes, &name[..end])).next()
         })
+    }
+
+    /// The definitions that one name stands for: itself, and for modes every `every` that ends in the same `as`.
+    pub fn alike(&self, index: usize) -> Vec<usize> {
+        let definition = &self.definitions[index];
+        if definition.kind != Kind::Modes {
+            return vec![index];
+        }
+        let is_alike = |d: &Definition| d.kind == Kind::Modes && d.name == definition.name;
+        (0..self.definitions.len()).filter(|&k| is_alike(&self.definitions[k])).collect()
     }
 
     /// The names of one kind, in the order declared.

@@ -1,6 +1,6 @@
 //! From a name to where it is declared and to where it is used, in all files of a spec.
 
-use super::mentions::{What, written_name};
+use super::mentions::{Mention, What, written_name};
 use super::names::Kind;
 use super::workspace::Spec;
 use crate::source::{FileId, Span};
@@ -33,13 +33,17 @@ pub fn file_named_at(spec: &Spec, file: FileId, offset: usize) -> Option<FileId>
 
 /// Every place where the name of a definition is written, its own the first.
 pub fn places(spec: &Spec, index: usize) -> Vec<Span> {
-    let definition = &spec.names().definitions[index];
-    let uses = spec.mentions().all().iter().filter(|m| m.what == What::Reference(index));
+    let names = spec.names();
+    let definition = &names.definitions[index];
+    let alike = names.alike(index);
+    let is_use = |m: &&Mention| matches!(m.what, What::Reference(to) if alike.contains(&to));
+    let uses = spec.mentions().all().iter().filter(is_use);
     let written = uses.map(|m| match definition.kind {
         Kind::Modes => written_name(definition, m.span),
         _ => m.span,
     });
-    std::iter::once(definition.span).chain(written).collect()
+    let others = alike.iter().filter(|&&other| other != index).map(|&other| names.definitions[other].span);
+    std::iter::once(definition.span).chain(others).chain(written).collect()
 }
 
 /// A place in a file, whichever spec it is looked at from: the file's name, start and end in bytes.

@@ -164,6 +164,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     for block in &blocks.faults {
         modes.take(cx, block, vehicle.and_then(|v| v.rotors));
     }
+    modes.finish(cx);
     parts.vehicles = vehicles.iter().filter_map(|v| v.vehicle.clone()).collect();
     parts.modes = modes.modes.clone();
     let (manner, manner_fine) = draft.manner(cx);
@@ -183,7 +184,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     let flown = mission.and_then(|m| m.mission.as_ref());
     let (names_modes, empty_against) = (draft.names_modes(), draft.empty_against());
     let draft_span = draft.span;
-    let (plan, plan_time, plan_defaults) = draft.finish(cx, &modes.modes, incomplete, flown, fallback);
+    let (plan, plan_time, plan_defaults) = draft.finish(cx, &modes, incomplete, flown, fallback);
     let plan_written = !blocks.plans.is_empty();
     if plan_written || mission.is_some() {
         defaults.extend(plan_defaults);
@@ -192,6 +193,7 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     let lags_known = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle));
     let around = Around {
         modes: &modes.modes,
+        families: &modes.families,
         incomplete,
         vehicle: known,
         mission: flown,

@@ -1,5 +1,7 @@
 //! `faults` blocks: single modes and all combinations of k rotors.
 
+pub(super) mod family;
+
 use std::collections::BTreeMap;
 
 use super::context::{Context, duplicate};
@@ -11,6 +13,7 @@ use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::{Span, Spanned, visible};
 use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
+use family::Families;
 
 /// Fault modes of one spec.
 pub const MAX_MODES: usize = 10_000;
@@ -25,6 +28,7 @@ pub(super) struct Modes {
     /// The statement each came from, by its index.
     pub origin: Vec<usize>,
     pub statements: usize,
+    pub families: Families,
     names: BTreeMap<String, Span>,
     /// Some statement gave no modes for an error of its own: names may be missing.
     pub incomplete: bool,
@@ -100,6 +104,11 @@ impl Modes {
             (self.incomplete, cx.modes_unnamed) = (true, true);
             return;
         };
+        if RESERVED.contains(&prefix.value.as_str()) {
+            cx.report(family::reserved(prefix));
+            (self.incomplete, cx.modes_unnamed) = (true, true);
+            return;
+        }
         let total = (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64).round();
         if total + self.modes.len() as f64 > MAX_MODES as f64 {
             let message = format!(
@@ -111,6 +120,7 @@ impl Modes {
             (self.incomplete, cx.modes_unnamed) = (true, true);
             return;
         }
+        let first = self.modes.len();
         for rotors in combinations(n, k) {
             let numbers_text: Vec<String> = rotors.iter().map(usize::to_string).collect();
             let name = format!("{}{}", prefix.value, numbers_text.join("_"));
@@ -123,6 +133,12 @@ impl Modes {
             rotors.iter().for_each(|&rotor| effect.apply(&mut mode, rotor));
             self.push(mode);
         }
+        self.families.add(prefix, first..self.modes.len());
+    }
+
+    /// Reports what only all blocks together show: a name that is both a mode's and a family's.
+    pub fn finish(&self, cx: &mut Context) {
+        self.families.clashes(&self.names).for_each(|error| cx.report(error));
     }
 
     fn push(&mut self, mode: FaultMode) {

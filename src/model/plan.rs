@@ -5,12 +5,12 @@ mod require;
 
 use super::context::Context;
 use super::due::Due;
+use super::fault::Modes;
 use super::fields::Fields;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
 use super::{
-    AfterFault, DefaultUsed, FaultMode, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault,
-    mend,
+    AfterFault, DefaultUsed, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault, mend,
 };
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::report::number::number;
@@ -192,7 +192,7 @@ impl<'a> Draft<'a> {
     pub fn finish(
         mut self,
         cx: &mut Context<'a>,
-        modes: &[FaultMode],
+        modes: &Modes,
         modes_incomplete: bool,
         mission: Option<&Mission>,
         fallback: Span,
@@ -221,12 +221,14 @@ impl<'a> Draft<'a> {
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
             None => {
-                let all = (0..modes.len()).collect();
+                let all = (0..modes.modes.len()).collect();
                 Some(self.default("against", (all, "all", "every declared fault mode")))
             }
         };
         let require = match self.require {
-            Some((bound, place)) => require::check(cx, bound, place, planner, against.as_deref(), modes).map(Some),
+            Some((bound, place)) => {
+                require::check(cx, bound, place, planner, against.as_deref(), &modes.modes).map(Some)
+            }
             None => Some(None),
         };
         let time = self.time(cx);

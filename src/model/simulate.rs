@@ -8,6 +8,7 @@ pub(super) use strike::CLAUSES as STRIKE_CLAUSES;
 
 use super::context::Context;
 use super::due::Due;
+use super::fault::family::Families;
 use super::fields::Fields;
 use super::flight::{MOTOR_TIME_CONSTANT, Written, default};
 use super::mission::{MAX_DURATION, too_long};
@@ -55,6 +56,7 @@ const MAX_SEED: f64 = 9_007_199_254_740_992.0;
 /// What the block is read beside.
 pub(super) struct Around<'m> {
     pub modes: &'m [FaultMode],
+    pub families: &'m Families,
     /// Some mode has an error of its own: an unknown name may be its name.
     pub incomplete: bool,
     pub vehicle: Option<&'m Vehicle>,

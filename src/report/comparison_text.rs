@@ -1,5 +1,7 @@
 //! What `mavc compare` says to people.
 
+mod fold;
+
 use super::heat;
 use super::number::{fixed, number, percent, significant};
 use super::record::{errors, rates};
@@ -10,6 +12,7 @@ use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, label};
 use crate::planner::profile::determined;
 use crate::trajectory::risk::rated_risk;
+use fold::{Fold, folded};
 
 /// The tables of section 5.4 for any spec.
 ///
@@ -21,6 +24,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         None => "\nEach planner alone, at the shortest time it was found to need\n",
     });
     out.push_str(&run_table(mission, comparison, Run::Own).render(2));
+    out.push_str(&notes(comparison, Run::Own));
     out.push_str(&own_note(model, mission, comparison));
     out.push_str(&match comparison.common_time {
         Some(t) => format!("\nAll planners at T_d = {} s, {}\n", number(t), common_time(model, mission, comparison)),
@@ -28,6 +32,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         None => "\nNo mode has a plan at any time, so there is no common time T_d.\n".into(),
     });
     out.push_str(&run_table(mission, comparison, Run::Common).render(2));
+    out.push_str(&notes(comparison, Run::Common));
     if !comparison.modes.is_empty() {
         let holds = holds(model);
         let own =
@@ -50,9 +55,9 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
             out.push_str(
                 "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
             );
-            for run in comparison.runs.iter().filter(|r| r.run == Run::Common) {
-                if let Ending::Solved(solved) = &run.ending {
-                    out.push_str(&format!("  {}\n", name_of(run)));
+            for fold in folded(comparison, Run::Common) {
+                if let Ending::Solved(solved) = fold.ending() {
+                    out.push_str(&format!("  {}\n", fold.short_name()));
                     out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
                 }
             }
@@ -158,6 +163,11 @@ fn name_of(run: &PlannerRun) -> String {
     }
 }
 
+/// Below a table: the names that its first column has no room for.
+fn notes(comparison: &Comparison, which: Run) -> String {
+    folded(comparison, which).iter().map(Fold::note).collect()
+}
+
 fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
     let mut table = Table::new(&[
         "planner",
@@ -170,10 +180,9 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
         "rows/node",
     ]);
     let n = mission.waypoints.len() as f64;
-    for run in comparison.runs.iter().filter(|r| r.run == which) {
-        let name = name_of(run);
-        let rows = run.set.rows.len().to_string();
-        match &run.ending {
+    for fold in folded(comparison, which) {
+        let name = fold.short_name();
+        match fold.ending() {
             Ending::Solved(s) => {
                 let e = errors(mission, s);
                 table.row(vec![
@@ -184,7 +193,7 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
                     significant(e.yaw, 3),
                     significant(100.0 * e.largest, 3),
                     number(s.objective),
-                    rows,
+                    fold.rows(),
                 ]);
             }
             Ending::Infeasible { .. } => table.row(vec![name, "infeasible".into()]),
@@ -202,10 +211,9 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
         headings.push("risk");
     }
     let mut table = Table::new(&headings);
-    for run in comparison.runs.iter().filter(|r| r.run == which) {
-        let Ending::Solved(s) = &run.ending else { continue };
-        let name = name_of(run);
-        let mut cells = vec![name];
+    for fold in folded(comparison, which) {
+        let Ending::Solved(s) = fold.ending() else { continue };
+        let mut cells = vec![fold.short_name()];
         let modes = s.outside.iter().zip(&s.committed).zip(&model.plan.against);
         cells.extend(modes.map(|((o, committed), &mode)| match (o.last, model.after_fault(mode)) {
             (None, _) if *committed == 0.0 => "0".to_string(),

@@ -9,7 +9,9 @@ mod content;
 mod document;
 mod embed;
 mod flown;
+mod instants;
 mod motion;
+mod opening;
 mod planners;
 mod prose;
 mod sets;
@@ -106,7 +108,7 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
         plan.label = format!("the plan ({})", plan.label);
     }
     content.runs.insert(0, track.run(model, record));
-    content.first = 0;
+    let content = content.showing(0);
     let mut sections = vec![
         Section::new("faults", "Faults", flown::section(record)),
         Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses)),

@@ -5,32 +5,48 @@ use crate::model::Model;
 use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::trajectory::{Trajectory, roll_pitch};
 
-/// Instants of the table: every node, or a fixed rate with the waypoints' nodes kept.
-pub fn instants(trajectory: &Trajectory, rate: Option<f64>) -> Vec<f64> {
-    let Some(rate) = rate else { return trajectory.times.clone() };
-    let end = trajectory.duration();
-    let mut times: Vec<f64> = (0..).map(|i| f64::from(i) / rate).take_while(|&t| t < end).collect();
-    times.extend(trajectory.waypoint_nodes.iter().map(|&n| trajectory.times[n]));
-    times.push(end);
-    times.sort_by(f64::total_cmp);
-    // A waypoint that falls on the raster up to rounding is kept, the raster's row is not.
-    let waypoints: Vec<f64> = trajectory.waypoint_nodes.iter().map(|&n| trajectory.times[n]).collect();
-    let near = 1e-9 * end.max(1.0);
-    let mut kept: Vec<f64> = Vec::with_capacity(times.len());
-    for t in times {
-        match kept.last_mut() {
-            Some(last) if t - *last <= near => {
-                if waypoints.contains(&t) {
-                    *last = t;
-                }
-            }
-            _ => kept.push(t),
-        }
-    }
-    kept
+/// Most rows of one table.
+pub const MAX_ROWS: u64 = 1_000_000;
+
+/// One row of the table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// s since the start.
+    pub time: f64,
+    /// The waypoint whose row this is, counted from 1; 0 for none. Of several that share their nearest row, the last.
+    pub waypoint: usize,
 }
 
-/// The table as CSV text, one line per instant, shortest round-trip numbers, `\n` line ends.
+/// The rows of the table: one for each node; with a `rate` in Hz at k/rate, up to the first instant that is not before
+/// the end. Each waypoint marks its node or, with a rate, the nearest row.
+pub fn rows(trajectory: &Trajectory, rate: Option<f64>) -> Vec<Row> {
+    let times: Vec<f64> = match rate {
+        None => trajectory.times.clone(),
+        Some(rate) => (0..=last_row(trajectory.duration(), rate)).map(|k| k as f64 / rate).collect(),
+    };
+    let mut rows: Vec<Row> = times.into_iter().map(|time| Row { time, waypoint: 0 }).collect();
+    for (waypoint, &node) in trajectory.waypoint_nodes.iter().enumerate() {
+        let row = rate.map_or(node, |rate| (trajectory.times[node] * rate).round() as usize);
+        rows[row].waypoint = waypoint + 1;
+    }
+    rows
+}
+
+/// The number of the row at `rate` with which a flight of `duration` s is over: the first at its end or after it.
+fn last_row(duration: f64, rate: f64) -> u64 {
+    let rows = duration * rate;
+    // An end that falls on a row up to rounding needs none after it.
+    let on_row = (rows - rows.round()).abs() <= 1e-9 * rows.max(1.0);
+    (if on_row { rows.round() } else { rows.ceil() }) as u64
+}
+
+/// How many rows the table has; see [`rows`].
+pub fn count(trajectory: &Trajectory, rate: Option<f64>) -> u64 {
+    rate.map_or(trajectory.times.len() as u64, |rate| last_row(trajectory.duration(), rate) + 1)
+}
+
+/// The table as CSV text, one line per row, shortest round-trip numbers, `\n` line ends. A row after the end of the flight
+/// has its last state.
 pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> String {
     let allocator = Allocator::new(&model.vehicle);
     let mut out = String::from(
@@ -39,12 +55,12 @@ pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Stri
     for k in 1..=model.vehicle.rotors.len() {
         out.push_str(&format!(",omega_{k}"));
     }
-    out.push('\n');
-    for t in instants(trajectory, rate) {
-        let s = trajectory.at(t);
+    out.push_str(",waypoint\n");
+    for Row { time, waypoint } in rows(trajectory, rate) {
+        let s = trajectory.at(time);
         let (roll, pitch) = roll_pitch(&s, model.gravity);
         let wrench = trajectory.wrench(&model.vehicle, model.gravity, &s);
-        let mut row = vec![t];
+        let mut row = vec![time];
         row.extend([s[X][0], s[Y][0], s[Z][0], s[YAW][0]]);
         row.extend([s[X][1], s[Y][1], s[Z][1], s[YAW][1]]);
         row.extend([s[X][2], s[Y][2], s[Z][2], s[YAW][2]]);
@@ -53,6 +69,7 @@ pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Stri
         row.extend([roll, pitch]);
         row.extend(wrench.iter());
         row.extend(allocator.speeds(&wrench));
+        row.push(waypoint as f64);
         push_row(&mut out, &row);
     }
     out

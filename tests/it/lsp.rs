@@ -5,5 +5,6 @@ mod client;
 mod diagnosing;
 mod documenting;
 mod enduring;
+mod families;
 mod mending;
 mod navigating;

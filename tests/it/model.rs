@@ -1,6 +1,7 @@
 //! Text to model.
 
 mod algebra;
+mod families;
 mod flights;
 mod intervals;
 mod numbers;

@@ -258,6 +258,9 @@ fn flights_and_campaigns_have_pages() {
     let told = recorded()["max_error_m"].as_f64().unwrap();
     assert!(worst <= told * 1.001 && worst > 0.9 * told, "{worst} {told}");
     assert_eq!(drawn["runs"][0]["marks"][0]["t"], 3.0);
+    // The page opens where the vehicle is farthest off.
+    let at = columns["t"].as_array().unwrap().iter().position(|t| *t == drawn["opens"]["t"]).unwrap();
+    assert_eq!(columns["error"][at].as_f64().unwrap(), worst);
     // Before the fault, under it, and where it was detected from then on.
     let phases: Vec<(f64, &str)> = drawn["runs"][0]["phases"]
         .as_array()
@@ -313,6 +316,13 @@ fn of_equal_modes_the_first_is_named_everywhere() {
     let (ran, text) = page(&["plan", &written(dir.path(), &spec)], dir.path());
     assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
     assert!(text.contains("to the edge of m0,"));
+    // There the page opens.
+    let drawn = content(&text);
+    assert_eq!(drawn["sets"][drawn["opens"]["set"].as_u64().unwrap() as usize]["name"], "m0");
+    let column = |name: &str| drawn["runs"][0]["columns"][name].as_array().unwrap().clone();
+    let margins: Vec<f64> = column("margin_1").iter().map(|m| m.as_f64().unwrap()).collect();
+    let at = column("t").iter().position(|t| *t == drawn["opens"]["t"]).unwrap();
+    assert_eq!(margins[at], margins.iter().copied().fold(f64::INFINITY, f64::min));
     let charts = content(&text)["runs"][0]["charts"].clone();
     let headline = charts[0]["headline"].as_str().unwrap();
     assert!(headline.ends_with("m0"), "{headline}");

@@ -164,6 +164,7 @@ fn short(bound: Option<f64>) -> Model {
 }
 
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn a_required_risk_is_kept_in_the_exact_model() {
     let mut model = short(Some(0.9));
     let nothing = run(&model, Scope::Plan);
@@ -193,6 +194,7 @@ fn a_required_risk_is_kept_in_the_exact_model() {
 }
 
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn the_facet_passed_last_is_among_what_is_tried() {
     // At the shortest times one facet is cheaper than all that are passed.
     let finer = |bound: f64| {

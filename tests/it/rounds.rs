@@ -168,6 +168,7 @@ fn short() -> Model {
 }
 
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn rounds_in_the_exact_model_end_inside() {
     let model = short();
     let rip = planned(model.clone(), PlannerKind::Rip, 1);
@@ -191,6 +192,7 @@ fn rounds_in_the_exact_model_end_inside() {
 
 /// Whatever the grid: what is passed at any instant is selected, at nodes or only between them.
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn facets_passed_only_between_nodes_are_selected() {
     let mut between = 0;
     let short = short();
@@ -268,6 +270,7 @@ fn no_rounds_are_told() {
 }
 
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn rounds_are_told_in_the_exact_model() {
     let MissionTime::Fixed(time) = short().plan.time else { panic!("a fixed time") };
     let spec = format!(

@@ -1,5 +1,7 @@
 //! Polynomials, attitude, crossings, allocation and the table, each against a second way to the same number.
 
+mod rates;
+
 use crate::vehicles::{hexacopter, inspection, lost, octocopter, paper_case, quadcopter, ring_model, viviani};
 use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::AdmissibleSet;
@@ -15,7 +17,7 @@ use mavc::planner::transcribe::NodeState;
 use mavc::planner::wrench_model::WrenchModel;
 use mavc::qp::RowOrigin;
 use mavc::qp::build::{Affine, Builder};
-use mavc::report::trajectory_csv::{instants, render};
+use mavc::report::trajectory_csv::{self, render};
 use mavc::solve::{Outcome, solve};
 use mavc::trajectory::checks::{limit_excesses, peak};
 use mavc::trajectory::outside::outside;
@@ -274,7 +276,7 @@ fn planned(model: &Model, mission: &Mission, total: f64) -> Trajectory {
 }
 
 const HEADER: &str = "t,x,y,z,yaw,vx,vy,vz,yaw_rate,ax,ay,az,yaw_acc,jx,jy,jz,sx,sy,sz,roll,pitch,thrust,tau_x,tau_y,\
-tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8";
+tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8,waypoint";
 
 /// The cells, each shown to be the shortest text of its number.
 fn table(text: &str) -> Vec<Vec<f64>> {
@@ -319,7 +321,7 @@ fn the_table_is_what_was_planned() {
         let by_speeds =
             (0..8).fold(Wrench::zeros(), |sum, i| sum + actuation.effectiveness.column(i) * row[25 + i].powi(2));
         assert!((by_speeds - w).amax() < 1e-5, "row {k}: {by_speeds} {w}");
-        assert!(row[25..].iter().all(|o| (0.0..=874.0 + 1e-9).contains(o)));
+        assert!(row[25..33].iter().all(|o| (0.0..=874.0 + 1e-9).contains(o)));
     }
     assert_eq!(rows[100][0], 20.0);
     assert_eq!(render(&flight, &model, None), text);
@@ -347,27 +349,6 @@ fn the_table_has_what_an_exact_wrench_depends_on() {
         let wrench = flatness::wrench(&model.vehicle, model.gravity, &FlatState::from(state));
         assert!((0..4).all(|i| (wrench[i] - row[21 + i]).abs() < 1e-9), "{wrench} {row:?}");
     }
-}
-
-#[test]
-fn a_rate_keeps_the_waypoints_rows() {
-    let mut model = paper_case(PlannerKind::Rip, &[]);
-    model.plan.samples = 60;
-    let flight = planned(&model, &viviani(), 19.37);
-    for rate in [100.0, 7.3, 0.01] {
-        let times = instants(&flight, Some(rate));
-        assert!(times.windows(2).all(|w| w[1] - w[0] > 1e-9));
-        for &node in &flight.waypoint_nodes {
-            assert!(times.contains(&flight.times[node]), "waypoint at {}", flight.times[node]);
-        }
-        let mut raster = (0..).map(|i| f64::from(i) / rate).take_while(|t| *t <= 19.37);
-        assert!(raster.all(|r| times.iter().any(|t| (t - r).abs() < 1e-7)));
-        let on_raster = |t: &f64| ((t * rate).round() / rate - t).abs() < 1e-7;
-        let on_waypoint = |t: &f64| flight.waypoint_nodes.iter().any(|&n| flight.times[n] == *t);
-        assert!(times.iter().all(|t| on_raster(t) || on_waypoint(t)));
-        assert_eq!(table(&render(&flight, &model, Some(rate))).len(), times.len());
-    }
-    assert_eq!(instants(&flight, None), flight.times);
 }
 
 #[test]

@@ -6,6 +6,29 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { open, shots, text } from "./browser.mjs";
 
+test("a page opens at the worst instant and mode, and plays from the start", async () => {
+  await open("plan", {}, async (page) => {
+    const [at] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
+    assert.ok(Math.abs(at - 15.12) < 0.05, `opens at ${at} s`);
+    const worst = (await text(page, "#strips-headline")).match(/smallest margin is \u2212([\d.]+)\s%/)[1];
+    assert.match(await text(page, "#sets-headline"), /the planned wrench is outside what M1 leaves, by 1\d/);
+    assert.ok((await text(page, "#sets-headline")).includes(`by ${worst} %`), worst);
+    assert.ok((await text(page, "#room caption")).includes("M1"));
+    await page.locator("#play").press("Enter");
+    await page.waitForTimeout(400);
+    await page.locator("#play").press("Enter");
+    const [now] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
+    assert.ok(now > 0.05 && now < 5, `plays at ${now} s`);
+  });
+  // A flight: where it is farthest from its place, and the fault of then.
+  await open("flight", {}, async (page) => {
+    const [at] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
+    const { columns } = await page.evaluate(() => JSON.parse(document.getElementById("content").textContent).runs[0]);
+    const worst = columns.t[columns.error.indexOf(Math.max(...columns.error))];
+    assert.ok(Math.abs(at - worst) < 0.006, `${at} s, worst ${worst} s`);
+  });
+});
+
 test("the slider moves the wrench through the set, by keys", () =>
   open("plan", {}, async (page) => {
     const headline = await text(page, "#sets-headline");
@@ -15,6 +38,7 @@ test("the slider moves the wrench through the set, by keys", () =>
     const space = () => page.locator("#space canvas").evaluate((c) => c.toDataURL());
     const flight = await space();
     await page.locator("#time").focus();
+    await page.keyboard.press("Home");
     for (let i = 0; i < 9; i++) await page.keyboard.press("PageUp");
     await page.waitForTimeout(200);
     assert.match(await text(page, "#clock"), /^7\.20 \/ 16\.00 s$/);

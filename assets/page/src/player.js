@@ -11,6 +11,8 @@ export function player() {
   if (!bar) return;
   const [slider, clock, play, choice] = ["time", "clock", "play", "run"].map(byId);
   let playing = null;
+  // Until an instant is chosen, playing begins at the start and not where the page opened.
+  let chosen = false;
   const stop = () => {
     cancelAnimationFrame(playing);
     playing = null;
@@ -19,7 +21,7 @@ export function player() {
   };
   const start = () => {
     const rate = Math.max(1, duration() / LONGEST);
-    if (state.time >= duration()) setTime(0);
+    if (!chosen || state.time >= duration()) setTime(0);
     let last = performance.now();
     const frame = (now) => {
       setTime(state.time + (rate * (now - last)) / 1000);
@@ -53,7 +55,10 @@ export function player() {
   choice.value = String(state.run);
   choice.addEventListener("change", () => setRun(Number(choice.value)));
   if (content.runs.length < 2) byId("run-label").hidden = true;
-  on("time", show);
+  on("time", () => {
+    chosen = true;
+    show();
+  });
   on("run", show);
   show();
 }

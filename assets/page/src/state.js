@@ -6,8 +6,9 @@ const listeners = { run: [], time: [], set: [], theme: [] };
 
 export const state = {
   run: content.first ?? 0,
-  time: 0,
-  set: Math.min(1, content.sets.length - 1),
+  // The worst of it, which is what one looks for.
+  time: content.opens.t,
+  set: content.opens.set,
 };
 
 export const run = () => content.runs[state.run];

@@ -46,6 +46,8 @@ pub struct Context {
     pub in_brackets: bool,
     /// Inside brackets, the other words of the statement.
     pub listed: BTreeSet<String>,
+    /// The word before the `..` that stands before the cursor.
+    pub range_from: Option<String>,
 }
 
 /// A block that is open at the cursor.
@@ -104,6 +106,7 @@ impl Context {
             parameter: frame.parameter,
             in_brackets: brackets > 0,
             listed,
+            range_from: range_from(text, &statement),
         };
         context.before = context.look(text, &statement);
         Some(context)
@@ -219,6 +222,16 @@ impl Context {
             }
             _ => Before::Words(&[]),
         }
+    }
+}
+
+/// The word of a statement that ends in it and `..`.
+fn range_from(text: &str, statement: &[Lexeme]) -> Option<String> {
+    match statement {
+        [.., word, first, second] if word.kind == Kind::Word && first.is('.') && second.is('.') => {
+            Some(word.text(text).to_string())
+        }
+        _ => None,
     }
 }
 

@@ -1,109 +1,54 @@
 //! `against`: the fault modes a plan has to stand.
 
-use std::collections::BTreeMap;
+mod choose;
+mod repeated;
 
 use super::{CHOICE, MODE_NUMBERS};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::FaultMode;
-use crate::model::context::{Context, listed, without_digits};
+use crate::model::context::{Context, listed};
 use crate::model::due::Due;
 use crate::model::fault::Modes;
-use crate::model::mend;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
+use choose::{Choice, Runs};
 
 /// The modes that `field` chooses, by index; `None` where it has an error. Where `incomplete`, modes are missing that have
 /// errors of their own.
-pub(super) fn read<'a>(
-    cx: &mut Context<'a>,
-    field: &'a Field,
-    modes: &[FaultMode],
-    incomplete: bool,
-) -> Option<Vec<usize>> {
+pub(super) fn read<'a>(cx: &mut Context<'a>, field: &'a Field, modes: &Modes, incomplete: bool) -> Option<Vec<usize>> {
     let expr = match &field.value {
         FieldValue::Where { field, relation, value } => {
-            return filter(cx, field, relation.value, value, modes, incomplete);
+            return filter(cx, field, relation.value, value, &modes.modes, incomplete);
         }
         FieldValue::Expr(expr) => expr,
     };
-    let one;
     let elements: &[Expr] = match &expr.kind {
-        ExprKind::Name(name) if name == "all" => return Some((0..modes.len()).collect()),
-        ExprKind::Name(_) => {
-            one = std::slice::from_ref(expr);
-            one
-        }
+        ExprKind::Name(name) if name == "all" => return Some((0..modes.modes.len()).collect()),
         ExprKind::List { elements, unit: None } => elements,
-        ExprKind::Text(text) if text == "all" || modes.iter().any(|m| m.name == *text) => {
+        _ => std::slice::from_ref(expr),
+    };
+    let choice = Choice::new(modes, expr, elements);
+    match &expr.kind {
+        ExprKind::Text(text) if text == "all" || choice.find(text).is_some() => {
             let mended = if text == "all" { text.clone() } else { format!("[{text}]") };
             let error = Diagnostic::error(CHOICE, expr.span, "`against` lists fault modes by name").here("a text");
             cx.report(error.help(format!("write `{mended}`")).fix(expr.span, mended));
             return None;
         }
+        ExprKind::List { unit: None, .. } | ExprKind::Name(_) | ExprKind::Range { .. } | ExprKind::Binary { .. } => {}
         _ => {
-            let message = "`against` takes `all`, a list of fault modes, or `where` and a condition";
+            let message = "`against` takes `all`, fault modes, or `where` and a condition";
             let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
-            cx.report(error.help("write `[M1, M2]`, or `where rpn >= 100`"));
+            cx.report(error.help("write `[M1, M2]`, `M1 .. M4`, or `where rpn >= 100`"));
             return None;
         }
-    };
-    let names: Vec<&str> = modes.iter().map(|m| m.name.as_str()).collect();
-    let by_name: BTreeMap<&str, usize> = names.iter().enumerate().map(|(k, n)| (*n, k)).collect();
-    let mut taken = vec![false; modes.len()];
-    let (mut chosen, mut fine) = (Vec::new(), true);
-    let is_listed = |mode: &str| elements.iter().any(|e| matches!(&e.kind, ExprKind::Name(name) if name == mode));
-    for element in elements {
-        let index = match &element.kind {
-            ExprKind::Name(name) => match by_name.get(name.as_str()) {
-                Some(&index) => Some(index),
-                None if name == "all" => {
-                    let error = Diagnostic::error(CHOICE, element.span, "`all` is not a fault mode");
-                    let error = error.here("stands in a list").help("write `all` without `[ ]`");
-                    cx.report(if elements.len() == 1 { error.fix(expr.span, "all") } else { error });
-                    None
-                }
-                None if matches!(name.as_str(), "healthy" | "none") => {
-                    let message = format!("`{name}` is not a fault mode");
-                    let error = Diagnostic::error(CHOICE, element.span, message).here("not a fault");
-                    let error = error.help("the healthy vehicle is always planned for; `[]` plans against no fault");
-                    cx.report(if element.span == expr.span { error.fix(expr.span, "[]") } else { error });
-                    None
-                }
-                None => {
-                    // One that is listed already was not meant, and a number is rarely misspelt.
-                    let open = |mode: &str| !is_listed(mode) && without_digits(mode) != without_digits(name);
-                    if !cx.modes_unnamed {
-                        cx.unknown_among("fault mode", name, element.span, &names, open);
-                    }
-                    None
-                }
-            },
-            ExprKind::Text(text) if by_name.contains_key(text.as_str()) => {
-                let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
-                cx.report(error.here("a text").help(format!("write `{text}`")).fix(element.span, text.as_str()));
-                None
-            }
-            _ => {
-                let error = Diagnostic::error(CHOICE, element.span, "`against` lists fault modes by name");
-                cx.report(error.here("not a name").help("write names of modes, as in `[M1, M2]`"));
-                None
-            }
-        };
-        match index {
-            Some(index) if taken[index] => {
-                let message = format!("`{}` is listed twice", names[index]);
-                let warning = Diagnostic::warning("mavc::plan::listed_twice", element.span, message);
-                let again = mend::element(cx.sources.get(element.span.file), element.span);
-                cx.report(warning.here("listed already").help("take it out").fix(again, ""));
-            }
-            Some(index) => {
-                taken[index] = true;
-                chosen.push(index);
-            }
-            None => fine = false,
-        }
     }
-    fine.then_some(chosen)
+    let read: Vec<Option<Runs>> = elements.iter().map(|element| choice.read(cx, element)).collect();
+    repeated::warn(cx, &modes.modes, elements, &read);
+    let mut taken = vec![false; modes.modes.len()];
+    let all = read.into_iter().collect::<Option<Vec<_>>>()?;
+    let all = all.into_iter().flatten().flatten();
+    Some(all.filter(|&mode| !std::mem::replace(&mut taken[mode], true)).collect())
 }
 
 /// Where `field` is a list of nothing.

@@ -119,6 +119,13 @@ fn mode(cx: &mut Context, name: &str, span: Span, around: &Around) -> Option<usi
         cx.report(error.here("not a fault").help("name a mode that `faults` declares, such as `M1`"));
         return None;
     }
+    if let Some(family) = around.families.find(name) {
+        let first = &around.modes[family.first()].name;
+        let message = format!("`{name}` names {} fault modes, and one strikes at a time", family.count());
+        let error = Diagnostic::error("mavc::simulate::choice", span, message).here("not one fault mode");
+        cx.report(error.help(format!("name one of them, such as `{first}`")).fix(span, first.as_str()));
+        return None;
+    }
     let names: Vec<&str> = around.modes.iter().map(|mode| mode.name.as_str()).collect();
     // A number is rarely misspelt.
     cx.unknown_among("fault mode", name, span, &names, |mode| without_digits(mode) != without_digits(name));

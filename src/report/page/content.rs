@@ -1,6 +1,7 @@
 //! What the page's script is given.
 
 use super::chart::{Chart, Columns, rounded};
+use super::opening::{Opening, opening};
 use super::sets::{SetContent, ShownSet};
 use super::{Subject, motion, shown_first};
 use crate::admissible::{AdmissibleSet, hover};
@@ -40,6 +41,8 @@ pub struct Content {
     pub runs: Vec<RunContent>,
     /// Of `runs`: what is shown first.
     pub first: usize,
+    /// The instant and the set shown first.
+    pub opens: Opening,
     /// What `--report` gives, or nothing where it is large.
     pub record: Option<serde_json::Value>,
 }
@@ -125,11 +128,14 @@ impl Content {
                 ..run_content(subject, run_label(comparison, *i, solved.time), solved, shown, most)
             })
             .collect();
-        Content {
-            runs,
-            first: kept.iter().position(|(i, ..)| Some(*i) == first).unwrap_or(0),
-            ..Content::of_sets(subject, shown, record)
-        }
+        let first = kept.iter().position(|(i, ..)| Some(*i) == first).unwrap_or(0);
+        Content { runs, ..Content::of_sets(subject, shown, record) }.showing(first)
+    }
+
+    /// The same with another run shown first.
+    pub fn showing(self, first: usize) -> Self {
+        let opens = opening(self.runs.get(first), &self.sets);
+        Content { first, opens, ..self }
     }
 
     /// Where nothing is planned.
@@ -143,12 +149,14 @@ impl Content {
         };
         let whole = serde_json::to_value(record).ok();
         let small = |value: &serde_json::Value| value.to_string().len() <= MOST_RECORD;
+        let sets: Vec<SetContent> = shown.iter().map(SetContent::new).collect();
         Content {
             waypoints: mission.waypoints.iter().enumerate().step_by(step.max(1)).map(waypoint).collect(),
             hover: hover(model).into(),
             extents: extents(model),
             reserve: model.plan.reserve,
-            sets: shown.iter().map(SetContent::new).collect(),
+            opens: opening(None, &sets),
+            sets,
             runs: Vec::new(),
             first: 0,
             record: whole.filter(small),

@@ -1,6 +1,7 @@
 //! A plan's motion as columns and charts.
 
 use super::chart::{Bound, Chart, Columns, Line, column, length, rounded};
+use super::instants::instants;
 use super::sets::ShownSet;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::hover;
@@ -12,7 +13,6 @@ use crate::planner::transcribe::NodeState;
 use crate::report::caveats::limit_words;
 use crate::report::number::{fixed, percent, significant};
 use crate::report::record::errors;
-use crate::report::trajectory_csv::instants;
 use crate::trajectory::checks::peak;
 use crate::trajectory::{Trajectory, roll_pitch, tilt};
 
@@ -36,7 +36,7 @@ fn norm(state: &NodeState, axes: &[usize], order: usize) -> f64 {
 fn states(trajectory: &Trajectory, most: usize) -> Vec<(f64, NodeState)> {
     if trajectory.times.len() > most {
         let rate = most as f64 / trajectory.duration();
-        return instants(trajectory, Some(rate)).into_iter().map(|t| (t, trajectory.at(t))).collect();
+        return instants(trajectory, rate).into_iter().map(|t| (t, trajectory.at(t))).collect();
     }
     let parts = FEWEST.min(most).div_ceil(trajectory.intervals());
     let within = |k: usize| {

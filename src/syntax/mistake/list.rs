@@ -88,7 +88,15 @@ pub(super) fn listed_names(statement: &Broken, failure: &Failure) -> Option<Diag
         return None;
     }
     let found = statement.found(failure.at);
-    let mended = format!("[{}]", names.join(", "));
+    // `W1 to W4` is a range.
+    let mended = format!("[{}]", names.join(", ")).replace(", to, ", " .. ");
+    if mended.contains("..") {
+        let span = statement.span(failure.at, failure.at + found.len());
+        let error = Diagnostic::error("mavc::syntax::range", span, "a range is written with `..`, not `to`")
+            .here("expected `..`");
+        let whole = statement.span(start, statement.text.trim_end().len());
+        return Some(error.help(format!("write `{}`", cut(&mended))).fix(whole, mended));
+    }
     Some(
         unexpected(statement, failure.at, failure.at + found.len(), "a comma is missing between two elements")
             .here("expected `,` before this")

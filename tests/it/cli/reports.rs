@@ -58,7 +58,8 @@ fn comparisons_say_what_their_times_are() {
 
 #[test]
 fn the_legend_of_strips_is_printed_once() {
-    let text = compared(&[]);
+    // So quickly that the plans differ.
+    let text = compared(&["plan.time=1.7s"]);
     assert!(text.matches("  M1   |").count() > 1, "{text}");
     assert_eq!(text.matches("# outside").count(), 1, "{text}");
     let plan = out(&mavc_with(&["plan", "-"], TURN));

@@ -158,3 +158,19 @@ fn standard_output_that_fails_is_an_error_and_one_that_is_closed_is_not() {
     drop(child.stderr.take());
     assert_eq!(child.wait().unwrap().code(), Some(1));
 }
+
+#[test]
+fn rates_resample_evenly() {
+    let ran = mavc_with(&["plan", "-", "-o", "-", "--rate", "7 Hz"], HOP);
+    assert_eq!(code(&ran), 0, "{}", err(&ran));
+    let times: Vec<f64> = out(&ran).lines().skip(1).map(|l| l.split(',').next().unwrap().parse().unwrap()).collect();
+    assert_eq!(times.len(), 43);
+    assert!((times[1] - 1.0 / 7.0).abs() < 1e-12);
+    assert_eq!(*times.last().unwrap(), 6.0);
+    let ran = mavc_with(&["plan", "-", "-o", "-", "--rate", "100kHz", "--set", "plan.time=20s"], HOP);
+    assert_eq!(code(&ran), 2);
+    assert!(err(&ran).contains("the trajectory would have 2000001 rows, and 1000000 are the most"), "{}", err(&ran));
+    for bad in ["7", "fast", "-3Hz", "1e9Hz", "nanHz"] {
+        assert_eq!(code(&mavc_with(&["plan", "-", "--rate", bad], HOP)), 2, "{bad}");
+    }
+}

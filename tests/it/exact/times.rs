@@ -33,6 +33,7 @@ static CHOSEN: LazyLock<f64> = LazyLock::new(|| shortest(&quick(uneven(), true))
 
 /// The shortest time over shares of the first leg from 15 % to 60 %, each planned for itself.
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
     let chosen = *CHOSEN;
     let with_share = |percent: u32| -> Option<f64> {
@@ -53,6 +54,7 @@ fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
 }
 
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn chosen_times_are_never_slower_than_even_ones() {
     let turned = [false, true].map(|chooses| shortest(&quick(turning(), chooses)));
     for [given, chosen] in [turned, [*EVEN, *CHOSEN]] {

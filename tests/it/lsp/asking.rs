@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 const URI: &str = "untitled:spec";
 
 /// The Markdown shown at each place marked.
-fn hovers(text: &str) -> Vec<String> {
+pub(super) fn hovers(text: &str) -> Vec<String> {
     let (text, places) = marked(text);
     let mut client = Client::start();
     client.open(URI, &text);
@@ -77,7 +77,7 @@ fn with_errors_a_hover_says_what_is_known_all_the_same() {
 }
 
 /// The labels offered at each place marked, and what they put in.
-fn offers(text: &str) -> Vec<Vec<(String, String)>> {
+pub(super) fn offers(text: &str) -> Vec<Vec<(String, String)>> {
     let (text, places) = marked(text);
     let mut client = Client::start();
     client.open(URI, &text);
@@ -96,7 +96,7 @@ fn offers(text: &str) -> Vec<Vec<(String, String)>> {
     all
 }
 
-fn labels(offers: &[(String, String)]) -> Vec<&str> {
+pub(super) fn labels(offers: &[(String, String)]) -> Vec<&str> {
     offers.iter().map(|offer| offer.0.as_str()).collect()
 }
 

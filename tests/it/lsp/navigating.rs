@@ -123,6 +123,23 @@ fn renaming_changes_every_file_and_keeps_the_meaning() {
 }
 
 #[test]
+fn families_and_ranges_are_found_and_renamed() {
+    let root = ROOT.replace("[we|ak1, wo|rn, weak2]", "[we|ak, weak2 .. weak5]");
+    let mut pair = pair(&format!("{root}faults {{ every 2 rotors reduced to 95 % as weak }}\n"));
+    let mut params = pair.at(3);
+    params["context"] = json!({ "includeDeclaration": true });
+    let found = pair.client.ask("textDocument/references", params).unwrap();
+    assert_eq!(found.as_array().unwrap().len(), 6, "two declarations, the family, two ends, the strike: {found}");
+    let edit = pair.rename(3, "tired").unwrap();
+    let (library, root) = pair.edited(&edit);
+    assert!(library.contains("as tired {") && root.contains("as tired }"), "{library}{root}");
+    assert!(root.contains("[tired, tired2 .. tired5]") && root.contains("fault tired1 at"), "{root}");
+    let (_, message) = pair.rename(3, "worn").unwrap_err();
+    assert!(message.contains("`worn` names both a fault mode and the modes of an `every`"), "{message}");
+    pair.client.stop();
+}
+
+#[test]
 fn edits_name_the_versions_of_open_texts_where_the_editor_asks_for_it() {
     let edit = json!({ "workspace": { "workspaceEdit": { "documentChanges": true } } });
     let mut client = Client::start_with(json!({ "capabilities": edit }));

@@ -85,7 +85,9 @@ fn fragment(text: &str) -> Vec<String> {
         format!("{QUAD}faults {{\n{text}\n}}\n")
     } else if first.contains("in plan") {
         format!(
-            "{QUAD}faults {{ every 1 rotor lost as M {{ severity = 9; occurrence = 4; detection = 4 }} }}\n{hop}plan {{\n{text}\n}}\n"
+            "{QUAD}faults {{ every 1 rotor lost as M {{ severity = 9; occurrence = 4; detection = 4 }} }}\n\
+             faults {{ every 1 rotor reduced to 60 % as W; every 2 rotors lost as L; mode worn {{ rotor 1 reduced to 80 % }} }}\n\
+             {hop}plan {{\n{text}\n}}\n"
         )
     } else if first.contains("in simulate") || first.contains("in campaign") {
         let block = if first.contains("in simulate") { "simulate" } else { "campaign" };

@@ -1,0 +1,51 @@
+//! Where a page opens: at what is worst about the run shown first.
+
+use super::content::RunContent;
+use super::sets::SetContent;
+use serde::Serialize;
+
+/// Margins closer than this, in percent of the healthy set's width, are told as one.
+const ALIKE: f64 = 1e-3;
+
+/// The instant and the set that a page shows before anything is chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Opening {
+    /// Place among the page's sets.
+    pub set: usize,
+    /// s
+    pub t: f64,
+}
+
+/// Of a plan the smallest margin and the mode whose set it is to, the first of those alike; of a flight the largest distance
+/// from its place, and the fault that is in force then. The start and the first mode where neither is known.
+pub fn opening(run: Option<&RunContent>, sets: &[SetContent]) -> Opening {
+    let first = Opening { set: sets.len().saturating_sub(1).min(1), t: 0.0 };
+    let Some(run) = run else { return first };
+    smallest_margin(run, sets).or_else(|| farthest(run, sets, first.set)).unwrap_or(first)
+}
+
+/// Over all sets that plans are measured against.
+fn smallest_margin(run: &RunContent, sets: &[SetContent]) -> Option<Opening> {
+    let times = run.columns.get("t")?;
+    let of_set = |set: usize| {
+        let margins = run.columns.get(&format!("margin_{set}"))?;
+        let (k, margin) = margins.iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some((Opening { set, t: *times.get(k)? }, margin))
+    };
+    let all: Vec<(Opening, f64)> = (0..sets.len()).filter_map(of_set).collect();
+    let least = all.iter().map(|(_, margin)| *margin).min_by(f64::total_cmp)?;
+    all.into_iter().find(|(_, margin)| *margin <= least + ALIKE).map(|(opening, _)| opening)
+}
+
+/// Of a flight.
+fn farthest(run: &RunContent, sets: &[SetContent], otherwise: usize) -> Option<Opening> {
+    let (times, errors) = (run.columns.get("t")?, run.columns.get("error")?);
+    // Of equal ones the first.
+    let k = (0..errors.len()).reduce(|best, k| if errors[k] > errors[best] { k } else { best })?;
+    let t = *times.get(k)?;
+    let phase = run.phases.iter().rev().find(|phase| phase.from <= t)?;
+    // `M3 undetected`, `M3, M5 detected`: the first mode among the sets.
+    let struck = phase.label.split(", ").filter_map(|fault| fault.split(' ').next());
+    let set = struck.filter_map(|mode| sets.iter().position(|set| set.name == mode)).next();
+    Some(Opening { set: set.unwrap_or(otherwise), t })
+}
