@@ -255,7 +255,7 @@ pub fn of(
                 Err(rejection) => Err(format!("{}: {}", rejection.claim, rejection.detail)),
             }
         }
-        Some((run, Ending::Infeasible { at })) if has_one_time(model, mission) => {
+        Some((run, Ending::Infeasible { at, .. })) if has_one_time(model, mission) => {
             infeasible::certificate(model, mission, run, *at, spec_sha256)
         }
         Some((_, Ending::Infeasible { .. })) => Err("no plan at many times is more than a certificate says".into()),

@@ -21,4 +21,5 @@ pub mod source;
 pub mod syntax;
 pub mod trajectory;
 pub mod unit;
+pub mod verdict;
 pub mod verify;

@@ -89,7 +89,7 @@ fn a_plan_writes_a_table_and_a_report() {
     );
     assert!(lines[0].ends_with("tau_x,tau_y,tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8"));
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
-    assert_eq!(record["planners"][0]["status"], "solved");
+    assert_eq!(record["planners"][0]["verdict"], "found");
     assert_eq!(record["planners"][0]["time_s"], 20.0);
     assert_eq!(record["spec_sha256"].as_str().unwrap().len(), 64);
     // Nothing is left beside the two files.
@@ -150,7 +150,7 @@ fn a_mode_that_cannot_hover_ends_with_3_and_a_report() {
     assert!(err(&ran).contains("mavc::analysis::cannot_hover"), "{}", err(&ran));
     assert!(!table.exists());
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
-    assert_eq!(record["planners"][0]["status"], "infeasible");
+    assert_eq!(record["planners"][0]["verdict"], "not attempted");
     let checked = mavc_with(&["check", "-", "--format", "short", "--set", "plan.against=[M1]"], HOP);
     assert_eq!(code(&checked), 3);
     assert!(out(&checked).contains("error[mavc::analysis::cannot_hover]"), "{}", out(&checked));

@@ -54,11 +54,17 @@ pub fn rounds(
     let mut found = Vec::new();
     for k in first..=last {
         let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
+        // The plan of the round before, which this one's facets are selected by, is missing.
+        let is_beyond = k >= at_common.len() && super::planned_of(decision).is_none();
+        let ending = match is_beyond {
+            true => setting.without_rip(common, decision),
+            false => setting.common(common, decision),
+        };
         let own = match setting.fixed_time() {
-            Some(_) => setting.common(common, decision),
+            Some(_) => ending.clone(),
             None => search.shortest(k, common),
         };
-        found.push(Round { rounds: k, selected: selected.len(), common: setting.common(common, decision), own });
+        found.push(Round { rounds: k, selected: selected.len(), common: ending, own });
     }
     comparison.effort += search.effort;
     found
@@ -82,7 +88,7 @@ impl Search<'_, '_> {
     }
 
     /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, for the
-    /// selection is another at each: the time found is one below which, by [`RESOLUTION`], there is no plan.
+    /// selection is another at each: the time found is one below which, by [`RESOLUTION`], no plan was found.
     fn shortest(&mut self, rounds: usize, common: f64) -> Ending {
         let mut high = (common / RESOLUTION - 1e-6).ceil() as i64;
         let mut tried = 0;
@@ -114,7 +120,7 @@ impl Search<'_, '_> {
         let setting = self.setting;
         match self.at(high, rounds) {
             Some(planned) => Ending::Solved(Box::new(setting.solved(seconds(high), planned))),
-            None => Ending::Infeasible { at: seconds(high) },
+            None => Ending::Inconclusive { at: seconds(high), status: crate::planner::successive::NOT_FOUND.into() },
         }
     }
 }

@@ -108,7 +108,7 @@ fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) 
     };
     let Ending::Solved(solved) = &run.ending else {
         let columns = 6 + if has_modes { 3 } else { 0 } + usize::from(has_risk);
-        return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (told.status) } } };
+        return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (told.verdict) } } };
     };
     let longest = solved.outside.iter().map(|o| o.seconds).fold(0.0, f64::max);
     let last = solved.outside.iter().filter_map(|o| o.last).max_by(f64::total_cmp);

@@ -87,7 +87,7 @@ pub fn table(record: &CampaignRecord) -> Markup {
                     @for p in &record.planners {
                         tr {
                             th scope="row" { (p.name.to_uppercase()) }
-                            td { (p.status.replace('_', " ")) }
+                            td { (p.verdict) }
                             td.n { (lost(p, |m| m.flights.flights)) }
                             td.n { (with_interval(survival(p))) }
                             td.n { (lost(p, |m| m.flights.lost_by_position)) }
@@ -172,7 +172,7 @@ fn cell(cells: &[CellRecord]) -> Markup {
 /// Whether the plans tell which flights are lost.
 pub fn agreement(record: &CampaignRecord) -> Markup {
     let modes = |a: &AgreementRecord| match a.modes {
-        "controllable" => format!("the {} modes with hover inside their sets", a.mode_count),
+        "inside" => format!("the {} modes with hover inside their sets", a.mode_count),
         _ => format!("all {} modes", a.mode_count),
     };
     html! {
