@@ -22,8 +22,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    pub const ALL: [Verdict; 4] =
-        [Verdict::Found, Verdict::ProvedInfeasible, Verdict::NotFound, Verdict::NotAttempted];
+    pub const ALL: [Verdict; 4] = [Verdict::Found, Verdict::ProvedInfeasible, Verdict::NotFound, Verdict::NotAttempted];
 
     pub const fn word(self) -> &'static str {
         match self {

@@ -224,8 +224,7 @@ pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
 /// Whether the set holds some [T, 0, 0, 0] with T between two thrusts, N.
 fn meets(rows: &Rows, low: f64, high: f64) -> bool {
     let thrust = Wrench::new(1.0, 0.0, 0.0, 0.0);
-    rows.chord(&Wrench::zeros(), &thrust, EDGE)
-        .is_some_and(|(least, most)| least <= high + EDGE && most >= low - EDGE)
+    rows.chord(&Wrench::zeros(), &thrust, EDGE).is_some_and(|(least, most)| least <= high + EDGE && most >= low - EDGE)
 }
 
 /// The largest value of a concave function between two points, by ternary search.

@@ -63,15 +63,15 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: 
     let conflict = &explanation.conflict;
     let verdict = conflict.verdict();
     // Where a waypoint has its time, the mission's is another one.
-    let a_mission_of = match conflict.statements.iter().any(|s| matches!(s, Statement::Arrival(_))) {
-        true => "a mission of ",
-        false => "",
+    let (a_mission_of, it) = match conflict.statements.iter().any(|s| matches!(s, Statement::Arrival(_))) {
+        true => ("a mission of ", "it"),
+        false => ("", "this mission"),
     };
     let time = match (conflict.any_time, asked_for.filter(|asked| *asked < conflict.time)) {
         (true, Some(asked)) => {
             format!(" in {a_mission_of}{} s, longer than the {} s asked for", number(conflict.time), number(asked))
         }
-        (true, None) => format!(" in {a_mission_of}{} s, which is long for this mission", number(conflict.time)),
+        (true, None) => format!(" in {a_mission_of}{} s, which is long for {it}", number(conflict.time)),
         (false, _) => String::new(),
     };
     let facets = if model.plan.planner == PlannerKind::Rsp { " and the facets that the RIP plan selects" } else { "" };

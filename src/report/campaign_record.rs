@@ -175,7 +175,13 @@ impl CampaignRecord {
 }
 
 fn missing(missing: &Missing) -> PlannerRecord {
-    PlannerRecord { name: missing.planner.name(), verdict: missing.verdict(), against: Vec::new(), healthy: None, modes: Vec::new() }
+    PlannerRecord {
+        name: missing.planner.name(),
+        verdict: missing.verdict(),
+        against: Vec::new(),
+        healthy: None,
+        modes: Vec::new(),
+    }
 }
 
 fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeRecord {

@@ -207,7 +207,9 @@ pub fn left_out(missing: &[Missing]) -> String {
     let mut out = String::new();
     for one @ Missing { planner, ending } in missing {
         let why = match ending {
-            Some(Ending::Infeasible { at, .. } | Ending::Inconclusive { at, .. }) => format!("a plan of {} s with these samples", number(*at)),
+            Some(Ending::Infeasible { at, .. } | Ending::Inconclusive { at, .. }) => {
+                format!("a plan of {} s with these samples", number(*at))
+            }
             Some(Ending::NotAttempted { why, .. }) => why.clone(),
             _ => "there is no mode to plan against, or no common time".into(),
         };

@@ -69,8 +69,11 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
 fn words(comparison: &Comparison) -> String {
     let has = |verdict: Verdict| comparison.runs.iter().any(|run| run.ending.verdict() == verdict);
     let meanings = [
-        (Verdict::ProvedInfeasible, "with these samples there is no plan, proved by itself for each time that `--report` lists."),
-        (Verdict::NotFound, "no plan was found, nor was it proved that there is none."),
+        (
+            Verdict::ProvedInfeasible,
+            "with these samples there is no plan, proved by itself for each time that `--report` lists.",
+        ),
+        (Verdict::NotFound, "no plan was found; one may exist."),
         (Verdict::NotAttempted, "no plan was searched for, for no RIP plan was found to select facets by."),
     ];
     let told = meanings.into_iter().filter(|(verdict, _)| has(*verdict));
@@ -94,13 +97,16 @@ fn guarded(comparison: &Comparison) -> String {
     let n = comparison.selected.len();
     match (selects(comparison), comparison.common_time.map(number)) {
         _ if comparison.modes.is_empty() => String::new(),
-        (false, Some(at)) => format!("\nNo RIP plan was found at T_d = {at} s to select facets by, so RSP selects none.\n"),
+        (false, Some(at)) => {
+            format!("\nNo RIP plan was found at T_d = {at} s to select facets by, so RSP selects none.\n")
+        }
         _ => {
             let plural = if n == 1 { "" } else { "s" };
             let planes = in_planes(comparison);
             let mut text =
                 format!("\nRSP guards {n} facet{plural} of the fault sets{planes} beside the healthy set's.\n");
-            if let Some(Ending::Infeasible { at, .. }) = at_common(comparison, PlannerKind::Rsp).map(|run| &run.ending) {
+            if let Some(Ending::Infeasible { at, .. }) = at_common(comparison, PlannerKind::Rsp).map(|run| &run.ending)
+            {
                 let at = number(*at);
                 text += &format!("RSP is proved infeasible in {at} s; its own shortest time is in the first table.\n");
             }

@@ -96,7 +96,8 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
         match &run.ending {
             Ending::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved, color)),
             _ => {
-                let text = format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));
+                let text =
+                    format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));
                 out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
             }
         }
@@ -150,7 +151,7 @@ fn solved_run(
     if !solved.infeasible_above.is_empty() {
         let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();
         out.push_str(&format!(
-            "\n  Longer is not always easier here: with these fixed times and holds, {} s is infeasible.\n",
+            "\n  Longer is not always easier here: with these fixed times and holds, {} s is proved infeasible.\n",
             times.join(", ")
         ));
     }

@@ -12,7 +12,9 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
     let verdict = run.ending.verdict();
     let samples = model.plan.samples;
     match &run.ending {
-        Ending::Solved(solved) => format!("{verdict}, {} s{}", number(solved.time), shown_of_time(model, mission, run, solved)),
+        Ending::Solved(solved) => {
+            format!("{verdict}, {} s{}", number(solved.time), shown_of_time(model, mission, run, solved))
+        }
         Ending::Infeasible { proved, .. } => {
             format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))
         }
@@ -20,9 +22,10 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             format!("{verdict}: a plan that keeps the required risk, in up to {} s", number(*at))
         }
         Ending::Inconclusive { at, status } => {
-            let others = if run.run == Run::Own && determined(mission).is_none() { " or any other time tried" } else { "" };
+            let others =
+                if run.run == Run::Own && determined(mission).is_none() { " or any other time tried" } else { "" };
             let solver = if status == NOT_FOUND { String::new() } else { format!("; the solver stopped ({status})") };
-            format!("{verdict} at {} s{others} with {samples} samples, nor proved infeasible{solver}", number(*at))
+            format!("{verdict} at {} s{others} with {samples} samples; a plan may exist{solver}", number(*at))
         }
         Ending::NotAttempted { why, .. } => format!("{verdict}: {why}"),
     }
@@ -41,7 +44,7 @@ fn shown_of_time(model: &Model, mission: &Mission, run: &PlannerRun, solved: &So
         (Run::Own, None) if determined(mission).is_some() => {
             ", the only time that the mission's fixed times allow".into()
         }
-        (Run::Own, None) => ", the shortest time found; no shorter time is proved infeasible".into(),
+        (Run::Own, None) => ", the shortest time found; a shorter one may exist".into(),
         (Run::Common, _) => String::new(),
     }
 }

@@ -7,10 +7,14 @@ use crate::planner::compare::Solved;
 use crate::planner::hover_model::YAW;
 use crate::verify::plan::MOST_MISS;
 use serde::Serialize;
+use std::cmp::Ordering;
 
 /// Waypoints that a table for people lists at most: so many, or [`WORST`] of more.
 const MOST_LISTED: usize = 8;
 const WORST: usize = 5;
+
+/// Shares are told apart to this.
+const FINEST_SHARE: f64 = 1e-3;
 
 /// One waypoint of a plan: its errors, their tolerances, and each error as a share of its tolerance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -54,6 +58,13 @@ impl WaypointRecord {
         if self.position_share.total_cmp(&self.yaw_share).is_ge() { self.position_share } else { self.yaw_share }
     }
 
+    /// Missed after met, then by share. Shares that no reader could tell apart are one, so that the solver's last digits decide
+    /// nothing.
+    fn by_share(&self, other: &Self) -> Ordering {
+        let rounded = |w: &Self| (w.share() / FINEST_SHARE).round();
+        (!self.met).cmp(&!other.met).then(rounded(self).total_cmp(&rounded(other)))
+    }
+
     /// `3`, `3 mast`
     pub fn label(&self) -> String {
         self.name.as_ref().map_or(self.number.to_string(), |name| format!("{} {name}", self.number))
@@ -79,9 +90,9 @@ pub fn waypoints(mission: &Mission, solved: &Solved) -> Vec<WaypointRecord> {
     mission.waypoints.iter().enumerate().map(|(i, w)| WaypointRecord::new(i, w, solved)).collect()
 }
 
-/// The waypoint with the largest share of its tolerance, the first of several.
+/// The waypoint with the largest share of its tolerance, the first of several; one that is missed before all that are met.
 pub fn worst(waypoints: &[WaypointRecord]) -> Option<&WaypointRecord> {
-    waypoints.iter().rev().max_by(|a, b| a.share().total_cmp(&b.share()))
+    waypoints.iter().rev().max_by(|a, b| a.by_share(b))
 }
 
 /// `21 waypoints met`, or how many of them are missed.
@@ -106,10 +117,11 @@ pub fn listed(waypoints: &[WaypointRecord]) -> (Vec<&WaypointRecord>, Option<(us
         return (waypoints.iter().collect(), None);
     }
     let mut ranked: Vec<&WaypointRecord> = waypoints.iter().collect();
-    ranked.sort_by(|a, b| b.share().total_cmp(&a.share()));
+    ranked.sort_by(|a, b| b.by_share(a));
     let others = ranked.split_off(WORST);
     ranked.sort_by_key(|w| w.number);
-    (ranked, Some((others.len(), others[0].share())))
+    let largest = others.iter().map(|w| w.share()).max_by(f64::total_cmp).unwrap_or(0.0);
+    (ranked, Some((others.len(), largest)))
 }
 
 /// The list as a table, `indent` blanks before each line.
@@ -140,7 +152,11 @@ impl WaypointRecord {
 }
 
 fn length(metres: f64) -> String {
-    if metres >= 1.0 { format!("{} m", significant(metres, 3)) } else { format!("{} cm", significant(100.0 * metres, 3)) }
+    if metres >= 1.0 {
+        format!("{} m", significant(metres, 3))
+    } else {
+        format!("{} cm", significant(100.0 * metres, 3))
+    }
 }
 
 fn angle(radians: f64) -> String {

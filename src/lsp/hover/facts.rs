@@ -2,8 +2,8 @@
 
 use super::Spec;
 use crate::actuation::Wrench;
-use crate::admissible::edge::Place;
 use crate::admissible::allocation::Allocator;
+use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::lsp::names::Kind;
 use crate::model::{FaultMode, Model, Rotor};

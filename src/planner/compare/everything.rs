@@ -1,6 +1,9 @@
 //! Every planner at its own shortest time and at T_d.
 
-use super::{Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, plan_found, planned_of, time, time_below};
+use super::{
+    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, plan_found, planned_of, time,
+    time_below,
+};
 use crate::model::{PlanModel, PlannerKind};
 use crate::planner::pool::Pool;
 use crate::planner::rows::{Decision, Planned};

@@ -92,7 +92,7 @@ fn headline(comparison: &Comparison) -> String {
         .collect();
     let inside = common.iter().filter(|(_, s)| stays(s)).count();
     match common.len() {
-        0 => "No planner has a plan at a common time".into(),
+        0 => "No planner's plan was found at a common time".into(),
         n if comparison.modes.is_empty() => format!("{n} plans at one time"),
         n => {
             let stay = if inside == 1 { "stays" } else { "stay" };

@@ -3,7 +3,6 @@
 use super::flown::headline;
 use super::motion::{nearest, signed_percent};
 use crate::admissible::verdict::ModeAnalysis;
-use crate::verdict::Verdict;
 use crate::certificate::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
@@ -14,6 +13,7 @@ use crate::report::record::{PlannerRecord, Record};
 use crate::report::terminal::in_planes;
 use crate::report::verdict_text::statement;
 use crate::report::waypoints::{WaypointRecord, waypoints, worst};
+use crate::verdict::Verdict;
 
 /// The headline of the page with what supports it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -236,7 +236,10 @@ fn meets(waypoints: &[WaypointRecord]) -> String {
 fn waypoint_error(told: &PlannerRecord) -> Option<Figure> {
     let worst = worst(&told.waypoints)?;
     let note = format!("{}, at waypoint {}", worst.largest(), worst.label());
-    Some(Figure::new("Largest waypoint error", percent(worst.share()), note).bad_if(told.waypoints.iter().any(|w| !w.met)))
+    Some(
+        Figure::new("Largest waypoint error", percent(worst.share()), note)
+            .bad_if(told.waypoints.iter().any(|w| !w.met)),
+    )
 }
 
 fn shown_between(told: &PlannerRecord) -> Option<Figure> {

@@ -23,7 +23,7 @@ pub fn found(record: &CampaignRecord) -> Found {
         record.planners.iter().filter_map(|p| Some((p.name.to_uppercase(), survival(p)?.share))).collect();
     let list: Vec<String> = shares.iter().map(|(name, share)| format!("{} with {name}", percent(*share))).collect();
     let headline = match list.is_empty() {
-        true => "Nothing was flown: no planner has a plan".to_string(),
+        true => "Nothing was simulated: no planner's plan was found".to_string(),
         false => format!("Flights that survive a fault: {}", list.join(", ")),
     };
     let figures = vec![
