@@ -3,7 +3,7 @@
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::verdict_text::statement;
-use super::waypoints::{WaypointRecord, waypoints, worst};
+use super::waypoints::{WaypointRecord, waypoints};
 use crate::certificate::between::Between;
 use crate::model::{Mission, Model};
 use crate::planner::compare::protect::{Addition, Protection};
@@ -247,7 +247,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             let e = errors(mission, solved);
             record.proved_infeasible_s = solved.infeasible_at.iter().chain(&solved.infeasible_above).copied().collect();
             record.waypoints = waypoints(mission, solved);
-            record.max_waypoint_share = worst(&record.waypoints).map(WaypointRecord::share);
+            record.max_waypoint_share = record.waypoints.iter().map(WaypointRecord::share).max_by(f64::total_cmp);
             record.time_s = Some(solved.time);
             record.objective = Some(solved.objective);
             record.position_error_m = Some(e.position);
