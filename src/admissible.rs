@@ -2,6 +2,7 @@
 
 pub mod allocation;
 pub mod diagnose;
+pub mod edge;
 pub mod interval;
 pub mod parallel;
 pub mod pseudo_inverse;

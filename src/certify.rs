@@ -32,7 +32,7 @@ pub fn of(
                 Err(refusal) => Err(refusal.sentence()),
             }
         }
-        Some((run, Ending::Infeasible { at })) if has_one_time(model, mission) => {
+        Some((run, Ending::Infeasible { at, .. })) if has_one_time(model, mission) => {
             infeasible::certificate(model, mission, run, *at, (&comparison.selected_by, spec_sha256))
         }
         Some((_, Ending::Infeasible { .. })) => Err("no plan at many times is more than a certificate says".into()),

@@ -37,9 +37,9 @@ pub const FINE: u8 = 0;
 pub const SPEC_ERRORS: u8 = 1;
 /// Wrong usage, or a file that cannot be read or written.
 pub const USAGE: u8 = 2;
-/// No plan exists, or a mode that the plan must stand cannot hover.
+/// Proved infeasible, or a mode that the plan must tolerate cannot hover.
 pub const NO_PLAN: u8 = 3;
-/// No plan was found and none shown impossible, or the solver gave no verdict.
+/// Not found, or not attempted because a plan that the search starts from was not found.
 pub const INCONCLUSIVE: u8 = 4;
 /// A certificate does not show what it claims.
 pub const REJECTED: u8 = 5;
@@ -56,7 +56,7 @@ pub const LOST: u8 = 6;
     version,
     long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
     about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
-    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 not found; 5 the certificate is rejected; 6 the simulated vehicle is lost;\n7 the certificate is true but weaker than the spec asks; 8 deciding it would exceed the budget. SPEC may be `-` for standard input."
+    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 proved infeasible, or a mode the plan\nmust tolerate cannot hover; 4 not found; 5 the certificate is rejected; 6 the simulated vehicle is lost;\n7 the certificate is true but weaker than the spec asks; 8 deciding it would exceed the budget. SPEC may be `-` for standard input."
 )]
 struct Cli {
     #[command(subcommand)]

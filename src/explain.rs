@@ -18,6 +18,7 @@ pub use remedy::{Change, Fix};
 pub use statement::Statement;
 
 use crate::model::{Mission, Model, PlanModel};
+use crate::verdict::Verdict;
 use question::Questions;
 
 /// Questions that the search for a conflict may ask.
@@ -42,6 +43,13 @@ pub struct Conflict {
     pub time: f64,
     /// None of them fixes the mission time: `time` is one that is long for the mission.
     pub any_time: bool,
+}
+
+impl Conflict {
+    /// On the question whether a plan meets all of the statements at [`Conflict::time`].
+    pub fn verdict(&self) -> Verdict {
+        if self.proved { Verdict::ProvedInfeasible } else { Verdict::NotFound }
+    }
 }
 
 /// A conflict and the single changes to the whole spec that give a plan, cheapest first.

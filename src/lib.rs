@@ -23,4 +23,5 @@ pub mod source;
 pub mod syntax;
 pub mod trajectory;
 pub mod unit;
+pub mod verdict;
 pub mod verify;

@@ -15,3 +15,5 @@ pub mod record;
 pub mod table;
 pub mod terminal;
 pub mod trajectory_csv;
+pub mod verdict_text;
+pub mod waypoints;

@@ -72,8 +72,7 @@ fn own_times(table_number: usize, plans: &Plans, paper: &[Own]) -> String {
 fn time(run: &PlannerRun) -> String {
     match &run.ending {
         Ending::Solved(s) => seconds(s.time),
-        Ending::Infeasible { .. } => "infeasible".into(),
-        Ending::Inconclusive { .. } => "no verdict".into(),
+        ending => ending.verdict().word().into(),
     }
 }
 

@@ -6,7 +6,8 @@ use super::markdown::{as_printed, fixed, none, paragraph, table, vector};
 use super::paper_faults::{Row, TABLES, Table};
 use super::specs;
 use mavc::admissible::AdmissibleSet;
-use mavc::admissible::verdict::{ModeAnalysis, Verdict, ZERO_RESIDUAL, analyze_all};
+use mavc::admissible::edge::{EDGE, Place};
+use mavc::admissible::verdict::{ModeAnalysis, Verdict, analyze_all};
 use mavc::model::Model;
 
 /// One unit of the paper's last digit, and rounding.
@@ -182,7 +183,7 @@ fn other_verdict(row: &Row, found: &ModeAnalysis, model: &Model, printed_twelve:
             }
         }
         let clipped = clipped_pseudo_inverse(model, row.rotors);
-        if clipped.norm() > ZERO_RESIDUAL {
+        if clipped.norm() > EDGE {
             let clipped = vector(clipped.as_slice(), 4);
             reason += &format!("; a pseudo-inverse clipped to the rotors' range misses hover, by {clipped}");
         }
@@ -207,9 +208,9 @@ fn judged_numbers(row: &Row, found: &ModeAnalysis) -> String {
             return format!("**differs** in numbers, same verdict: {} is {reason}, {}", fixed(p, 2), fixed(l, 2));
         }
     }
-    let remark = match (found.interior, found.verdict) {
-        (false, Verdict::Controllable) => "; hover lies on the boundary, which Du and Quan call uncontrollable",
-        (false, Verdict::Stabilizable) => "; without tau_z hover lies on the boundary",
+    let remark = match (found.hover, found.verdict) {
+        (Place::OnEdge, Verdict::Controllable) => "; hover lies on the boundary, which Du and Quan call uncontrollable",
+        (Place::OnEdge, Verdict::Stabilizable) => "; without tau_z hover lies on the boundary",
         _ => "",
     };
     let misprint = match row.rotors {

@@ -148,7 +148,7 @@ fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
                 "found by decreasing the time; the step is not given{}",
                 if even { ", and every printed time is an even number of seconds" } else { "" }
             ),
-            format!("a time at most {} s shorter is shown infeasible", printed(RESOLUTION)),
+            format!("a time at most {} s shorter is proved infeasible", printed(RESOLUTION)),
         ),
         row(
             "common time T_d",

@@ -1,5 +1,6 @@
 //! What the sets say about the spec: modes that the plan must stand but cannot.
 
+use super::edge::{EDGE, Place};
 use super::interval::{Certainty, Robust};
 use super::parallel::{Parallel, least_angle};
 use super::verdict::{ModeAnalysis, Verdict, analyze};
@@ -173,11 +174,11 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
     let answer = |severity, code, what: &str, label: String, help| {
         Some(Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new() })
     };
-    match (mode.verdict, mode.interior) {
-        (Verdict::Controllable, true) => {
+    match (mode.verdict, mode.hover) {
+        (Verdict::Controllable, Place::Inside) => {
             let sure = |r: &Robust| {
                 r.hover == Certainty::Yes
-                    && (model.plan.reserve == 0.0 || r.acai_worst.is_some_and(|worst| worst > 0.0))
+                    && (model.plan.reserve == 0.0 || r.acai_worst.is_some_and(|worst| worst > EDGE))
             };
             let robust = mode.robust.filter(|r| !sure(r))?;
             let label = match (robust.acai_worst, robust.acai_best) {
@@ -192,7 +193,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             };
             answer(Severity::Error, NOT_ROBUST, "hover is not sure over the spec's intervals", label, help)
         }
-        (Verdict::Controllable, false) if model.plan.reserve > 0.0 => {
+        (Verdict::Controllable, _) if model.plan.reserve > 0.0 => {
             let share = number(100.0 * model.plan.reserve);
             let error = answer(
                 Severity::Error,
@@ -207,7 +208,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             );
             error.map(|error| Answer { reserve: true, ..error })
         }
-        (Verdict::Controllable, false) => answer(
+        (Verdict::Controllable, _) => answer(
             Severity::Warning,
             HOVER_ON_EDGE,
             "hover lies on the edge of what the vehicle can do",

@@ -3,7 +3,7 @@
 //! Each rotor's full and idle thrust, and the ratio kappa_k of its drag torque to its thrust, lie anywhere in their
 //! intervals, whatever the others do; so does the mass.
 
-use super::verdict::ZERO_RESIDUAL;
+use super::edge::EDGE;
 use super::{AdmissibleSet, FacetOf, hover};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::{Equality, Facet, Polytope};
@@ -207,7 +207,7 @@ pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
     let [lightest, heaviest] = [spread.low, spread.high].map(|share| hover(model) * share);
     let (sure, possible) = (guaranteed(model, set), possible(model, set));
     let margin = |rows: &Rows, w: &Wrench| rows.margin(w);
-    let hovers = |rows: &Rows| [lightest, heaviest].iter().all(|w| rows.contains(w, ZERO_RESIDUAL));
+    let hovers = |rows: &Rows| [lightest, heaviest].iter().all(|w| rows.contains(w, EDGE));
     let certainty = match &sure {
         Some(rows) if hovers(rows) => Certainty::Yes,
         _ if meets(&possible, lightest[0], heaviest[0]) => Certainty::Depends,
@@ -224,8 +224,7 @@ pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
 /// Whether the set holds some [T, 0, 0, 0] with T between two thrusts, N.
 fn meets(rows: &Rows, low: f64, high: f64) -> bool {
     let thrust = Wrench::new(1.0, 0.0, 0.0, 0.0);
-    rows.chord(&Wrench::zeros(), &thrust, ZERO_RESIDUAL)
-        .is_some_and(|(least, most)| least <= high + ZERO_RESIDUAL && most >= low - ZERO_RESIDUAL)
+    rows.chord(&Wrench::zeros(), &thrust, EDGE).is_some_and(|(least, most)| least <= high + EDGE && most >= low - EDGE)
 }
 
 /// The largest value of a concave function between two points, by ternary search.

@@ -1,5 +1,6 @@
 //! Verdicts of section 3.2 with margins: what a mode can still do about hover.
 
+use super::edge::{EDGE, Place};
 use super::interval::{Robust, robust};
 use super::parallel::{Parallel, nearest_rows};
 use super::{AdmissibleSet, hover};
@@ -10,11 +11,8 @@ use crate::model::{Allocation, Model};
 use nalgebra::{SVector, Vector3};
 use serde::Serialize;
 
-/// A residual of (31) shorter than this in N and N m is zero.
-pub const ZERO_RESIDUAL: f64 = 1e-6;
-
-/// A margin below this share of the set's thrust range counts as the boundary itself.
-const ON_BOUNDARY: f64 = 1e-9;
+/// Chords are measured to this share of the set's thrust range.
+const ROUNDING: f64 = 1e-9;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -56,7 +54,9 @@ pub struct ModeAnalysis {
     pub capacity: Vec<f64>,
     pub stuck: Vec<Option<f64>>,
     pub verdict: Verdict,
-    /// Hover strictly inside the set the verdict speaks of (the yaw-free set for stabilizable).
+    /// Where hover lies relative to the set that the verdict is about: the yaw-free set for stabilizable.
+    pub hover: Place,
+    /// Whether it lies inside.
     pub interior: bool,
     /// Dimension of the set.
     pub rank: usize,
@@ -87,6 +87,24 @@ pub struct ModeAnalysis {
     pub robust: Option<Robust>,
 }
 
+impl ModeAnalysis {
+    /// Whether the mode keeps full control at hover with some of it to spare. Only such modes can keep a reserve.
+    pub fn keeps_full_control(&self) -> bool {
+        self.verdict == Verdict::Controllable && self.hover == Place::Inside
+    }
+
+    /// Where hover lies relative to the mode's set with every axis held, yaw too.
+    pub fn hover_all_axes(&self) -> Place {
+        if self.verdict == Verdict::Controllable { self.hover } else { Place::Outside }
+    }
+
+    /// `inside`, `on the edge, yaw free`: where hover lies, in the words of every report.
+    pub fn hover_words(&self) -> String {
+        let free = if self.verdict == Verdict::Stabilizable { ", yaw free" } else { "" };
+        format!("{}{free}", self.hover.word())
+    }
+}
+
 /// Analyses every set in `sets` (healthy first, as [`AdmissibleSet::all`] gives them).
 pub fn analyze_all(model: &Model, sets: &[AdmissibleSet]) -> Vec<ModeAnalysis> {
     sets.iter().map(|s| analyze(model, s)).collect()
@@ -109,20 +127,20 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     let Reach { nearest, nearest3, yaw_free } = Reach::of(set, &u_ref, &u_ref3);
     let residual4 = clean(nearest - u_ref);
     let residual3 = clean(nearest3 - u_ref3);
-    let verdict = if residual4.norm() < ZERO_RESIDUAL {
+    let verdict = if residual4.norm() < EDGE {
         Verdict::Controllable
-    } else if residual3.norm() < ZERO_RESIDUAL {
+    } else if residual3.norm() < EDGE {
         Verdict::Stabilizable
     } else {
         Verdict::Unstable
     };
     let size = set.zonotope.scale()[0];
-    let acai = signed_margin(&set.polytope, &u_ref, size);
-    let acai_yaw_free = signed_margin(&yaw_free, &u_ref3, size);
-    let interior = match verdict {
-        Verdict::Controllable => acai.is_some_and(|a| a > 0.0),
-        Verdict::Stabilizable => acai_yaw_free.is_some_and(|a| a > 0.0),
-        Verdict::Unstable => false,
+    let acai = signed_margin(&set.polytope, &u_ref);
+    let acai_yaw_free = signed_margin(&yaw_free, &u_ref3);
+    let hover = match verdict {
+        Verdict::Controllable => Place::new(acai, residual4.norm()),
+        Verdict::Stabilizable => Place::new(acai_yaw_free, residual3.norm()),
+        Verdict::Unstable => Place::Outside,
     };
     ModeAnalysis {
         name: set.name.clone(),
@@ -130,7 +148,8 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         capacity,
         stuck,
         verdict,
-        interior,
+        hover,
+        interior: hover == Place::Inside,
         rank: set.rank,
         facets: set.polytope.equalities.is_empty().then_some(set.polytope.facets.len()),
         acai,
@@ -187,25 +206,25 @@ pub fn without_yaw(zonotope: &Zonotope<4>) -> Zonotope<3> {
 
 /// Rounding dust in a residual is zero.
 fn clean<const D: usize>(e: SVector<f64, D>) -> SVector<f64, D> {
-    if e.norm() < ZERO_RESIDUAL { SVector::zeros() } else { e.map(|v| if v.abs() < 1e-12 { 0.0 } else { v }) }
+    if e.norm() < EDGE { SVector::zeros() } else { e.map(|v| if v.abs() < 1e-12 { 0.0 } else { v }) }
 }
 
 /// Signed distance to the boundary; `None` where the set is flat, exactly 0 on the boundary.
-fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVector<f64, D>, size: f64) -> Option<f64> {
+fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVector<f64, D>) -> Option<f64> {
     if !polytope.equalities.is_empty() {
         return None;
     }
     let margin = polytope.margin(at);
-    Some(if margin.abs() <= ON_BOUNDARY * size { 0.0 } else { margin })
+    Some(if margin.abs() <= EDGE { 0.0 } else { margin })
 }
 
 /// Least and largest T >= 0 with [T, 0, ...] in the set, N.
 fn lift<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<(f64, f64)> {
     let mut thrust = SVector::<f64, D>::zeros();
     thrust[0] = 1.0;
-    let (low, high) = polytope.chord(&SVector::zeros(), &thrust, ON_BOUNDARY * size)?;
-    let dust = |t: f64| if t <= ON_BOUNDARY * size { 0.0 } else { t };
-    (high >= -ON_BOUNDARY * size).then(|| (dust(low), dust(high)))
+    let (low, high) = polytope.chord(&SVector::zeros(), &thrust, ROUNDING * size)?;
+    let dust = |t: f64| if t <= ROUNDING * size { 0.0 } else { t };
+    (high >= -ROUNDING * size).then(|| (dust(low), dust(high)))
 }
 
 /// Largest T with [T, 0, ...] in the set, N.
@@ -230,8 +249,8 @@ fn headroom(set: &AdmissibleSet, at: &Wrench, size: f64) -> Headroom {
     let along = |axis: usize| {
         let mut direction = Wrench::zeros();
         direction[axis] = 1.0;
-        match set.polytope.chord(at, &direction, ON_BOUNDARY * size) {
-            Some((low, high)) => [low, high].map(|t| if t.abs() <= ON_BOUNDARY * size { 0.0 } else { t.abs() }),
+        match set.polytope.chord(at, &direction, ROUNDING * size) {
+            Some((low, high)) => [low, high].map(|t| if t.abs() <= ROUNDING * size { 0.0 } else { t.abs() }),
             None => [0.0, 0.0],
         }
     };

@@ -1,7 +1,7 @@
 //! Whether what the plans predict comes true: flights lost against the times outside the fault sets.
 //!
 //! A mode that leaves no full control is outside its set all the time, whatever is planned. A prediction that only
-//! tells such modes from the others is worth little, so the controllable modes are counted apart.
+//! tells such modes from the others is worth little, so the modes with hover inside their sets are counted apart.
 //!
 //! The prediction: a vehicle is lost where the fault strikes before the plan is outside the mode's set for the last
 //! time. Only flights that lived to the fault say anything about it.
@@ -16,11 +16,11 @@ const CHANCE: f64 = 0.1;
 const MODERATE: f64 = 0.3;
 const STRONG: f64 = 0.5;
 
-/// Over all declared modes, and over the controllable ones.
+/// Over all declared modes, and over those with hover inside their sets.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Agreement {
     pub all: Scope,
-    pub controllable: Scope,
+    pub inside: Scope,
 }
 
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -64,10 +64,10 @@ impl Worth {
 
 impl Agreement {
     pub fn new(design: &Design, tally: &Tally) -> Self {
-        let hold = |m: &usize| design.controllable[*m];
+        let hold = |m: &usize| design.inside[*m];
         Agreement {
             all: Scope::new(design, tally, (0..design.cases.modes).collect()),
-            controllable: Scope::new(design, tally, (0..design.cases.modes).filter(hold).collect()),
+            inside: Scope::new(design, tally, (0..design.cases.modes).filter(hold).collect()),
         }
     }
 }

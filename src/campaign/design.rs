@@ -7,6 +7,7 @@ use crate::planner::compare::{Comparison, Ending};
 use crate::planner::select::{SetRow, row};
 use crate::trajectory::Trajectory;
 use crate::trajectory::outside::{Outside, outside};
+use crate::verdict::Verdict;
 use sha2::{Digest, Sha256};
 use std::fmt;
 use std::str::FromStr;
@@ -30,6 +31,13 @@ pub struct Missing {
     pub ending: Option<Ending>,
 }
 
+impl Missing {
+    /// On the plan at the common time.
+    pub fn verdict(&self) -> Verdict {
+        self.ending.as_ref().map_or(Verdict::NotAttempted, Ending::verdict)
+    }
+}
+
 /// A campaign to fly.
 #[derive(Debug, Clone)]
 pub struct Design<'a> {
@@ -38,8 +46,8 @@ pub struct Design<'a> {
     pub plans: Vec<Plan>,
     pub missing: Vec<Missing>,
     /// For each declared mode whether hover lies inside its set, with all of thrust, roll, pitch and yaw in hand: only
-    /// such modes can be planned against.
-    pub controllable: Vec<bool>,
+    /// such modes can keep a reserve.
+    pub inside: Vec<bool>,
     /// T_d, s.
     pub time: f64,
     pub cases: Cases,
@@ -91,8 +99,8 @@ impl<'a> Design<'a> {
         let campaign = &model.campaign;
         let cases =
             Cases { planners: plans.len(), modes: model.modes.len(), times: campaign.times, seeds: campaign.seeds };
-        let controllable = judge(model, &mut plans);
-        let mut design = Design { model, plans, missing, controllable, time, cases, id: Identity(0) };
+        let inside = judge(model, &mut plans);
+        let mut design = Design { model, plans, missing, inside, time, cases, id: Identity(0) };
         design.id = design.identity(origin);
         Ok(design)
     }
@@ -126,27 +134,26 @@ impl<'a> Design<'a> {
     }
 }
 
-/// Finds for each declared mode whether it is controllable, that is, whether hover lies inside its set, and when each plan is
-/// outside. Sets that hold hover keep the reserve; the others cannot be shrunk about it. One set is kept at a time: those
+/// Finds for each declared mode whether hover lies inside its set ([`crate::admissible::edge`]), and when each plan is outside. Sets that hold hover keep the reserve; the others cannot be shrunk about it. One set is kept at a time: those
 /// of all modes may not fit in memory.
 fn judge(model: &Model, plans: &mut [Plan]) -> Vec<bool> {
     let healthy = AdmissibleSet::healthy(model);
-    let mut controllable = Vec::new();
+    let mut inside = Vec::new();
     for mode in 0..model.modes.len() {
-        let (rows, is_controllable) = mode_rows(model, mode, &healthy);
+        let (rows, is_inside) = mode_rows(model, mode, &healthy);
         for plan in plans.iter_mut() {
             plan.outside.push(outside(&plan.trajectory, &model.vehicle, model.gravity, &rows));
         }
-        controllable.push(is_controllable);
+        inside.push(is_inside);
     }
-    controllable
+    inside
 }
 
 /// A declared mode's set as rows, and whether hover lies inside.
 fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow>, bool) {
     let mut set = AdmissibleSet::of_mode(model, mode);
-    let controllable = set.rank == 4 && set.polytope.margin(&set.hover) > 0.0;
-    if controllable {
+    let inside = set.has_hover_inside();
+    if inside {
         set = set.with_reserve(model.plan.reserve);
     }
     let equalities = set.polytope.equalities.iter().map(|e| {
@@ -154,5 +161,5 @@ fn mode_rows(model: &Model, mode: usize, healthy: &AdmissibleSet) -> (Vec<SetRow
         SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new() }
     });
     let facets = set.polytope.facets.iter().map(|f| row(f, healthy, Vec::new()));
-    (equalities.chain(facets).collect(), controllable)
+    (equalities.chain(facets).collect(), inside)
 }

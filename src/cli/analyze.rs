@@ -35,7 +35,7 @@ pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
     match args.format {
         Format::Json => {
             let record = Record {
-                schema: 1,
+                schema: 2,
                 vehicle: &model.vehicle.name,
                 rotors: model.vehicle.rotors.len(),
                 modes: &modes,

@@ -16,11 +16,12 @@ use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
 use crate::model::Model;
-use crate::planner::compare::{Ending, Scope};
+use crate::planner::compare::Scope;
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::campaign_text;
 use crate::report::page;
 use crate::source::visible;
+use crate::verdict::Verdict;
 use clap::{Args, Subcommand};
 use output::{Output, Stop};
 use sha2::{Digest, Sha256};
@@ -228,7 +229,9 @@ fn nothing_flown(
 ) -> Result<u8, Problem> {
     let record = CampaignRecord::without_flights(model, missing, loaded.sha256());
     tell(loaded, model, &record, report, html)?;
-    Ok(if is_inconclusive(missing) { INCONCLUSIVE } else { NO_PLAN })
+    // Without any planner asked, the modes themselves are in the way.
+    let proved = missing.is_empty() || missing.iter().any(|m| m.verdict() == Verdict::ProvedInfeasible);
+    Ok(if proved && !is_inconclusive(missing) { NO_PLAN } else { INCONCLUSIVE })
 }
 
 /// Writes report and page.
@@ -251,7 +254,7 @@ fn tell(
 }
 
 fn is_inconclusive(missing: &[Missing]) -> bool {
-    missing.iter().any(|m| matches!(m.ending, Some(Ending::Inconclusive { .. })))
+    missing.iter().any(|m| m.verdict() == Verdict::NotFound)
 }
 
 /// Rows, what is still being written of them, and the report must be three places.

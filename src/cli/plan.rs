@@ -17,6 +17,7 @@ use crate::report::page::{self, Kind, Subject};
 use crate::report::record::{Record, RoundRecord};
 use crate::report::{self, comparison_text, terminal, trajectory_csv};
 use crate::source::visible;
+use crate::verdict::Verdict;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::time::Instant;
@@ -179,13 +180,11 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     write(&results)?;
     tell_page(told, &html, args.html.as_deref(), options)?;
     tell_written("Figures", told, args.svg.as_deref(), options)?;
-    let any = |wanted: fn(&Ending) -> bool| comparison.runs.iter().any(|r| wanted(&r.ending));
-    Ok(if any(|e| matches!(e, Ending::Inconclusive { .. })) {
-        INCONCLUSIVE
-    } else if !any(|e| matches!(e, Ending::Solved(_))) {
-        NO_PLAN
-    } else {
-        FINE
+    let any = |verdict: Verdict| comparison.runs.iter().any(|r| r.ending.verdict() == verdict);
+    Ok(match (any(Verdict::NotFound), any(Verdict::Found), any(Verdict::ProvedInfeasible)) {
+        (false, true, _) => FINE,
+        (false, false, true) => NO_PLAN,
+        _ => INCONCLUSIVE,
     })
 }
 
@@ -344,9 +343,9 @@ pub(super) fn plan_for(
 
 /// The exit code where the last run has no plan.
 pub(super) fn no_plan_code(comparison: &Comparison) -> u8 {
-    match comparison.runs.last().map(|r| &r.ending) {
-        Some(Ending::Inconclusive { .. }) => INCONCLUSIVE,
-        _ => NO_PLAN,
+    match comparison.runs.last().map(|r| r.ending.verdict()) {
+        Some(Verdict::ProvedInfeasible) => NO_PLAN,
+        _ => INCONCLUSIVE,
     }
 }
 

@@ -2,10 +2,11 @@
 
 use super::{Explanation, Statement};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Mission, MissionTime, Model, is_override};
+use crate::model::{Mission, MissionTime, Model, PlannerKind, is_override};
 use crate::planner::profile::determined;
 use crate::report::number::number;
 use crate::source::{SourceMap, Span};
+use crate::verdict::Verdict;
 
 /// Statements that are not met together.
 pub const CONFLICT: &str = "mavc::plan::conflict";
@@ -41,7 +42,7 @@ pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission, sou
     }
     // The spec's own text first, so that its labels stand in one excerpt.
     labels.sort_by_key(|(span, _)| is_override(sources, *span));
-    let headline = headline(explanation, labels.len(), asked_for(model, mission));
+    let headline = headline(explanation, labels.len(), model, asked_for(model, mission));
     let mut labels = labels.into_iter();
     let (span, label) = labels.next().unwrap_or((mission.span, String::new()));
     let error = Diagnostic::error(CONFLICT, span, headline).here(label);
@@ -56,26 +57,30 @@ fn asked_for(model: &Model, mission: &Mission) -> Option<f64> {
     })
 }
 
-/// `places`: the labels; `asked_for`: the mission time of the spec, s.
-fn headline(explanation: &Explanation, places: usize, asked_for: Option<f64>) -> String {
+/// `places`: the labels; `asked_for`: the mission time of the spec, s. A proof is one for the spec's samples, and in RSP for the
+/// facets selected.
+fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: Option<f64>) -> String {
     let conflict = &explanation.conflict;
+    let verdict = conflict.verdict();
     // Where a waypoint has its time, the mission's is another one.
-    let a_mission_of = match conflict.statements.iter().any(|s| matches!(s, Statement::Arrival(_))) {
-        true => "a mission of ",
-        false => "",
+    let (a_mission_of, it) = match conflict.statements.iter().any(|s| matches!(s, Statement::Arrival(_))) {
+        true => ("a mission of ", "it"),
+        false => ("", "this mission"),
     };
     let time = match (conflict.any_time, asked_for.filter(|asked| *asked < conflict.time)) {
         (true, Some(asked)) => {
-            format!(", even in {a_mission_of}{} s instead of {} s", number(conflict.time), number(asked))
+            format!(" in {a_mission_of}{} s, longer than the {} s asked for", number(conflict.time), number(asked))
         }
-        (true, None) => format!(", even in {a_mission_of}{} s", number(conflict.time)),
+        (true, None) => format!(" in {a_mission_of}{} s, which is long for {it}", number(conflict.time)),
         (false, _) => String::new(),
     };
-    match (conflict.proved, places) {
-        (true, 1) => format!("a statement of the spec cannot be met{time}"),
-        (true, n) => format!("{n} statements of the spec cannot hold together{time}"),
-        (false, 1) => format!("a statement of the spec was not satisfied in our attempts{time}"),
-        (false, n) => format!("{n} statements of the spec were not satisfied together in our attempts{time}"),
+    let facets = if model.plan.planner == PlannerKind::Rsp { " and the facets that the RIP plan selects" } else { "" };
+    let grid = format!("with {} samples{facets}", model.plan.samples);
+    match (verdict == Verdict::ProvedInfeasible, places) {
+        (true, 1) => format!("{verdict} {grid}: a statement of the spec cannot be met{time}"),
+        (true, n) => format!("{verdict} {grid}: {n} statements of the spec cannot hold together{time}"),
+        (false, 1) => format!("{verdict}: a plan that meets a statement of the spec{time}"),
+        (false, n) => format!("{verdict}: a plan that meets {n} statements of the spec together{time}"),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::planner::profile::profile;
 use crate::planner::rows::{Decision, Engine, Planned};
 use crate::planner::select::PlanningSet;
 use crate::planner::sets::PlanningSets;
-use crate::planner::successive::Successive;
+use crate::planner::successive::{NOT_FOUND, Successive};
 use crate::planner::transcribe::UNBOUNDED;
 use crate::planner::wrench_model::WrenchModel;
 use crate::qp::RowOrigin;
@@ -85,7 +85,10 @@ impl Oracle for Planners<'_> {
             PlannerKind::Rsp => match decide(&sets.imposed.rip, &mut of_rip, true) {
                 (Decision::Feasible(planned), parts) => match sets.imposed.violated(model, &planned) {
                     none if none.is_empty() => (Decision::Feasible(planned), parts),
-                    facets => decide(&sets.imposed.rip.with(facets), &mut of_rip.clone(), false),
+                    facets => {
+                        let (decision, parts) = decide(&sets.imposed.rip.with(facets), &mut of_rip.clone(), false);
+                        (about_all_selections(decision, model.plan.model), parts)
+                    }
                 },
                 other => other,
             },
@@ -101,6 +104,15 @@ impl Oracle for Planners<'_> {
             Decision::Infeasible => Answer::Infeasible(parts),
             Decision::Inconclusive(_) => Answer::NotFound(parts),
         }
+    }
+}
+
+/// What is decided for the facets that one RIP plan selects. The hover model's RIP plan is the only one of least cost, so they are
+/// RSP's facets; in the exact model another RIP plan may select others, and a proof for these is none for RSP.
+fn about_all_selections(decision: Decision, model: PlanModel) -> Decision {
+    match (decision, model) {
+        (Decision::Infeasible, PlanModel::Exact) => Decision::Inconclusive(NOT_FOUND.into()),
+        (decision, _) => decision,
     }
 }
 

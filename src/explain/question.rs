@@ -1,6 +1,6 @@
 //! Questions to the oracle: variants of one spec, the mission time each is asked at, and how many there may be.
 
-use super::oracle::{Answer, Oracle};
+use super::oracle::{Answer, Oracle, Part};
 use super::statement::Statement;
 use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::planner::profile::{determined, earliest};
@@ -121,10 +121,25 @@ impl<'a> Questions<'a> {
         self.asked += 1;
         let (time, free) = self.time_of(&model, mission);
         // The time at which RSP selects its facets is a shortest time of RCP, and where RCP has a plan RSP has one.
-        if free && model.plan.planner == PlannerKind::Rsp && self.model.plan.time == MissionTime::Minimum {
+        let asks_rcp = free && model.plan.planner == PlannerKind::Rsp && self.model.plan.time == MissionTime::Minimum;
+        if asks_rcp {
             model.plan.planner = PlannerKind::Rcp;
         }
-        Some(self.oracle.ask(&model, mission, time))
+        match self.oracle.ask(&model, mission, time) {
+            Answer::Infeasible(parts) if asks_rcp => Some(self.without_modes(model, mission, time, parts)),
+            answer => Some(answer),
+        }
+    }
+
+    /// What a proof about RCP, asked in the place of RSP, says of RSP. RCP's sets are the smaller ones, so nothing; a proof about
+    /// RIP, whose sets are the larger ones, is one about RSP too.
+    fn without_modes(&mut self, mut model: Model, mission: &Mission, time: f64, of_rcp: Vec<(Part, f64)>) -> Answer {
+        self.asked += 1;
+        model.plan.planner = PlannerKind::Rip;
+        match self.oracle.ask(&model, mission, time) {
+            proof @ Answer::Infeasible(_) => proof,
+            _ => Answer::NotFound(of_rcp),
+        }
     }
 }
 

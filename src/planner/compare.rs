@@ -30,6 +30,10 @@ use std::sync::{Mutex, PoisonError};
 /// Told the planner's name, how much of a comparison is done, and each mission time (s) before it is tried.
 pub type Progress<'a> = Option<&'a (dyn Fn(&str, f64) + Sync)>;
 
+/// Why RSP is not attempted.
+const NOTHING_TO_SELECT_BY: &str = "no RIP plan was found to select facets by";
+const NO_COMMON_TIME: &str = "no plan was found for any fault mode alone, so there is no time T_d to select facets at";
+
 struct Setting<'a> {
     model: &'a Model,
     mission: &'a Mission,
@@ -165,7 +169,7 @@ impl<'a> Setting<'a> {
                 infeasible_above: s.infeasible_above.clone(),
                 ..self.solved(s.time, &s.planned)
             })),
-            Err(NoTime::Infeasible { up_to }) => Ending::Infeasible { at: *up_to },
+            Err(NoTime::Infeasible { times }) => Ending::proved_infeasible(times),
             Err(NoTime::Inconclusive { at, status }) => Ending::Inconclusive { at: *at, status: status.clone() },
         }
     }
@@ -173,8 +177,17 @@ impl<'a> Setting<'a> {
     fn common(&self, time: f64, decision: &Decision) -> Ending {
         match decision {
             Decision::Feasible(planned) => Ending::Solved(Box::new(self.solved(time, planned))),
-            Decision::Infeasible => Ending::Infeasible { at: time },
+            Decision::Infeasible => Ending::proved_infeasible(&[time]),
             Decision::Inconclusive(status) => Ending::Inconclusive { at: time, status: status.clone() },
+        }
+    }
+
+    /// RSP where RIP was not planned at T_d = `time`: every plan of RSP is one of RIP, so a proof for RIP is one for RSP; without
+    /// a proof there is nothing to select facets by, and RSP is not searched for.
+    fn without_rip(&self, time: f64, rip: &Decision) -> Ending {
+        match rip {
+            Decision::Infeasible => Ending::proved_infeasible(&[time]),
+            _ => Ending::NotAttempted { at: time, why: NOTHING_TO_SELECT_BY.into() },
         }
     }
 
@@ -275,8 +288,9 @@ impl<'a> Setting<'a> {
             let found = self.search("RIP", &self.sets.rip, Hint::default(), Pool::default());
             out.effort += found.effort;
             return Err(match self.own(&found) {
-                // RIP has a plan, but no mode does at any time: RSP has nothing to select at.
-                Ending::Solved(s) => Ending::Infeasible { at: s.time },
+                // Nothing is shown of RSP itself: the modes' sets are smaller than RSP's, and may not even be proved infeasible.
+                Ending::Solved(s) => Ending::NotAttempted { at: s.time, why: NO_COMMON_TIME.into() },
+                Ending::Inconclusive { at, .. } => Ending::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() },
                 ending => ending,
             });
         };
@@ -287,7 +301,7 @@ impl<'a> Setting<'a> {
                 let set = self.select(time, &planned, rcp, out);
                 Ok((set, iter::once(*planned).chain(rcp.cloned()).collect()))
             }
-            _ => Err(self.common(time, &decision)),
+            _ => Err(self.without_rip(time, &decision)),
         }
     }
 

@@ -33,9 +33,9 @@ pub struct Shortest {
 /// Why there is no shortest time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NoTime {
-    /// Every time tried was shown infeasible, the given one the longest.
-    Infeasible { up_to: f64 },
-    /// The solver gave no verdict where one was needed.
+    /// Each time tried was proved infeasible: these, s, in the order of the search.
+    Infeasible { times: Vec<f64> },
+    /// No plan was found, and some time tried was not proved infeasible.
     Inconclusive { at: f64, status: String },
 }
 
@@ -102,7 +102,7 @@ impl<'a> Engine<'a> {
                 Decision::Feasible(planned) => {
                     Ok(Shortest { time: total, planned: *planned, infeasible_at: None, infeasible_above: Vec::new() })
                 }
-                Decision::Infeasible => Err(NoTime::Infeasible { up_to: total }),
+                Decision::Infeasible => Err(NoTime::Infeasible { times: vec![total] }),
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
         }
@@ -214,19 +214,23 @@ impl Search<'_, '_> {
         // A lower end known beforehand may lie far off; one found here lies near, and halving pays.
         let mut near = false;
         let mut unknown: Vec<(Ticks, String)> = Vec::new();
+        let mut proved: Vec<f64> = low.map(seconds).into_iter().collect();
         let mut stride = STEP;
         let mut next = start;
         while let Some(t) = next {
             match self.try_at(t, samples) {
                 Decision::Feasible(planned) => high = Some((t, *planned)),
-                Decision::Infeasible => (low, near) = (Some(t), true),
+                Decision::Infeasible => {
+                    (low, near) = (Some(t), true);
+                    proved.push(seconds(t));
+                }
                 Decision::Inconclusive(status) => unknown.push((t, status)),
             }
             let highest = unknown.iter().map(|u| u.0).chain(low).max().unwrap_or(self.floor);
             next = match (low, &high) {
                 _ if unknown.len() > MOST_UNKNOWN => None,
                 (_, None) if seconds(highest) > LONGEST && unknown.is_empty() => {
-                    return Err(NoTime::Infeasible { up_to: seconds(highest) });
+                    return Err(NoTime::Infeasible { times: proved });
                 }
                 (_, None) if seconds(highest) > LONGEST => None,
                 (_, None) => {

@@ -3,6 +3,7 @@
 use super::number::significant;
 use super::table::Table;
 use super::terminal::vehicle_line;
+use crate::admissible::edge::Place;
 use crate::admissible::parallel::{Parallel, least_angle};
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::{Allocation, Model};
@@ -44,13 +45,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         let mut cells = vec![
             m.name.clone(),
             m.verdict.name().into(),
-            match (m.verdict, m.interior) {
-                (Verdict::Controllable, true) => "inside".into(),
-                (Verdict::Controllable, false) => "on the edge".into(),
-                (Verdict::Stabilizable, true) => "inside, yaw free".into(),
-                (Verdict::Stabilizable, false) => "on the edge, yaw free".into(),
-                (Verdict::Unstable, _) => "outside".into(),
-            },
+            m.hover_words(),
             optional(m.acai, 4),
             optional(m.acai_yaw_free, 4),
             m.critical_mass_kg.map_or("none".into(), |v| format!("{} kg", significant(v, 4))),
@@ -69,7 +64,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     }
     out.push_str(&table.render(0));
     out.push_str(LEGEND);
-    if modes.iter().any(|m| m.verdict != Verdict::Unstable && !m.interior) {
+    if modes.iter().any(|m| m.hover == Place::OnEdge) {
         out.push_str(
             "the edge  hover is in reach, but in some direction the smallest disturbance cannot be countered\n",
         );

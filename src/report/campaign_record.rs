@@ -6,8 +6,11 @@ use crate::campaign::design::{Design, Missing};
 use crate::campaign::statistics::{Contingency, Share, Summary, wilson};
 use crate::campaign::tally::{Group, Tally};
 use crate::model::{Detection, Model};
-use crate::planner::compare::Ending;
+use crate::verdict::Verdict;
 use serde::Serialize;
+
+/// Of this form; raised where a field or its values change.
+const SCHEMA: u32 = 2;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CampaignRecord {
@@ -32,7 +35,7 @@ pub struct CampaignRecord {
     pub detection_delay_s: Option<f64>,
     pub after_fault: &'static str,
     pub planners: Vec<PlannerRecord>,
-    /// Over all modes, then over the controllable ones; empty where nothing was flown.
+    /// Over all modes, then over those with hover inside their sets; empty where nothing was flown.
     pub agreement: Vec<AgreementRecord>,
 }
 
@@ -45,8 +48,8 @@ pub struct ShardRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlannerRecord {
     pub name: &'static str,
-    /// `solved`, `infeasible`, `inconclusive` or `not_run`.
-    pub status: &'static str,
+    /// On its plan at the common time.
+    pub verdict: Verdict,
     pub against: Vec<String>,
     /// Flights without a fault; the error is that of the whole flight.
     pub healthy: Option<GroupRecord>,
@@ -56,8 +59,8 @@ pub struct PlannerRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeRecord {
     pub name: String,
-    /// Whether full control is left: hover lies inside the mode's set.
-    pub controllable: bool,
+    /// Whether hover lies inside the mode's set with every axis held, as `mavc analyze` has it.
+    pub inside: bool,
     /// What the plan says of the mode.
     pub outside_s: f64,
     pub last_outside_s: Option<f64>,
@@ -97,7 +100,7 @@ pub struct CellRecord {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AgreementRecord {
-    /// `all` or `controllable`.
+    /// `all` or `inside`.
     pub modes: &'static str,
     pub mode_count: usize,
     /// All planners, then each.
@@ -123,12 +126,12 @@ impl CampaignRecord {
     pub fn new(design: &Design, shard: Shard, tally: &Tally, spec_sha256: String) -> Self {
         let planners = design.plans.iter().enumerate().map(|(p, plan)| PlannerRecord {
             name: plan.planner.name(),
-            status: "solved",
+            verdict: Verdict::Found,
             against: plan.against.clone(),
             healthy: Some(GroupRecord::new(tally.healthy(p))),
             modes: (0..design.model.modes.len()).map(|m| mode(design, tally, p, m)).collect(),
         });
-        let Agreement { all, controllable } = Agreement::new(design, tally);
+        let Agreement { all, inside } = Agreement::new(design, tally);
         CampaignRecord {
             campaign: Some(design.id.to_string()),
             shard: (shard != Shard::WHOLE).then_some(ShardRecord { index: shard.index + 1, of: shard.of }),
@@ -136,7 +139,7 @@ impl CampaignRecord {
             cases: design.cases.count(),
             flights: tally.flights(),
             planners: planners.chain(design.missing.iter().map(missing)).collect(),
-            agreement: vec![AgreementRecord::new("all", &all), AgreementRecord::new("controllable", &controllable)],
+            agreement: vec![AgreementRecord::new("all", &all), AgreementRecord::new("inside", &inside)],
             ..CampaignRecord::without_flights(design.model, &[], spec_sha256)
         }
     }
@@ -150,7 +153,7 @@ impl CampaignRecord {
             Detection::Estimator => ("estimator", None),
         };
         CampaignRecord {
-            schema: 1,
+            schema: SCHEMA,
             spec_sha256,
             campaign: None,
             shard: None,
@@ -172,12 +175,13 @@ impl CampaignRecord {
 }
 
 fn missing(missing: &Missing) -> PlannerRecord {
-    let status = match missing.ending {
-        None | Some(Ending::Solved(_)) => "not_run",
-        Some(Ending::Infeasible { .. }) => "infeasible",
-        Some(Ending::Inconclusive { .. }) => "inconclusive",
-    };
-    PlannerRecord { name: missing.planner.name(), status, against: Vec::new(), healthy: None, modes: Vec::new() }
+    PlannerRecord {
+        name: missing.planner.name(),
+        verdict: missing.verdict(),
+        against: Vec::new(),
+        healthy: None,
+        modes: Vec::new(),
+    }
 }
 
 fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeRecord {
@@ -185,7 +189,7 @@ fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeReco
     let cells = tally.cells(planner, mode).iter().enumerate();
     ModeRecord {
         name: design.model.modes[mode].name.clone(),
-        controllable: design.controllable[mode],
+        inside: design.inside[mode],
         outside_s: outside.seconds,
         last_outside_s: outside.last,
         flights: GroupRecord::new(tally.mode(planner, mode)),

@@ -12,7 +12,6 @@ use crate::campaign::statistics::{Contingency, Share, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
 use crate::model::{Detection, Model};
 use crate::planner::compare::Ending;
-use crate::planner::successive::NOT_FOUND;
 use std::cmp::Reverse;
 
 /// Columns of running text and of maps.
@@ -206,16 +205,16 @@ fn mark(cells: &[Cell]) -> char {
 /// The planners without a plan.
 pub fn left_out(missing: &[Missing]) -> String {
     let mut out = String::new();
-    for Missing { planner, ending } in missing {
+    for one @ Missing { planner, ending } in missing {
         let why = match ending {
-            Some(Ending::Infeasible { at }) => format!("it has no plan in {} s (proved)", number(*at)),
-            Some(Ending::Inconclusive { at, status }) => match status.as_str() {
-                NOT_FOUND => format!("no plan was found at {} s", number(*at)),
-                _ => format!("the solver gave no verdict at {} s ({status})", number(*at)),
-            },
+            Some(Ending::Infeasible { at, .. } | Ending::Inconclusive { at, .. }) => {
+                format!("a plan of {} s with these samples", number(*at))
+            }
+            Some(Ending::NotAttempted { why, .. }) => why.clone(),
             _ => "there is no mode to plan against, or no common time".into(),
         };
-        out.push_str(&format!("\n{} is left out: {why}\n", planner.name().to_uppercase()));
+        let verdict = one.verdict();
+        out.push_str(&format!("\n{} is left out; {verdict}: {why}\n", planner.name().to_uppercase()));
     }
     out
 }
@@ -226,16 +225,16 @@ fn agreement(agreement: &Agreement) -> String {
         "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. Counted are \
          flights that lived to the fault.",
     ));
-    let Agreement { all, controllable } = agreement;
-    if controllable.modes == all.modes {
+    let Agreement { all, inside } = agreement;
+    if inside.modes == all.modes {
         out.push_str(&scope(all));
     } else {
         out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
-        let n = counted(controllable.modes, "mode");
+        let n = counted(inside.modes, "mode");
         out.push_str(&format!(
-            "\n  Only the {n} with hover inside their sets: against the others no plan can be made\n"
+            "\n  Only the {n} with hover inside their sets: against the others no plan can keep a reserve\n"
         ));
-        out.push_str(&scope(controllable));
+        out.push_str(&scope(inside));
     }
     out.push('\n');
     out.push_str(&filled(

@@ -12,6 +12,7 @@ use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, label};
 use crate::planner::profile::determined;
 use crate::trajectory::risk::rated_risk;
+use crate::verdict::Verdict;
 use fold::{Fold, folded};
 
 /// The tables of section 5.4 for any spec.
@@ -29,7 +30,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
     out.push_str(&match comparison.common_time {
         Some(t) => format!("\nAll planners at T_d = {} s, {}\n", number(t), common_time(model, mission, comparison)),
         None if comparison.modes.is_empty() => "\nWithout fault modes there is no common time T_d.\n".into(),
-        None => "\nNo mode has a plan at any time, so there is no common time T_d.\n".into(),
+        None => "\nNo plan was found for any mode, so there is no common time T_d.\n".into(),
     });
     out.push_str(&run_table(mission, comparison, Run::Common).render(2));
     out.push_str(&notes(comparison, Run::Common));
@@ -65,10 +66,24 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         }
     }
     out.push_str(&guarded(comparison));
-    if comparison.runs.iter().any(|run| matches!(run.ending, Ending::Inconclusive { .. })) {
-        out.push_str("\nno verdict: no plan was found, and that there is none is not shown.\n");
-    }
+    out.push_str(&words(comparison));
     out
+}
+
+/// What the verdicts of the tables mean, where some planner has no plan.
+fn words(comparison: &Comparison) -> String {
+    let has = |verdict: Verdict| comparison.runs.iter().any(|run| run.ending.verdict() == verdict);
+    let meanings = [
+        (
+            Verdict::ProvedInfeasible,
+            "with these samples there is no plan, proved by itself for each time that `--report` lists.",
+        ),
+        (Verdict::NotFound, "no plan was found; one may exist."),
+        (Verdict::NotAttempted, "no plan was searched for, for no RIP plan was found to select facets by."),
+    ];
+    let told = meanings.into_iter().filter(|(verdict, _)| has(*verdict));
+    let lines: String = told.map(|(verdict, meaning)| format!("  {verdict}: {meaning}\n")).collect();
+    if lines.is_empty() { lines } else { format!("\n{lines}") }
 }
 
 /// The planner's run at T_d, of which there is one where there is a T_d.
@@ -87,15 +102,18 @@ fn guarded(comparison: &Comparison) -> String {
     let n = comparison.selected.len();
     match (selects(comparison), comparison.common_time.map(number)) {
         _ if comparison.modes.is_empty() => String::new(),
-        (false, Some(at)) => format!("\nRIP has no plan at T_d = {at} s to select facets by, so there is no RSP.\n"),
+        (false, Some(at)) => {
+            format!("\nNo RIP plan was found at T_d = {at} s to select facets by, so RSP selects none.\n")
+        }
         _ => {
             let plural = if n == 1 { "" } else { "s" };
             let planes = in_planes(comparison);
             let mut text =
                 format!("\nRSP guards {n} facet{plural} of the fault sets{planes} beside the healthy set's.\n");
-            if let Some(Ending::Infeasible { at }) = at_common(comparison, PlannerKind::Rsp).map(|run| &run.ending) {
+            if let Some(Ending::Infeasible { at, .. }) = at_common(comparison, PlannerKind::Rsp).map(|run| &run.ending)
+            {
                 let at = number(*at);
-                text += &format!("RSP has no plan in {at} s; its own shortest time is in the first table.\n");
+                text += &format!("RSP is proved infeasible in {at} s; its own shortest time is in the first table.\n");
             }
             text
         }
@@ -196,8 +214,7 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
                     fold.rows(),
                 ]);
             }
-            Ending::Infeasible { .. } => table.row(vec![name, "infeasible".into()]),
-            Ending::Inconclusive { .. } => table.row(vec![name, "no verdict".into()]),
+            ending => table.row(vec![name, ending.verdict().word().into()]),
         }
     }
     table
@@ -232,7 +249,7 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
 /// What `mavc compare --rounds` adds: each number of rounds at T_d, and its own shortest time where time is free.
 pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds: &[Round]) -> String {
     let Some(common) = comparison.common_time else {
-        return "\nNo mode has a plan at any time, so there is no time to select facets at.\n".into();
+        return "\nNo plan was found for any mode, so there is no time to select facets at.\n".into();
     };
     let is_free = model.plan.time == MissionTime::Minimum && determined(mission).is_none();
     let mut out = format!("\nRounds of selection, at T_d = {} s; 0 is RIP, 1 the paper's RSP\n", number(common));
@@ -257,14 +274,12 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
                 cells.push(s.smallest_margin().map_or("-".into(), percent));
                 cells.push(fixed(s.outside.iter().map(|o| o.seconds).fold(0.0, f64::max), 2));
             }
-            Ending::Infeasible { .. } => cells.extend(["infeasible", "", "", "", "", ""].map(String::from)),
-            Ending::Inconclusive { .. } => cells.extend(["no verdict", "", "", "", "", ""].map(String::from)),
+            ending => cells.extend([ending.verdict().word(), "", "", "", "", ""].map(String::from)),
         }
         cells.push(match &round.own {
             _ if !is_free => "-".into(),
             Ending::Solved(s) => number(s.time),
-            Ending::Infeasible { .. } => "infeasible".into(),
-            Ending::Inconclusive { .. } => "none found".into(),
+            ending => ending.verdict().word().into(),
         });
         table.row(cells);
     }

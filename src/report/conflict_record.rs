@@ -3,12 +3,13 @@
 use crate::explain::Explanation;
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::source::{FileId, SourceMap};
+use crate::verdict::Verdict;
 use serde::Serialize;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ConflictRecord {
-    /// Proved, or only not satisfied together in the attempts made.
-    pub proved: bool,
+    /// Whether a plan meets all of the statements: `proved infeasible` or `not found`.
+    pub verdict: Verdict,
     /// A plan was found for the others whenever one statement was left out.
     pub irreducible: bool,
     /// The mission time at which the statements were asked for, s.
@@ -80,7 +81,7 @@ impl ConflictRecord {
             time_s: fix.time,
         };
         ConflictRecord {
-            proved: conflict.proved,
+            verdict: conflict.verdict(),
             irreducible: conflict.irreducible,
             time_s: conflict.time,
             any_time: conflict.any_time,

@@ -20,6 +20,7 @@ mod summary;
 mod survival;
 mod svg;
 mod verdicts;
+mod waypoint_table;
 
 use crate::admissible::verdict::analyze_each;
 use crate::diagnostic::Diagnostic;
@@ -58,9 +59,11 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     let Subject { model, mission, .. } = *subject;
     let analyses = analyze_each(model);
     let shown = sets::shown(model, comparison);
-    let content = Content::of_plans(subject, comparison, &shown, record);
+    let content = Content::of_plans(subject, comparison, &shown, record).with_places(&analyses);
     let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
-    if kind == Kind::Compare {
+    if kind == Kind::Plan {
+        sections.extend(record.planners.last().and_then(waypoint_table::section));
+    } else {
         sections.insert(0, Section::new("planners", "Planners", planners::section(comparison, record)));
     }
     if !content.runs.is_empty() {
@@ -88,7 +91,7 @@ pub fn figures(subject: &Subject, comparison: &Comparison) -> Result<Vec<(String
 pub fn refused(subject: &Subject, record: &Record) -> String {
     let model = subject.model;
     let analyses = analyze_each(model);
-    let content = Content::of_sets(subject, &sets::declared(model), record);
+    let content = Content::of_sets(subject, &sets::declared(model), record).with_places(&analyses);
     let found = summary::refused(model, &analyses, subject.diagnostics);
     let sections = vec![
         Section::new("modes", "Modes", verdicts::refused(model, &analyses)),
@@ -103,7 +106,7 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
     let model = subject.model;
     let analyses = analyze_each(model);
     let shown = sets::shown(model, comparison);
-    let mut content = Content::of_plans(subject, comparison, &shown, record);
+    let mut content = Content::of_plans(subject, comparison, &shown, record).with_places(&analyses);
     for plan in &mut content.runs {
         plan.label = format!("the plan ({})", plan.label);
     }
@@ -123,7 +126,7 @@ pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: 
 pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
     let model = subject.model;
     let analyses = analyze_each(model);
-    let content = Content::of_sets(subject, &sets::declared(model), record);
+    let content = Content::of_sets(subject, &sets::declared(model), record).with_places(&analyses);
     let sections = vec![
         Section::new("planners", "Planners", survival::table(record)),
         Section::new("map", "Map", survival::maps(record)),

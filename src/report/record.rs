@@ -2,6 +2,8 @@
 
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
+use super::verdict_text::statement;
+use super::waypoints::{WaypointRecord, waypoints};
 use crate::certify::between::Between;
 use crate::model::{Mission, Model};
 use crate::planner::compare::protect::{Addition, Protection};
@@ -9,7 +11,14 @@ use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
 use crate::planner::hover_model::YAW;
 use crate::trajectory::risk::rated_risk;
+use crate::verdict::Verdict;
 use serde::Serialize;
+
+/// Of this form; raised where a field or its values change.
+const SCHEMA: u32 = 2;
+
+/// Why nothing is planned.
+const REFUSED: &str = "hover does not lie inside every set that the plan must keep to";
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Record {
@@ -62,7 +71,7 @@ pub struct RoundRecord {
     /// Facets selected at T_d.
     pub selected: usize,
     /// Of the plan at T_d.
-    pub status: &'static str,
+    pub verdict: Verdict,
     pub objective: Option<f64>,
     pub position_error_m: Option<f64>,
     pub yaw_error_rad: Option<f64>,
@@ -76,31 +85,19 @@ pub struct RoundRecord {
 
 impl RoundRecord {
     pub fn new(mission: &Mission, round: &Round) -> Self {
-        let solved = |ending: &Ending| match ending {
-            Ending::Solved(s) => Some(s.as_ref().clone()),
-            _ => None,
-        };
-        let common = solved(&round.common);
-        let e = common.as_ref().map(|s| errors(mission, s));
+        let common = round.common.solved();
+        let e = common.map(|s| errors(mission, s));
         RoundRecord {
             rounds: round.rounds,
             selected: round.selected,
-            status: status(&round.common),
-            objective: common.as_ref().map(|s| s.objective),
+            verdict: round.common.verdict(),
+            objective: common.map(|s| s.objective),
             position_error_m: e.map(|e| e.position),
             yaw_error_rad: e.map(|e| e.yaw),
-            smallest_margin: common.as_ref().and_then(Solved::smallest_margin),
+            smallest_margin: common.and_then(Solved::smallest_margin),
             outside_s: common.iter().flat_map(|s| s.outside.iter().map(|o| o.seconds)).collect(),
-            own_time_s: solved(&round.own).map(|s| s.time),
+            own_time_s: round.own.solved().map(|s| s.time),
         }
-    }
-}
-
-fn status(ending: &Ending) -> &'static str {
-    match ending {
-        Ending::Solved(_) => "solved",
-        Ending::Infeasible { .. } => "infeasible",
-        Ending::Inconclusive { .. } => "inconclusive",
     }
 }
 
@@ -109,14 +106,18 @@ pub fn rates(model: &Model) -> Vec<Option<f64>> {
     model.plan.against.iter().map(|&mode| model.modes[mode].rate).collect()
 }
 
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct PlannerRecord {
     pub name: &'static str,
     pub against: Vec<String>,
     /// `own`: at its shortest time; `common`: at T_d or the spec's time.
     pub run: &'static str,
     pub time_s: Option<f64>,
-    pub status: &'static str,
+    pub verdict: Verdict,
+    /// The verdict for people, with exactly what was shown.
+    pub statement: String,
+    /// Mission times, s, for each of which it was proved by itself that there is no plan; of others nothing is claimed.
+    pub proved_infeasible_s: Vec<f64>,
     /// Value of (48).
     pub objective: Option<f64>,
     /// (49)
@@ -124,6 +125,10 @@ pub struct PlannerRecord {
     /// (50)
     pub yaw_error_rad: Option<f64>,
     pub max_waypoint_error_m: Option<f64>,
+    /// The largest error of a waypoint as a share of its tolerance, in position or yaw.
+    pub max_waypoint_share: Option<f64>,
+    /// In the order of flight; empty where there is no plan.
+    pub waypoints: Vec<WaypointRecord>,
     /// Facet rows imposed: those of the planning set at every node.
     pub rows: usize,
     pub modes: Vec<ModeRecord>,
@@ -179,7 +184,7 @@ impl Record {
         let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
         let steps = || comparison.trade_off.iter().map(AdditionRecord::new).collect();
         Record {
-            schema: 1,
+            schema: SCHEMA,
             spec_sha256,
             model: model.plan.model.name(),
             reserve: model.plan.reserve,
@@ -200,20 +205,12 @@ impl Record {
             name: model.plan.planner.name(),
             against,
             run: "own",
-            time_s: None,
-            status: "infeasible",
-            objective: None,
-            position_error_m: None,
-            yaw_error_rad: None,
-            max_waypoint_error_m: None,
-            rows: 0,
-            modes: Vec::new(),
-            risk: None,
-            warnings: Vec::new(),
-            between: None,
+            verdict: Verdict::NotAttempted,
+            statement: format!("{}: {REFUSED}", Verdict::NotAttempted),
+            ..PlannerRecord::default()
         };
         Record {
-            schema: 1,
+            schema: SCHEMA,
             spec_sha256,
             model: model.plan.model.name(),
             reserve: model.plan.reserve,
@@ -238,22 +235,19 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             Run::Own => "own",
             Run::Common => "common",
         },
-        time_s: None,
-        status: status(&run.ending),
-        objective: None,
-        position_error_m: None,
-        yaw_error_rad: None,
-        max_waypoint_error_m: None,
+        verdict: run.ending.verdict(),
+        statement: statement(model, mission, comparison, run),
         rows: run.set.rows.len() * nodes,
-        modes: Vec::new(),
-        risk: None,
-        warnings: Vec::new(),
-        between: None,
+        ..PlannerRecord::default()
     };
     match &run.ending {
-        Ending::Infeasible { .. } | Ending::Inconclusive { .. } => {}
+        Ending::Infeasible { proved, .. } => record.proved_infeasible_s = proved.clone(),
+        Ending::Inconclusive { .. } | Ending::NotAttempted { .. } => {}
         Ending::Solved(solved) => {
             let e = errors(mission, solved);
+            record.proved_infeasible_s = solved.infeasible_at.iter().chain(&solved.infeasible_above).copied().collect();
+            record.waypoints = waypoints(mission, solved);
+            record.max_waypoint_share = record.waypoints.iter().map(WaypointRecord::share).max_by(f64::total_cmp);
             record.time_s = Some(solved.time);
             record.objective = Some(solved.objective);
             record.position_error_m = Some(e.position);

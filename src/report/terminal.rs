@@ -5,13 +5,13 @@ use super::heat;
 use super::number::{fixed, number, percent, short_seconds, significant};
 use super::record::{errors, rates};
 use super::table::Table;
+use super::verdict_text::statement;
+use super::waypoints;
 use crate::flight::twins::listed;
 use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
-use crate::planner::compare::protect::{Protection, UNMET};
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
-use crate::planner::profile::determined;
+use crate::planner::compare::protect::Protection;
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Solved, label};
 use crate::planner::select::PlanningSet;
-use crate::planner::successive::NOT_FOUND;
 use crate::trajectory::outside::Outside;
 use crate::trajectory::risk::rated_risk;
 
@@ -47,7 +47,7 @@ pub(super) fn head(model: &Model, mission: &Mission, comparison: &Comparison) ->
         out.push_str(&format!("Rotors lag: thrusts are taken to follow their commands in {milliseconds} ms\n"));
     }
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
-        out.push_str("Yaw changes: it was planned first, alone; what is infeasible is so for that yaw motion\n");
+        out.push_str("Yaw changes: it was planned first, alone; what is proved infeasible is so for that yaw alone\n");
     }
     out
 }
@@ -95,8 +95,10 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
         out.push('\n');
         match &run.ending {
             Ending::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved, color)),
-            ending => {
-                out.push_str(&format!("{}: {}\n", label(run.planner, &run.against), no_plan(model, run, ending)));
+            _ => {
+                let text =
+                    format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));
+                out.push_str(&format!("{}\n", textwrap::fill(&text, WIDTH)));
             }
         }
     }
@@ -123,31 +125,6 @@ fn trade_off(comparison: &Comparison, bound: f64) -> String {
     )
 }
 
-/// Why a run ended without a plan. What is proved is proved of motions with the spec's samples.
-pub fn no_plan(model: &Model, run: &PlannerRun, ending: &Ending) -> String {
-    let samples = model.plan.samples;
-    match (ending, run.run) {
-        (Ending::Infeasible { at }, Run::Common) => format!(
-            "no plan with {samples} samples meets every waypoint within its tolerance in {} s (proved)",
-            number(*at)
-        ),
-        (Ending::Infeasible { at }, Run::Own) => {
-            format!("no plan with {samples} samples at any time tried, up to {} s (each proved)", number(*at))
-        }
-        (Ending::Inconclusive { at, status }, _) if status == UNMET => format!(
-            "no plan found that keeps the required risk, up to {} s; that there is none is not shown",
-            number(*at)
-        ),
-        (Ending::Inconclusive { at, status }, _) if status == NOT_FOUND => {
-            format!("no plan found with {samples} samples at {} s; that there is none is not shown", number(*at))
-        }
-        (Ending::Inconclusive { at, status }, _) => {
-            format!("the solver gave no verdict at {} s ({status})", number(*at))
-        }
-        (Ending::Solved(_), _) => "solved".into(),
-    }
-}
-
 fn solved_run(
     model: &Model,
     mission: &Mission,
@@ -156,29 +133,12 @@ fn solved_run(
     solved: &Solved,
     color: bool,
 ) -> String {
-    let e = errors(mission, solved);
-    let mut out = format!("{}: {} s", label(run.planner, &run.against), number(solved.time));
-    match (run.run, solved.infeasible_at) {
-        (Run::Own, Some(t)) => {
-            // Waypoint times that are sought are a local best: what is shown is shown for the legs' shares found.
-            let shares = if model.plan.chooses_times { " with these waypoint times" } else { "" };
-            let samples = model.plan.samples;
-            let below = number(t);
-            out.push_str(&format!(", the shortest time with {samples} samples ({below} s is infeasible{shares})\n"));
-        }
-        (Run::Own, None) if model.plan.model == PlanModel::Exact && determined(mission).is_none() => {
-            out.push_str(", the shortest time found (that none is shorter is not shown)\n");
-        }
-        (Run::Own, None) => out.push_str(", the only time that the mission's fixed times allow\n"),
-        (Run::Common, _) => out.push('\n'),
-    }
-    let n = mission.waypoints.len();
-    out.push_str(&format!(
-        "  {n} waypoints met: largest error {} cm, sum {} m, yaw sum {} rad\n",
-        significant(100.0 * e.largest, 3),
-        significant(e.position, 4),
-        significant(e.yaw, 3)
-    ));
+    let text = format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));
+    let mut out = format!("{}\n", textwrap::fill(&text, textwrap::Options::new(WIDTH).subsequent_indent("  ")));
+    let (e, waypoints) = (errors(mission, solved), waypoints::waypoints(mission, solved));
+    out.push_str(&format!("  {}\n{}", waypoints::headline(&waypoints), waypoints::table(&waypoints, 4)));
+    let [position, yaw] = [significant(e.position, 4), significant(e.yaw, 3)];
+    out.push_str(&format!("  sum of errors {position} m, of yaw {yaw} rad\n"));
     out.push_str(&format!("  objective {}\n", number(solved.objective)));
     if !comparison.modes.is_empty() {
         out.push_str("\n  If a fault strikes, when is the plan outside what is left?\n");
@@ -191,7 +151,7 @@ fn solved_run(
     if !solved.infeasible_above.is_empty() {
         let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();
         out.push_str(&format!(
-            "\n  Longer is not always easier here: with these fixed times and holds, {} s is infeasible.\n",
+            "\n  Longer is not always easier here: with these fixed times and holds, {} s is proved infeasible.\n",
             times.join(", ")
         ));
     }

@@ -407,7 +407,7 @@ fn reports_are_as_their_schema_says() {
     schema.assert_valid(&whole);
     assert_eq!(whole["flights"], whole["cases"]);
     let gone = &whole["planners"][0]["modes"][0];
-    assert_eq!((&gone["name"], &gone["controllable"]), (&Value::from("gone"), &Value::from(false)));
+    assert_eq!((&gone["name"], &gone["inside"]), (&Value::from("gone"), &Value::from(false)));
     assert_eq!(gone["last_outside_s"], 4.0);
     assert_eq!(gone["flights"]["survival"]["share"], 0.0);
     for pointer in ["", "/planners/0", "/planners/0/modes/0", "/planners/0/modes/0/flights", "/agreement/0/by_flight/0"]
@@ -420,7 +420,7 @@ fn reports_are_as_their_schema_says() {
     // Too fast for any plan, and a mode that nothing can stand: 3, with a report.
     desk.run(&[&size[..], &["--set", "plan.time=0.2s"]].concat(), 3);
     schema.assert_valid(&report("r.json"));
-    assert_eq!(report("r.json")["planners"][0]["status"], "infeasible");
+    assert_eq!(report("r.json")["planners"][0]["verdict"], "proved infeasible");
     desk.run(&[&size[..], &["--set", "plan.against=[gone]"]].concat(), 3);
     schema.assert_valid(&report("r.json"));
 }

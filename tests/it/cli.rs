@@ -93,7 +93,7 @@ fn a_plan_writes_a_table_and_a_report() {
             .ends_with("tau_x,tau_y,tau_z,omega_1,omega_2,omega_3,omega_4,omega_5,omega_6,omega_7,omega_8,waypoint")
     );
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
-    assert_eq!(record["planners"][0]["status"], "solved");
+    assert_eq!(record["planners"][0]["verdict"], "found");
     assert_eq!(record["planners"][0]["time_s"], 20.0);
     assert_eq!(record["spec_sha256"].as_str().unwrap().len(), 64);
     // Nothing is left beside the two files.
@@ -141,7 +141,7 @@ fn a_mode_that_cannot_hover_ends_with_3_and_a_report() {
     assert!(err(&ran).contains("mavc::analysis::cannot_hover"), "{}", err(&ran));
     assert!(!table.exists());
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
-    assert_eq!(record["planners"][0]["status"], "infeasible");
+    assert_eq!(record["planners"][0]["verdict"], "not attempted");
     let checked = mavc_with(&["check", "-", "--format", "short", "--set", "plan.against=[M1]"], HOP);
     assert_eq!(code(&checked), 3);
     assert!(out(&checked).contains("error[mavc::analysis::cannot_hover]"), "{}", out(&checked));
@@ -182,7 +182,7 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     let args = ["plan", "-", "-o", text(&table), "--report", text(&report), "--set", "plan.time=0.7s"];
     let ran = mavc_with(&args, HOP);
     assert_eq!(code(&ran), 3, "{}{}", out(&ran), err(&ran));
-    assert!(out(&ran).contains("no plan with 40 samples meets every waypoint"), "{}", out(&ran));
+    assert!(out(&ran).contains("proved infeasible at 0.7 s with 40 samples"), "{}", out(&ran));
     assert!(!table.exists() && report.exists());
     // Why, at the places of the spec and of `--set`, and the same in the report.
     let told = err(&ran);

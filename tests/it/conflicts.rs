@@ -269,7 +269,7 @@ fn as_many_statements_are_counted_as_labelled() {
         let labels: Vec<(Span, &str)> = std::iter::once((told.span, told.label.as_str()))
             .chain(told.labels.iter().map(|label| (label.span, label.message.as_str())))
             .collect();
-        let counted = told.message.split(' ').next().unwrap();
+        let counted = told.message.split_once(": ").unwrap().1.split(' ').next().unwrap();
         assert_eq!(counted.parse().unwrap_or(1), labels.len(), "{}: {}", text.name, told.message);
         for statement in &explanation.conflict.statements {
             let at = statement.span(model, mission);

@@ -38,3 +38,4 @@ mod trajectories;
 mod tutorial;
 mod vehicles;
 mod volumes;
+mod words;

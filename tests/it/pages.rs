@@ -217,7 +217,7 @@ fn pages_keep_to_the_rules_of_results() {
     let ran = mavc(&["plan", &spec, "--html", "-"]);
     let text = String::from_utf8(ran.stdout).unwrap();
     assert!(text.starts_with("<!DOCTYPE html>") && text.ends_with("</html>"));
-    assert!(String::from_utf8_lossy(&ran.stderr).contains("RIP: 6 s"));
+    assert!(String::from_utf8_lossy(&ran.stderr).contains("RIP: found, 6 s"));
 }
 
 /// Long flights, large vehicles and many modes make a page that is still small.

@@ -171,7 +171,7 @@ fn a_fixed_time_is_the_common_time() {
     let found = solved(&comparison.runs[0]);
     assert_eq!((found.time, found.infeasible_at), (24.0, None));
     model.plan.time = MissionTime::Fixed(12.0);
-    assert!(matches!(run(&model, Scope::Plan).runs[0].ending, Ending::Infeasible { at } if at == 12.0));
+    assert!(matches!(run(&model, Scope::Plan).runs[0].ending, Ending::Infeasible { at, .. } if at == 12.0));
 }
 
 #[test]

@@ -359,6 +359,6 @@ fn a_required_risk_is_told_in_the_exact_model() {
     let curve = json["trade_off"].as_array().unwrap();
     assert!(curve.len() > 1 && curve[0]["risk"].as_f64() > Some(bound), "{text}");
     assert!(curve.last().unwrap()["risk"].as_f64().unwrap() <= bound);
-    assert_eq!((&json["model"], &json["planners"][0]["status"]), (&"exact".into(), &"solved".into()));
+    assert_eq!((&json["model"], &json["planners"][0]["verdict"]), (&"exact".into(), &"found".into()));
     assert!(text.contains("exact model") && text.contains("What to protect"), "{text}");
 }

@@ -300,7 +300,7 @@ plan {{ time = {time} s; samples = 20; reserve = 0 % }}
     assert_eq!(json["model"], "exact");
     let rounds = json["rounds"].as_array().unwrap();
     assert_eq!(rounds.iter().map(|r| r["rounds"].as_u64().unwrap()).collect::<Vec<_>>(), [0, 1, 2]);
-    assert_eq!((rounds[0]["selected"].as_u64(), rounds[0]["status"].as_str()), (Some(0), Some("solved")));
+    assert_eq!((rounds[0]["selected"].as_u64(), rounds[0]["verdict"].as_str()), (Some(0), Some("found")));
     assert!(rounds[1]["selected"].as_u64() > Some(0), "{text}");
     let rip = json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rip" && r["run"] == "common").unwrap();
     // One plan is told the same in both tables.
@@ -310,7 +310,7 @@ plan {{ time = {time} s; samples = 20; reserve = 0 % }}
     let [objective, other] = [rsp, &rounds[1]].map(|run| run["objective"].as_f64().unwrap());
     assert!((objective / other - 1.0).abs() < 1e-9, "{objective} {other}");
     // Where the time is fixed there is no other for each round.
-    for round in rounds.iter().filter(|r| r["status"] == "solved") {
+    for round in rounds.iter().filter(|r| r["verdict"] == "found") {
         assert_eq!(round["own_time_s"].as_f64(), Some(time));
         assert!(round["outside_s"].as_array().unwrap().len() == 1, "{round}");
     }

@@ -147,14 +147,14 @@ fn reports_are_as_their_schema_says() {
     let schema = schema("report");
     let solved = report_of("compare", &[], &hop("weak"));
     schema.assert_valid(&solved);
-    assert!(solved["planners"].as_array().unwrap().iter().all(|p| p["status"] == "solved"));
+    assert!(solved["planners"].as_array().unwrap().iter().all(|p| p["verdict"] == "found"));
     assert_strict(&schema, &solved, &[]);
 
     // A mode that cannot hover with a reserve, and a time too short.
     let too_short = report_of("plan", &["--set", "plan.time=0.2s"], &hop("weak"));
     schema.assert_valid(&too_short);
-    assert_eq!(too_short["planners"][0]["status"], "infeasible");
-    assert_eq!(too_short["conflict"]["proved"], json!(true));
+    assert_eq!(too_short["planners"][0]["verdict"], "proved infeasible");
+    assert_eq!(too_short["conflict"]["verdict"], "proved infeasible");
     let fixes = too_short["conflict"]["fixes"].as_array().unwrap();
     assert!(fixes.iter().any(|f| f["kind"] == "time" && f["value"].as_f64() > Some(0.2)), "{too_short:#}");
     assert_strict(&schema, &too_short, &[]);

@@ -158,7 +158,7 @@ fn a_mission_without_a_plan_is_not_flown() {
     assert_eq!(code(&ran), 3);
     assert!(!log.exists());
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
-    assert_eq!(record["planners"][0]["status"], "infeasible");
+    assert_eq!(record["planners"][0]["verdict"], "proved infeasible");
     let many = simulate(&hop(folder.path(), ""), &["-o", log.to_str().unwrap(), "--set", "simulate.duration=90000s"]);
     assert_eq!(code(&many), 2, "a log past its bound: {}", err(&many));
     // Without a log there is nothing to bound: the flight ends soon, where all rotors on one side are lost.

@@ -92,7 +92,7 @@ test("plans, modes and sections can be chosen, and the strip leads to an instant
 
 test("a flight is shown beside its plan", () =>
   open("flight", {}, async (page) => {
-    assert.match(await text(page, "#found"), /Flown to its end/);
+    assert.match(await text(page, "#found"), /Simulated to its end/);
     assert.match(await text(page, "#chart-estimates"), /M3 is isolated after/);
     const flown = await text(page, "#chart-position");
     await page.selectOption("#run", { index: 1 });

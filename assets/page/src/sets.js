@@ -155,15 +155,19 @@ function tell() {
   const where = moves ? `At ${seconds(state.time)} the ${called}` : "Hover";
   const headline = byId("sets-headline");
   const what = body === content.sets[0] ? "what the healthy vehicle can give" : `what ${body.name} leaves`;
-  headline.textContent =
-    Math.abs(m) < 0.01
-      ? `${where} is on the edge of ${what}`
-      : `${where} is ${m < 0 ? "outside" : "inside"} ${what}, by ${number(Math.abs(m))} % of the healthy width`;
+  headline.textContent = headlineOf(where, what, m, moves ? null : body.hover);
   headline.classList.toggle("bad", m < -0.01);
   const held = planeChoice?.value === "hover" || !moves ? "at hover, T = m g without torque" : "through the wrench shown: the two components not drawn are as at this instant";
   const kept = content.reserve > 0 ? ` Solid: what plans keep to, shrunk about hover by the reserve of ${number(100 * content.reserve)} %; dashed: all of it.` : "";
   byId("sets-note").textContent = `Sections ${held}. Grey: the healthy vehicle. Blue: ${body.name}${body.title ? ` (${body.title})` : ""}.${kept} Cross: hover.${moves ? ` Dot: the ${called}, with the way it came.` : ""}`;
   room(body, w, m);
+}
+
+/** `place`: the compiler's word for hover. Margins of other wrenches are shown to a hundredth of a percent, and no word rests on less. */
+function headlineOf(where, what, m, place) {
+  if (place === "on the edge") return `${where} is on the edge of ${what}`;
+  if (Math.abs(m) < 0.01) return `${where} is less than 0.01 % of the healthy width from the edge of ${what}`;
+  return `${where} is ${m < 0 ? "outside" : "inside"} ${what}, by ${number(Math.abs(m))} % of the healthy width`;
 }
 
 /** How far each component alone may go. */

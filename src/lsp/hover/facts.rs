@@ -3,6 +3,7 @@
 use super::Spec;
 use crate::actuation::Wrench;
 use crate::admissible::allocation::Allocator;
+use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::lsp::names::Kind;
 use crate::model::{FaultMode, Model, Rotor};
@@ -112,7 +113,7 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
             let mass = one.critical_mass_kg.filter(|m| *m > 0.0);
             let heaviest = mass.map_or(String::new(), |m| format!(", hovers up to {} kg", significant(m, 4)));
             let axes = match one.verdict {
-                Verdict::Controllable if !one.interior => " (hover lies on the edge of what is left)",
+                Verdict::Controllable if one.hover == Place::OnEdge => " (hover lies on the edge of what is left)",
                 Verdict::Controllable => "",
                 Verdict::Stabilizable => " (hovers, but yaw is lost)",
                 Verdict::Unstable => " (cannot hover)",
@@ -121,9 +122,9 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
             format!("**{}**{axes}, margin **{}**{heaviest}{uncertain}", one.verdict.name(), margin(one))
         }
         all => {
-            let edge = |a: &ModeAnalysis| match (a.verdict, a.interior) {
-                (Verdict::Controllable, false) => ", on the edge",
-                _ => "",
+            let edge = |a: &ModeAnalysis| match a.hover {
+                Place::OnEdge => format!(", {}", a.hover_words()),
+                _ => String::new(),
             };
             let row = |a: &ModeAnalysis| format!("| {} | {}{} | {} |", a.name, a.verdict.name(), edge(a), margin(a));
             let rows = all.iter().map(row);

@@ -23,15 +23,15 @@ impl Setting<'_> {
         );
         let (rip_decision, effort) = rip;
         out.effort += effort;
-        let ending = self.common(time, &rip_decision);
         let rsp_set = match &rip_decision {
             Decision::Feasible(planned) => self.select(time, planned, joint_plan, &mut out),
             _ => self.sets.rip.clone(),
         };
         // Where nothing is selected RSP's plan is RIP's, and where RIP has none RSP has nothing to select by.
-        let rsp = match out.selected.is_empty() {
-            true => ending.clone(),
-            false => {
+        let rsp = match (&rip_decision, out.selected.is_empty()) {
+            (Decision::Feasible(_), true) => self.common(time, &rip_decision),
+            (Decision::Infeasible | Decision::Inconclusive(_), _) => self.without_rip(time, &rip_decision),
+            (Decision::Feasible(_), false) => {
                 let rcp_plan = rcp.as_ref().and_then(|r| planned_of(&r.0));
                 let begins: Vec<&Planned> = planned_of(&rip_decision).into_iter().chain(rcp_plan).collect();
                 let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default(), &begins);
@@ -39,6 +39,7 @@ impl Setting<'_> {
                 self.common(time, &decision)
             }
         };
+        let ending = self.common(time, &rip_decision);
         out.runs.push(self.run(PlannerKind::Rip, &[], Run::Common, ending, &self.sets.rip));
         if let Some((decision, effort)) = rcp {
             out.effort += effort;

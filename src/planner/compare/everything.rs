@@ -1,10 +1,13 @@
 //! Every planner at its own shortest time and at T_d.
 
-use super::{Comparison, Ending, Found, Run, Setting, hint_from, label, plan_found, planned_of, time, time_below};
+use super::{
+    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, plan_found, planned_of, time,
+    time_below,
+};
 use crate::model::{PlanModel, PlannerKind};
 use crate::planner::pool::Pool;
 use crate::planner::rows::{Decision, Planned};
-use crate::planner::search::{Hint, NoTime, RESOLUTION};
+use crate::planner::search::{Hint, RESOLUTION};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
 use rayon::prelude::*;
@@ -110,7 +113,7 @@ impl Setting<'_> {
                 common.push(run);
                 out.effort += spent;
             }
-            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, self.own(&rsp), &rsp_set));
+            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, rsp, &rsp_set));
             common.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp_common, &rsp_set));
             out.runs.extend(common);
         }
@@ -132,7 +135,8 @@ impl Setting<'_> {
     }
 
     /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there. Where nothing is
-    /// selected it is RIP, whose decision at T_d is `rip_at`; without a plan of RIP there is nothing to select by, and no RSP.
+    /// selected it is RIP, whose decision at T_d is `rip_at`; without a plan of RIP there is nothing to select by, and RSP's own
+    /// time is not searched for. The own time's ending, then that at T_d.
     fn rsp_own_and_common(
         &self,
         set: &PlanningSet,
@@ -141,17 +145,15 @@ impl Setting<'_> {
         above_rip: Hint,
         rip_at: Option<&Decision>,
         pool: Pool,
-    ) -> (Found, Ending, Effort) {
+    ) -> (Ending, Ending, Effort) {
         let begins: Vec<&Planned> = above_rip.begins.iter().collect();
         if let Some(same) = rip_at {
-            let result = match same {
-                Decision::Feasible(_) => rip.result.clone(),
-                Decision::Infeasible => Err(NoTime::Infeasible { up_to: at }),
-                Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at, status: status.clone() }),
-            };
-            let own = Found { result, pool: Pool::default(), effort: Effort::default() };
             self.ended(2);
-            return (own, self.common(at, same), Effort::default());
+            let (own, common) = match same {
+                Decision::Feasible(_) => (self.own(rip), self.common(at, same)),
+                _ => (Ending::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() }, self.without_rip(at, same)),
+            };
+            return (own, common, Effort::default());
         }
         // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
         let below = at - RESOLUTION;
@@ -178,6 +180,6 @@ impl Setting<'_> {
         let own = self.search("RSP", set, hint, pool);
         self.ended(1);
         effort += own.effort;
-        (own, ending, effort)
+        (self.own(&own), ending, effort)
     }
 }

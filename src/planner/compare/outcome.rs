@@ -7,6 +7,7 @@ use crate::planner::select::{PlanningSet, SetRow};
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
 use crate::trajectory::outside::Outside;
+use crate::verdict::Verdict;
 
 /// Each planner at its own shortest time, or all at one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,14 +20,52 @@ pub enum Run {
 #[derive(Debug, Clone)]
 pub enum Ending {
     Solved(Box<Solved>),
-    /// No plan at the time in question, or at no time at all.
+    /// Proved, at each of these mission times by itself; nothing is claimed of others.
     Infeasible {
+        /// The longest, s.
         at: f64,
+        /// All of them, s, ascending.
+        proved: Vec<f64>,
     },
+    /// No plan was found, and at some time tried none was proved infeasible.
     Inconclusive {
         at: f64,
         status: String,
     },
+    /// No plan was searched for: what the search begins with is missing.
+    NotAttempted {
+        /// Where it would have been searched for, s.
+        at: f64,
+        /// A clause for people.
+        why: String,
+    },
+}
+
+impl Ending {
+    pub fn verdict(&self) -> Verdict {
+        match self {
+            Ending::Solved(_) => Verdict::Found,
+            Ending::Infeasible { .. } => Verdict::ProvedInfeasible,
+            Ending::Inconclusive { .. } => Verdict::NotFound,
+            Ending::NotAttempted { .. } => Verdict::NotAttempted,
+        }
+    }
+
+    /// The plan, where there is one.
+    pub fn solved(&self) -> Option<&Solved> {
+        match self {
+            Ending::Solved(solved) => Some(solved),
+            _ => None,
+        }
+    }
+
+    /// `times` in s, in any order; proved for each of them.
+    pub(super) fn proved_infeasible(times: &[f64]) -> Self {
+        let mut proved = times.to_vec();
+        proved.sort_by(f64::total_cmp);
+        proved.dedup();
+        Ending::Infeasible { at: proved.last().copied().unwrap_or(0.0), proved }
+    }
 }
 
 /// A plan with what is reported of it.

@@ -58,15 +58,21 @@ pub fn rounds(
     let mut found = Vec::new();
     for k in first..=last {
         let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
+        // The plan of the round before, which this one's facets are selected by, is missing.
+        let is_beyond = k >= at_common.len() && super::planned_of(decision).is_none();
+        let ending = match is_beyond {
+            true => setting.without_rip(common, decision),
+            false => setting.common(common, decision),
+        };
         let common_selected_by = selected_by(&at_common, k);
         let (own, own_selected_by) = match setting.fixed_time() {
-            Some(_) => (setting.common(common, decision), common_selected_by.clone()),
+            Some(_) => (ending.clone(), common_selected_by.clone()),
             None => search.shortest(k, common),
         };
         found.push(Round {
             rounds: k,
             selected: selected.len(),
-            common: setting.common(common, decision),
+            common: ending,
             own,
             common_selected_by,
             own_selected_by,
@@ -99,7 +105,7 @@ impl Search<'_, '_> {
     }
 
     /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, for the
-    /// selection is another at each: the time found is one below which, by [`RESOLUTION`], there is no plan.
+    /// selection is another at each: the time found is one below which, by [`RESOLUTION`], no plan was found.
     fn shortest(&mut self, rounds: usize, common: f64) -> (Ending, Vec<Trajectory>) {
         let mut high = (common / RESOLUTION - 1e-6).ceil() as i64;
         let mut tried = 0;
@@ -135,7 +141,10 @@ impl Search<'_, '_> {
                 let ending = Ending::Solved(Box::new(setting.solved(seconds(high), planned)));
                 (ending, self.chains.get(&high).map_or_else(Vec::new, |chain| selected_by(chain, rounds)))
             }
-            None => (Ending::Infeasible { at: seconds(high) }, Vec::new()),
+            None => {
+                let status = crate::planner::successive::NOT_FOUND.into();
+                (Ending::Inconclusive { at: seconds(high), status }, Vec::new())
+            }
         }
     }
 }

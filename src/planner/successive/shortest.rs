@@ -24,7 +24,7 @@ impl Successive<'_, '_> {
         if let Some(total) = determined(self.engine.mission) {
             return match self.decide(total, begins) {
                 Decision::Feasible(planned) => Ok(shortest(total, *planned)),
-                Decision::Infeasible => Err(NoTime::Infeasible { up_to: total }),
+                Decision::Infeasible => Err(NoTime::Infeasible { times: vec![total] }),
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
         }
@@ -56,13 +56,15 @@ impl Successive<'_, '_> {
     fn none_at_all(&mut self, time: f64) -> NoTime {
         let samples = self.engine.model.plan.samples;
         let mut at = time - 0.75 * (time - earliest(self.engine.mission));
+        let mut proved = Vec::new();
         while !self.chooses_times() {
             let Some(full) = self.lay_out(None, at, samples) else { break };
             if !matches!(self.relaxed(&full.flown()), Verdict::Infeasible) {
                 break;
             }
+            proved.push(at);
             if at > SLOWEST * time {
-                return NoTime::Infeasible { up_to: at };
+                return NoTime::Infeasible { times: proved };
             }
             at *= 2.0;
         }
@@ -76,7 +78,7 @@ impl Successive<'_, '_> {
         let mut low = floor;
         let mut stride = (0.25 * (self.engine.guess() - floor)).max(GRID);
         let mut best: Option<(f64, Planned)> = None;
-        let mut proved = true;
+        let (mut proved, mut all_proved) = (Vec::new(), true);
         let mut known: Vec<f64> = begins.iter().map(|planned| planned.profile.total).collect();
         known.sort_by(f64::total_cmp);
         known.dedup();
@@ -87,7 +89,10 @@ impl Successive<'_, '_> {
                     break;
                 }
                 decision => {
-                    proved &= matches!(decision, Decision::Infeasible);
+                    match decision {
+                        Decision::Infeasible => proved.push(time),
+                        _ => all_proved = false,
+                    }
                     low = time;
                 }
             }
@@ -99,13 +104,16 @@ impl Successive<'_, '_> {
                 Decision::Feasible(planned) => best = Some((time, *planned)),
                 _ if best.as_ref().is_some_and(|b| time >= b.0) => break,
                 decision => {
-                    proved &= matches!(decision, Decision::Infeasible);
+                    match decision {
+                        Decision::Infeasible => proved.push(time),
+                        _ => all_proved = false,
+                    }
                     low = time;
                 }
             }
             stride *= 1.5;
             if low > SLOWEST * self.engine.guess() {
-                return Err(if proved { NoTime::Infeasible { up_to: low } } else { not_found(low) });
+                return Err(if all_proved { NoTime::Infeasible { times: proved } } else { not_found(low) });
             }
         }
         let (time, planned) = best.ok_or_else(|| not_found(low))?;

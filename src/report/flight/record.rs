@@ -4,6 +4,7 @@ use crate::flight::{Flight, Outcome};
 use crate::model::{Detection, Model, Strike};
 use crate::planner::compare::Solved;
 use crate::report::caveats::{Caveat, caveats};
+use crate::verdict::SIMULATED;
 use serde::Serialize;
 
 /// A flight with what it was flown under.
@@ -20,6 +21,8 @@ pub struct Told<'a> {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FlightRecord {
     pub schema: u32,
+    /// The one word for a flight.
+    pub verdict: &'static str,
     pub spec_sha256: String,
     pub planner: &'static str,
     pub plan_time_s: f64,
@@ -85,7 +88,8 @@ impl FlightRecord {
             Detection::Estimator => ("estimator", None),
         };
         FlightRecord {
-            schema: 1,
+            schema: 2,
+            verdict: SIMULATED,
             spec_sha256,
             planner: model.plan.planner.name(),
             plan_time_s: solved.time,

@@ -6,20 +6,21 @@ use crate::model::{AfterFault, Allocation, Controller, Detection, Model};
 use crate::report::number::{fixed, number, significant};
 use crate::report::table::Table;
 use crate::report::terminal::{WIDTH, vehicle_line};
+use crate::verdict::SIMULATED;
 
 pub fn text(told: &Told) -> String {
     let record = FlightRecord::new(told, String::new());
     let Told { model, solved, flight, .. } = told;
     let name = model.mission.as_ref().map_or("", |m| m.name.as_str());
     let mut out = format!(
-        "Mission {name} flown with {}\nalong the {} plan of {} s\n{}\n\n",
+        "Mission {name} {SIMULATED} with {}\nalong the {} plan of {} s\n{}\n\n",
         vehicle_line(model),
         record.planner.to_uppercase(),
         number(solved.time),
         manner(model)
     );
     out.push_str(&match record.outcome {
-        OutcomeRecord::Flown => format!("Flown to its end at {} s\n", fixed(flight.end, 2)),
+        OutcomeRecord::Flown => format!("Simulated to its end at {} s\n", fixed(flight.end, 2)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s\n", fixed(at_s, 2)),
         OutcomeRecord::Lost { at_s, cause } => format!("LOST at {} s: {}\n", fixed(at_s, 2), loss(model, cause)),
     });

@@ -4,6 +4,7 @@ use super::chart::{Chart, Columns, rounded};
 use super::opening::{Opening, opening};
 use super::sets::{SetContent, ShownSet};
 use super::{Subject, motion, shown_first};
+use crate::admissible::verdict::ModeAnalysis;
 use crate::admissible::{AdmissibleSet, hover};
 use crate::model::{Model, PlannerKind};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
@@ -99,6 +100,14 @@ pub struct Strip {
 }
 
 impl Content {
+    /// Names where hover lies relative to each set.
+    pub fn with_places(mut self, analyses: &[ModeAnalysis]) -> Self {
+        for set in &mut self.sets {
+            set.hover = analyses.iter().find(|a| a.name == set.name).map(ModeAnalysis::hover_all_axes);
+        }
+        self
+    }
+
     /// Of plans: those that have a place on a page of reasonable size, the first ones first, and always the one shown first.
     pub fn of_plans(subject: &Subject, comparison: &Comparison, shown: &[ShownSet], record: &impl Serialize) -> Self {
         let first = shown_first(subject.model, comparison);

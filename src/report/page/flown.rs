@@ -81,7 +81,7 @@ impl Track {
 /// What became of it, in one sentence.
 pub fn headline(model: &Model, record: &FlightRecord) -> String {
     match record.outcome {
-        OutcomeRecord::Flown => format!("Flown to its end at {} s", fixed(record.end_s, 2)),
+        OutcomeRecord::Flown => format!("Simulated to its end at {} s", fixed(record.end_s, 2)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s", fixed(at_s, 2)),
         OutcomeRecord::Lost { at_s, cause } => format!("Lost at {} s: {}", fixed(at_s, 2), loss(model, cause)),
     }

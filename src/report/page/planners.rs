@@ -92,7 +92,7 @@ fn headline(comparison: &Comparison) -> String {
         .collect();
     let inside = common.iter().filter(|(_, s)| stays(s)).count();
     match common.len() {
-        0 => "No planner has a plan at a common time".into(),
+        0 => "No planner's plan was found at a common time".into(),
         n if comparison.modes.is_empty() => format!("{n} plans at one time"),
         n => {
             let stay = if inside == 1 { "stays" } else { "stay" };
@@ -108,7 +108,7 @@ fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) 
     };
     let Ending::Solved(solved) = &run.ending else {
         let columns = 6 + if has_modes { 3 } else { 0 } + usize::from(has_risk);
-        return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (told.status) } } };
+        return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (told.verdict) } } };
     };
     let longest = solved.outside.iter().map(|o| o.seconds).fold(0.0, f64::max);
     let last = solved.outside.iter().filter_map(|o| o.last).max_by(f64::total_cmp);

@@ -4,6 +4,7 @@ use super::MOST_MODES;
 use super::chart::precise;
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
+use crate::admissible::edge::Place;
 use crate::model::Model;
 use crate::planner::compare::{Comparison, Ending};
 use crate::planner::select::{PlanningSet, SetRow};
@@ -35,6 +36,8 @@ impl ShownSet {
 pub struct SetContent {
     pub name: String,
     pub title: Option<String>,
+    /// Where hover lies relative to the mode's whole set, every axis held: the word of `mavc analyze`. `None` where that is not known.
+    pub hover: Option<Place>,
     /// The number in its margins' column, where plans are measured against it.
     pub planned: bool,
     /// `[n_T, n_x, n_y, n_z, e]`, made dimensionless by the healthy set's widths: `n . w <= e`.
@@ -50,6 +53,7 @@ impl SetContent {
         SetContent {
             name: shown.name.clone(),
             title: shown.title.clone(),
+            hover: None,
             planned: shown.against.is_some(),
             rows: rows.into_iter().map(row).collect(),
             equalities: equalities.into_iter().map(row).collect(),

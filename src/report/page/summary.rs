@@ -1,17 +1,19 @@
 //! The first thing that the page says: what was found, in one sentence and a few figures.
 
-use super::chart::length;
 use super::flown::headline;
 use super::motion::{nearest, signed_percent};
-use crate::admissible::verdict::{ModeAnalysis, Verdict};
+use crate::admissible::verdict::ModeAnalysis;
 use crate::certify::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length};
-use crate::report::number::{fixed, number, short_seconds, significant};
+use crate::report::number::{fixed, number, percent, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
-use crate::report::terminal::{in_planes, no_plan};
+use crate::report::terminal::in_planes;
+use crate::report::verdict_text::statement;
+use crate::report::waypoints::{WaypointRecord, waypoints, worst};
+use crate::verdict::Verdict;
 
 /// The headline of the page with what supports it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -49,28 +51,25 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
     match &run.ending {
         Ending::Solved(solved) => {
             let name = label(run.planner, &run.against);
-            let n = mission.waypoints.len();
             let headline = format!(
-                "{name} reaches {n} waypoints in {}\u{a0}s {}",
+                "{name}: {}, a plan of {}\u{a0}s that {} {}",
+                run.ending.verdict(),
                 number(solved.time),
+                meets(&told.waypoints),
                 outside(comparison, solved)
             );
             let mut figures = vec![time(model, run, solved)];
             figures.extend(margin(comparison, solved));
             figures.extend(stays(comparison, solved));
-            figures.push(Figure::new(
-                "Largest waypoint error",
-                length(told.max_waypoint_error_m.unwrap_or(0.0)),
-                format!("sum {} over {n}", length(told.position_error_m.unwrap_or(0.0))),
-            ));
+            figures.extend(waypoint_error(told));
             figures.extend(told.risk.map(|r| {
                 Figure::new("Risk", significant(r, 3), "that a fault strikes while the mission is committed to it")
             }));
             figures.extend(shown_between(told));
             Found { headline, figures, warnings: told.warnings.iter().map(|c| c.message.clone()).collect() }
         }
-        ending => Found {
-            headline: format!("{}: {}", label(run.planner, &run.against), no_plan(model, run, ending)),
+        _ => Found {
+            headline: format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run)),
             figures: Vec::new(),
             warnings: conflict(record),
         },
@@ -94,13 +93,18 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
         .map(|(r, s)| format!("{} {} s", label(r.planner, &r.against), number(s.time)))
         .collect();
     let headline = match times.is_empty() {
-        true => "No planner has a plan of its own time".to_string(),
+        true => "No planner's plan was found at a time of its own".to_string(),
         false => format!("Shortest times: {}", times.join(", ")),
     };
     let common = comparison
         .common_time
         .map(|t| Figure::new("Common time T_d", format!("{} s", number(t)), "at which all planners are compared"));
-    let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), "each met within its tolerance");
+    let all: Vec<_> = solved.iter().flat_map(|(_, s)| waypoints(mission, s)).collect();
+    let met = worst(&all).map_or("no plan meets them".to_string(), |worst| {
+        let met = if all.iter().all(|w| w.met) { "met by every plan" } else { "missed by some plan" };
+        format!("{met}; largest error {}", worst.largest())
+    });
+    let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), met);
     let beside = format!("beside the healthy set's{}", in_planes(comparison));
     let guarded = Figure::new("Facets RSP guards", comparison.selected.len().to_string(), beside);
     Found { headline, figures: common.into_iter().chain([waypoints, guarded]).collect(), warnings: Vec::new() }
@@ -138,7 +142,7 @@ pub fn refused(model: &Model, analyses: &[ModeAnalysis], diagnostics: &[Diagnost
         .against
         .iter()
         .filter_map(|&i| analyses.get(i + 1))
-        .filter(|a| a.verdict != Verdict::Controllable || !a.interior)
+        .filter(|a| !a.keeps_full_control())
         .map(|a| a.name.as_str())
         .collect();
     let which = match lost.as_slice() {
@@ -183,7 +187,7 @@ fn outside(comparison: &Comparison, solved: &Solved) -> String {
 fn time(model: &Model, run: &PlannerRun, solved: &Solved) -> Figure {
     let note = match (run.run, solved.infeasible_at) {
         (Run::Own, Some(t)) => {
-            format!("shortest with {} samples; {} s is infeasible", model.plan.samples, number(t))
+            format!("shortest found; {} s is proved infeasible with {} samples", number(t), model.plan.samples)
         }
         (Run::Own, None) => "shortest found".into(),
         (Run::Common, _) => "as the spec asks".into(),
@@ -220,6 +224,24 @@ fn stays(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
     }
 }
 
+/// `meets 21 waypoints`
+fn meets(waypoints: &[WaypointRecord]) -> String {
+    match waypoints.iter().filter(|w| !w.met).count() {
+        0 => format!("meets {} waypoints", waypoints.len()),
+        missed => format!("misses {missed} of {} waypoints", waypoints.len()),
+    }
+}
+
+/// The error that takes most of its tolerance.
+fn waypoint_error(told: &PlannerRecord) -> Option<Figure> {
+    let worst = worst(&told.waypoints)?;
+    let note = format!("{}, at waypoint {}", worst.largest(), worst.label());
+    Some(
+        Figure::new("Largest waypoint error", percent(worst.share()), note)
+            .bad_if(told.waypoints.iter().any(|w| !w.met)),
+    )
+}
+
 fn shown_between(told: &PlannerRecord) -> Option<Figure> {
     let between = told.between.as_ref()?;
     let checked = between.iter().filter(|b| b.shown == Shown::Checked).count();
@@ -238,9 +260,9 @@ fn conflict(record: &Record) -> Vec<String> {
     // As they stand in the text, what the command line says last.
     ordered.sort_by_key(|s| (s.file == OVERRIDE, &s.file, s.line));
     let statements: Vec<String> = ordered.iter().map(|s| format!("{}: {}", s.place, s.message)).collect();
-    let told = match conflict.proved {
-        true => "These statements cannot hold together",
-        false => "These statements were not satisfied together in our attempts",
+    let told = match conflict.verdict {
+        Verdict::ProvedInfeasible => "Proved infeasible: these statements cannot hold together",
+        _ => "Not found: a plan that meets these statements together",
     };
     let fixes =
         conflict.fixes.iter().map(|f| format!("Tried, and gives a plan of {} s: {}", number(f.time_s), f.message));

@@ -23,7 +23,7 @@ pub fn found(record: &CampaignRecord) -> Found {
         record.planners.iter().filter_map(|p| Some((p.name.to_uppercase(), survival(p)?.share))).collect();
     let list: Vec<String> = shares.iter().map(|(name, share)| format!("{} with {name}", percent(*share))).collect();
     let headline = match list.is_empty() {
-        true => "Nothing was flown: no planner has a plan".to_string(),
+        true => "Nothing was simulated: no planner's plan was found".to_string(),
         false => format!("Flights that survive a fault: {}", list.join(", ")),
     };
     let figures = vec![
@@ -87,7 +87,7 @@ pub fn table(record: &CampaignRecord) -> Markup {
                     @for p in &record.planners {
                         tr {
                             th scope="row" { (p.name.to_uppercase()) }
-                            td { (p.status.replace('_', " ")) }
+                            td { (p.verdict) }
                             td.n { (lost(p, |m| m.flights.flights)) }
                             td.n { (with_interval(survival(p))) }
                             td.n { (lost(p, |m| m.flights.lost_by_position)) }
@@ -172,7 +172,7 @@ fn cell(cells: &[CellRecord]) -> Markup {
 /// Whether the plans tell which flights are lost.
 pub fn agreement(record: &CampaignRecord) -> Markup {
     let modes = |a: &AgreementRecord| match a.modes {
-        "controllable" => format!("the {} modes with hover inside their sets", a.mode_count),
+        "inside" => format!("the {} modes with hover inside their sets", a.mode_count),
         _ => format!("all {} modes", a.mode_count),
     };
     html! {

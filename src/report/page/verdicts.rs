@@ -2,6 +2,7 @@
 
 use super::motion::signed_percent;
 use super::prose::terms;
+use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::Model;
 use crate::planner::compare::{Comparison, Ending, Solved};
@@ -40,7 +41,7 @@ pub fn refused(model: &Model, analyses: &[ModeAnalysis]) -> Markup {
 
 fn headline(analyses: &[ModeAnalysis]) -> String {
     let modes = analyses.get(1..).unwrap_or_default();
-    let kept = modes.iter().filter(|a| a.verdict == Verdict::Controllable && a.interior).count();
+    let kept = modes.iter().filter(|a| a.keeps_full_control()).count();
     match modes.len() {
         0 => "The spec declares no fault mode".into(),
         1 if kept == 1 => "The one declared mode keeps full control at hover".into(),
@@ -161,20 +162,20 @@ struct Columns {
 
 fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     let Row { analysis: a, title, mode, outside, committed } = row;
-    let verdict = match (a.verdict, a.interior) {
-        (Verdict::Controllable, true) => ("good", "controllable"),
-        (Verdict::Controllable, false) => ("edge", "controllable, on the edge"),
-        (Verdict::Stabilizable, true) => ("edge", "stabilizable without yaw"),
-        (Verdict::Stabilizable, false) => ("bad", "stabilizable without yaw, on the edge"),
-        (Verdict::Unstable, _) => ("bad", "unstable"),
+    let class = match (a.verdict, a.hover) {
+        (Verdict::Controllable, Place::Inside) => "good",
+        (Verdict::Controllable, _) | (Verdict::Stabilizable, Place::Inside) => "edge",
+        (Verdict::Stabilizable, _) | (Verdict::Unstable, _) => "bad",
     };
+    let edge = if a.hover == Place::OnEdge { format!(", {}", a.hover.word()) } else { String::new() };
+    let yaw = if a.verdict == Verdict::Stabilizable { " without yaw" } else { "" };
     let [seconds, last] = outside.map_or_else(|| [dash(), dash()], |o| outside_cells(o.seconds, o.last));
     let after =
         mode.filter(|m| model.plan.against.contains(m)).map_or_else(dash, |m| model.after_fault(m).name().into());
     html! {
         tr {
             th scope="row" { (a.name) @if let Some(title) = title { br; span.unit { (title) } } }
-            td { span.verdict.(verdict.0) { (verdict.1) } }
+            td { span.verdict.(class) { (a.verdict.name()) (yaw) (edge) } }
             td.n { (a.acai.map_or("flat".into(), |m| signed(m, 4))) }
             td.n { (a.critical_mass_kg.map_or("none".into(), |m| significant(m, 4))) }
             @if columns.of_plan {

@@ -86,13 +86,13 @@ fn a_report_on_standard_output_has_it_to_itself() {
         let ran = mavc_with(&[command, "-", "--report", "-"], HOP);
         assert_eq!(code(&ran), 0, "{}", err(&ran));
         let record: Value = serde_json::from_str(&out(&ran)).unwrap();
-        assert_eq!(record["planners"][0]["status"], "solved");
+        assert_eq!(record["planners"][0]["verdict"], "found");
         assert!(!err(&ran).contains("Trajectory"), "{}", err(&ran));
     }
     let refused = mavc_with(&["plan", "-", "--report", "-", "--set", "plan.against=[M1]"], HOP);
     assert_eq!(code(&refused), 3);
     let record: Value = serde_json::from_str(&out(&refused)).unwrap();
-    assert_eq!(record["planners"][0]["status"], "infeasible");
+    assert_eq!(record["planners"][0]["verdict"], "not attempted");
     assert!(!Path::new(env!("CARGO_MANIFEST_DIR")).join("-").exists());
 }
 

@@ -195,8 +195,8 @@ fn what_was_not_proved_is_not_called_so() {
     let model = spec();
     let mission = model.mission.as_ref().unwrap();
     for (proves, wanted) in [
-        (true, "2 statements of the spec cannot hold together"),
-        (false, "2 statements of the spec were not satisfied together in our attempts"),
+        (true, "proved infeasible with 200 samples: 2 statements of the spec cannot hold together"),
+        (false, "not found: a plan that meets 2 statements of the spec together"),
     ] {
         let conflicts = vec![BTreeSet::from([Statement::Limit(0), Statement::Time])];
         let mut known = Known { conflicts, proves, weighs: true, asked: 0 };

@@ -1,0 +1,45 @@
+//! The table of waypoints: each error beside its tolerance, and as a share of it.
+
+use super::document::Section;
+use super::prose::unbroken;
+use crate::report::number::fixed;
+use crate::report::record::PlannerRecord;
+use crate::report::waypoints::{WaypointRecord, headline};
+use maud::html;
+
+/// Rows at most; the report has all.
+const MOST_ROWS: usize = 200;
+
+/// Of a plan; nothing where there is none.
+pub fn section(planner: &PlannerRecord) -> Option<Section> {
+    let waypoints = &planner.waypoints;
+    let left_out = waypoints.len().saturating_sub(MOST_ROWS);
+    let body = html! {
+        h2 { (unbroken(&headline(waypoints))) }
+        div.scroll tabindex="0" role="region" aria-label="Table of waypoints" {
+            table {
+                caption { span { "Errors at the waypoints, what the spec allows, and the share of it" } }
+                thead {
+                    tr {
+                        th scope="col" { "Waypoint" }
+                        th.n scope="col" { "At" br; span.unit { "s" } }
+                        @for name in ["Error", "Allowed", "Share", "Yaw error", "Allowed", "Share"] { th.n scope="col" { (name) } }
+                    }
+                }
+                tbody { @for w in waypoints.iter().take(MOST_ROWS) { (row(w)) } }
+            }
+        }
+        @if left_out > 0 { p.note { (left_out) " more waypoints are left out here; " code { "--report" } " lists all." } }
+    };
+    (!waypoints.is_empty()).then(|| Section::new("waypoints", "Waypoints", body))
+}
+
+fn row(waypoint: &WaypointRecord) -> maud::Markup {
+    html! {
+        tr {
+            th scope="row" { (waypoint.label()) }
+            td.n { (fixed(waypoint.at_s, 2)) }
+            @for cell in waypoint.cells() { td.n.bad[!waypoint.met] { (unbroken(&cell)) } }
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! How far a plan misses each waypoint, beside what the spec allows.
+
+use super::number::{percent, significant};
+use super::table::Table;
+use crate::model::{Mission, Waypoint};
+use crate::planner::compare::Solved;
+use crate::planner::hover_model::YAW;
+use crate::verify::plan::MOST_MISS;
+use serde::Serialize;
+use std::cmp::Ordering;
+
+/// Waypoints that a table for people lists at most: so many, or [`WORST`] of more.
+const MOST_LISTED: usize = 8;
+const WORST: usize = 5;
+
+/// Shares are told apart to this.
+const FINEST_SHARE: f64 = 1e-3;
+
+/// One waypoint of a plan: its errors, their tolerances, and each error as a share of its tolerance.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WaypointRecord {
+    /// Place in the flight, from 1.
+    pub number: usize,
+    pub name: Option<String>,
+    pub at_s: f64,
+    pub position_error_m: f64,
+    pub position_tolerance_m: f64,
+    pub position_share: f64,
+    pub yaw_error_rad: f64,
+    pub yaw_tolerance_rad: f64,
+    pub yaw_share: f64,
+    /// Both errors are within their tolerances and the [`MOST_MISS`] that `mavc verify` allows beside them.
+    pub met: bool,
+}
+
+impl WaypointRecord {
+    fn new(index: usize, waypoint: &Waypoint, solved: &Solved) -> Self {
+        let node = solved.trajectory.waypoint_nodes[index];
+        let state = &solved.trajectory.nodes[node];
+        let distance = (0..3).map(|i| (state[i][0] - waypoint.position[i]).powi(2)).sum::<f64>().sqrt();
+        let turn = (state[YAW][0] - waypoint.yaw).abs();
+        WaypointRecord {
+            number: index + 1,
+            name: waypoint.name.clone(),
+            at_s: solved.trajectory.times[node],
+            position_error_m: distance,
+            position_tolerance_m: waypoint.within,
+            position_share: distance / waypoint.within,
+            yaw_error_rad: turn,
+            yaw_tolerance_rad: waypoint.yaw_within,
+            yaw_share: turn / waypoint.yaw_within,
+            met: distance <= waypoint.within + MOST_MISS && turn <= waypoint.yaw_within + MOST_MISS,
+        }
+    }
+
+    /// The larger of the two shares. One that is not a number is larger than all.
+    pub fn share(&self) -> f64 {
+        if self.position_share.total_cmp(&self.yaw_share).is_ge() { self.position_share } else { self.yaw_share }
+    }
+
+    /// Missed after met, then by share. Shares that no reader could tell apart are one, so that the solver's last digits decide
+    /// nothing.
+    fn by_share(&self, other: &Self) -> Ordering {
+        let rounded = |w: &Self| (w.share() / FINEST_SHARE).round();
+        (!self.met).cmp(&!other.met).then(rounded(self).total_cmp(&rounded(other)))
+    }
+
+    /// `3`, `3 mast`
+    pub fn label(&self) -> String {
+        self.name.as_ref().map_or(self.number.to_string(), |name| format!("{} {name}", self.number))
+    }
+
+    /// `5 cm of 5 cm allowed (100 %)`: the error that takes most of its tolerance.
+    pub fn largest(&self) -> String {
+        match self.position_share.total_cmp(&self.yaw_share).is_ge() {
+            true => {
+                let [error, allowed] = [self.position_error_m, self.position_tolerance_m].map(length);
+                format!("{error} of {allowed} allowed ({})", percent(self.position_share))
+            }
+            false => {
+                let [error, allowed] = [self.yaw_error_rad, self.yaw_tolerance_rad].map(angle);
+                format!("{error} of {allowed} of yaw allowed ({})", percent(self.yaw_share))
+            }
+        }
+    }
+}
+
+/// Every waypoint of a plan, in the order of flight.
+pub fn waypoints(mission: &Mission, solved: &Solved) -> Vec<WaypointRecord> {
+    mission.waypoints.iter().enumerate().map(|(i, w)| WaypointRecord::new(i, w, solved)).collect()
+}
+
+/// The waypoint with the largest share of its tolerance, the first of several; one that is missed before all that are met.
+pub fn worst(waypoints: &[WaypointRecord]) -> Option<&WaypointRecord> {
+    waypoints.iter().rev().max_by(|a, b| a.by_share(b))
+}
+
+/// `21 waypoints met`, or how many of them are missed.
+pub fn counted(waypoints: &[WaypointRecord]) -> String {
+    let all = waypoints.len();
+    match waypoints.iter().filter(|w| !w.met).count() {
+        0 => format!("{all} waypoints met"),
+        missed => format!("{missed} of {all} waypoints missed"),
+    }
+}
+
+/// `21 waypoints met: largest error 5 cm of 5 cm allowed (100 %), at waypoint 7`
+pub fn headline(waypoints: &[WaypointRecord]) -> String {
+    let largest = |w: &WaypointRecord| format!(": largest error {}, at waypoint {}", w.largest(), w.label());
+    format!("{}{}", counted(waypoints), worst(waypoints).map_or(String::new(), largest))
+}
+
+/// The waypoints that a list for people has, in the order of flight: all, or of many the [`WORST`]; and the largest share of the
+/// others with their number.
+pub fn listed(waypoints: &[WaypointRecord]) -> (Vec<&WaypointRecord>, Option<(usize, f64)>) {
+    if waypoints.len() <= MOST_LISTED {
+        return (waypoints.iter().collect(), None);
+    }
+    let mut ranked: Vec<&WaypointRecord> = waypoints.iter().collect();
+    ranked.sort_by(|a, b| b.by_share(a));
+    let others = ranked.split_off(WORST);
+    ranked.sort_by_key(|w| w.number);
+    let largest = others.iter().map(|w| w.share()).max_by(f64::total_cmp).unwrap_or(0.0);
+    (ranked, Some((others.len(), largest)))
+}
+
+/// The list as a table, `indent` blanks before each line.
+pub fn table(waypoints: &[WaypointRecord], indent: usize) -> String {
+    let (listed, others) = listed(waypoints);
+    let mut table = Table::new(&["waypoint", "error", "allowed", "share", "yaw error", "allowed", "share"]);
+    for w in listed {
+        table.row(std::iter::once(w.label()).chain(w.cells()).collect());
+    }
+    let rest = others.map_or(String::new(), |(n, share)| {
+        format!("{}{n} more, each with at most {} of its tolerances\n", " ".repeat(indent), percent(share))
+    });
+    table.render(indent) + &rest
+}
+
+impl WaypointRecord {
+    /// Error, tolerance and share of position, then of yaw.
+    pub fn cells(&self) -> [String; 6] {
+        [
+            length(self.position_error_m),
+            length(self.position_tolerance_m),
+            percent(self.position_share),
+            angle(self.yaw_error_rad),
+            angle(self.yaw_tolerance_rad),
+            percent(self.yaw_share),
+        ]
+    }
+}
+
+fn length(metres: f64) -> String {
+    if metres >= 1.0 {
+        format!("{} m", significant(metres, 3))
+    } else {
+        format!("{} cm", significant(100.0 * metres, 3))
+    }
+}
+
+fn angle(radians: f64) -> String {
+    format!("{} deg", significant(radians.to_degrees(), 3))
+}
