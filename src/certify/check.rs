@@ -39,8 +39,7 @@ fn decide(asked: &Model, ending: &mut Ending, selected_by: &[Trajectory]) {
         Ok(verdict) => solved.verification = Verification::Undecided(verdict.undecided.join("; ")),
         Err(refusal @ Refusal::Budget { .. }) => solved.verification = Verification::Undecided(refusal.sentence()),
         Err(Refusal::Rejected(rejection)) => {
-            let status = format!("a motion was found, but it fails the check of plans: {}", rejection.sentence());
-            *ending = Ending::Inconclusive { at: solved.time, status };
+            *ending = Ending::Failed { at: solved.time, why: rejection.sentence() };
         }
     }
 }

@@ -79,7 +79,10 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
     }
     let time = match &run.ending {
         Ending::Solved(s) => s.time,
-        Ending::Infeasible { at, .. } | Ending::Inconclusive { at, .. } | Ending::NotAttempted { at, .. } => *at,
+        Ending::Infeasible { at, .. }
+        | Ending::Inconclusive { at, .. }
+        | Ending::Failed { at, .. }
+        | Ending::NotAttempted { at, .. } => *at,
     };
     let Some(program) = program(model, mission, run, time) else {
         return Err(format!("the mission cannot be laid out over {time} s"));

@@ -8,7 +8,7 @@ use crate::certify::between::Between;
 use crate::model::{Mission, Model};
 use crate::planner::compare::protect::{Addition, Protection};
 use crate::planner::compare::rounds::Round;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, Verification};
 use crate::planner::hover_model::YAW;
 use crate::trajectory::risk::rated_risk;
 use crate::verdict::Verdict;
@@ -136,6 +136,8 @@ pub struct PlannerRecord {
     pub risk: Option<f64>,
     /// Where the plan is not what it seems.
     pub warnings: Vec<Caveat>,
+    /// What the check of finished plans says: `checked`, or why something could not be decided; `None` where there is no plan.
+    pub check: Option<CheckRecord>,
     /// How far the plan's rows are shown to hold between nodes, where `mavc plan` wrote the report.
     pub between: Option<Vec<Between>>,
 }
@@ -223,6 +225,27 @@ impl Record {
     }
 }
 
+/// The check that a plan went through before it was called one. A plan that fails it is not a plan.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CheckRecord {
+    /// `checked` or `not_decided`.
+    pub outcome: &'static str,
+    /// What could not be decided.
+    pub undecided: Option<String>,
+}
+
+impl CheckRecord {
+    fn new(verification: &Verification) -> Option<Self> {
+        match verification {
+            Verification::None => None,
+            Verification::Passed => Some(CheckRecord { outcome: "checked", undecided: None }),
+            Verification::Undecided(why) => {
+                Some(CheckRecord { outcome: "not_decided", undecided: Some(why.clone()) })
+            }
+        }
+    }
+}
+
 fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
     let nodes = match &run.ending {
         Ending::Solved(solved) => solved.trajectory.times.len(),
@@ -242,13 +265,14 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
     };
     match &run.ending {
         Ending::Infeasible { proved, .. } => record.proved_infeasible_s = proved.clone(),
-        Ending::Inconclusive { .. } | Ending::NotAttempted { .. } => {}
+        Ending::Inconclusive { .. } | Ending::Failed { .. } | Ending::NotAttempted { .. } => {}
         Ending::Solved(solved) => {
             let e = errors(mission, solved);
             record.proved_infeasible_s = solved.infeasible_at.iter().chain(&solved.infeasible_above).copied().collect();
             record.waypoints = waypoints(mission, solved);
             record.max_waypoint_share = record.waypoints.iter().map(WaypointRecord::share).max_by(f64::total_cmp);
             record.time_s = Some(solved.time);
+            record.check = CheckRecord::new(&solved.verification);
             record.objective = Some(solved.objective);
             record.position_error_m = Some(e.position);
             record.yaw_error_rad = Some(e.yaw);

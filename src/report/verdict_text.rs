@@ -3,7 +3,7 @@
 use super::number::number;
 use crate::model::{Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::UNMET;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, Verification};
 use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
 
@@ -13,7 +13,14 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
     let samples = model.plan.samples;
     match &run.ending {
         Ending::Solved(solved) => {
-            format!("{verdict}, {} s{}", number(solved.time), shown_of_time(model, mission, run, solved))
+            let undecided = match &solved.verification {
+                Verification::Undecided(why) => format!("; not decided by the check of plans: {why}"),
+                Verification::None | Verification::Passed => String::new(),
+            };
+            format!("{verdict}, {} s{}{undecided}", number(solved.time), shown_of_time(model, mission, run, solved))
+        }
+        Ending::Failed { at, why } => {
+            format!("{verdict}: the motion planned for {} s fails the check of plans: {why}", number(*at))
         }
         Ending::Infeasible { proved, .. } => {
             format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))

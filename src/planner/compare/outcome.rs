@@ -32,6 +32,11 @@ pub enum Ending {
         at: f64,
         status: String,
     },
+    /// A motion was found that fails the check of finished plans ([`crate::certify::check`]).
+    Failed {
+        at: f64,
+        why: String,
+    },
     /// No plan was searched for: what the search begins with is missing.
     NotAttempted {
         /// Where it would have been searched for, s.
@@ -46,7 +51,7 @@ impl Ending {
         match self {
             Ending::Solved(_) => Verdict::Found,
             Ending::Infeasible { .. } => Verdict::ProvedInfeasible,
-            Ending::Inconclusive { .. } => Verdict::NotFound,
+            Ending::Inconclusive { .. } | Ending::Failed { .. } => Verdict::NotFound,
             Ending::NotAttempted { .. } => Verdict::NotAttempted,
         }
     }
