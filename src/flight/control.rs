@@ -1,6 +1,7 @@
 //! Controllers: from where the vehicle is and should be to a wrench.
 
 use super::body::{Body, Frame};
+use super::heading::wrapped;
 use super::reference::Reference;
 use crate::actuation::Wrench;
 use crate::model::{Controller, Gains};
@@ -170,10 +171,4 @@ fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matr
     // The symmetric part, w_d^ w_d^, falls out of the difference.
     let wd1 = vee(&(rd.transpose() * matrix(2)));
     (rd, wd, wd1)
-}
-
-/// An angle brought within half a turn of zero.
-fn wrapped(angle: f64) -> f64 {
-    use std::f64::consts::{PI, TAU};
-    (angle + PI).rem_euclid(TAU) - PI
 }

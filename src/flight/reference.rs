@@ -33,6 +33,13 @@ pub enum Course<'a> {
     Stop(Box<Stop>),
 }
 
+impl Reference {
+    pub fn is_finite(&self) -> bool {
+        let vectors = [&self.position, &self.velocity, &self.acceleration, &self.jerk, &self.snap];
+        vectors.iter().all(|v| v.iter().all(|x| x.is_finite())) && self.yaw.iter().all(|x| x.is_finite())
+    }
+}
+
 impl Course<'_> {
     /// The reference at `t` s since the start.
     pub fn at(&self, t: f64) -> Reference {
@@ -61,28 +68,28 @@ impl Course<'_> {
 }
 
 /// Velocities fade to zero along polynomials of fifth degree that continue velocity, acceleration and jerk; a
-/// descent may follow.
+/// descent may follow. Where that would use up the height above the ground, the vertical velocity fades sooner.
 #[derive(Debug, Clone)]
 pub struct Stop {
     begin: f64,
-    duration: f64,
     axes: [Fade; 4],
     descends: bool,
 }
 
 impl Stop {
-    /// From a reference at time `begin`, s.
-    pub fn from(reference: &Reference, begin: f64, descends: bool) -> Self {
+    /// From a reference at time `begin`, s, above a ground at height `ground`, m.
+    pub fn from(reference: &Reference, begin: f64, descends: bool, ground: f64) -> Self {
         let Reference { position, velocity, acceleration, jerk, yaw, .. } = reference;
         let duration = SHORTEST_STOP.max(1.875 * velocity.norm() / BRAKING).max(acceleration.norm() / BRAKING);
         let fade = |k: usize| Fade::new(position[k], [velocity[k], acceleration[k], jerk[k]], duration);
         let turn = Fade::new(yaw[0], [yaw[1], yaw[2], 0.0], duration);
-        Stop { begin, duration, axes: [fade(0), fade(1), fade(2), turn], descends }
+        let height = fade(2).above(ground);
+        Stop { begin, axes: [fade(0), fade(1), height, turn], descends }
     }
 
     /// When the vehicle has come to rest, s since the start of the flight.
     pub fn at_rest(&self) -> f64 {
-        self.begin + self.duration
+        self.begin + self.axes.iter().map(|fade| fade.duration).fold(0.0, f64::max)
     }
 
     pub fn place_of_rest(&self) -> Vector3<f64> {
@@ -90,7 +97,7 @@ impl Stop {
     }
 
     fn at(&self, t: f64) -> Reference {
-        let s = (t - self.begin).clamp(0.0, self.duration);
+        let s = t - self.begin;
         let [x, y, z, yaw] = &self.axes;
         let orders = [x.at(s), y.at(s), z.at(s)];
         let order = |i: usize| Vector3::new(orders[0][i], orders[1][i], orders[2][i]);
@@ -104,10 +111,6 @@ impl Stop {
             yaw: [psi, rate, acceleration],
         };
         let down = t - self.at_rest();
-        if down > 0.0 {
-            // The fade's next derivative ends with it.
-            reference.snap = Vector3::zeros();
-        }
         if self.descends && down > 0.0 {
             // The speed grows as 3 u^2 - 2 u^3 with u = t / EASING.
             let u = (down / EASING).min(1.0);
@@ -128,9 +131,22 @@ impl Stop {
 #[derive(Debug, Clone, Copy)]
 struct Fade {
     start: f64,
+    /// Velocity, acceleration and jerk where it begins.
+    begins: [f64; 3],
+    /// s
+    duration: f64,
     /// Coefficients of the velocity in t.
     velocity: [f64; 6],
 }
+
+/// Share of the height above the ground that a stop may use up: what remains is for the vehicle's own error.
+const USED_UP: f64 = 0.75;
+/// Each shorter fade is tried with this share of the duration of the one before.
+const SHORTER: f64 = 0.95;
+/// No fade is shorter than this, s: nothing could follow it.
+const SHORTEST_FADE: f64 = 0.1;
+/// Instants at which the lowest place of a fade is looked for.
+const LOOKS: usize = 200;
 
 impl Fade {
     /// The polynomial v of fifth degree with v, v', v'' as given at 0 and zero at `duration`.
@@ -141,12 +157,31 @@ impl Fade {
         let c3 = (-10.0 * p + 4.0 * q * t - 0.5 * r * t * t) / t.powi(3);
         let c4 = (15.0 * p - 7.0 * q * t + r * t * t) / t.powi(4);
         let c5 = (-6.0 * p + 3.0 * q * t - 0.5 * r * t * t) / t.powi(5);
-        Fade { start, velocity: [v, a, 0.5 * j, c3, c4, c5] }
+        Fade { start, begins: [v, a, j], duration, velocity: [v, a, 0.5 * j, c3, c4, c5] }
     }
 
-    /// Place and its first four derivatives.
+    /// Itself, or the longest one tried that leaves a share of the height above `ground`. Where it begins on the ground or
+    /// below, nothing helps.
+    fn above(self, ground: f64) -> Self {
+        let floor = ground + (1.0 - USED_UP) * (self.start - ground);
+        let mut fade = self;
+        while self.start > ground && fade.lowest() < floor && fade.duration * SHORTER > SHORTEST_FADE {
+            fade = Fade::new(self.start, self.begins, fade.duration * SHORTER);
+        }
+        fade
+    }
+
+    fn lowest(&self) -> f64 {
+        let places = (0..=LOOKS).map(|k| self.at(self.duration * k as f64 / LOOKS as f64)[0]);
+        places.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Place and its first four derivatives, `t` s after it began; at rest once it is over.
     fn at(&self, t: f64) -> [f64; 5] {
-        let c = &self.velocity;
+        if t > self.duration {
+            return [self.at(self.duration)[0], 0.0, 0.0, 0.0, 0.0];
+        }
+        let (t, c) = (t.max(0.0), &self.velocity);
         let place = (0..6).rev().fold(0.0, |sum, k| sum * t + c[k] / (k + 1) as f64) * t;
         let derivative = |order: usize| {
             let falling = |k: usize| (0..order).fold(1.0, |f, i| f * (k - i) as f64);
