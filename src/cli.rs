@@ -40,7 +40,7 @@ pub const INCONCLUSIVE: u8 = 4;
 pub const REJECTED: u8 = 5;
 /// The simulated vehicle is lost.
 pub const LOST: u8 = 6;
-/// A simulation came to NaN or infinity: what became of the vehicle is unknown.
+/// The integration of a flight broke down: what became of the vehicle is unknown.
 pub const DIVERGED: u8 = 9;
 
 #[derive(Parser)]
@@ -49,7 +49,7 @@ pub const DIVERGED: u8 = 9;
     version,
     long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
     about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
-    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict; 5 the certificate is rejected; 6 the simulated vehicle is lost;\n9 a simulation diverged (NaN or infinity). SPEC may be `-` for standard input."
+    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 no plan exists, or a mode the plan must\nstand cannot hover; 4 no verdict; 5 the certificate is rejected; 6 the simulated vehicle is lost;\n9 the integration of a flight broke down. SPEC may be `-` for standard input."
 )]
 struct Cli {
     #[command(subcommand)]

@@ -275,7 +275,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let end = step as f64 / simulation.rate;
     let looks = Looks { body: &body, reference: &reference, heading: watch.heading, wrench: &wrench, wanted: &wanted };
     let last = looks.sample(end, &rotors, &knowledge, conditions.last(), true);
-    if let Some(record) = record.as_mut().filter(|_| last.is_finite()) {
+    if let Some(record) = record.as_mut().filter(|_| !matches!(outcome, Outcome::Diverged { .. })) {
         record(&last);
     }
     let (found, false_alarms, refused) = knowledge.finish();

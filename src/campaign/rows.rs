@@ -76,7 +76,7 @@ pub enum Ending {
     Flown,
     Landed,
     Lost(Cause),
-    /// The simulation came to NaN or infinity.
+    /// The integration broke down.
     Diverged,
 }
 

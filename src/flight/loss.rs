@@ -4,7 +4,7 @@ use super::body::Body;
 use super::heading::{Collector, Heading, HeadingErrors, Patience};
 use super::reference::Reference;
 use crate::model::Simulation;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A vehicle that lands touches the ground no faster than this, m/s, and tilted no further than this, rad.
 const TOUCHDOWN_SPEED: f64 = 2.0;
@@ -23,7 +23,8 @@ pub enum Outcome {
         at: f64,
         cause: Cause,
     },
-    /// A number of the simulation was NaN or infinite, first seen at `at`, s: what became of the vehicle is unknown.
+    /// The integration broke down, first seen at `at`, s: a number was NaN or infinite, or the vehicle turned by more than
+    /// half a turn in one step. What became of the vehicle is unknown.
     Diverged {
         at: f64,
     },
@@ -72,6 +73,8 @@ pub struct Watch {
     upside_down: f64,
     ground: f64,
     period: f64,
+    /// rad/s; half a turn in one step of the integrator.
+    fastest_turn: f64,
     /// Seconds upside down without a break.
     upside_down_for: f64,
     patience: Patience,
@@ -96,6 +99,7 @@ impl Watch {
             upside_down: simulation.upside_down,
             ground: simulation.ground,
             period,
+            fastest_turn: PI * simulation.rate,
             upside_down_for: 0.0,
             patience: Patience::new(simulation.lost_yaw, simulation.lost_yaw_after),
             heading: Heading::default(),
@@ -117,7 +121,7 @@ impl Watch {
         let error = (body.position - reference.position).norm();
         // The distance of finite numbers, or its square, may not be finite.
         let finite = body.is_finite() && reference.is_finite() && (self.squares + error * error).is_finite();
-        if !finite {
+        if !finite || body.rates.norm() > self.fastest_turn {
             return Some(Outcome::Diverged { at: t });
         }
         let tilt = body.tilt();

@@ -143,7 +143,8 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     if diverged > 0 {
         let flights = counted(diverged, "flight");
         out.push_str(&filled(&format!(
-            "{flights} diverged: the simulation came to NaN or infinity. They count neither as lost nor as survived."
+            "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). What \
+             became of the vehicle is unknown; a flight that diverged counts neither as lost nor as survived."
         )));
     }
     if !modes.is_empty() {

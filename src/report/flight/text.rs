@@ -135,7 +135,8 @@ pub fn turned(turns: usize) -> String {
 }
 
 /// Why a flight that diverged has no result.
-pub const DIVERGED: &str = "the simulation came to NaN or infinity, so nothing is known of the vehicle from there on";
+pub const DIVERGED: &str = "the integration broke down (NaN, infinity, or more than half a turn in one step); \
+                            what became of the vehicle is unknown";
 
 /// Why the vehicle counts as lost, from the name of the cause.
 pub fn loss(model: &Model, cause: &str) -> String {
