@@ -4,9 +4,11 @@ use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::trajectory::Trajectory;
 use nalgebra::Vector3;
 
-/// Largest deceleration that a stop is meant to take, m/s^2, and the shortest stop, s.
+/// Largest deceleration that a stop is meant to take, m/s^2, and how long it takes at least where nothing presses, s.
 const BRAKING: f64 = 3.0;
-const SHORTEST_STOP: f64 = 1.5;
+const UNHURRIED: f64 = 1.5;
+/// A stop is gentle where it accelerates no more than this many times what it begins with or brakes by.
+const GENTLE: f64 = 1.1;
 
 /// Speed of a descent, m/s, and how long it takes to come to it, s.
 pub const DESCENT: f64 = 1.0;
@@ -80,11 +82,23 @@ impl Stop {
     /// From a reference at time `begin`, s, above a ground at height `ground`, m.
     pub fn from(reference: &Reference, begin: f64, descends: bool, ground: f64) -> Self {
         let Reference { position, velocity, acceleration, jerk, yaw, .. } = reference;
-        let duration = SHORTEST_STOP.max(1.875 * velocity.norm() / BRAKING).max(acceleration.norm() / BRAKING);
-        let fade = |k: usize| Fade::new(position[k], [velocity[k], acceleration[k], jerk[k]], duration);
-        let turn = Fade::new(yaw[0], [yaw[1], yaw[2], 0.0], duration);
-        let height = fade(2).above(ground);
-        Stop { begin, axes: [fade(0), fade(1), height, turn], descends }
+        let longest = UNHURRIED.max(1.875 * velocity.norm() / BRAKING).max(acceleration.norm() / BRAKING);
+        let fades = |duration: f64, jerk: Vector3<f64>| {
+            [0, 1, 2].map(|k| Fade::new(position[k], [velocity[k], acceleration[k], jerk[k]], duration))
+        };
+        let gentle = GENTLE * BRAKING.max(acceleration.norm());
+        let smooth = gentlest(longest, gentle, |duration| fades(duration, *jerk));
+        // Where the jerk drives it away, a step in the jerk is better than a thrust that points down.
+        let stop = match smooth.0 <= gentle {
+            true => smooth,
+            false => {
+                let stepped = gentlest(longest, gentle, |duration| fades(duration, Vector3::zeros()));
+                if stepped.0 < smooth.0 { stepped } else { smooth }
+            }
+        };
+        let [x, y, z] = stop.1;
+        let turn = Fade::new(yaw[0], [yaw[1], yaw[2], 0.0], UNHURRIED);
+        Stop { begin, axes: [x, y, z.above(ground), turn], descends }
     }
 
     /// When the vehicle has come to rest, s since the start of the flight.
@@ -127,6 +141,37 @@ impl Stop {
     }
 }
 
+/// `longest`, s, and shorter ones.
+fn durations(longest: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(longest), |duration| Some(duration * SHORTER)).take_while(|d| *d > SHORTEST_FADE)
+}
+
+/// The first of the stops with such durations that accelerates by no more than `gentle`, m/s^2; where none does, the one
+/// that accelerates least. A long stop goes on for long with the acceleration and jerk that it begins with, a short one
+/// brakes hard. With its largest acceleration, m/s^2.
+fn gentlest(longest: f64, gentle: f64, stop: impl Fn(f64) -> [Fade; 3]) -> (f64, [Fade; 3]) {
+    let mut best = (f64::INFINITY, stop(longest));
+    for tried in durations(longest).map(stop) {
+        let hardest = hardest(&tried);
+        if hardest < best.0 {
+            best = (hardest, tried);
+        }
+        if hardest <= gentle {
+            break;
+        }
+    }
+    best
+}
+
+/// Largest acceleration on the way, m/s^2.
+fn hardest(stop: &[Fade; 3]) -> f64 {
+    let at = |k: usize| {
+        let squares = stop.iter().map(|fade| fade.at(fade.duration * k as f64 / LOOKS as f64)[2].powi(2));
+        squares.sum::<f64>().sqrt()
+    };
+    (0..=LOOKS).map(at).fold(0.0, f64::max)
+}
+
 /// One coordinate whose velocity fades to zero.
 #[derive(Debug, Clone, Copy)]
 struct Fade {
@@ -141,11 +186,11 @@ struct Fade {
 
 /// Share of the height above the ground that a stop may use up: what remains is for the vehicle's own error.
 const USED_UP: f64 = 0.75;
-/// Each shorter fade is tried with this share of the duration of the one before.
+/// Each shorter fade that is tried has this share of the duration of the one before.
 const SHORTER: f64 = 0.95;
 /// No fade is shorter than this, s: nothing could follow it.
 const SHORTEST_FADE: f64 = 0.1;
-/// Instants at which the lowest place of a fade is looked for.
+/// Instants at which a fade is looked at.
 const LOOKS: usize = 200;
 
 impl Fade {
@@ -164,11 +209,11 @@ impl Fade {
     /// below, nothing helps.
     fn above(self, ground: f64) -> Self {
         let floor = ground + (1.0 - USED_UP) * (self.start - ground);
-        let mut fade = self;
-        while self.start > ground && fade.lowest() < floor && fade.duration * SHORTER > SHORTEST_FADE {
-            fade = Fade::new(self.start, self.begins, fade.duration * SHORTER);
+        if self.start <= ground || self.lowest() >= floor {
+            return self;
         }
-        fade
+        let mut shorter = durations(self.duration).map(|duration| Fade::new(self.start, self.begins, duration));
+        shorter.find(|fade| fade.lowest() >= floor).unwrap_or(self)
     }
 
     fn lowest(&self) -> f64 {

@@ -142,7 +142,7 @@ fn an_integration_that_breaks_down_is_neither_lost_nor_survived() {
     let mut model = quiet(octocopter("PPNNPPNN"));
     model.modes = vec![lost(&model, &[3])];
     model.modes[0].capacity[2] = 0.85;
-    for inertia in [1e-9, 1e-12, 1e-30, 1e-200] {
+    for inertia in [1e-9, 1e-10, 1e-12, 1e-14] {
         model.vehicle.inertia = [inertia; 3];
         let plan = staying(PLACE, 0.0, 4.0);
         let strikes = [strike(0, 1.0)];

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 /// Specs, and what keeps their plans quick to make: any plan will do.
 const MISSIONS: [(&str, &[&str]); 11] = [
     ("tests/specs/landing/tower.mav", &[]),
-    ("tests/specs/landing/parcel.mav", &[]),
+    ("tests/specs/landing/return.mav", &[]),
     ("specs/missions/inspection.mav", &["plan.planner=rip", "plan.samples=100"]),
     ("specs/missions/inspection.mav", &["plan.planner=rip", "plan.samples=100", "plan.timing=distance"]),
     ("specs/paper/campaign.mav", &["plan.planner=rip"]),
@@ -55,6 +55,9 @@ fn way(plan: &Trajectory, begin: f64, lands: bool, ground: f64) -> Vec<[f64; 4]>
 
 const INSTANTS: usize = 150;
 
+/// A stop that must not use up its height brakes no harder than this, m/s^2.
+const MOST_BRAKING: f64 = 8.0;
+
 #[test]
 fn no_stop_leads_into_the_ground() {
     let mut saved = 0;
@@ -71,16 +74,15 @@ fn no_stop_leads_into_the_ground() {
                     }
                     None => assert!(!lands, "{name} from {begin}: it never lands"),
                 }
-                // It can be followed: no harder than 1.5 g, where the plan itself brakes.
+                // It can be followed.
                 let hardest = way.iter().map(|[.., a]| a.abs()).fold(0.0, f64::max);
-                assert!(hardest < 15.0, "{name} from {begin}: {hardest} m/s^2");
+                let most = MOST_BRAKING.max(1.2 * Course::Plan(plan).at(begin).acceleration.norm());
+                assert!(hardest < most, "{name} from {begin}: {hardest} m/s^2");
             }
             // A stop that knows of no ground.
             let far = -1000.0;
             let strikes = |[_, height, ..]: &[f64; 4]| height + far <= ground;
-            let s = usize::from(self::way(plan, begin, false, far).iter().any(strikes));
-            if s>0 {eprintln!("{name} {begin} {:?}", Course::Plan(plan).at(begin));}
- saved += s;
+            saved += usize::from(self::way(plan, begin, false, far).iter().any(strikes));
         }
     }
     assert!(saved > 10, "only {saved} stops would have struck the ground: the test shows little");

@@ -80,8 +80,11 @@ fn every_field_is_read() {
 fn heading_may_be_left_out_of_what_is_judged() {
     assert_eq!(flown("simulate { lost_yaw = off }").simulation.lost_yaw, None);
     // A word of the language goes before a `let` of that name, and a `let` may hold the angle.
-    assert_eq!(flown("let off = 3 deg\nsimulate { lost_yaw = off }").simulation.lost_yaw, None);
-    let held = flown("let most = 0.25 turn\nsimulate { lost_yaw = most }").simulation.lost_yaw;
+    assert_eq!(
+        flown("let off = 3 deg\nsimulate { lost_yaw = off; gyroscope_noise = off/(1 s) }").simulation.lost_yaw,
+        None
+    );
+    let held = flown("let most = 0.25 rev\nsimulate { lost_yaw = most }").simulation.lost_yaw;
     assert!((held.unwrap() - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     for wrong in ["0 deg", "-90 deg", "180 deg", "10 rad", "of", "never"] {
         let found = codes(&format!("{QUAD}{REST}simulate {{ lost_yaw = {wrong} }}"));
