@@ -141,9 +141,9 @@ impl Stop {
     }
 }
 
-/// `longest`, s, and shorter ones.
-fn durations(longest: f64) -> impl Iterator<Item = f64> {
-    std::iter::successors(Some(longest), |duration| Some(duration * SHORTER)).take_while(|d| *d > SHORTEST_FADE)
+/// `longest`, and shorter durations down to `least`, s.
+fn durations(longest: f64, least: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(longest), |duration| Some(duration * SHORTER)).take_while(move |d| *d >= least)
 }
 
 /// The first of the stops with such durations that accelerates by no more than `gentle`, m/s^2; where none does, the one
@@ -151,7 +151,7 @@ fn durations(longest: f64) -> impl Iterator<Item = f64> {
 /// brakes hard. With its largest acceleration, m/s^2.
 fn gentlest(longest: f64, gentle: f64, stop: impl Fn(f64) -> [Fade; 3]) -> (f64, [Fade; 3]) {
     let mut best = (f64::INFINITY, stop(longest));
-    for tried in durations(longest).map(stop) {
+    for tried in durations(longest, UNHURRIED).map(stop) {
         let hardest = hardest(&tried);
         if hardest < best.0 {
             best = (hardest, tried);
@@ -212,7 +212,8 @@ impl Fade {
         if self.start <= ground || self.lowest() >= floor {
             return self;
         }
-        let mut shorter = durations(self.duration).map(|duration| Fade::new(self.start, self.begins, duration));
+        let mut shorter =
+            durations(self.duration, SHORTEST_FADE).map(|duration| Fade::new(self.start, self.begins, duration));
         shorter.find(|fade| fade.lowest() >= floor).unwrap_or(self)
     }
 
