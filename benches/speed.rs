@@ -187,6 +187,7 @@ fn by_flight() {
         // The plan tilts too far for some; what counts is the time of a whole flight.
         model.simulation.lost_beyond = 1e9;
         model.simulation.upside_down = 1e9;
+        model.simulation.lost_yaw = None;
         model.simulation.ground = -1e9;
         change(&mut model);
         let strikes = [strike];

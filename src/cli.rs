@@ -49,6 +49,8 @@ pub const WEAKER: u8 = 7;
 pub const OVER_BUDGET: u8 = 8;
 /// The simulated vehicle is lost.
 pub const LOST: u8 = 6;
+/// The integration of a flight broke down: what became of the vehicle is unknown.
+pub const DIVERGED: u8 = 9;
 
 #[derive(Parser)]
 #[command(
@@ -56,7 +58,7 @@ pub const LOST: u8 = 6;
     version,
     long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
     about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
-    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 proved infeasible, or a mode the plan\nmust tolerate cannot hover; 4 not found; 5 the certificate is rejected; 6 the simulated vehicle is lost;\n7 the certificate is true but weaker than the spec asks; 8 deciding it would exceed the budget. SPEC may be `-` for standard input."
+    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 proved infeasible, or a mode the plan\nmust tolerate cannot hover; 4 not found; 5 the certificate is rejected; 6 the simulated vehicle is lost;\n7 the certificate is true but weaker than the spec asks; 8 deciding it would exceed the budget; 9 the integration of a flight broke down. SPEC may be `-` for standard input."
 )]
 struct Cli {
     #[command(subcommand)]

@@ -9,6 +9,7 @@ pub mod allocate;
 pub mod body;
 pub mod control;
 pub mod estimate;
+pub mod heading;
 mod knowledge;
 pub mod loss;
 pub mod reference;
@@ -24,6 +25,7 @@ use crate::trajectory::Trajectory;
 use air::Air;
 use allocate::Allocator;
 use body::{Body, Frame};
+use heading::{Heading, HeadingErrors};
 pub use knowledge::Found;
 use knowledge::Knowledge;
 use loss::Watch;
@@ -74,6 +76,8 @@ pub struct Sample<'a> {
     pub time: f64,
     pub body: &'a Body,
     pub reference: &'a Reference,
+    /// The vehicle's heading against the reference's.
+    pub heading: Heading,
     /// What the rotors give, and what the controller asks for: N, N m.
     pub wrench: &'a Wrench,
     pub wanted: &'a Wrench,
@@ -88,10 +92,20 @@ pub struct Sample<'a> {
     pub is_last: bool,
 }
 
+impl Sample<'_> {
+    /// Whether no number of it is NaN or infinite.
+    fn is_finite(&self) -> bool {
+        let wrenches = self.wrench.iter().chain(self.wanted);
+        let rotors = self.speeds.iter().chain(self.believed).chain(self.estimated);
+        self.body.is_finite() && self.reference.is_finite() && wrenches.chain(rotors).all(|x| x.is_finite())
+    }
+}
+
 /// What a sample is made of, beside rotors and knowledge.
 struct Looks<'a> {
     body: &'a Body,
     reference: &'a Reference,
+    heading: Heading,
     wrench: &'a Wrench,
     wanted: &'a Wrench,
 }
@@ -105,11 +119,12 @@ impl<'a> Looks<'a> {
         regressor: Option<&(usize, f64)>,
         is_last: bool,
     ) -> Sample<'a> {
-        let Looks { body, reference, wrench, wanted } = self;
+        let Looks { body, reference, heading, wrench, wanted } = self;
         Sample {
             time,
             body,
             reference,
+            heading,
             wrench,
             wanted,
             speeds: &rotors.speed,
@@ -134,6 +149,7 @@ pub struct Flight {
     pub rms_error_after: f64,
     /// rad
     pub max_tilt: f64,
+    pub heading: HeadingErrors,
     /// One for each strike that came before the end.
     pub found: Vec<Found>,
     /// Times a sound rotor was believed weaker than 0.7 for longer than 0.1 s.
@@ -158,7 +174,8 @@ pub struct Regressor {
 /// Looks at the regressor a second.
 const CONDITION_RATE: f64 = 10.0;
 
-/// Flies. `record` is given every instant at which the controller acts, and the last of the flight.
+/// Flies. `record` is given every instant at which the controller acts, and the last of the flight, with finite numbers
+/// only: of a flight that diverges the last ones before.
 pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flight {
     let Sortie { model, simulation, strikes, .. } = *sortie;
     let h = 1.0 / simulation.rate;
@@ -209,7 +226,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             }
             if knowledge.fault_known && simulation.after_fault != AfterFault::Continue && !watch.is_stopping {
                 let lands = simulation.after_fault == AfterFault::Land;
-                let stop = Stop::from(&reference, t, lands);
+                let stop = Stop::from(&reference, t, lands, simulation.ground);
                 let rest = stop.at_rest();
                 let height = stop.place_of_rest().z - simulation.ground;
                 duration = if lands { rest + height / DESCENT + 20.0 } else { duration.max(rest + 5.0) };
@@ -237,9 +254,14 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             if tick > 0 && tick.is_multiple_of(look_ticks) {
                 conditions.extend(knowledge.conditioning());
             }
+            let heading = watch.heading;
+            let looks = Looks { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted };
+            let sample = looks.sample(t, &rotors, &knowledge, conditions.last(), false);
+            if !sample.is_finite() || !all_finite(&rotors.command) {
+                break Outcome::Diverged { at: t };
+            }
             if let Some(record) = record.as_mut() {
-                let looks = Looks { body: &body, reference: &reference, wrench: &wrench, wanted: &wanted };
-                record(&looks.sample(t, &rotors, &knowledge, conditions.last(), false));
+                record(&sample);
             }
         }
         let begin = wrench;
@@ -251,9 +273,10 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         step += 1;
     };
     let end = step as f64 / simulation.rate;
-    if let Some(record) = record.as_mut() {
-        let looks = Looks { body: &body, reference: &reference, wrench: &wrench, wanted: &wanted };
-        record(&looks.sample(end, &rotors, &knowledge, conditions.last(), true));
+    let looks = Looks { body: &body, reference: &reference, heading: watch.heading, wrench: &wrench, wanted: &wanted };
+    let last = looks.sample(end, &rotors, &knowledge, conditions.last(), true);
+    if let Some(record) = record.as_mut().filter(|_| !matches!(outcome, Outcome::Diverged { .. })) {
+        record(&last);
     }
     let (found, false_alarms, refused) = knowledge.finish();
     Flight {
@@ -263,12 +286,17 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         max_error: watch.max_error,
         rms_error_after: watch.rms_error_after(),
         max_tilt: watch.max_tilt,
+        heading: watch.heading_errors(),
         found,
         false_alarms,
         refused,
         regressor: regressor(conditions),
         steps: step,
     }
+}
+
+fn all_finite(numbers: &[f64]) -> bool {
+    numbers.iter().all(|x| x.is_finite())
 }
 
 /// Sets the rotors' faults for the step that begins at `t`; returns when they change next, s.

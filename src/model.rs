@@ -13,6 +13,7 @@ mod expression;
 mod fault;
 mod fields;
 mod flight;
+mod flight_blocks;
 mod function;
 pub mod grid;
 mod interval;
@@ -35,10 +36,11 @@ mod vehicle;
 pub mod vocabulary;
 
 pub use crate::input::MAX_TABLE_BYTES;
-pub use elaborate::{elaborate, understand};
+pub use elaborate::{elaborate, elaborate_for, understand};
 pub use flight::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
+pub use flight_blocks::FlightBlocks;
 pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
 pub use mission::MAX_WAYPOINTS;

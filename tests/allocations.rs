@@ -51,7 +51,7 @@ fn a_longer_flight_allocates_no_more() {
                 &Sortie {
                     model: &model,
                     simulation: &model.simulation,
-                    course: Course::Stop(Box::new(Stop::from(&place, 0.0, false))),
+                    course: Course::Stop(Box::new(Stop::from(&place, 0.0, false, 0.0))),
                     strikes: &strikes,
                     seed: 1,
                     duration,

@@ -29,6 +29,10 @@ const SCHEMA: &str = "message campaign {
     required double max_error_m;
     optional double rms_error_after_m;
     required double max_tilt_rad;
+    required double rms_heading_error_rad;
+    required double max_heading_error_rad;
+    optional double max_heading_error_after_rad;
+    required int64 turns;
     optional double detected_after_s;
     optional double isolated_after_s;
     required int64 false_alarms;
@@ -74,6 +78,7 @@ fn group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, rows: &[Row]) ->
         Ending::Flown => "flown",
         Ending::Landed => "landed",
         Ending::Lost(_) => "lost",
+        Ending::Diverged => "diverged",
     };
     columns.text(|r| Some(outcome(r).into()), false)?;
     let cause = |r: &Row| match r.ending {
@@ -86,6 +91,10 @@ fn group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, rows: &[Row]) ->
     columns.float(|r| r.max_error)?;
     columns.optional(|r| r.rms_error_after)?;
     columns.float(|r| r.max_tilt)?;
+    columns.float(|r| r.rms_heading_error)?;
+    columns.float(|r| r.max_heading_error)?;
+    columns.optional(|r| r.max_heading_error_after)?;
+    columns.count(|r| r.turns)?;
     columns.optional(|r| r.detected_after)?;
     columns.optional(|r| r.isolated_after)?;
     columns.count(|r| r.false_alarms)?;

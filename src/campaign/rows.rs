@@ -8,7 +8,7 @@ use crate::report::trajectory_csv::shortest;
 use sha2::{Digest, Sha256};
 use std::io::{BufRead, ErrorKind, Read};
 
-pub const COLUMNS: [&str; 19] = [
+pub const COLUMNS: [&str; 23] = [
     "campaign",
     "cases",
     "case",
@@ -23,6 +23,10 @@ pub const COLUMNS: [&str; 19] = [
     "max_error_m",
     "rms_error_after_m",
     "max_tilt_rad",
+    "rms_heading_error_rad",
+    "max_heading_error_rad",
+    "max_heading_error_after_rad",
+    "turns",
     "detected_after_s",
     "isolated_after_s",
     "false_alarms",
@@ -78,6 +82,12 @@ pub struct Row {
     pub rms_error_after: Option<f64>,
     /// rad
     pub max_tilt: f64,
+    /// Heading error, rad; `None` where no fault struck before the end.
+    pub rms_heading_error: f64,
+    pub max_heading_error: f64,
+    pub max_heading_error_after: Option<f64>,
+    /// Most whole turns away from the planned heading.
+    pub turns: usize,
     /// Seconds after the fault.
     pub detected_after: Option<f64>,
     pub isolated_after: Option<f64>,
@@ -90,9 +100,9 @@ pub enum Ending {
     Flown,
     Landed,
     Lost(Cause),
+    /// The integration broke down.
+    Diverged,
 }
-
-const CAUSES: [Cause; 3] = [Cause::Position, Cause::UpsideDown, Cause::Ground];
 
 impl Row {
     pub fn new(design: &Design, case: &Case, flight: &Flight) -> Self {
@@ -110,6 +120,7 @@ impl Row {
                 Outcome::Flown => Ending::Flown,
                 Outcome::Landed { .. } => Ending::Landed,
                 Outcome::Lost { cause, .. } => Ending::Lost(cause),
+                Outcome::Diverged { .. } => Ending::Diverged,
             },
             end: flight.end,
             rms_error: flight.rms_error,
@@ -117,6 +128,10 @@ impl Row {
             // A vehicle lost before the fault was never struck.
             rms_error_after: found.map(|_| flight.rms_error_after),
             max_tilt: flight.max_tilt,
+            rms_heading_error: flight.heading.rms,
+            max_heading_error: flight.heading.max,
+            max_heading_error_after: found.map(|_| flight.heading.max_after),
+            turns: flight.heading.turns,
             detected_after: found.and_then(|f| f.detected_after),
             isolated_after: found.and_then(|f| f.isolated_after),
             false_alarms: flight.false_alarms,
@@ -128,9 +143,13 @@ impl Row {
         matches!(self.ending, Ending::Lost(_))
     }
 
+    pub fn is_survived(&self) -> bool {
+        matches!(self.ending, Ending::Flown | Ending::Landed)
+    }
+
     /// Lost before the fault could strike.
     pub fn is_lost_before(&self) -> bool {
-        self.fault_time.is_some() && self.rms_error_after.is_none()
+        self.is_lost() && self.fault_time.is_some() && self.rms_error_after.is_none()
     }
 
     /// Whether the row tells of this case of this campaign.
@@ -160,9 +179,10 @@ impl Row {
             Ending::Flown => ("flown", ""),
             Ending::Landed => ("landed", ""),
             Ending::Lost(cause) => ("lost", cause.name()),
+            Ending::Diverged => ("diverged", ""),
         };
         format!(
-            "{},{},{},{},{},{},{},{outcome},{cause},{},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{outcome},{cause},{},{},{},{},{},{},{},{},{},{},{},{},{}",
             self.campaign,
             self.cases,
             self.case,
@@ -175,6 +195,10 @@ impl Row {
             shortest(self.max_error),
             optional(self.rms_error_after),
             shortest(self.max_tilt),
+            shortest(self.rms_heading_error),
+            shortest(self.max_heading_error),
+            optional(self.max_heading_error_after),
+            self.turns,
             optional(self.detected_after),
             optional(self.isolated_after),
             self.false_alarms,
@@ -203,10 +227,11 @@ impl Row {
         let count = |k: usize| cells[k].parse::<usize>().map_err(|_| wrong(k));
         let float = |k: usize| cells[k].parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(k));
         let optional = |k: usize| if cells[k].is_empty() { Ok(None) } else { float(k).map(Some) };
-        let ending = match (cells[7], CAUSES.into_iter().find(|c| c.name() == cells[8])) {
+        let ending = match (cells[7], Cause::ALL.into_iter().find(|c| c.name() == cells[8])) {
             ("flown", None) if cells[8].is_empty() => Ending::Flown,
             ("landed", None) if cells[8].is_empty() => Ending::Landed,
             ("lost", Some(cause)) => Ending::Lost(cause),
+            ("diverged", None) if cells[8].is_empty() => Ending::Diverged,
             _ => return Err(format!("{:?} with cause {:?} is no outcome", cells[7], cells[8])),
         };
         Ok(Row {
@@ -223,10 +248,14 @@ impl Row {
             max_error: float(11)?,
             rms_error_after: optional(12)?,
             max_tilt: float(13)?,
-            detected_after: optional(14)?,
-            isolated_after: optional(15)?,
-            false_alarms: count(16)?,
-            refused: count(17)?,
+            rms_heading_error: float(14)?,
+            max_heading_error: float(15)?,
+            max_heading_error_after: optional(16)?,
+            turns: count(17)?,
+            detected_after: optional(18)?,
+            isolated_after: optional(19)?,
+            false_alarms: count(20)?,
+            refused: count(21)?,
         })
     }
 }

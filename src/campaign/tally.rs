@@ -13,6 +13,8 @@ pub struct Cell {
     pub struck: usize,
     /// Of the struck ones.
     pub lost: usize,
+    /// Neither struck nor lost: their simulation diverged.
+    pub diverged: usize,
 }
 
 /// Flights with one plan and mode, or without a fault.
@@ -21,14 +23,18 @@ pub struct Group {
     pub flights: usize,
     pub flown: usize,
     pub landed: usize,
-    /// Position, upside down, ground.
-    pub lost: [usize; 3],
+    /// By [`Cause::ALL`].
+    pub lost: [usize; Cause::ALL.len()],
+    /// Flights whose simulation diverged: they count as not survived.
+    pub diverged: usize,
     /// Lost before the fault could strike; counted in `lost` too.
     pub lost_before: usize,
     /// m, over the flights not lost: since the fault, or, without a fault, over the whole flight.
     pub rms_error: Moments,
     /// m, the same flights, over the whole flight.
     pub max_error: Moments,
+    /// Largest heading error, rad, the same flights: since the fault, or, without a fault, over the whole flight.
+    pub max_heading_error: Moments,
     /// s, over the flights in which that came.
     pub detected_after: Moments,
     pub isolated_after: Moments,
@@ -47,7 +53,7 @@ impl Group {
 
     /// Flights that lived to the fault.
     pub fn struck(&self) -> usize {
-        self.flights - self.lost_before
+        self.flights - self.lost_before - self.diverged
     }
 
     fn add(&mut self, row: &Row) {
@@ -55,14 +61,17 @@ impl Group {
         match row.ending {
             Ending::Flown => self.flown += 1,
             Ending::Landed => self.landed += 1,
-            Ending::Lost(Cause::Position) => self.lost[0] += 1,
-            Ending::Lost(Cause::UpsideDown) => self.lost[1] += 1,
-            Ending::Lost(Cause::Ground) => self.lost[2] += 1,
+            Ending::Lost(cause) => {
+                let of_cause = Cause::ALL.iter().zip(&mut self.lost).filter(|(known, _)| **known == cause);
+                of_cause.for_each(|(_, count)| *count += 1);
+            }
+            Ending::Diverged => self.diverged += 1,
         }
         self.lost_before += usize::from(row.is_lost_before());
-        if !row.is_lost() {
+        if row.is_survived() {
             self.rms_error.add(row.rms_error_after.unwrap_or(row.rms_error));
             self.max_error.add(row.max_error);
+            self.max_heading_error.add(row.max_heading_error_after.unwrap_or(row.max_heading_error));
         }
         row.detected_after.into_iter().for_each(|s| self.detected_after.add(s));
         row.isolated_after.into_iter().for_each(|s| self.isolated_after.add(s));
@@ -94,8 +103,10 @@ impl Tally {
         if let Some(strike) = case.strike {
             let at = (case.planner * self.cases.modes + strike.mode) * self.cases.times + strike.time;
             let cell = &mut self.cells[at];
-            let struck = !row.is_lost_before();
+            let diverged = row.ending == Ending::Diverged;
+            let struck = !diverged && !row.is_lost_before();
             cell.flights += 1;
+            cell.diverged += usize::from(diverged);
             cell.struck += usize::from(struck);
             cell.lost += usize::from(struck && row.is_lost());
         }
@@ -103,6 +114,10 @@ impl Tally {
 
     pub fn flights(&self) -> usize {
         self.groups.iter().map(|g| g.flights).sum()
+    }
+
+    pub fn diverged(&self) -> usize {
+        self.groups.iter().map(|g| g.diverged).sum()
     }
 
     pub fn healthy(&self, planner: usize) -> &Group {

@@ -2,6 +2,7 @@ use super::spec::{self, timing};
 use super::sweep::{Flip, Subject, Sweep};
 use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files};
 use crate::admissible::verdict::{ModeAnalysis, analyze_each};
+use crate::model::FlightBlocks;
 use crate::report::analysis_text;
 use crate::source::visible;
 use serde::Serialize;
@@ -19,7 +20,7 @@ struct Record<'a> {
 
 /// `mavc analyze`
 pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
-    let mut loaded = spec::read(&args.spec, options)?;
+    let mut loaded = spec::read(&args.spec, FlightBlocks::Unused, options)?;
     loaded.tell(options);
     let Some(model) = &loaded.model else { return Ok(SPEC_ERRORS) };
     let begin = Instant::now();

@@ -10,12 +10,12 @@ use super::signals::Saying;
 use super::simulate::cannot_fly;
 use super::spec::{self, Loaded, hex, timing};
 use super::target::{Target, write};
-use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, files};
+use super::{DIVERGED, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs, files};
 use crate::campaign::cases::{MAX_FLIGHTS, Shard};
 use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
-use crate::model::Model;
+use crate::model::{FlightBlocks, Model};
 use crate::planner::compare::Scope;
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::campaign_text;
@@ -106,7 +106,7 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
     apart(&rows, &html)?;
     plan::apart(plan::PAGE, &html, &[&report])?;
     let spec_args = SpecArgs { spec: args.spec.clone().unwrap_or_default(), set: args.set.clone() };
-    let mut loaded = spec::read(&spec_args, options)?;
+    let mut loaded = spec::read(&spec_args, FlightBlocks::Used, options)?;
     spare(&loaded, &[&rows, &report, &html])?;
     if let Some(name) = &args.rows {
         [&report, &html].into_iter().flatten().try_for_each(|target| target.must_spare(name.to_str()))?;
@@ -153,7 +153,11 @@ pub fn run(args: &CampaignArgs, options: &Options) -> Result<u8, Problem> {
     tell(&loaded, &model, &record, report.as_ref(), html.as_ref())?;
     let silent = [&rows, &report, &html].into_iter().flatten().any(Target::is_stdout);
     plan::tell_page(!silent, &html, args.html.as_deref(), options)?;
-    Ok(if is_inconclusive(&design.missing) { INCONCLUSIVE } else { FINE })
+    Ok(match tally.diverged() {
+        0 if is_inconclusive(&design.missing) => INCONCLUSIVE,
+        0 => FINE,
+        _ => DIVERGED,
+    })
 }
 
 /// Hash of this very program: rows of another build may differ, and must not be joined. That of nothing where it cannot

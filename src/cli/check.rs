@@ -3,6 +3,7 @@ use super::{files, spec, specs, usage, watch};
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::flight::twins;
+use crate::model::FlightBlocks;
 use crate::report::table::Table;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -104,7 +105,7 @@ fn one(
     tally: &mut Tally,
     used: &mut Vec<String>,
 ) -> Result<u8, Problem> {
-    let mut loaded = spec::read(&SpecArgs { spec: name.into(), set: args.set.clone() }, options)?;
+    let mut loaded = spec::read(&SpecArgs { spec: name.into(), set: args.set.clone() }, FlightBlocks::Used, options)?;
     used.extend(loaded.files.names());
     let mut code = if loaded.has_errors() { SPEC_ERRORS } else { FINE };
     if let Some(model) = &loaded.model {

@@ -5,7 +5,7 @@ use crate::actuation::Actuation;
 use crate::admissible::AdmissibleSet;
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Severity, sort};
-use crate::model::{Mission, Model};
+use crate::model::{FlightBlocks, Mission, Model};
 use crate::planner::compare::{Ending, PlannerRun, Scope, compare};
 use crate::planner::rows::{Engine, FEASIBLE};
 use crate::planner::transcribe::{Purpose, Transcription};
@@ -24,7 +24,9 @@ pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
     if args.stage == Stage::Ast {
         return ast(args, options);
     }
-    let mut loaded = spec::read(&args.spec, options)?;
+    // The model is printed with how it is flown; the other stages need no flight.
+    let flights = if args.stage == Stage::Model { FlightBlocks::Used } else { FlightBlocks::Unused };
+    let mut loaded = spec::read(&args.spec, flights, options)?;
     let Some(model) = loaded.model.clone() else {
         loaded.tell(options);
         return Ok(SPEC_ERRORS);

@@ -9,7 +9,7 @@ use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
-use crate::model::{MAX_ROUNDS, Mission, Model};
+use crate::model::{FlightBlocks, MAX_ROUNDS, Mission, Model};
 use crate::planner::compare::rounds;
 use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
@@ -33,7 +33,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     apart(("the certificate", "--certificate"), &proof, &[&table, &report])?;
     apart(PAGE, &html, &[&table, &report, &proof])?;
     args.svg.as_deref().map_or(Ok(()), is_folder)?;
-    let mut loaded = spec::read(&args.spec, options)?;
+    let mut loaded = spec::read(&args.spec, FlightBlocks::Unused, options)?;
     spare(&loaded, &[&table, &report, &proof, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
@@ -137,7 +137,7 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let html = args.html.as_deref().map(Target::new).transpose()?;
     apart(PAGE, &html, &[&report])?;
     args.svg.as_deref().map_or(Ok(()), is_folder)?;
-    let mut loaded = spec::read(&args.spec, options)?;
+    let mut loaded = spec::read(&args.spec, FlightBlocks::Unused, options)?;
     spare(&loaded, &[&report, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(mut comparison) = plan_for(&loaded, &model, &mission, Scope::Everything, options) else {

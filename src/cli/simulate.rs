@@ -3,10 +3,10 @@
 use super::plan::{PAGE, apart, json, no_plan_code, plan_for, ready, refused, spare, subject, targets, tell_page};
 use super::spec::{self, Loaded, timing};
 use super::target::{Target, write};
-use super::{FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
+use super::{DIVERGED, FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
 use crate::diagnostic::sort;
-use crate::flight::{Sample, Sortie, fly, twins};
-use crate::model::{Model, coarse_step, past_the_end, too_many_steps};
+use crate::flight::{Outcome, Sample, Sortie, fly, twins};
+use crate::model::{FlightBlocks, Model, coarse_step, past_the_end, too_many_steps};
 use crate::planner::compare::{Ending, Scope};
 use crate::report::flight::{FlightRecord, Log, MAX_ROWS, Told, text};
 use crate::report::number::number;
@@ -23,7 +23,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let (table, report) = targets(args.output.as_deref(), args.report.as_deref())?;
     let html = args.html.as_deref().map(Target::new).transpose()?;
     apart(PAGE, &html, &[&table, &report])?;
-    let mut loaded = spec::read(&args.spec, options)?;
+    let mut loaded = spec::read(&args.spec, FlightBlocks::Used, options)?;
     spare(&loaded, &[&table, &report, &html])?;
     let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
@@ -109,7 +109,11 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         files::print(&format!("\nFlight log written to {}\n", files::shown(path)))?;
     }
     tell_page(to_people, &html, args.html.as_deref(), options)?;
-    Ok(if flight.outcome.is_lost() { LOST } else { FINE })
+    Ok(match flight.outcome {
+        Outcome::Flown | Outcome::Landed { .. } => FINE,
+        Outcome::Lost { .. } => LOST,
+        Outcome::Diverged { .. } => DIVERGED,
+    })
 }
 
 /// Tells what keeps a plan of `time` s from being flown; some of it shows only once the mission is planned.

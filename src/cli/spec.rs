@@ -3,7 +3,9 @@
 use super::{Options, Problem, SpecArgs, files, links};
 use crate::diagnostic::{Diagnostic, Severity, render_linked, render_short, sort, to_json_line};
 use crate::input::read_named;
-use crate::model::{FileSet, Model, OVERRIDE, Override, elaborate, entries, load_among, parse_override};
+use crate::model::{
+    FileSet, FlightBlocks, Model, OVERRIDE, Override, elaborate_for, entries, load_among, parse_override,
+};
 use crate::source::{SourceMap, visible};
 use sha2::{Digest, Sha256};
 use std::borrow::Cow;
@@ -45,11 +47,11 @@ pub fn parse(args: &SpecArgs, options: &Options) -> Result<(Loaded, Vec<Override
     Ok((Loaded { files, model: None, diagnostics }, overrides))
 }
 
-/// Reads, parses and elaborates.
-pub fn read(args: &SpecArgs, options: &Options) -> Result<Loaded, Problem> {
+/// Reads, parses and elaborates, for a command that may fly nothing.
+pub fn read(args: &SpecArgs, flights: FlightBlocks, options: &Options) -> Result<Loaded, Problem> {
     let (Loaded { files, mut diagnostics, .. }, overrides) = parse(args, options)?;
     let begin = Instant::now();
-    let checked = elaborate(&files, &overrides);
+    let checked = elaborate_for(&files, &overrides, flights);
     let broken = diagnostics.iter().any(|d| d.severity == Severity::Error) || checked.has_errors();
     let model = checked.value.filter(|_| !broken);
     diagnostics.extend(checked.diagnostics);

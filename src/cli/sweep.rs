@@ -3,7 +3,7 @@
 use super::Problem;
 use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
 use crate::diagnostic::{Diagnostic, Severity, nearest};
-use crate::model::{FileSet, Model, elaborate, parse_override};
+use crate::model::{FileSet, FlightBlocks, Model, elaborate_for, parse_override};
 use crate::report::number::significant;
 use crate::report::terminal;
 use crate::syntax::ast::Item;
@@ -115,7 +115,7 @@ impl Subject<'_> {
         for text in self.set.iter().cloned().chain([format!("{path}={value}{unit}")]) {
             overrides.push(parse_override(&text, &mut files.sources).map_err(|d| d.message)?);
         }
-        let checked = elaborate(&files, &overrides);
+        let checked = elaborate_for(&files, &overrides, FlightBlocks::Unused);
         if let Some(model) = checked.value {
             return Ok(analyze_each(&model).iter().map(|m| m.verdict).collect());
         }

@@ -3,6 +3,7 @@
 use super::spec::{self, timing};
 use super::{FINE, OVER_BUDGET, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, WEAKER, files};
 use crate::certificate::MAX_BYTES;
+use crate::model::FlightBlocks;
 use crate::report::table::Table;
 use crate::report::terminal::WIDTH;
 use crate::source::{FileId, Source};
@@ -17,7 +18,7 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
         return Err("only one of the certificate and the spec can be standard input".into());
     }
     let bytes = files::read_spec(&name, MAX_BYTES)?;
-    let mut loaded = spec::read(&args.spec, options)?;
+    let mut loaded = spec::read(&args.spec, FlightBlocks::Unused, options)?;
     let sha256 = loaded.sha256();
     let Some(model) = loaded.model.clone() else {
         let text = loaded.files.sources.iter().next().map_or("", |(_, spec)| &spec.text);

@@ -64,6 +64,13 @@ impl Body {
         [roll, pitch, yaw]
     }
 
+    /// Heading: the direction of the nose (body x) seen from above, psi of (4), rad; counter-clockwise from x, within half a
+    /// turn of zero. A nose that points straight up or down has none; the number then means nothing.
+    pub fn heading(&self) -> f64 {
+        let (w, v) = (self.attitude.w, self.attitude.imag());
+        (2.0 * (w * v.z + v.x * v.y)).atan2(1.0 - 2.0 * (v.y * v.y + v.z * v.z))
+    }
+
     /// Angle between body z and the vertical, rad.
     pub fn tilt(&self) -> f64 {
         let up = self.up();

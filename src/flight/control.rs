@@ -1,6 +1,7 @@
 //! Controllers: from where the vehicle is and should be to a wrench.
 
 use super::body::{Body, Frame};
+use super::heading::wrapped;
 use super::reference::Reference;
 use crate::actuation::Wrench;
 use crate::model::{Controller, Gains};
@@ -141,13 +142,13 @@ fn direction([v, v1, v2]: [Vector3<f64>; 3]) -> [Vector3<f64>; 3] {
     [u, u1, u2]
 }
 
-/// R_d, w_d and w_d' (body frame) of the frame whose third axis is b3 and whose first lies over psi; b3 and psi with
-/// their derivatives. R_d w_d^ = R_d' and R_d (w_d'^ + w_d^ w_d^) = R_d''.
+/// R_d, w_d and w_d' (body frame) of the frame whose third axis is b3 and whose first points along psi seen from above, as
+/// the ZYX angles of (4) have it; b3 and psi with their derivatives. R_d w_d^ = R_d' and R_d (w_d'^ + w_d^ w_d^) = R_d''.
 fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matrix3<f64>, Vector3<f64>, Vector3<f64>) {
     let (s, c) = psi.sin_cos();
     let heading = Vector3::new(c, s, 0.0);
     let left = Vector3::new(-s, c, 0.0);
-    let c1 = [heading, left * rate, left * acceleration - heading * (rate * rate)];
+    let c2 = [left, -heading * rate, -heading * acceleration - left * (rate * rate)];
     let product = |a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]| {
         [
             a[0].cross(&b[0]),
@@ -155,13 +156,13 @@ fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matr
             a[2].cross(&b[0]) + a[1].cross(&b[1]) * 2.0 + a[0].cross(&b[2]),
         ]
     };
-    let across = product(&b3, &c1);
-    // The thrust lies along the heading: any axis across it will do.
-    let b2 = match across[0].norm() < 1e-6 {
-        true => [left, Vector3::zeros(), Vector3::zeros()],
-        false => direction(across),
+    let ahead = product(&c2, &b3);
+    // The thrust points to the side: any nose across it will do.
+    let b1 = match ahead[0].norm() < 1e-6 {
+        true => [heading, Vector3::zeros(), Vector3::zeros()],
+        false => direction(ahead),
     };
-    let b1 = product(&b2, &b3);
+    let b2 = product(&b3, &b1);
     let matrix = |k: usize| Matrix3::from_columns(&[b1[k], b2[k], b3[k]]);
     let rd = matrix(0);
     let vee =
@@ -170,10 +171,4 @@ fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matr
     // The symmetric part, w_d^ w_d^, falls out of the difference.
     let wd1 = vee(&(rd.transpose() * matrix(2)));
     (rd, wd, wd1)
-}
-
-/// An angle brought within half a turn of zero.
-fn wrapped(angle: f64) -> f64 {
-    use std::f64::consts::{PI, TAU};
-    (angle + PI).rem_euclid(TAU) - PI
 }

@@ -1,9 +1,10 @@
-//! When a vehicle is lost, and how far it was from where it should be until then.
+//! When a vehicle is lost, and how far it was from its place and heading until then.
 
 use super::body::Body;
+use super::heading::{Collector, Heading, HeadingErrors, Patience};
 use super::reference::Reference;
 use crate::model::Simulation;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A vehicle that lands touches the ground no faster than this, m/s, and tilted no further than this, rad.
 const TOUCHDOWN_SPEED: f64 = 2.0;
@@ -22,11 +23,21 @@ pub enum Outcome {
         at: f64,
         cause: Cause,
     },
+    /// The integration broke down, first seen at `at`, s: a number was NaN or infinite, or the vehicle turned by more than
+    /// half a turn in one step. What became of the vehicle is unknown.
+    Diverged {
+        at: f64,
+    },
 }
 
 impl Outcome {
     pub fn is_lost(&self) -> bool {
         matches!(self, Outcome::Lost { .. })
+    }
+
+    /// Place, attitude and heading were kept to the end or the ground.
+    pub fn is_survived(&self) -> bool {
+        matches!(self, Outcome::Flown | Outcome::Landed { .. })
     }
 }
 
@@ -38,14 +49,19 @@ pub enum Cause {
     UpsideDown,
     /// It struck the ground.
     Ground,
+    /// Its heading was farther off than `lost_yaw`, for longer than `lost_yaw_after`.
+    Heading,
 }
 
 impl Cause {
+    pub const ALL: [Cause; 4] = [Cause::Position, Cause::UpsideDown, Cause::Ground, Cause::Heading];
+
     pub fn name(self) -> &'static str {
         match self {
             Cause::Position => "position",
             Cause::UpsideDown => "upside_down",
             Cause::Ground => "ground",
+            Cause::Heading => "heading",
         }
     }
 }
@@ -57,8 +73,13 @@ pub struct Watch {
     upside_down: f64,
     ground: f64,
     period: f64,
+    /// rad/s; half a turn in one step of the integrator.
+    fastest_turn: f64,
     /// Seconds upside down without a break.
-    turned_for: f64,
+    upside_down_for: f64,
+    patience: Patience,
+    pub heading: Heading,
+    headings: Collector,
     /// A stop has begun.
     pub is_stopping: bool,
     /// It is to touch the ground.
@@ -78,7 +99,11 @@ impl Watch {
             upside_down: simulation.upside_down,
             ground: simulation.ground,
             period,
-            turned_for: 0.0,
+            fastest_turn: PI * simulation.rate,
+            upside_down_for: 0.0,
+            patience: Patience::new(simulation.lost_yaw, simulation.lost_yaw_after),
+            heading: Heading::default(),
+            headings: Collector::default(),
             is_stopping: false,
             may_land: false,
             max_error: 0.0,
@@ -93,29 +118,39 @@ impl Watch {
     /// The flight's end where it has come; `after` where a fault has struck.
     pub fn look(&mut self, t: f64, body: &Body, reference: &Reference, after: bool) -> Option<Outcome> {
         let lost = |cause| Some(Outcome::Lost { at: t, cause });
-        if !body.is_finite() {
-            return lost(Cause::Position);
-        }
         let error = (body.position - reference.position).norm();
+        // The distance of finite numbers, or its square, may not be finite.
+        let finite = body.is_finite() && reference.is_finite() && (self.squares + error * error).is_finite();
+        if !finite || body.rates.norm() > self.fastest_turn {
+            return Some(Outcome::Diverged { at: t });
+        }
         let tilt = body.tilt();
+        self.heading.look(body, reference.yaw[0]);
         if body.position.z <= self.ground {
             let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
             return if self.may_land && soft { Some(Outcome::Landed { at: t }) } else { lost(Cause::Ground) };
         }
         self.max_error = self.max_error.max(error);
         self.max_tilt = self.max_tilt.max(tilt);
+        self.headings.add(&self.heading, after);
         self.squares += error * error;
         self.looks += 1;
         if after {
             self.squares_after += error * error;
             self.looks_after += 1;
         }
-        // Also where the reference is no number.
-        if error > self.lost_beyond || error.is_nan() {
+        if error > self.lost_beyond {
             return lost(Cause::Position);
         }
-        self.turned_for = if tilt > FRAC_PI_2 { self.turned_for + self.period } else { 0.0 };
-        if self.turned_for > self.upside_down { lost(Cause::UpsideDown) } else { None }
+        self.upside_down_for = if tilt > FRAC_PI_2 { self.upside_down_for + self.period } else { 0.0 };
+        if self.upside_down_for > self.upside_down {
+            return lost(Cause::UpsideDown);
+        }
+        if self.patience.is_over(self.heading.error(), self.period) { lost(Cause::Heading) } else { None }
+    }
+
+    pub fn heading_errors(&self) -> HeadingErrors {
+        self.headings.errors()
     }
 
     pub fn rms_error(&self) -> f64 {

@@ -36,6 +36,10 @@ pub(super) struct Context<'a> {
     lost_words: BTreeSet<&'a str>,
     /// Diagnostics past the limit.
     pub dropped: usize,
+    /// Those past the limit that are about blocks which are not used.
+    pub dropped_softly: usize,
+    /// Some error was made a warning, for its block is not used.
+    pub softened: bool,
     /// What was read where, for whoever shows the spec.
     pub readings: Vec<Reading>,
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
@@ -75,6 +79,8 @@ impl<'a> Context<'a> {
             modes_unnamed: false,
             lost_words: words.collect(),
             dropped: 0,
+            dropped_softly: 0,
+            softened: false,
             readings: Vec::new(),
             lets: BTreeMap::new(),
             accused: BTreeMap::new(),

@@ -269,6 +269,11 @@ fn simulation(f: &mut fmt::Formatter<'_>, s: &Simulation, modes: &[FaultMode]) -
     writeln!(f, "  drag {} N*s/m, wind {} m/s", number(s.drag), list(&s.wind))?;
     writeln!(f, "  gusts {} m/s, gust_length {} m", number(s.gusts), number(s.gust_length))?;
     writeln!(f, "  lost_beyond {} m, upside_down {} s", number(s.lost_beyond), number(s.upside_down))?;
+    match s.lost_yaw {
+        Some(angle) => write!(f, "  lost_yaw {} deg", degrees(angle))?,
+        None => write!(f, "  lost_yaw off")?,
+    }
+    writeln!(f, ", lost_yaw_after {} s", number(s.lost_yaw_after))?;
     writeln!(f, "  ground {} m", number(s.ground))?;
     for fault in &s.faults {
         write!(f, "  fault {} at {} s", modes[fault.mode].name, number(fault.at))?;

@@ -4,12 +4,13 @@ use super::context::{Context, State, duplicate, no_filter};
 use super::due::Due;
 use super::fault::Modes;
 use super::fields::elsewhere;
+use super::flight_blocks::{self, FlightBlocks};
 use super::load::FileSet;
 use super::overrides::{Override, apply};
 use super::plan::{Draft, against};
 use super::simulate::Around;
 use super::understanding::Understanding;
-use super::{DefaultUsed, FaultMode, Model, Vehicle, campaign, lag, mission, simulate, vehicle};
+use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
 use crate::report::number::number;
 use crate::source::{SourceMap, Span, Spanned};
@@ -25,11 +26,20 @@ use crate::unit::GRAVITY;
 /// 3. Elaborate every vehicle, choose one, and give its faults and missions their numbers.
 /// 4. Settle the plan against modes and mission, then what flies it.
 pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
-    understand(files, overrides).checked
+    elaborate_for(files, overrides, FlightBlocks::Used)
+}
+
+/// As [`elaborate`], for a command that may fly nothing.
+pub fn elaborate_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks) -> Checked<Model> {
+    understand_for(files, overrides, flights).checked
 }
 
 /// As [`elaborate`], with what was understood on the way, errors or not.
 pub fn understand(files: &FileSet, overrides: &[Override]) -> Understanding {
+    understand_for(files, overrides, FlightBlocks::Used)
+}
+
+fn understand_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks) -> Understanding {
     let mut trees = files.files.clone();
     let mut diagnostics = apply(&mut trees, overrides);
     let broken = broken(&trees);
@@ -38,18 +48,20 @@ pub fn understand(files: &FileSet, overrides: &[Override]) -> Understanding {
     let whole_text = !incomplete && broken.is_empty();
     // What could not be read may be what makes a model of the rest wrong, or a `let` used.
     let mut parts = Parts::default();
-    let value = whole(&mut cx, &trees, files, &mut parts).filter(|_| whole_text);
+    let value = whole(&mut cx, &trees, files, flights, &mut parts).filter(|_| whole_text);
     cx.settle_suspects();
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
-    if value.is_some() && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {
+    // What a block with mistakes would have used is unknown.
+    if value.is_some() && !cx.softened && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {
         cx.warn_unused();
     }
     diagnostics.append(&mut cx.diagnostics);
     sort(&mut diagnostics);
-    if cx.dropped > 0 {
+    if cx.dropped + cx.dropped_softly > 0 {
         let end = diagnostics.last().map_or(Span::default(), |d| d.span);
-        let message = format!("{} more diagnostics are not shown", cx.dropped);
-        diagnostics.push(Diagnostic::error("mavc::name::too_many", end, message));
+        let message = format!("{} more diagnostics are not shown", cx.dropped + cx.dropped_softly);
+        let severity = if cx.dropped > 0 { Severity::Error } else { Severity::Warning };
+        diagnostics.push(Diagnostic::new(severity, "mavc::name::too_many", end, message));
     }
     let mut checked = Checked { value, diagnostics };
     if checked.has_errors() {
@@ -108,7 +120,13 @@ struct Blocks<'a> {
     campaigns: Vec<&'a Block>,
 }
 
-fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, parts: &mut Parts) -> Option<Model> {
+fn whole<'a>(
+    cx: &mut Context<'a>,
+    trees: &'a [SpecFile],
+    files: &'a FileSet,
+    flights: FlightBlocks,
+    parts: &mut Parts,
+) -> Option<Model> {
     let items = || trees.iter().flat_map(|tree| &tree.items);
     let mut blocks = Blocks::default();
     let mut gravity: Option<&Field> = None;
@@ -136,8 +154,9 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
     }
     no_second(cx, "vehicle", &blocks.vehicles);
     no_second(cx, "mission", &blocks.missions);
-    for blocks in [&blocks.plans, &blocks.simulations, &blocks.campaigns] {
-        only_one(cx, blocks);
+    only_one(cx, &blocks.plans);
+    for blocks in [&blocks.simulations, &blocks.campaigns] {
+        cx.of_flights(flights, None, |cx| only_one(cx, blocks));
     }
     let mut defaults = Vec::new();
     cx.declare(items().filter_map(|item| if let Item::Let(field) = item { Some(field) } else { None }));
@@ -200,19 +219,15 @@ fn whole<'a>(cx: &mut Context<'a>, trees: &'a [SpecFile], files: &'a FileSet, pa
         plan_time,
         fallback: draft_span.unwrap_or(fallback),
     };
-    let campaign_span = blocks.campaigns.first().map(|block| block.keyword.span);
-    let (simulation, flight_defaults) =
-        simulate::elaborate(cx, blocks.simulations.first().copied(), campaign_span, &around);
-    defaults.extend(flight_defaults);
-    let (campaign, campaign_defaults) = campaign::elaborate(cx, blocks.campaigns.first().copied(), &around);
-    defaults.extend(campaign_defaults);
+    let flight_blocks = [&blocks.simulations, &blocks.campaigns].map(|blocks| blocks.first().copied());
+    let (simulation, campaign) = flight_blocks::read(cx, flight_blocks, flights, &around, &mut defaults);
     let plan = plan.filter(|_| manner_fine && lags_known)?;
     let (simulation, campaign) = (simulation?, campaign?);
     if mission.is_some() && flown.is_none() {
         return None;
     }
-    // A campaign strikes with every mode.
-    if names_modes && !campaign.written {
+    // A campaign strikes with every mode, and a block with mistakes with nobody knows which.
+    if names_modes && !campaign.written && !cx.softened {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
         against::warn_unused(cx, &modes, &plan.against, &used, empty_against);

@@ -154,6 +154,10 @@ pub struct Simulation {
     pub lost_beyond: f64,
     /// The vehicle is lost where it tilts past 90 degrees for longer than this, s.
     pub upside_down: f64,
+    /// The vehicle is lost where its heading is farther than this from the planned one, rad, for longer than
+    /// `lost_yaw_after`, s; `None`: whatever its heading.
+    pub lost_yaw: Option<f64>,
+    pub lost_yaw_after: f64,
     /// Height of the ground, m; below every waypoint.
     pub ground: f64,
     /// Whether the spec has a `simulate` block.
@@ -213,6 +217,9 @@ pub(super) mod default {
     pub const GUST_LENGTH: Written<f64> = (50.0, "50 m", "length scale of gusts");
     pub const LOST_BEYOND: Written<f64> = (2.0, "2 m", "farther from where it should be the vehicle is lost");
     pub const UPSIDE_DOWN: Written<f64> = (0.5, "0.5 s", "tilted past 90 degrees for longer the vehicle is lost");
+    pub const LOST_YAW: Written<Option<f64>> =
+        (Some(std::f64::consts::FRAC_PI_2), "90 deg", "with its heading farther off the vehicle is lost");
+    pub const LOST_YAW_AFTER: Written<f64> = (1.0, "1 s", "how long the heading may be that far off");
     pub const GROUND: Written<f64> = (0.0, "0 m", "height of the ground");
     pub const SEED: Written<u64> = (1, "1", "of noise and gusts");
     pub const CAMPAIGN_SEED: Written<u64> = (1, "1", "what the seeds of the flights are drawn from");
@@ -264,6 +271,8 @@ impl Default for Simulation {
             faults: Vec::new(),
             lost_beyond: LOST_BEYOND.0,
             upside_down: UPSIDE_DOWN.0,
+            lost_yaw: LOST_YAW.0,
+            lost_yaw_after: LOST_YAW_AFTER.0,
             ground: GROUND.0,
             written: false,
             span: Span::default(),

@@ -2,6 +2,7 @@
 
 mod checks;
 mod strike;
+mod word_or_value;
 
 pub use checks::{coarse_step, past_the_end, too_many_steps};
 pub(super) use strike::CLAUSES as STRIKE_CLAUSES;
@@ -12,13 +13,13 @@ use super::fault::family::Families;
 use super::fields::Fields;
 use super::flight::{MOTOR_TIME_CONSTANT, Written, default};
 use super::mission::{MAX_DURATION, too_long};
-use super::{AfterFault, Controller, DefaultUsed, Detection, FaultMode, Gains, Mission, Simulation, Vehicle};
-use crate::diagnostic::{Diagnostic, nearest};
+use super::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle};
+use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
+use crate::syntax::ast::{Block, Expr, Statement};
 
-pub(super) const FIELDS: [&str; 26] = [
+pub(super) const FIELDS: [&str; 28] = [
     "duration",
     "rate",
     "control_rate",
@@ -44,6 +45,8 @@ pub(super) const FIELDS: [&str; 26] = [
     "seed",
     "lost_beyond",
     "upside_down",
+    "lost_yaw",
+    "lost_yaw_after",
     "ground",
 ];
 
@@ -154,6 +157,8 @@ impl<'a> Reader<'a> {
         };
         let lost_beyond = self.positive(cx, "lost_beyond", "m", LOST_BEYOND);
         let upside_down = self.positive(cx, "upside_down", "s", UPSIDE_DOWN);
+        let lost_yaw = self.lost_yaw(cx);
+        let lost_yaw_after = self.positive(cx, "lost_yaw_after", "s", LOST_YAW_AFTER);
         let ground = self.ground(cx, around.mission);
         if let (Some(drag), Some(wind), Some(gusts)) = (drag, wind, gusts) {
             self.warn_no_drag(cx, drag, wind, gusts);
@@ -195,6 +200,8 @@ impl<'a> Reader<'a> {
             faults: faults?,
             lost_beyond: lost_beyond?,
             upside_down: upside_down?,
+            lost_yaw: lost_yaw?,
+            lost_yaw_after: lost_yaw_after?,
             ground: ground?,
             written: true,
             span,
@@ -258,31 +265,6 @@ impl<'a> Reader<'a> {
             return None;
         }
         Some(Some(duration))
-    }
-
-    fn detection(&mut self, cx: &mut Context<'a>) -> Option<Detection> {
-        const WORDS: [&str; 2] = ["estimator", "never"];
-        let Some(expr) = self.fields.get("detection") else {
-            return Some(self.default("detection", default::DETECTION));
-        };
-        if let ExprKind::Name(name) = &expr.kind {
-            match name.as_str() {
-                "estimator" => return Some(Detection::Estimator),
-                "never" => return Some(Detection::Never),
-                // Anything else may be a `let` that holds the delay.
-                name if !cx.in_scope(name) && !cx.may_exist(name) => {
-                    let message = "`detection` is `estimator`, `never` or a delay such as `50 ms`";
-                    let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
-                    cx.report(match nearest(name, WORDS) {
-                        Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
-                        None => error.help("write one of them, such as `estimator`"),
-                    });
-                    return None;
-                }
-                _ => {}
-            }
-        }
-        cx.not_negative(Due::new("detection", "s"), expr, NEGATIVE).map(Detection::After)
     }
 
     fn gains(&mut self, cx: &mut Context<'a>) -> Option<Gains> {

@@ -46,6 +46,7 @@ pub fn words(place: Place, field: &str) -> &'static [&'static str] {
         (Place::Plan, "against") => &["all"],
         (Place::Simulate, "controller") => &["geometric", "pd"],
         (Place::Simulate, "detection") => &["estimator", "never"],
+        (Place::Simulate, "lost_yaw") => &["off"],
         (Place::Simulate, "after_fault") => &["continue", "hold", "land"],
         (Place::Campaign, "planners") => &["rip", "rsp", "rcp"],
         _ => &[],

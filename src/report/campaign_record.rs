@@ -77,12 +77,17 @@ pub struct GroupRecord {
     pub lost_by_position: usize,
     pub lost_upside_down: usize,
     pub lost_to_ground: usize,
+    pub lost_by_heading: usize,
+    /// Flights whose simulation diverged; neither lost nor survived.
+    pub diverged: usize,
     pub lost_before_fault: usize,
     /// With Wilson's 95 % interval; `None` of no flights.
     pub survival: Option<Share>,
     /// Since the fault, over the survivors.
     pub rms_error_m: Option<Summary>,
     pub max_error_m: Option<Summary>,
+    /// Largest heading error since the fault, over the survivors.
+    pub max_heading_error_rad: Option<Summary>,
     pub detected_after_s: Option<Summary>,
     pub isolated_after_s: Option<Summary>,
     pub false_alarms: usize,
@@ -96,6 +101,8 @@ pub struct CellRecord {
     /// Those that lived to the fault, and those of them that were lost.
     pub struck: usize,
     pub lost: usize,
+    /// Flights whose simulation diverged.
+    pub diverged: usize,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -199,6 +206,7 @@ fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeReco
                 flights: cell.flights,
                 struck: cell.struck,
                 lost: cell.lost,
+                diverged: cell.diverged,
             })
             .collect(),
     }
@@ -206,7 +214,7 @@ fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeReco
 
 impl GroupRecord {
     fn new(group: &Group) -> Self {
-        let [lost_by_position, lost_upside_down, lost_to_ground] = group.lost;
+        let [lost_by_position, lost_upside_down, lost_to_ground, lost_by_heading] = group.lost;
         GroupRecord {
             flights: group.flights,
             flown: group.flown,
@@ -215,10 +223,13 @@ impl GroupRecord {
             lost_by_position,
             lost_upside_down,
             lost_to_ground,
+            lost_by_heading,
+            diverged: group.diverged,
             lost_before_fault: group.lost_before,
             survival: wilson(group.survived(), group.flights),
             rms_error_m: group.rms_error.summary(),
             max_error_m: group.max_error.summary(),
+            max_heading_error_rad: group.max_heading_error.summary(),
             detected_after_s: group.detected_after.summary(),
             isolated_after_s: group.isolated_after.summary(),
             false_alarms: group.false_alarms,

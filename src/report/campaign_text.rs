@@ -10,7 +10,8 @@ use crate::campaign::design::{Design, Missing, Plan};
 use crate::campaign::run::AFTERMATH;
 use crate::campaign::statistics::{Contingency, Share, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
-use crate::model::{Detection, Model};
+use crate::flight::Cause;
+use crate::model::{Detection, Model, Simulation};
 use crate::planner::compare::Ending;
 use std::cmp::Reverse;
 
@@ -64,14 +65,22 @@ fn flown_how(model: &Model) -> String {
     };
     format!(
         "controller {}, allocation {}; {detection}; after_fault = {}\n\
-         lost: {} m from its place, tilted past 90 degrees for {} s, or struck the ground; {}\n",
+         lost: {} m from its place, tilted past 90 degrees for {} s, {}or struck the ground; {}\n",
         s.controller.name(),
         model.vehicle.allocation.name(),
         s.after_fault.name(),
         number(s.lost_beyond),
         number(s.upside_down),
+        off_heading(s),
         format_args!("every fault is given {} s", number(AFTERMATH))
     )
+}
+
+/// `heading 90 degrees off for 1 s, `, where heading is judged.
+fn off_heading(s: &Simulation) -> String {
+    s.lost_yaw.map_or(String::new(), |limit| {
+        format!("heading {} degrees off for {} s, ", number(limit.to_degrees()), number(s.lost_yaw_after))
+    })
 }
 
 fn counted(n: usize, what: &str) -> String {
@@ -97,17 +106,22 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
         "95 % interval",
         "rms error",
         "max error",
+        "heading",
         "detected",
         "outside",
         "last outside",
+        "lost to",
     ]);
     let healthy = tally.healthy(p);
-    table.row(group_cells(HEALTHY, healthy));
+    let mut cells = group_cells(HEALTHY, healthy);
+    cells.extend([String::new(), String::new(), causes(healthy)]);
+    table.row(cells);
     for &m in &modes {
         let outside = &plan.outside[m];
         let mut cells = group_cells(&design.model.modes[m].name, tally.mode(p, m));
         cells.push(percent(outside.seconds / design.time));
         cells.push(outside.last.map_or("never".into(), |last| percent(last / design.time)));
+        cells.push(causes(tally.mode(p, m)));
         table.row(cells);
     }
     out.push_str(&table.render(2));
@@ -123,6 +137,14 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     let before: usize = (0..all).map(|m| tally.mode(p, m).lost_before).sum();
     if before > 0 {
         out.push_str(&filled(&format!("{} lost before the fault could strike.", counted(before, "flight"))));
+    }
+    let diverged = healthy.diverged + (0..all).map(|m| tally.mode(p, m).diverged).sum::<usize>();
+    if diverged > 0 {
+        let flights = counted(diverged, "flight");
+        out.push_str(&filled(&format!(
+            "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). What \
+             became of the vehicle is unknown; a flight that diverged counts neither as lost nor as survived."
+        )));
     }
     if !modes.is_empty() {
         out.push_str(&map(design, tally, p, &modes));
@@ -146,6 +168,7 @@ fn worst(tally: &Tally, p: usize, modes: usize) -> Vec<usize> {
 fn group_cells(name: &str, group: &Group) -> Vec<String> {
     let survival = wilson(group.survived(), group.flights);
     let (rms, max) = (group.rms_error.summary(), group.max_error.summary());
+    let heading = group.max_heading_error.summary();
     let detected = group.detected_after.summary().map(|d| {
         let all = d.count == group.struck();
         format!("{} s{}", fixed(d.mean, 2), if all { String::new() } else { format!(" ({})", d.count) })
@@ -158,8 +181,29 @@ fn group_cells(name: &str, group: &Group) -> Vec<String> {
         survival.map_or_else(dash, |Share { low, high, .. }| format!("{} .. {}", hundred(low), hundred(high))),
         rms.map_or_else(dash, |s| format!("{} m", significant(s.mean, 3))),
         max.map_or_else(dash, |s| format!("{} m", significant(s.max, 3))),
+        heading.map_or_else(dash, |s| format!("{} deg", fixed(s.max.to_degrees(), 1))),
         detected.unwrap_or_else(dash),
     ]
+}
+
+/// `12 ground, 3 heading`: what flights were lost to, the most frequent cause first.
+fn causes(group: &Group) -> String {
+    let mut counts: Vec<(&str, usize)> = Cause::ALL.iter().zip(group.lost).map(|(c, n)| (cause(*c), n)).collect();
+    counts.push(("diverged", group.diverged));
+    counts.retain(|(_, n)| *n > 0);
+    counts.sort_by_key(|(_, n)| Reverse(*n));
+    let words: Vec<String> = counts.into_iter().map(|(name, n)| format!("{n} {name}")).collect();
+    if words.is_empty() { "-".into() } else { words.join(", ") }
+}
+
+/// A cause as the table calls it.
+fn cause(cause: Cause) -> &'static str {
+    match cause {
+        Cause::Position => "position",
+        Cause::UpsideDown => "upside down",
+        Cause::Ground => "ground",
+        Cause::Heading => "heading",
+    }
 }
 
 fn hundred(share: f64) -> String {
@@ -173,8 +217,12 @@ fn map(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -> String {
     let name = |m: usize| design.model.modes[m].name.as_str();
     let width = modes.iter().map(|&m| name(m).chars().count()).max().unwrap_or(0);
     let mut out = String::from("\n  When the fault strikes, and what share is lost: . none, 1 to 9 tenths, # all");
-    if modes.iter().any(|&m| tally.cells(p, m).iter().any(|c| c.flights > 0 && c.struck == 0)) {
+    let any = |of: fn(&Cell) -> bool| modes.iter().any(|&m| tally.cells(p, m).iter().any(of));
+    if any(|c| c.flights > 0 && c.struck == 0 && c.diverged == 0) {
         out.push_str(", x lost before");
+    }
+    if any(|c| c.diverged > 0) {
+        out.push_str(", ? diverged");
     }
     out.push('\n');
     for &m in modes {
@@ -192,6 +240,7 @@ fn mark(cells: &[Cell]) -> char {
     let sum = |of: fn(&Cell) -> usize| cells.iter().map(of).sum::<usize>();
     match (sum(|c| c.flights), sum(|c| c.struck), sum(|c| c.lost)) {
         (0, ..) => ' ',
+        _ if sum(|c| c.diverged) > 0 => '?',
         (_, 0, _) => 'x',
         (_, _, 0) => '.',
         (_, struck, lost) if lost == struck => '#',

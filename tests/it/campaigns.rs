@@ -1,5 +1,7 @@
 //! Campaigns: statistics against values worked by hand, cases, rows, and shards as schedulers run them.
 
+mod losses;
+
 use mavc::campaign::cases::{Cases, Shard, fault_time, noise_seed};
 use mavc::campaign::rows::{COLUMNS, Row};
 use mavc::campaign::statistics::{Contingency, Moments, spearman, wilson};
@@ -164,7 +166,7 @@ fn noise_depends_on_the_seeds_alone() {
 #[test]
 fn rows_read_back_as_written_and_strictly() {
     // The checksum by `printf %s '00ff...,2,1' | sha256sum`.
-    let line = "00ff00ff00ff00ff,153,7,rsp,weak,0.25,1,lost,upside_down,1.398,0.1,2.5,1e-7,1.6,0.01,,2,1,599dfa31";
+    let line = "00ff00ff00ff00ff,153,7,rsp,weak,0.25,1,lost,upside_down,1.398,0.1,2.5,1e-7,1.6,0.5,0.75,0.7,3,0.01,,2,1,8f26d871";
     let row = Row::read(line).unwrap();
     assert_eq!(row.line(), line);
     assert!(row.is_lost() && !row.is_lost_before());

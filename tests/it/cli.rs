@@ -1,6 +1,7 @@
 //! The command as scripts use it: exit codes, files whole or absent, streams, equal bytes.
 
 mod explaining;
+mod flight_blocks;
 mod folding;
 mod many;
 mod reports;

@@ -6,6 +6,8 @@ mod body;
 mod control;
 mod estimation;
 mod faults;
+mod headings;
+mod landings;
 mod motion;
 mod plans;
 mod reference;

@@ -257,6 +257,14 @@ fn flights_and_campaigns_have_pages() {
     let worst = columns["error"].as_array().unwrap().iter().map(|e| e.as_f64().unwrap()).fold(0.0, f64::max);
     let told = recorded()["max_error_m"].as_f64().unwrap();
     assert!(worst <= told * 1.001 && worst > 0.9 * told, "{worst} {told}");
+    // The heading flown against the one planned, and their difference as the record has it.
+    let chart = drawn["runs"][0]["charts"].as_array().unwrap().iter().find(|c| c["id"] == "yaw").unwrap();
+    let lines: Vec<_> = chart["lines"].as_array().unwrap().iter().map(|l| l["column"].as_str().unwrap()).collect();
+    assert_eq!((lines, &chart["unit"]), (vec!["heading", "yaw_ref"], &"deg".into()));
+    let column = |name: &str| columns[name].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
+    let worst = column("heading").zip(column("yaw_ref")).map(|(flown, due)| (flown - due).abs()).fold(0.0, f64::max);
+    let told = recorded()["max_heading_error_rad"].as_f64().unwrap().to_degrees();
+    assert!(worst > 0.0 && worst <= told * 1.001 && worst > 0.8 * told, "{worst} {told}");
     assert_eq!(drawn["runs"][0]["marks"][0]["t"], 3.0);
     // The page opens where the vehicle is farthest off.
     let at = columns["t"].as_array().unwrap().iter().position(|t| *t == drawn["opens"]["t"]).unwrap();

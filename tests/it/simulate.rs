@@ -60,7 +60,7 @@ fn a_flight_writes_its_log_and_its_report() {
     let rows = &rows[20..];
     assert_eq!(rows.len(), 581, "6 s at 100 rows a second and the end, but for those looked past");
     assert!(rows.iter().all(|r| r.len() == header.len()));
-    assert_eq!(header.len(), 27 + 3 * 8 + 2);
+    assert_eq!(header.len(), 28 + 3 * 8 + 2);
     assert!(rows.iter().all(|r| r[column("regressor_rank")] >= 1.0 && r[column("regressor_condition")] >= 1.0));
     let last = &rows[rows.len() - 1];
     for (name, due) in [("x", 4.0), ("y", 1.0), ("z", 4.0)] {
@@ -76,11 +76,19 @@ fn a_flight_writes_its_log_and_its_report() {
             .sum::<f64>()
             .sqrt();
         assert!((distance - row[column("error")]).abs() < 1e-12);
+        let off = row[column("yaw")] - row[column("yaw_ref")] - row[column("heading_error")];
+        assert!((off / std::f64::consts::TAU).fract().abs() < 1e-9, "{off}");
     }
     let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
     let largest = rows.iter().map(|r| r[column("error")]).fold(0.0, f64::max);
     let told = record["max_error_m"].as_f64().unwrap();
     assert!(told >= largest && told < largest + 0.01, "{told} {largest}");
+    let largest = rows.iter().map(|r| r[column("heading_error")].abs()).fold(0.0, f64::max);
+    for name in ["max_heading_error_rad", "max_heading_error_after_rad"] {
+        let told = record[name].as_f64().unwrap();
+        assert!(told > 0.0 && told >= largest && told < largest + 0.01, "{name} {told} {largest}");
+    }
+    assert_eq!(record["turns"], 0);
 
     let again = (folder.path().join("again.csv"), folder.path().join("again.json"));
     let ran = simulate(&spec, &["-o", again.0.to_str().unwrap(), "--report", again.1.to_str().unwrap()]);
@@ -164,4 +172,71 @@ fn a_mission_without_a_plan_is_not_flown() {
     // Without a log there is nothing to bound: the flight ends soon, where all rotors on one side are lost.
     let spec = hop(folder.path(), "simulate { fault half at 1 s; duration = 90000 s }");
     assert_eq!(code(&simulate(&spec, &[])), 6);
+}
+
+/// Two rotors that leave no torque about the vertical: the vehicle keeps its place and spins.
+#[test]
+fn a_vehicle_that_turns_away_is_lost_unless_the_spec_says_otherwise() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = folder.path().join("sim.json");
+    let flown = |more: &str| {
+        let block = format!(
+            "faults {{ mode neighbours {{ rotors [1, 2] lost }} }}\n\
+             simulate {{ fault neighbours at 1 s; detection = 50 ms; duration = 15 s; {more} }}\n"
+        );
+        let ran = simulate(&hop(folder.path(), &block), &["--report", report.to_str().unwrap()]);
+        let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+        crate::schemas::schema("simulate").assert_valid(&record);
+        (code(&ran), String::from_utf8(ran.stdout).unwrap(), record)
+    };
+    let (exit, text, record) = flown("");
+    assert_eq!(exit, 6, "{text}");
+    assert_eq!((&record["outcome"]["status"], &record["outcome"]["cause"]), (&"lost".into(), &"heading".into()));
+    assert!(text.contains(": heading more than 90 degrees off for longer than 1 s\n"), "{text}");
+    let (exit, text, record) = flown("lost_yaw = 45 deg; lost_yaw_after = 500 ms");
+    assert!(exit == 6 && text.contains(": heading more than 45 degrees off for longer than 0.5 s\n"), "{text}");
+    assert!(record["max_heading_error_rad"].as_f64().unwrap() < 2.0, "{record}");
+    let (exit, text, record) = flown("lost_yaw = off");
+    let turns = record["turns"].as_u64().unwrap();
+    assert!(exit == 0 && turns >= 8 && record["max_error_m"].as_f64().unwrap() < 1.0, "{text}");
+    assert!(text.contains(&format!("; turned away {turns} times\n")), "{text}");
+    assert!(
+        text.contains("\n  heading error: ") && text.contains(" degrees root mean square; largest 180.0"),
+        "{text}"
+    );
+}
+
+/// An inertia of nearly nothing: once the fault disturbs it, steps follow nothing any more.
+#[test]
+fn an_integration_that_breaks_down_ends_with_9_and_a_log_of_what_came_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let (log, report, page) =
+        (folder.path().join("flight.csv"), folder.path().join("sim.json"), folder.path().join("sim.html"));
+    let spec = hop(folder.path(), "simulate { fault M3 at 2 s; detection = 50 ms }\n");
+    for inertia in ["1e-9", "1e-10", "1e-12"] {
+        let set = format!("vehicle.inertia=[{inertia},{inertia},{inertia}]kg*m^2");
+        let args = [
+            "-o",
+            log.to_str().unwrap(),
+            "--report",
+            report.to_str().unwrap(),
+            "--html",
+            page.to_str().unwrap(),
+            "--set",
+            &set,
+        ];
+        let ran = simulate(&spec, &args);
+        assert_eq!(code(&ran), 9, "{inertia}: {}", err(&ran));
+        let text = String::from_utf8(ran.stdout).unwrap();
+        assert!(text.contains("\nDIVERGED at 2.0") && !text.contains("LOST"), "{text}");
+        let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+        crate::schemas::schema("simulate").assert_valid(&record);
+        assert_eq!(record["outcome"]["status"], "diverged");
+        let rows = std::fs::read_to_string(&log).unwrap();
+        let last: f64 = rows.lines().last().unwrap().split(',').next().unwrap().parse().unwrap();
+        assert!((1.98..2.1).contains(&last), "{inertia}: {last}");
+        let numbers = rows.lines().skip(1).flat_map(|line| line.split(',')).filter(|cell| !cell.is_empty());
+        numbers.for_each(|cell| assert!(cell.parse::<f64>().is_ok_and(|x| x.abs() < 1e6), "{inertia}: {cell}"));
+        assert!(std::fs::read_to_string(&page).unwrap().contains("Diverged at"));
+    }
 }

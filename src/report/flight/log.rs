@@ -19,7 +19,7 @@ pub struct Log {
 impl Log {
     pub fn new(rotors: usize, every: usize) -> Self {
         let mut csv = String::from(
-            "t,x,y,z,vx,vy,vz,roll,pitch,yaw,p,q,r,x_ref,y_ref,z_ref,yaw_ref,error,tilt,\
+            "t,x,y,z,vx,vy,vz,roll,pitch,yaw,p,q,r,x_ref,y_ref,z_ref,yaw_ref,error,heading_error,tilt,\
              thrust,tau_x,tau_y,tau_z,thrust_cmd,tau_x_cmd,tau_y_cmd,tau_z_cmd",
         );
         for name in ["omega", "theta", "believed"] {
@@ -45,6 +45,7 @@ impl Log {
         row.extend(reference.position.iter());
         row.push(reference.yaw[0]);
         row.push((body.position - reference.position).norm());
+        row.push(sample.heading.error());
         row.push(body.tilt());
         row.extend(sample.wrench.iter());
         row.extend(sample.wanted.iter());

@@ -41,6 +41,13 @@ pub struct FlightRecord {
     /// Since the first fault; `None` without one.
     pub rms_error_after_m: Option<f64>,
     pub max_tilt_rad: f64,
+    /// Between the flown and the planned heading, at most half a turn.
+    pub rms_heading_error_rad: f64,
+    pub max_heading_error_rad: f64,
+    /// Since the first fault; `None` without one.
+    pub max_heading_error_after_rad: Option<f64>,
+    /// Most whole turns away from the planned heading.
+    pub turns: usize,
     pub faults: Vec<FaultRecord>,
     pub false_alarms: usize,
     pub refused_reconfigurations: usize,
@@ -57,6 +64,7 @@ pub enum OutcomeRecord {
     Flown,
     Landed { at_s: f64 },
     Lost { at_s: f64, cause: &'static str },
+    Diverged { at_s: f64 },
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -104,12 +112,17 @@ impl FlightRecord {
                 Outcome::Flown => OutcomeRecord::Flown,
                 Outcome::Landed { at } => OutcomeRecord::Landed { at_s: at },
                 Outcome::Lost { at, cause } => OutcomeRecord::Lost { at_s: at, cause: cause.name() },
+                Outcome::Diverged { at } => OutcomeRecord::Diverged { at_s: at },
             },
             end_s: flight.end,
             rms_error_m: flight.rms_error,
             max_error_m: flight.max_error,
             rms_error_after_m: (!flight.found.is_empty()).then_some(flight.rms_error_after),
             max_tilt_rad: flight.max_tilt,
+            rms_heading_error_rad: flight.heading.rms,
+            max_heading_error_rad: flight.heading.max,
+            max_heading_error_after_rad: (!flight.found.is_empty()).then_some(flight.heading.max_after),
+            turns: flight.heading.turns,
             faults: faults(model, strikes, flight),
             false_alarms: flight.false_alarms,
             refused_reconfigurations: flight.refused,

@@ -23,12 +23,14 @@ pub fn text(told: &Told) -> String {
         OutcomeRecord::Flown => format!("Simulated to its end at {} s\n", fixed(flight.end, 2)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s\n", fixed(at_s, 2)),
         OutcomeRecord::Lost { at_s, cause } => format!("LOST at {} s: {}\n", fixed(at_s, 2), loss(model, cause)),
+        OutcomeRecord::Diverged { at_s } => format!("DIVERGED at {} s: {DIVERGED}\n", fixed(at_s, 2)),
     });
     let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
     out.push_str(&format!(
-        "  distance from its place: {} root mean square{after}; largest {}\n  largest tilt {} degrees\n",
+        "  distance from its place: {} root mean square{after}; largest {}\n  {}\n  largest tilt {} degrees\n",
         length(flight.rms_error),
         length(flight.max_error),
+        heading(&record),
         fixed(flight.max_tilt.to_degrees(), 1)
     ));
     if !record.faults.is_empty() {
@@ -111,11 +113,41 @@ fn manner(model: &Model) -> String {
     )
 }
 
+/// `heading error: 1.2 degrees root mean square; largest 4.0 degrees, 4.0 since the first fault`
+fn heading(record: &FlightRecord) -> String {
+    let degrees = |angle: f64| fixed(angle.to_degrees(), 1);
+    let after =
+        record.max_heading_error_after_rad.map_or(String::new(), |e| format!(", {} since the first fault", degrees(e)));
+    format!(
+        "heading error: {} degrees root mean square; largest {}{after}{}",
+        degrees(record.rms_heading_error_rad),
+        degrees(record.max_heading_error_rad),
+        turned(record.turns)
+    )
+}
+
+/// `; turned away 8 times`, for a vehicle that did not only swing.
+pub fn turned(turns: usize) -> String {
+    match turns {
+        0 => String::new(),
+        1 => "; turned away once".into(),
+        n => format!("; turned away {n} times"),
+    }
+}
+
+/// Why a flight that diverged has no result.
+pub const DIVERGED: &str = "the integration broke down (NaN, infinity, or more than half a turn in one step); \
+                            what became of the vehicle is unknown";
+
 /// Why the vehicle counts as lost, from the name of the cause.
 pub fn loss(model: &Model, cause: &str) -> String {
     let s = &model.simulation;
     match cause {
         "ground" => "it struck the ground".into(),
+        "heading" => {
+            let limit = s.lost_yaw.map_or(0.0, f64::to_degrees);
+            format!("heading more than {} degrees off for longer than {} s", number(limit), number(s.lost_yaw_after))
+        }
         "upside_down" => format!("tilted past 90 degrees for longer than {} s", number(s.upside_down)),
         _ => format!("more than {} m from its place", number(s.lost_beyond)),
     }

@@ -6,7 +6,9 @@ use super::motion::WRENCH;
 use crate::admissible::hover;
 use crate::flight::Sample;
 use crate::model::Model;
-use crate::report::flight::{FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss};
+use crate::report::flight::{
+    DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, turned,
+};
 use crate::report::number::{fixed, number, significant};
 use maud::{Markup, html};
 
@@ -45,6 +47,9 @@ impl Track {
         for (name, value) in [("roll", roll), ("pitch", pitch), ("yaw", yaw)] {
             put(name, value);
         }
+        let planned = reference.yaw[0];
+        put("heading", (planned + sample.heading.turned()).to_degrees());
+        put("yaw_ref", planned.to_degrees());
         put("speed", body.velocity.norm());
         put("tilt", body.tilt().to_degrees());
         put("error", (body.position - reference.position).norm());
@@ -84,6 +89,7 @@ pub fn headline(model: &Model, record: &FlightRecord) -> String {
         OutcomeRecord::Flown => format!("Simulated to its end at {} s", fixed(record.end_s, 2)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s", fixed(at_s, 2)),
         OutcomeRecord::Lost { at_s, cause } => format!("Lost at {} s: {}", fixed(at_s, 2), loss(model, cause)),
+        OutcomeRecord::Diverged { at_s } => format!("Diverged at {} s: {DIVERGED}", fixed(at_s, 2)),
     }
 }
 
@@ -98,8 +104,10 @@ fn marks(record: &FlightRecord) -> Vec<Mark> {
         marks.extend(fault.detected_after_s.map(|d| Mark { t: fault.at_s + d, label: String::new() }));
         marks.extend(fault.until_s.map(|t| Mark { t, label: format!("{} ends", fault.mode) }));
     }
-    if let OutcomeRecord::Lost { at_s, .. } = record.outcome {
-        marks.push(Mark { t: at_s, label: "lost".into() });
+    match record.outcome {
+        OutcomeRecord::Lost { at_s, .. } => marks.push(Mark { t: at_s, label: "lost".into() }),
+        OutcomeRecord::Diverged { at_s } => marks.push(Mark { t: at_s, label: "diverged".into() }),
+        OutcomeRecord::Flown | OutcomeRecord::Landed { .. } => {}
     }
     marks
 }
@@ -168,6 +176,13 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
             )
         },
         plain(
+            "yaw",
+            "Heading",
+            yaw_headline(record),
+            "deg",
+            vec![Line::new("heading", "heading"), Line::aim("heading planned", "yaw_ref")],
+        ),
+        plain(
             "speed",
             "Speed",
             format!("Speed reaches {} m/s", significant(most("speed"), 3)),
@@ -220,6 +235,14 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
         ));
     }
     charts
+}
+
+/// How far the heading is off, and how often the vehicle turned.
+fn yaw_headline(record: &FlightRecord) -> String {
+    let degrees = |angle: f64| significant(angle.to_degrees(), 3);
+    let rms = degrees(record.rms_heading_error_rad);
+    let largest = degrees(record.max_heading_error_rad);
+    format!("The heading is {rms} deg off, root mean square; largest {largest} deg{}", turned(record.turns))
 }
 
 fn estimates(record: &FlightRecord) -> String {

@@ -7,7 +7,7 @@ use crate::certify::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
-use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length};
+use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
 use crate::report::number::{fixed, number, percent, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::terminal::in_planes;
@@ -112,14 +112,19 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
 
 /// Of `mavc simulate`.
 pub fn flight(model: &Model, record: &FlightRecord) -> Found {
-    let lost = matches!(record.outcome, OutcomeRecord::Lost { .. });
+    let lost = matches!(record.outcome, OutcomeRecord::Lost { .. } | OutcomeRecord::Diverged { .. });
+    let by_heading = matches!(record.outcome, OutcomeRecord::Lost { cause: "heading", .. });
     let mut figures = vec![
         Figure::new("Off its place", flown_length(record.rms_error_m), "root mean square over the flight"),
-        Figure::new("Largest distance", flown_length(record.max_error_m), "from where the plan is").bad_if(lost),
+        Figure::new("Largest distance", flown_length(record.max_error_m), "from where the plan is")
+            .bad_if(lost && !by_heading),
     ];
     figures.extend(
         record.rms_error_after_m.map(|e| Figure::new("Since the first fault", flown_length(e), "root mean square")),
     );
+    let heading = format!("{} deg", fixed(record.max_heading_error_rad.to_degrees(), 1));
+    let note = format!("from the planned heading{}", turned(record.turns));
+    figures.push(Figure::new("Largest heading error", heading, note).bad_if(by_heading));
     let tilt = format!("{} deg", fixed(record.max_tilt_rad.to_degrees(), 1));
     figures.push(Figure::new(
         "Largest tilt",

@@ -48,8 +48,8 @@ pub fn found(record: &CampaignRecord) -> Found {
 /// Share of flights with a fault that survive.
 fn survival(planner: &PlannerRecord) -> Option<Share> {
     let flights: usize = planner.modes.iter().map(|m| m.flights.flights).sum();
-    let lost: usize = planner.modes.iter().map(|m| m.flights.lost).sum();
-    wilson(flights.saturating_sub(lost), flights)
+    let not_survived: usize = planner.modes.iter().map(|m| m.flights.lost + m.flights.diverged).sum();
+    wilson(flights.saturating_sub(not_survived), flights)
 }
 
 /// `85.7 (60.1 to 96)`, in percent.
@@ -61,6 +61,7 @@ fn with_interval(share: Option<Share>) -> String {
 /// Who survives, planner by planner.
 pub fn table(record: &CampaignRecord) -> Markup {
     let lost = |p: &PlannerRecord, of: fn(&ModeRecord) -> usize| p.modes.iter().map(of).sum::<usize>();
+    let diverged: usize = record.planners.iter().map(|p| lost(p, |m| m.flights.diverged)).sum();
     html! {
         h2 { "Flights lost, planner by planner" }
         div.scroll tabindex="0" role="region" aria-label="Table of planners" {
@@ -80,6 +81,8 @@ pub fn table(record: &CampaignRecord) -> Markup {
                         th.n scope="col" { "Lost by position" }
                         th.n scope="col" { "Upside down" }
                         th.n scope="col" { "To the ground" }
+                        th.n scope="col" { "By heading" }
+                        @if diverged > 0 { th.n scope="col" { "Diverged" } }
                         th.n scope="col" { "Healthy survive" br; span.unit { "%, 95 % interval" } }
                     }
                 }
@@ -93,6 +96,8 @@ pub fn table(record: &CampaignRecord) -> Markup {
                             td.n { (lost(p, |m| m.flights.lost_by_position)) }
                             td.n { (lost(p, |m| m.flights.lost_upside_down)) }
                             td.n { (lost(p, |m| m.flights.lost_to_ground)) }
+                            td.n { (lost(p, |m| m.flights.lost_by_heading)) }
+                            @if diverged > 0 { td.n { (lost(p, |m| m.flights.diverged)) } }
                             td.n { (with_interval(p.healthy.as_ref().and_then(|h| h.survival))) }
                         }
                     }
@@ -160,6 +165,9 @@ fn cell(cells: &[CellRecord]) -> Markup {
     let (flights, struck, lost) = (sum(|c| c.flights), sum(|c| c.struck), sum(|c| c.lost));
     if flights == 0 {
         return html! { td { } };
+    }
+    if struck == 0 && sum(|c| c.diverged) > 0 {
+        return html! { td { "diverged" } };
     }
     if struck == 0 {
         return html! { td.before { "before" } };

@@ -3,6 +3,7 @@
 use super::{moving, turned};
 use crate::vehicles::octocopter;
 use mavc::actuation::Wrench;
+use mavc::flatness::{self, FlatState};
 use mavc::flight::body::{Body, Frame};
 use mavc::flight::control::{control, start};
 use mavc::flight::reference::Reference;
@@ -48,12 +49,12 @@ fn lissajous(t: f64) -> Reference {
     }
 }
 
-/// The attitude that flies along the curve: body z along the thrust, body x over the heading.
+/// The attitude that flies along the curve: body z along the thrust, body x along the heading seen from above.
 fn flat_attitude(t: f64) -> Matrix3<f64> {
     let r = lissajous(t);
     let b3 = (r.acceleration + Vector3::z() * G).normalize();
-    let b2 = b3.cross(&Vector3::new(r.yaw[0].cos(), r.yaw[0].sin(), 0.0)).normalize();
-    Matrix3::from_columns(&[b2.cross(&b3), b2, b3])
+    let b1 = Vector3::new(-r.yaw[0].sin(), r.yaw[0].cos(), 0.0).cross(&b3).normalize();
+    Matrix3::from_columns(&[b1, b3.cross(&b1), b3])
 }
 
 /// A derivative by central differences of eighth order.
@@ -93,6 +94,22 @@ fn on_the_reference_geometric_asks_for_the_flat_wrench() {
         let wanted = Wrench::new(frame.mass * flat_force(t), torque.x, torque.y, torque.z);
         let found = control(Controller::Geometric, &frame, &gains(), &body, flat_force(t), &lissajous(t));
         assert!((found - wanted).amax() < 1e-7, "at {t}: {found} instead of {wanted}");
+    }
+}
+
+/// The planner's exact model and the controller mean the same attitude by a place and a heading.
+#[test]
+fn on_the_reference_geometric_asks_for_the_planned_wrench() {
+    let vehicle = octocopter("PPNNPPNN").vehicle;
+    let frame = Frame { inertia: vehicle.inertia.into(), mass: vehicle.mass, ..frame() };
+    for i in 0..60 {
+        let t = 0.17 * f64::from(i);
+        let r = lissajous(t);
+        let orders = [r.acceleration, r.jerk, r.snap].map(|v| [v.x, v.y, v.z]).concat();
+        let state = FlatState::from_iterator(orders.into_iter().chain(r.yaw));
+        let planned = flatness::wrench(&vehicle, G, &state);
+        let found = control(Controller::Geometric, &frame, &gains(), &start(&frame, &r), flat_force(t), &r);
+        assert!((found - planned).amax() < 1e-9, "at {t}: {found} instead of {planned}");
     }
 }
 

@@ -21,7 +21,7 @@ fn flying() -> Reference {
 }
 
 fn stop(lands: bool) -> (Stop, Course<'static>) {
-    let stop = Stop::from(&flying(), BEGIN, lands);
+    let stop = Stop::from(&flying(), BEGIN, lands, 0.0);
     (stop.clone(), Course::Stop(Box::new(stop)))
 }
 
@@ -87,7 +87,7 @@ fn stops_have_the_derivatives_they_say() {
 #[test]
 fn stops_brake_as_gently_as_they_should() {
     let steady = Reference { velocity: Vector3::new(7.0, 0.0, 0.0), ..Default::default() };
-    let course = Course::Stop(Box::new(Stop::from(&steady, 0.0, false)));
+    let course = Course::Stop(Box::new(Stop::from(&steady, 0.0, false, -10.0)));
     let most = (0..1000).map(|i| course.at(0.005 * f64::from(i)).acceleration.norm()).fold(0.0, f64::max);
     assert!(most <= 3.0 + 1e-9 && most > 2.9, "{most}");
 }

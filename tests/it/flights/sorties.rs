@@ -175,7 +175,7 @@ fn a_tumbling_vehicle_is_lost_and_not_flown_for_ever() {
 }
 
 #[test]
-fn numbers_that_are_none_end_as_lost() {
+fn numbers_that_are_not_finite_end_a_flight_as_diverged() {
     let hover = staying(PLACE, 0.0, 5.0);
     for controller in [Controller::Pd, Controller::Geometric] {
         for allocation in [Allocation::PseudoInverse, Allocation::Bounded] {
@@ -187,12 +187,13 @@ fn numbers_that_are_none_end_as_lost() {
             plan.nodes.push(plan.nodes[1]);
             plan.nodes[2][X][4] = f64::NAN;
             let flight = fly(&sortie(&model, &plan, &[]), None);
-            let Outcome::Lost { at, .. } = flight.outcome else { panic!("{controller:?} {allocation:?} {flight:?}") };
+            let Outcome::Diverged { at } = flight.outcome else { panic!("{controller:?} {allocation:?} {flight:?}") };
             assert!((2.0..2.1).contains(&at), "{controller:?} {allocation:?}: {at}");
             for broken in [f64::NAN, f64::INFINITY] {
                 model.vehicle.inertia[1] = broken;
                 model.vehicle.mass = broken;
-                assert!(fly(&sortie(&model, &hover, &[]), None).outcome.is_lost(), "{controller:?} {allocation:?}");
+                let flight = fly(&sortie(&model, &hover, &[]), None);
+                assert_eq!(flight.outcome, Outcome::Diverged { at: 0.0 }, "{controller:?} {allocation:?}");
                 model = quiet(octocopter("PPNNPPNN"));
             }
         }

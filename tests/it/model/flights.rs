@@ -38,6 +38,8 @@ const WHOLE: &str = "simulate {
     seed = 7
     lost_beyond = 3 m
     upside_down = 0.25 s
+    lost_yaw = 45 deg
+    lost_yaw_after = 2 s
     ground = -1 m
     fault M3 at 8 s until 10 s
     fault M1 at 5 s
@@ -64,6 +66,7 @@ fn every_field_is_read() {
     assert_eq!((s.forgetting, s.gyroscope_noise, s.position_noise), (0.9, 1f64.to_radians(), 0.02));
     assert_eq!((s.drag, s.wind, s.gusts, s.gust_length), (0.3, [3.0, 0.0, -1.0], 1.0, 40.0));
     assert_eq!((s.seed, s.lost_beyond, s.upside_down, s.ground, s.written), (7, 3.0, 0.25, -1.0, true));
+    assert_eq!((s.lost_yaw, s.lost_yaw_after), (Some(std::f64::consts::FRAC_PI_4), 2.0));
     // By time; those of one time as written.
     let faults: Vec<_> = s.faults.iter().map(|f| (f.mode, f.at, f.until)).collect();
     assert_eq!(faults, [(0, 5.0, None), (2, 8.0, Some(10.0)), (1, 8.0, None)]);
@@ -71,6 +74,23 @@ fn every_field_is_read() {
     assert_eq!((c.times, c.seeds, c.seed, c.written), (4, 5, 6, true));
     assert_eq!(c.planners, [PlannerKind::Rcp]);
     insta::assert_snapshot!(model.to_string());
+}
+
+#[test]
+fn heading_may_be_left_out_of_what_is_judged() {
+    assert_eq!(flown("simulate { lost_yaw = off }").simulation.lost_yaw, None);
+    // A word of the language goes before a `let` of that name, and a `let` may hold the angle.
+    assert_eq!(
+        flown("let off = 3 deg\nsimulate { lost_yaw = off; gyroscope_noise = off/(1 s) }").simulation.lost_yaw,
+        None
+    );
+    let held = flown("let most = 0.25 rev\nsimulate { lost_yaw = most }").simulation.lost_yaw;
+    assert!((held.unwrap() - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    for wrong in ["0 deg", "-90 deg", "180 deg", "10 rad", "of", "never"] {
+        let found = codes(&format!("{QUAD}{REST}simulate {{ lost_yaw = {wrong} }}"));
+        assert_eq!(found, ["mavc::simulate::lost_yaw"], "{wrong}");
+    }
+    assert!(codes(&format!("{QUAD}{REST}simulate {{ lost_yaw = 2 s }}"))[0].starts_with("mavc::unit::"));
 }
 
 #[test]

@@ -1,0 +1,76 @@
+//! Fields that take a word or a quantity: `detection = never` or `50 ms`, `lost_yaw = off` or `45 deg`.
+
+use super::{CHOICE, NEGATIVE, Reader, default};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::model::Detection;
+use crate::model::context::Context;
+use crate::model::due::Due;
+use crate::report::number::number;
+use crate::syntax::ast::{Expr, ExprKind};
+use std::f64::consts::PI;
+
+const LOST_YAW: &str = "mavc::simulate::lost_yaw";
+const DETECTION_WORDS: [&str; 2] = ["estimator", "never"];
+const OFF: &str = "off";
+
+impl<'a> Reader<'a> {
+    pub(super) fn detection(&mut self, cx: &mut Context<'a>) -> Option<Detection> {
+        let Some(expr) = self.fields.get("detection") else {
+            return Some(self.default("detection", default::DETECTION));
+        };
+        match word(cx, expr, &DETECTION_WORDS) {
+            Some("estimator") => Some(Detection::Estimator),
+            Some("never") => Some(Detection::Never),
+            Some(other) => {
+                let message = "`detection` is `estimator`, `never` or a delay such as `50 ms`";
+                let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
+                cx.report(match nearest(other, DETECTION_WORDS) {
+                    Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
+                    None => error.help("write one of them, such as `estimator`"),
+                });
+                None
+            }
+            None => cx.not_negative(Due::new("detection", "s"), expr, NEGATIVE).map(Detection::After),
+        }
+    }
+
+    /// rad; `Some(None)`: off.
+    pub(super) fn lost_yaw(&mut self, cx: &mut Context<'a>) -> Option<Option<f64>> {
+        let Some(expr) = self.fields.get("lost_yaw") else {
+            return Some(self.default("lost_yaw", default::LOST_YAW));
+        };
+        let error = Diagnostic::error(LOST_YAW, expr.span, "`lost_yaw` is an angle between 0 and 180 deg, or `off`");
+        match word(cx, expr, &[OFF]) {
+            Some(OFF) => Some(None),
+            Some(other) => {
+                let error = error.here("neither");
+                cx.report(match nearest(other, [OFF]) {
+                    Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
+                    None => error.help("write `off`, or an angle such as `90 deg`"),
+                });
+                None
+            }
+            None => {
+                let angle = cx.number(Due::new("lost_yaw", "deg"), expr)?;
+                if angle > 0.0 && angle < PI {
+                    return Some(Some(angle));
+                }
+                let error = error.here(format!("this is {} deg", number(angle.to_degrees())));
+                cx.report(match angle > 0.0 {
+                    true => error.help("no heading is farther off than 180 deg: write `off`").fix(expr.span, OFF),
+                    false => error.help("write an angle such as `90 deg`"),
+                });
+                None
+            }
+        }
+    }
+}
+
+/// The word in place of a quantity, one of `known` or not; `None` for a quantity and for a name that may be a `let`.
+fn word<'e>(cx: &Context, expr: &'e Expr, known: &[&str]) -> Option<&'e str> {
+    match &expr.kind {
+        ExprKind::Name(name) if known.contains(&name.as_str()) => Some(name),
+        ExprKind::Name(name) if !cx.in_scope(name) && !cx.may_exist(name) => Some(name),
+        _ => None,
+    }
+}

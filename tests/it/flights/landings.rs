@@ -1,0 +1,110 @@
+//! Landings and holds begun at any instant of missions: the path that is followed does not strike the ground itself.
+
+use super::strike;
+use mavc::flight::reference::{Course, DESCENT, Stop};
+use mavc::flight::{Outcome, Sortie, fly};
+use mavc::model::{AfterFault, Detection, FaultMode, Model, elaborate, load, parse_override};
+use mavc::planner::compare::{Ending, Scope, compare};
+use mavc::trajectory::Trajectory;
+use std::sync::LazyLock;
+
+/// Specs, and what keeps their plans quick to make: any plan will do.
+const MISSIONS: [(&str, &[&str]); 10] = [
+    ("tests/specs/landing/tower.mav", &[]),
+    ("tests/specs/landing/return.mav", &[]),
+    ("specs/missions/inspection.mav", &["plan.planner=rip", "plan.samples=100"]),
+    ("specs/paper/campaign.mav", &["plan.planner=rip"]),
+    ("specs/paper/case2.mav", &["plan.planner=rip", "plan.time=30s"]),
+    ("specs/paper/tracking.mav", &["plan.time=25s"]),
+    ("src/template.mav", &["plan.planner=rip"]),
+    ("examples/parcel_quad.mav", &["plan.planner=rip", "plan.samples=60"]),
+    ("examples/survey_hexa.mav", &["plan.planner=rip", "plan.samples=60"]),
+    ("examples/tower_octo.mav", &["plan.samples=60"]),
+];
+
+static PLANS: LazyLock<Vec<(&str, Model, Trajectory)>> =
+    LazyLock::new(|| MISSIONS.iter().map(|(name, settings)| planned(name, settings)).collect());
+
+fn planned(name: &'static str, settings: &[&str]) -> (&'static str, Model, Trajectory) {
+    let path = format!("{}/{name}", env!("CARGO_MANIFEST_DIR"));
+    let (mut files, _) = load(&path, &std::fs::read(&path).unwrap(), &|used| std::fs::read(used));
+    let overrides: Vec<_> = settings.iter().map(|s| parse_override(s, &mut files.sources).unwrap()).collect();
+    let model = elaborate(&files, &overrides).value.unwrap_or_else(|| panic!("{name}"));
+    let mut comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
+    match comparison.runs.pop().unwrap().ending {
+        Ending::Solved(solved) => (name, model, solved.trajectory),
+        other => panic!("{name}: {other:?}"),
+    }
+}
+
+/// A place on the way of a stop begun at `begin`, from there until it stays or is well below the ground: time, height over
+/// the ground, vertical speed and acceleration.
+fn way(plan: &Trajectory, begin: f64, lands: bool, ground: f64) -> Vec<[f64; 4]> {
+    let stop = Stop::from(&Course::Plan(plan).at(begin), begin, lands, ground);
+    let end = stop.at_rest() + if lands { stop.place_of_rest().z - ground + 3.0 } else { 1.0 };
+    let course = Course::Stop(Box::new(stop));
+    let steps = ((end - begin) / 2e-3) as usize;
+    let at = |k: usize| begin + 2e-3 * k as f64;
+    let row = |t: f64| {
+        let r = course.at(t);
+        [t, r.position.z - ground, r.velocity.z, r.acceleration.z]
+    };
+    (0..=steps).map(|k| row(at(k))).collect()
+}
+
+const INSTANTS: usize = 150;
+
+/// A stop that must not use up its height brakes no harder than this, m/s^2.
+const MOST_BRAKING: f64 = 8.0;
+
+#[test]
+fn no_stop_leads_into_the_ground() {
+    let mut saved = 0;
+    for (name, model, plan) in PLANS.iter() {
+        let ground = model.simulation.ground;
+        for k in 0..=INSTANTS {
+            let begin = plan.duration() * k as f64 / INSTANTS as f64;
+            for lands in [false, true] {
+                let way = way(plan, begin, lands, ground);
+                let touches = way.iter().find(|[_, height, ..]| *height <= 0.0);
+                match touches {
+                    Some([t, _, speed, _]) => {
+                        assert!(lands && *speed >= -DESCENT - 1e-9, "{name} from {begin}: {speed} m/s at {t}");
+                    }
+                    None => assert!(!lands, "{name} from {begin}: it never lands"),
+                }
+                // It can be followed.
+                let hardest = way.iter().map(|[.., a]| a.abs()).fold(0.0, f64::max);
+                let most = MOST_BRAKING.max(1.2 * Course::Plan(plan).at(begin).acceleration.norm());
+                assert!(hardest < most, "{name} from {begin}: {hardest} m/s^2");
+            }
+            // A stop that knows of no ground.
+            let far = -1000.0;
+            let strikes = |[_, height, ..]: &[f64; 4]| height + far <= ground;
+            saved += usize::from(self::way(plan, begin, false, far).iter().any(strikes));
+        }
+    }
+    assert!(saved > 10, "only {saved} stops would have struck the ground: the test shows little");
+}
+
+/// A sound vehicle that takes itself for faulty lands, whenever that comes. What it meets is its own path.
+#[test]
+fn landings_from_any_instant_end_on_the_ground_and_not_in_it() {
+    for (name, model, plan) in PLANS.iter() {
+        let mut model = model.clone();
+        let rotors = model.vehicle.rotors.len();
+        model.modes = vec![FaultMode {
+            capacity: vec![1.0; rotors],
+            stuck: vec![None; rotors],
+            ..model.modes.first().cloned().unwrap_or_else(|| crate::vehicles::lost(&model, &[1]))
+        }];
+        (model.simulation.detection, model.simulation.after_fault) = (Detection::After(0.0), AfterFault::Land);
+        for k in 0..20 {
+            // Most of them late, where the ground is near.
+            let begin = plan.duration() * (1.0 - (f64::from(k) / 20.0).powi(2)) - 0.01;
+            let strikes = [strike(0, begin)];
+            let flight = fly(&Sortie::along(&model, plan, &strikes, 1), None);
+            assert!(matches!(flight.outcome, Outcome::Landed { .. }), "{name} from {begin}: {flight:?}");
+        }
+    }
+}
