@@ -114,7 +114,7 @@ fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) ->
         }
         let strict = setting.premises.has(Premise::Facets);
         planes.push(named(setting.model, facet, strict).map_err(of_facet(index, facet))?.plane);
-        if !kept {
+        if !kept && selectable {
             to_select.push(index);
         }
     }

@@ -193,6 +193,7 @@ impl Generators {
     /// not give all four.
     pub fn planes(&self) -> Result<Vec<Plane>, String> {
         let mut planes = match &self.inverse {
+            Some(_) if self.lacking().is_some() => return Err(inverse::NOT_ALL_GIVEN.into()),
             Some(inverse) => {
                 let rows = inverse.rows()?;
                 // A rotor's bound may be out of the others' reach.
@@ -226,14 +227,15 @@ impl Generators {
                 }
             }
         }
-        let Some((first, _, _)) = normals.first().cloned() else {
+        if normals.is_empty() {
             return Err("the set has fewer than three dimensions".into());
-        };
-        if self.own.iter().all(|g| dot(&first, g).is_zero()) {
-            // Flat: with the direction it lacks, two generators span what bounds it within its three dimensions.
+        }
+        if let Some(lacking) = self.lacking() {
+            // Flat: with the direction it lacks, two generators span what bounds it within its three dimensions. Planes that
+            // only rounding keeps from being parallel do not, given a tolerance.
             for (i, &a) in used.iter().enumerate() {
                 for &b in &used[i + 1..] {
-                    let normal = orthogonal(&self.own[a], &self.own[b], &first);
+                    let normal = orthogonal(&self.own[a], &self.own[b], &lacking);
                     if !is_zero(&normal) {
                         normals.push((normal, vec![a + 1, b + 1], false));
                     }
@@ -245,6 +247,30 @@ impl Generators {
             [&normal, &opposite].map(|n| self.plane(n, &self.support(n), rotors.clone(), is_facet))
         };
         Ok(normals.into_iter().flat_map(both).collect())
+    }
+
+    /// The direction that a flat set lacks, up to rounding: that of the three generators furthest from dependence, where all
+    /// others lie between them.
+    fn lacking(&self) -> Option<Exact> {
+        let extent = self.extents();
+        let used: Vec<&Exact> = self.own.iter().filter(|g| !is_zero(g)).collect();
+        let scaled: Vec<[f64; 4]> = used.iter().map(|g| in_units_of(&extent, g)).collect();
+        let (mut most, mut widest) = (0.0, None);
+        for i in 0..used.len() {
+            for j in i + 1..used.len() {
+                for k in j + 1..used.len() {
+                    let spanned = volume([&scaled[i], &scaled[j], &scaled[k]]);
+                    if spanned > most {
+                        (most, widest) = (spanned, Some([i, j, k]));
+                    }
+                }
+            }
+        }
+        let [i, j, k] = widest?;
+        let normal = orthogonal(used[i], used[j], used[k]);
+        let unit = in_units_of(&extent.map(f64::recip), &normal);
+        let within = |g: &[f64; 4]| (0..4).map(|axis| unit[axis] * g[axis]).sum::<f64>().abs() <= INDEPENDENT;
+        scaled.iter().all(within).then_some(normal)
     }
 
     /// How far all generators together reach along each axis.

@@ -14,6 +14,9 @@ use std::cmp::Ordering;
 /// A row `n.w <= e`.
 type Row = (Exact, Dyadic);
 
+/// Why there are no rows.
+pub(super) const NOT_ALL_GIVEN: &str = "the rotors do not give all four dimensions, and the pseudo-inverse is another one";
+
 /// Rows for each rotor, from 1.
 #[derive(Debug, Clone)]
 pub struct Inverse {
@@ -72,7 +75,7 @@ impl Inverse {
     /// All rows with their rotors. An error where the rotors do not give all four dimensions.
     pub(super) fn rows(&self) -> Result<Vec<(usize, Exact, Dyadic)>, String> {
         if self.rows.is_empty() {
-            return Err("the rotors do not give all four dimensions, and the pseudo-inverse is another one".into());
+            return Err(NOT_ALL_GIVEN.into());
         }
         let both = |(k, upper, lower): &(usize, Row, Row)| [upper, lower].map(|(n, e)| (*k, n.clone(), e.clone()));
         Ok(self.rows.iter().flat_map(both).collect())

@@ -1,0 +1,131 @@
+//! A forger of certificates: false ones made on purpose, for specs whose truth is known without the checker, and whether
+//! `verify` accepts any. With each premise of the checker switched off some forgery has to pass, or it is not needed.
+//!
+//! `cargo test --test forge` makes a few hundred, `cargo test --release --test forge -- --count 100000 --seed 7` many;
+//! `--kind WORDS` only the kinds whose names contain these words. Nothing depends on anything but the seed.
+
+mod arguments;
+mod kinds;
+mod motion;
+mod numbers;
+mod specs;
+mod tally;
+mod truth;
+#[allow(dead_code)]
+#[path = "../it/vehicles.rs"]
+mod vehicles;
+
+use arguments::Arguments;
+use kinds::Kind;
+use mavc::certificate::Certificate;
+use mavc::verify::cost::Budget;
+use mavc::verify::{self, Premise, Premises, Read, Settings};
+use numbers::Numbers;
+use rayon::prelude::*;
+use specs::Spec;
+use std::process::ExitCode;
+use std::time::Instant;
+use tally::{Outcome, Result, Tally};
+
+/// The hash that certificates carry here.
+const SHA: &str = "0123456789abcdef";
+
+/// Specs that are tried for one forgery.
+const TRIES: usize = 400;
+
+fn main() -> ExitCode {
+    let arguments = match Arguments::read(std::env::args().skip(1)) {
+        Ok(arguments) => arguments,
+        Err(why) => {
+            eprintln!("{why}");
+            return ExitCode::FAILURE;
+        }
+    };
+    if arguments.filtered_out {
+        println!("\nrunning 0 tests\n");
+        println!("test result: ok. 0 passed; 0 failed; 0 ignored; 0 measured; 1 filtered out");
+        return ExitCode::SUCCESS;
+    }
+    let begun = Instant::now();
+    let specs = specs::all();
+    let mut failed = honest(&specs);
+    failed.extend(undecided(specs::flat_inverse()));
+    let kinds: Vec<Kind> = kinds::all().into_iter().filter(|k| k.name.contains(&arguments.kind)).collect();
+    // Premises are tried often enough to be seen, and not on every one of many.
+    let often = (arguments.count / kinds.len().max(1) / 20).clamp(5, 200);
+    let results: Vec<(usize, Result)> = (0..arguments.count)
+        .into_par_iter()
+        .map(|index| {
+            let which = index % kinds.len();
+            let mut numbers = Numbers::of(arguments.seed, index as u64);
+            let tries_premises = index / kinds.len() < often;
+            (which, one(&kinds[which], &specs, &mut numbers, tries_premises))
+        })
+        .collect();
+    let whole = arguments.kind.is_empty();
+    let mut tally = Tally::of(&kinds, results, whole);
+    tally.failed.extend(failed);
+    print!("{}", tally.tables());
+    let made = tally.made();
+    println!(
+        "{made} forgeries of {} kinds on {} specs, seed {}, in {:.0} s",
+        kinds.len(),
+        specs.len(),
+        arguments.seed,
+        begun.elapsed().as_secs_f64()
+    );
+    tally.conclude(specs.len())
+}
+
+/// Honest certificates are accepted, or nothing that is rejected means anything; what is wrong otherwise.
+fn honest(specs: &[Spec]) -> Vec<String> {
+    let refused = |spec: &Spec| {
+        let found = verify::decide_at_nodes(&spec.certificate(), spec.model(), Settings::default());
+        Some(format!("the honest certificate of {} is refused: {}", spec.name, found.err()?.sentence()))
+    };
+    specs.par_iter().filter_map(refused).collect()
+}
+
+/// A set that the checker cannot work out is named, whatever the motion; what is wrong otherwise.
+fn undecided(draft: specs::Draft) -> Option<String> {
+    let spec = Spec::of(draft);
+    match verify::decide_at_nodes(&spec.certificate(), spec.model(), Settings::default()) {
+        Ok(verdict) if !verdict.undecided.is_empty() => None,
+        found => Some(format!("{} should be undecided: {found:?}", spec.name)),
+    }
+}
+
+/// One forgery of a kind, and what becomes of it.
+fn one(kind: &Kind, specs: &[Spec], numbers: &mut Numbers, tries_premises: bool) -> Result {
+    let found = (0..TRIES).find_map(|_| {
+        let spec = numbers.pick(specs)?;
+        Some((spec, kind.forge(spec, numbers)?))
+    });
+    let Some((spec, forgery)) = found else { return Result::default() };
+    let outcome = decided(spec, &forgery);
+    let premises = if tries_premises { kind.premises } else { &[] };
+    let tried = premises.iter().map(|&premise| (premise, passes_without(spec, &forgery, premise)));
+    Result { spec: spec.name, outcome: Some(outcome), without: tried.collect() }
+}
+
+/// As the command decides it.
+fn decided(spec: &Spec, forgery: &Certificate) -> Outcome {
+    let read = Read { certificate: forgery.clone(), hash: Default::default() };
+    match verify::verify(&read, spec.model(), SHA, Settings::default()) {
+        Ok(verdict) => Outcome::Accepted(format!("{}; weaker: {:?}", verdict.headline, verdict.weaker)),
+        Err(diagnostic) if diagnostic.code == verify::TOO_COSTLY => Outcome::Refused,
+        Err(_) => Outcome::Rejected,
+    }
+}
+
+/// Whether a forgery is accepted by a checker that does not check one premise.
+fn passes_without(spec: &Spec, forgery: &Certificate, premise: Premise) -> bool {
+    let settings = Settings { premises: Premises::without(premise), ..Settings::default() };
+    if premise == Premise::Spec {
+        // Little of what holds between nodes has to be proved for this.
+        let settings = Settings { budget: Budget { seconds: 0.3, ..Budget::default() }, ..settings };
+        let read = Read { certificate: forgery.clone(), hash: Default::default() };
+        return verify::verify(&read, spec.model(), SHA, settings).is_ok();
+    }
+    verify::decide_at_nodes(forgery, spec.model(), settings).is_ok()
+}

@@ -1,0 +1,219 @@
+//! The specs that forgeries are about, each with a plan in closed form, and what else a forger has at hand: plans of
+//! easier specs, multipliers of harder ones.
+
+mod foreign;
+mod list;
+
+use super::motion::{Timetable, Wish, add_spline, certificate};
+use super::numbers::Numbers;
+use super::truth::Truth;
+use mavc::certificate::Certificate;
+use mavc::model::{Allocation, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread};
+use mavc::planner::hover_model::{X, Y, YAW, Z};
+use mavc::trajectory::Trajectory;
+use mavc::trajectory::checks::{past, peak};
+use rayon::prelude::*;
+
+pub use foreign::WEAKER;
+use list::drafts;
+pub use list::flat_inverse;
+
+/// A spec before its plan is made.
+pub struct Draft {
+    pub name: &'static str,
+    pub model: Model,
+    /// The time of the honest plan, s.
+    pub total: f64,
+    /// Limits that are set from the honest plan: what it reaches, times this share.
+    pub limits: Vec<(LimitKind, f64)>,
+    /// Whether multipliers of harder specs are made.
+    pub harder: bool,
+}
+
+/// In what a spec is easier than the one that a plan is given for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Easier {
+    RipInsteadOfRcp,
+    Lighter,
+    NoReserve,
+    OtherMode,
+    Nominal,
+    Instant,
+    Bounded,
+    StoppingRotors,
+}
+
+/// In what a spec without a plan is harder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Harder {
+    Shorter,
+    StricterLimits,
+    OtherPlanner,
+    WeakerVehicle,
+}
+
+/// A spec with its plan, and a forger's material.
+pub struct Spec {
+    pub name: &'static str,
+    pub truth: Truth,
+    pub honest: Trajectory,
+    pub selected_by: Vec<Trajectory>,
+    pub easier: Vec<(Easier, Truth)>,
+    /// Certificates that harder specs have no plan.
+    pub harder: Vec<(Harder, Certificate)>,
+}
+
+impl Spec {
+    pub fn model(&self) -> &Model {
+        &self.truth.model
+    }
+
+    pub fn is_rsp(&self) -> bool {
+        self.model().plan.planner == PlannerKind::Rsp
+    }
+
+    /// Whether RCP keeps to a set of fewer than four dimensions.
+    pub fn is_flat(&self) -> bool {
+        self.truth.has_equalities()
+    }
+
+    /// s
+    pub fn total(&self) -> f64 {
+        self.honest.times[self.honest.times.len() - 1]
+    }
+
+    pub fn certificate(&self) -> Certificate {
+        certificate(&self.honest, &self.selected_by)
+    }
+
+    /// A claim that another motion is the plan.
+    pub fn claiming(&self, motion: &Trajectory) -> Certificate {
+        certificate(motion, &self.selected_by)
+    }
+
+    /// Whether the spec leaves one grid of nodes only, on which multipliers may say something; the honest plan lies on it.
+    pub fn has_one_grid(&self) -> bool {
+        matches!(self.model().plan.time, MissionTime::Fixed(_)) && !self.model().plan.chooses_times
+    }
+}
+
+/// All specs with their plans.
+pub fn all() -> Vec<Spec> {
+    drafts().into_par_iter().map(Spec::of).collect()
+}
+
+impl Spec {
+    /// # Panics
+    /// Where the draft's honest plan is none: a mistake in the list.
+    pub fn of(draft: Draft) -> Self {
+        let Draft { name, mut model, total, limits, harder } = draft;
+        let honest = smooth(&model, total).unwrap_or_else(|| panic!("{name}: no motion"));
+        let wanted = limits.into_iter().map(|(kind, share)| reached(&honest, kind, share, model.gravity));
+        model.mission.as_mut().expect("a mission").limits = wanted.collect();
+        let truth = Truth::of(&model);
+        let false_by = truth.of_plan(&honest);
+        assert!(false_by.is_none(), "{name}: the honest plan is false by {false_by:?}");
+        let tightest = truth.tightest(&honest);
+        assert!(tightest <= 1e-6, "{name}: the honest plan is {tightest} tolerances beyond a row");
+        let selected_by = match model.plan.planner {
+            PlannerKind::Rsp => selecting(name, &truth, &honest),
+            _ => Vec::new(),
+        };
+        let found = if harder { foreign::harder(&model, total) } else { Vec::new() };
+        let easier = easier(&model).into_iter().map(|(how, model)| (how, Truth::of(&model))).collect();
+        Spec { name, truth, honest, selected_by, easier, harder: found }
+    }
+}
+
+/// The motion of least snap on the spec's own grid.
+fn smooth(model: &Model, total: f64) -> Option<Trajectory> {
+    let table = Timetable::asked(model, total)?;
+    Wish::of(model.mission.as_ref()?).motion(&table, super::motion::equations(model))
+}
+
+/// A limit at a share of what a motion reaches.
+fn reached(motion: &Trajectory, kind: LimitKind, share: f64, gravity: f64) -> Limit {
+    let bound = |lower, upper| Limit { kind, lower, upper, span: Default::default() };
+    let most = peak(motion, |s| past(&bound(None, Some(0.0)), s, gravity)).value;
+    match kind {
+        // Room beside the motion, m and rad.
+        LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw => {
+            let least = peak(motion, |s| past(&bound(Some(0.0), None), s, gravity)).value;
+            bound(Some(-least - (share - 1.0)), Some(most + (share - 1.0)))
+        }
+        LimitKind::YawRate | LimitKind::YawAcceleration => {
+            let least = peak(motion, |s| past(&bound(Some(0.0), None), s, gravity)).value;
+            let size = most.max(least).max(0.1) * share;
+            bound(Some(-size), Some(size))
+        }
+        _ => bound(None, Some(most.max(0.1) * share)),
+    }
+}
+
+/// Plans that RSP selects by: the honest one with a turn or a jump within the healthy set that leaves some mode's set; each
+/// further one keeps what those before it are beyond.
+fn selecting(name: &str, truth: &Truth, honest: &Trajectory) -> Vec<Trajectory> {
+    let mut numbers = Numbers::of(16, name.len() as u64);
+    let mut found: Vec<Trajectory> = Vec::new();
+    for _ in 0..4000 {
+        if found.len() == truth.model.plan.rounds {
+            break;
+        }
+        let mut motion = honest.clone();
+        let axis = [X, Y, Z, YAW, YAW][numbers.below(5)];
+        let first = numbers.below(motion.nodes.len());
+        let size = numbers.sign() * numbers.magnitude(0.2, 40.0);
+        if add_spline(&mut motion, axis, first, 2, size).is_none() {
+            continue;
+        }
+        let beyond = truth.beyond_modes(&motion) > 3e-3;
+        // Nothing is on the edge, neither here nor for the honest plan.
+        let known = truth.selected(&found, 1e-5);
+        let clear = motion.nodes.iter().all(|s| {
+            let wrench = motion.wrench(&truth.model.vehicle, truth.model.gravity, s);
+            known.iter().all(|row| row.excess(&wrench) <= 5e-5)
+        });
+        let new = truth.selected(std::slice::from_ref(&motion), 3e-3).len();
+        if beyond && clear && new > 0 && truth.of_selecting(&motion).is_none() && truth.keeps_own(&motion) {
+            found.push(motion);
+        }
+    }
+    assert_eq!(found.len(), truth.model.plan.rounds, "{name}: no plans to select by");
+    found
+}
+
+/// The same spec where one thing is easier.
+fn easier(model: &Model) -> Vec<(Easier, Model)> {
+    let changed = |how: Easier, change: &dyn Fn(&mut Model)| {
+        let mut other = model.clone();
+        change(&mut other);
+        (how, other)
+    };
+    let (plan, vehicle) = (&model.plan, &model.vehicle);
+    let mut found = vec![changed(Easier::Lighter, &|m| m.vehicle.mass *= 0.5)];
+    if plan.planner == PlannerKind::Rcp {
+        found.push(changed(Easier::RipInsteadOfRcp, &|m| m.plan.planner = PlannerKind::Rip));
+        if model.modes.len() > plan.against.len() && plan.against.len() == 1 {
+            found.push(changed(Easier::OtherMode, &|m| m.plan.against = vec![(m.plan.against[0] + 1) % m.modes.len()]));
+        }
+    }
+    if plan.reserve > 0.0 {
+        found.push(changed(Easier::NoReserve, &|m| m.plan.reserve = 0.0));
+    }
+    if vehicle.is_uncertain() {
+        found.push(changed(Easier::Nominal, &|m| {
+            m.vehicle.mass_spread = Spread::NONE;
+            m.vehicle.rotors.iter_mut().for_each(|r| r.spread = RotorSpread::default());
+        }));
+    }
+    if plan.rotors == PlanRotors::Lagging {
+        found.push(changed(Easier::Instant, &|m| m.plan.rotors = PlanRotors::Instant));
+    }
+    if vehicle.allocation == Allocation::PseudoInverse {
+        found.push(changed(Easier::Bounded, &|m| m.vehicle.allocation = Allocation::Bounded));
+    }
+    if vehicle.rotors.iter().any(|r| r.min_speed > 0.0) {
+        found.push(changed(Easier::StoppingRotors, &|m| m.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 0.0)));
+    }
+    found
+}

@@ -1,0 +1,50 @@
+//! Certificates that harder specs have no plan, made by the planner: multipliers that show nothing about the spec itself.
+
+use super::Harder;
+use mavc::certificate::{Certificate, Claim};
+use mavc::certify;
+use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
+use mavc::planner::compare::{Scope, compare};
+
+/// The share of the top speeds that the weaker vehicle's rotors have; its thrusts go with the square.
+pub const WEAKER: f64 = 0.62;
+
+/// Those that are found; some harder specs have a plan after all.
+pub fn harder(model: &Model, total: f64) -> Vec<(Harder, Certificate)> {
+    let changed = |how: Harder, change: &dyn Fn(&mut Model)| {
+        let mut other = model.clone();
+        change(&mut other);
+        (how, other)
+    };
+    let mut tried = vec![
+        changed(Harder::Shorter, &|m| shorten(m, total, 0.3)),
+        changed(Harder::WeakerVehicle, &|m| m.vehicle.rotors.iter_mut().for_each(|r| r.max_speed *= WEAKER)),
+    ];
+    if model.mission.as_ref().is_some_and(|m| !m.limits.is_empty()) {
+        tried.push(changed(Harder::StricterLimits, &|m| {
+            let limits = m.mission.iter_mut().flat_map(|m| &mut m.limits);
+            for limit in limits.filter(|l| l.kind != LimitKind::Z) {
+                limit.upper = limit.upper.map(|u| 0.4 * u);
+            }
+        }));
+    }
+    if model.plan.planner == PlannerKind::Rip && !model.plan.against.is_empty() {
+        tried.push(changed(Harder::OtherPlanner, &|m| m.plan.planner = PlannerKind::Rcp));
+    }
+    tried.into_iter().filter_map(|(how, model)| Some((how, refuted(&model)?))).collect()
+}
+
+fn shorten(model: &mut Model, total: f64, share: f64) {
+    model.plan.time = MissionTime::Fixed(total * share);
+    for point in model.mission.iter_mut().flat_map(|m| &mut m.waypoints) {
+        point.time = point.time.map(|t| t * share);
+        point.hold *= share;
+    }
+}
+
+fn refuted(model: &Model) -> Option<Certificate> {
+    let mission = model.mission.as_ref()?;
+    let comparison = compare(model, mission, Scope::Plan, None);
+    let certificate = certify::of(model, mission, &comparison, crate::SHA.into()).ok()?;
+    matches!(certificate.claim, Claim::Infeasible(_)).then_some(certificate)
+}
