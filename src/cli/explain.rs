@@ -1,5 +1,6 @@
-use super::{FINE, Problem, files};
+use super::{FINE, Problem, USAGE, files};
 use crate::diagnostic::{codes, nearest};
+use crate::source::visible;
 
 /// Codes that are named instead of one that there is not.
 const MOST_OFFERED: usize = 12;
@@ -15,7 +16,11 @@ pub fn run(code: Option<&str>) -> Result<u8, Problem> {
             files::print(&format!("{}\n\n{}\n", page.code, page.page.trim()))?;
             Ok(FINE)
         }
-        None => Err(unknown(code)),
+        None => {
+            // Several lines, which a problem is not.
+            files::tell(&format!("mavc: {}\n", unknown(&visible::line(code))));
+            Ok(USAGE)
+        }
     }
 }
 
@@ -27,7 +32,7 @@ fn listed<'p>(pages: impl IntoIterator<Item = &'p codes::CodePage>) -> String {
 }
 
 /// What to ask for instead of `code`: the codes that have it in them, or else the nearest, by the whole or by its last word.
-fn unknown(code: &str) -> Problem {
+fn unknown(code: &str) -> String {
     let word = code.to_lowercase().replace(['-', ' '], "_");
     let within: Vec<_> = codes::all().iter().filter(|page| !word.is_empty() && page.code.contains(&word)).collect();
     if let [only] = within[..] {

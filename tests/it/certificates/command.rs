@@ -238,7 +238,7 @@ fn endless_lists_are_refused_while_they_are_read() {
     let many = |entry: &str, count: usize| vec![entry; count].join(",");
     let head = format!("{{\"schema\":2,\"spec_sha256\":\"{}\",\"model\":\"exact\",\"claim\":", "0".repeat(64));
     for (claim, told) in [
-        (format!("{{\"plan\":{{\"motion\":{{\"times_s\":[{}", many("0", 130_000)), "more than 120001 entries"),
+        (format!("{{\"plan\":{{\"motion\":{{\"times_s\":[{}", many("0", 130_000)), "more than 23001 entries"),
         (format!("{{\"plan\":{{\"motion\":{{\"z\":[{}", many("[]", 10)), "three derivatives of z"),
         (format!("{{\"plan\":{{\"motion\":{{\"x\":[{}", many("[]", 10)), "invalid length 0"),
         (format!("{{\"infeasible\":{{\"multipliers\":[{{\"z\":[{}", many("1", 9)), "more than 4 entries"),

@@ -139,7 +139,7 @@ fn certificates_cannot_colour_the_terminal() {
     let text = fs::read_to_string(dir.path().join("c.json")).unwrap();
     let mut forged = 0;
     for key in
-        ["\"planner\"", "\"model\"", "\"mode\"", "\"mission\"", "\"claim\"", "\"scope\"", "\"kind\"", "\"sha256\""]
+        ["\"planner\"", "\"model\"", "\"mode\"", "\"mission\"", "\"claim\"", "\"scope\"", "\"kind\"", "\"spec_sha256\""]
     {
         let Some((before, after)) = text.split_once(&format!("{key}: \"")) else { continue };
         for disguise in ["\\u001b[2J\\u001b[32m", "\u{202e}\u{9b}31m"] {

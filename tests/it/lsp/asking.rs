@@ -233,7 +233,7 @@ fn paths_are_offered_from_their_folder() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().canonicalize().unwrap();
     std::fs::create_dir(path.join("parts")).unwrap();
-    for name in ["root.mav", "quad.mav", "points.csv", "notes.txt", ".hidden.mav", "parts/hexa.mav"] {
+    for name in ["root.mav", "quad.mav", "points.csv", "notes.md", ".hidden.mav", "parts/hexa.mav"] {
         std::fs::write(path.join(name), "").unwrap();
     }
     let text = "use \"|\"\nuse \"parts/h|\"\nmission m {\n waypoints from \"|\n}\nplan { vehicle = \"|\" }\n";
