@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::allow::Allowed;
 use super::blame::Suspect;
 use super::expression::Value;
 use super::mend;
@@ -34,6 +35,8 @@ pub(super) struct Context<'a> {
     pub modes_unnamed: bool,
     /// Every word of the statements that could not be read.
     lost_words: BTreeSet<&'a str>,
+    /// Warnings that are not to be shown.
+    pub(super) allowed: Allowed,
     /// Diagnostics past the limit.
     pub dropped: usize,
     /// What was read where, for whoever shows the spec.
@@ -74,6 +77,7 @@ impl<'a> Context<'a> {
             incomplete,
             modes_unnamed: false,
             lost_words: words.collect(),
+            allowed: Allowed::default(),
             dropped: 0,
             readings: Vec::new(),
             lets: BTreeMap::new(),
@@ -85,8 +89,11 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Keeps a diagnostic; past [`MAX_DIAGNOSTICS`] it is only counted.
+    /// Keeps a diagnostic unless `allow` silences it; past [`MAX_DIAGNOSTICS`] it is only counted.
     pub fn report(&mut self, diagnostic: Diagnostic) {
+        if self.allowed.silences(&diagnostic) {
+            return;
+        }
         if self.is_full() {
             self.dropped += 1;
         } else {

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 use super::context::{Context, listed};
 use super::due::Due;
 use super::fields::Fields;
+use super::sense::{Written, check_vehicle};
 use super::{Allocation, DefaultUsed, Rotor, Spin, Vehicle};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
@@ -88,6 +89,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
         fields.missing(cx, "`rotor` block", example);
     }
+    let written = places.as_ref().map(|places| rotor::written(places, &fields, rotor_fields.as_ref()));
     // Which of two blocks is meant is not known, nor what they say together.
     let rotors = places.filter(|_| !twice).and_then(|places| rotor::give_all(cx, places, rotor_fields.as_ref(), base));
     let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
@@ -125,6 +127,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         }
         _ => None,
     };
+    let mut vehicle_fits = true;
     if let Some(vehicle) = &vehicle {
         if vehicle.allocation == Allocation::PseudoInverse && vehicle.has_uncertain_rotors() {
             let message = "the pseudo-inverse goes by coefficients and speeds that are known, not by intervals";
@@ -136,7 +139,17 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
             );
         }
         check_whole(cx, vehicle);
+        let places = Written {
+            mass: vehicle.mass_span,
+            inertia: fields.span_of("inertia").unwrap_or(span),
+            rotors: written.unwrap_or_default(),
+        };
+        match cx.has_magnitude(vehicle, |k| [places.rotors[k].thrust, places.rotors[k].torque]) {
+            true => check_vehicle(cx, vehicle, &places),
+            false => vehicle_fits = false,
+        }
     }
+    let vehicle = vehicle.filter(|_| vehicle_fits);
     Outline { name, span, rotors: count, vehicle, defaults }
 }
 
