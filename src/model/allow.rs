@@ -106,7 +106,8 @@ impl<'a> Context<'a> {
     fn allow_one(&mut self, element: &Expr, in_list: bool) {
         let (ExprKind::Name(written) | ExprKind::Text(written)) = &element.kind else {
             let error = Diagnostic::error(UNKNOWN, element.span, "`allow` takes the codes of warnings");
-            return self.report(error.here("not a code").help("write `allow = [tip_speed]`, with the last word of the code"));
+            return self
+                .report(error.here("not a code").help("write `allow = [tip_speed]`, with the last word of the code"));
         };
         match meant(written) {
             Some(code) => self.allowed.0.push(Entry { code, span: element.span, in_list, is_used: false }),
@@ -156,7 +157,9 @@ fn no_warning(written: &str, span: Span) -> Diagnostic {
     let error = Diagnostic::error(UNKNOWN, span, format!("no warning is called `{written}`")).here("unknown");
     match nearest(last_word(written), SHORT.iter().copied()) {
         Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
-        None => error.help("write the last word of the warning's code; `mavc explain sense` lists those of sense checks"),
+        None => {
+            error.help("write the last word of the warning's code; `mavc explain sense` lists those of sense checks")
+        }
     }
 }
 

@@ -48,6 +48,8 @@ pub(super) struct Context<'a> {
     pub(super) suspects: Vec<Suspect<'a>>,
     /// The curve parameter and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
+    /// Whether the parameter, a plain number, is an angle in radians.
+    pub(super) parameter_turns: bool,
     pub(super) depth: u32,
     pub(super) steps: u32,
 }
@@ -84,6 +86,7 @@ impl<'a> Context<'a> {
             accused: BTreeMap::new(),
             suspects: Vec::new(),
             parameter: None,
+            parameter_turns: false,
             depth: 0,
             steps: 0,
         }

@@ -245,7 +245,7 @@ impl<'a> Context<'a> {
             return;
         }
         let error = self.unit_missing(due, size, expr);
-        let error = self.blame(expr, &likely_units(due, size), error);
+        let error = self.blame(expr, &self.likely_units_of(due, size, expr), error);
         self.report(error);
     }
 
@@ -258,7 +258,7 @@ impl<'a> Context<'a> {
             let mended = units.iter().map(|unit| format!("{text} {unit}")).collect();
             return one_of(error.here(format!("`{}` makes a share of it", percent.value)), expr.span, mended);
         }
-        let units = likely_units(due, size);
+        let units = self.likely_units_of(due, size, expr);
         if let ExprKind::Range { high, .. } = &expr.kind
             && !matches!(high.kind, ExprKind::Number { .. })
         {

@@ -70,7 +70,9 @@ impl Context<'_> {
     pub(super) fn has_magnitude(&mut self, vehicle: &Vehicle, places: impl Fn(usize) -> [Span; 2]) -> bool {
         let ratio = |rotor: &Rotor| rotor.drag_coefficient / rotor.thrust_coefficient;
         let odd = vehicle.rotors.iter().enumerate().find_map(|(k, rotor)| match () {
-            _ if !has(THRUST, rotor.max_thrust()) => Some((k, "a rotor's full thrust", rotor.max_thrust(), THRUST, "N")),
+            _ if !has(THRUST, rotor.max_thrust()) => {
+                Some((k, "a rotor's full thrust", rotor.max_thrust(), THRUST, "N"))
+            }
             _ if !has(TORQUE, ratio(rotor)) => Some((k, "a rotor's torque per thrust", ratio(rotor), TORQUE, "m")),
             _ => None,
         });

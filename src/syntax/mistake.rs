@@ -7,6 +7,7 @@ mod block;
 mod flight;
 mod habit;
 mod list;
+mod rotor;
 mod separator;
 mod strike;
 mod wording;

@@ -7,6 +7,7 @@ mod numbers;
 mod overriding;
 mod pages;
 mod reading;
+mod sense;
 mod shipped;
 
 use mavc::diagnostic::Diagnostic;

@@ -16,7 +16,13 @@ const GUST_LENGTH: Usual = Usual::new(1.0, 2000.0);
 const SLOWING: f64 = 2.0;
 
 /// Warns of air that no multirotor flies in. `fields` are those of `simulate`, which stands at `block`.
-pub(in crate::model) fn check(cx: &mut Context, simulation: &Simulation, vehicle: Option<&Vehicle>, fields: &Fields, block: Span) {
+pub(in crate::model) fn check(
+    cx: &mut Context,
+    simulation: &Simulation,
+    vehicle: Option<&Vehicle>,
+    fields: &Fields,
+    block: Span,
+) {
     let at = |name: &str| fields.span_of(name).unwrap_or(block);
     let wind = simulation.wind.iter().map(|v| v * v).sum::<f64>().sqrt();
     if wind > WIND {
@@ -29,7 +35,9 @@ pub(in crate::model) fn check(cx: &mut Context, simulation: &Simulation, vehicle
     if simulation.gusts > GUSTS {
         let message = format!("gusts of {} m/s, where 0 to {} m/s is usual", short(simulation.gusts), short(GUSTS));
         let slip = "look for `m/s` in place of `km/h`, and for digits too many";
-        cx.report(warning("mavc::sense::gusts", at("gusts"), message, slip).here("the standard deviation of a storm is less"));
+        cx.report(
+            warning("mavc::sense::gusts", at("gusts"), message, slip).here("the standard deviation of a storm is less"),
+        );
     }
     if !GUST_LENGTH.has(simulation.gust_length) {
         let length = short(simulation.gust_length);
@@ -38,7 +46,8 @@ pub(in crate::model) fn check(cx: &mut Context, simulation: &Simulation, vehicle
         cx.report(warning("mavc::sense::gusts", at("gust_length"), message, slip).here("the length scale of gusts"));
     }
     if let Some(slowing) = vehicle.map(|v| simulation.drag / v.mass).filter(|slowing| *slowing > SLOWING) {
-        let message = format!("a drag of {} 1/s times the mass, where 0 to {} 1/s is usual", short(slowing), short(SLOWING));
+        let message =
+            format!("a drag of {} 1/s times the mass, where 0 to {} 1/s is usual", short(slowing), short(SLOWING));
         let slip = "look for a prefix too many in the mass, or one too few in the drag";
         let here = format!("falling, it would reach {} m/s", short(cx.gravity / slowing));
         cx.report(warning("mavc::sense::drag", at("drag"), message, slip).here(here));

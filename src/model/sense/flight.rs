@@ -52,7 +52,8 @@ pub(in crate::model) fn limits(cx: &mut Context, limits: &[Limit]) {
 pub(in crate::model) fn mission(cx: &mut Context, name: &str, span: Span, waypoints: &[Waypoint]) {
     let path: f64 = waypoints.windows(2).map(|pair| distance(pair[0].position, pair[1].position)).sum();
     if path > 0.0 && !PATH.has(path) {
-        let message = format!("the path of mission `{name}` is {} m long, where {} is usual", short(path), PATH.text("m"));
+        let message =
+            format!("the path of mission `{name}` is {} m long, where {} is usual", short(path), PATH.text("m"));
         let slip = match path > PATH.high {
             true => "look for `m` in place of `cm` or `mm`",
             false => "look for `mm` in place of `m`",
@@ -64,7 +65,8 @@ pub(in crate::model) fn mission(cx: &mut Context, name: &str, span: Span, waypoi
     let turned = waypoints.iter().find(|w| !YAW_WITHIN.has(degrees(w) * (1.0 - 1e-9)));
     let turned = turned.map(|w| (w, degrees(w), YAW_WITHIN, "deg"));
     for (waypoint, value, usual, unit) in metres.into_iter().chain(turned) {
-        let message = format!("a waypoint is to be met within {} {unit}, where {} is usual", short(value), usual.text(unit));
+        let message =
+            format!("a waypoint is to be met within {} {unit}, where {} is usual", short(value), usual.text(unit));
         let here = if value > usual.high { "met wherever the vehicle is" } else { "closer than anybody can measure" };
         let slip = match unit {
             "m" => "look for `km` or `m` in place of `cm`, here or in `plan`",
@@ -118,7 +120,8 @@ pub(in crate::model) fn pace(cx: &mut Context, waypoints: &[Waypoint], total: Op
 
 fn odd_pace(cx: &mut Context, way: f64, flown: f64, span: Span, to: Span) {
     let speed = way / flown;
-    let message = format!("the times ask for a mean speed of {} m/s, where {} is usual", short(speed), PACE.text("m/s"));
+    let message =
+        format!("the times ask for a mean speed of {} m/s, where {} is usual", short(speed), PACE.text("m/s"));
     let slip = match speed > PACE.high {
         true => "look for `ms` in place of `s`, and for `m` in place of `cm` or `mm`",
         false => "look for `s` in place of `ms`, and for `mm` in place of `m`",

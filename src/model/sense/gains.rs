@@ -90,7 +90,13 @@ fn loops(simulation: &Simulation) -> [Loop; 4] {
 
 /// Warns of loops that oscillate, or hardly act, with these motors and this rate. `fields` are those of `simulate`, which
 /// stands at `block`.
-pub(in crate::model) fn check(cx: &mut Context, simulation: &Simulation, vehicle: &Vehicle, fields: &Fields, block: Span) {
+pub(in crate::model) fn check(
+    cx: &mut Context,
+    simulation: &Simulation,
+    vehicle: &Vehicle,
+    fields: &Fields,
+    block: Span,
+) {
     let lag = vehicle.rotors.iter().map(Rotor::lag).fold(0.0, f64::max);
     let actuator = Actuator { lag, delay: 0.5 / simulation.control_rate };
     let mut swings = false;
@@ -107,7 +113,10 @@ pub(in crate::model) fn check(cx: &mut Context, simulation: &Simulation, vehicle
             let text = format!("{state}: its phase margin is {} degrees, where 30 to 60 is usual", short(degrees));
             (text, "check the gains, or lower them until they fit motors and rates")
         } else if crossover < SLOWEST {
-            let text = format!("hardly acts: it needs {} s to come back, where less than 10 s is usual", short(1.0 / crossover));
+            let text = format!(
+                "hardly acts: it needs {} s to come back, where less than 10 s is usual",
+                short(1.0 / crossover)
+            );
             (text, "check the gains, which are per unit of mass or inertia")
         } else {
             continue;

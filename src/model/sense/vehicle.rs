@@ -89,7 +89,9 @@ fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
         THRUST_TO_WEIGHT.text("times")
     );
     let slip = match ratio > THRUST_TO_WEIGHT.high {
-        true => "look for `g` in place of `kg` in the mass, for `N` in place of `gf` and for a thrust coefficient without its e-6",
+        true => {
+            "look for `g` in place of `kg` in the mass, for `N` in place of `gf` and for a thrust coefficient without its e-6"
+        }
         false => "little thrust is left to climb and steer with: check mass and thrust",
     };
     let at = written.rotors[0].thrust;
@@ -119,10 +121,13 @@ fn inertia(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     );
     let slip = match ratio(axis) > INERTIA.high {
         true => "look for `g` in place of `kg` in the mass, and check inertia and arm with their units",
-        false => "look for a prefix too many in the inertia (`g*m^2`, `kg*cm^2`), and check mass and arm with their units",
+        false => {
+            "look for a prefix too many in the inertia (`g*m^2`, `kg*cm^2`), and check mass and arm with their units"
+        }
     };
     let (low, high) = (INERTIA.low * unit, INERTIA.high * unit);
-    let here = format!("{} kg*m^2, where {} is usual", short(vehicle.inertia[axis]), Usual::new(low, high).text("kg*m^2"));
+    let here =
+        format!("{} kg*m^2, where {} is usual", short(vehicle.inertia[axis]), Usual::new(low, high).text("kg*m^2"));
     let warning = warning("mavc::sense::inertia", written.inertia, message, slip).here(here);
     let warning = warning.also(written.mass, format!("m is {} kg", short(vehicle.mass)));
     let farthest = format!("R is {} m, the distance of the outermost rotor", short(reach));
@@ -145,7 +150,11 @@ fn tip_speed(cx: &mut Context, vehicle: &Vehicle, written: &Written) -> bool {
     };
     let at = written.rotors[k];
     let here = format!("full speed is {} rad/s", short(rotor.max_speed));
-    let diameter = format!("{} N at that speed are those of a propeller of about {} m", short(rotor.max_thrust()), short(rotor.diameter()));
+    let diameter = format!(
+        "{} N at that speed are those of a propeller of about {} m",
+        short(rotor.max_thrust()),
+        short(rotor.diameter())
+    );
     cx.report(warning("mavc::sense::tip_speed", at.max_speed, message, slip).here(here).also(at.thrust, diameter));
     true
 }
@@ -164,7 +173,8 @@ fn arm(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
         ARM.text("diameters")
     );
     let at = written.rotors[k];
-    let warning = warning("mavc::sense::arm", at.place, message, "look for `m` in place of `cm` or `mm`, or the other way round");
+    let warning =
+        warning("mavc::sense::arm", at.place, message, "look for `m` in place of `cm` or `mm`, or the other way round");
     let warning = warning.here(format!("{} m to the outermost rotor", short(reach)));
     cx.report(warning.also(at.thrust, estimate(diameter)));
 }
@@ -220,7 +230,11 @@ fn time_constant(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
         short(1e3 * lag),
         Usual::new(1e3 * TIME_CONSTANT.low, 1e3 * TIME_CONSTANT.high).text("ms")
     );
-    let warning: Diagnostic =
-        warning("mavc::sense::time_constant", written.rotors[k].time_constant, message, "look for `s` in place of `ms`, or `us`");
+    let warning: Diagnostic = warning(
+        "mavc::sense::time_constant",
+        written.rotors[k].time_constant,
+        message,
+        "look for `s` in place of `ms`, or `us`",
+    );
     cx.report(warning.here(format!("{} s", short(lag))));
 }

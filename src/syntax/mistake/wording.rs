@@ -9,6 +9,7 @@ use crate::syntax::place::Place;
 pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     keyword_colon,
     super::strike::recognise,
+    super::rotor::clause,
     super::flight::landing,
     super::flight::takeoff,
     bare_path,

@@ -1,0 +1,79 @@
+//! Mistakes about the clauses of `rotor at [0.2, 0.15, 0] m  spin P`.
+
+use super::{Broken, Expected, Failure, cut};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::syntax::place::Place;
+
+/// Clauses of a rotor, as one reads them.
+const CLAUSES: [&str; 9] = [
+    "at",
+    "spin",
+    "max_thrust",
+    "thrust_coefficient",
+    "torque_per_thrust",
+    "drag_coefficient",
+    "min_speed",
+    "max_speed",
+    "time_constant",
+];
+
+/// How people say that an axis is not upright.
+const TILTED: [&str; 13] = [
+    "tilt",
+    "tilted",
+    "tilting",
+    "cant",
+    "canted",
+    "angle",
+    "axis",
+    "axes",
+    "normal",
+    "direction",
+    "orientation",
+    "roll",
+    "pitch",
+];
+
+/// Other words for a clause, and the clause.
+const OTHER_WORDS: [(&str, &str); 10] = [
+    ("position", "at"),
+    ("pos", "at"),
+    ("turns", "spin"),
+    ("rotation", "spin"),
+    ("thrust", "max_thrust"),
+    ("torque", "torque_per_thrust"),
+    ("drag", "drag_coefficient"),
+    ("speed", "max_speed"),
+    ("max_rpm", "max_speed"),
+    ("rpm", "max_speed"),
+];
+
+/// A word that begins no clause: `rotor at [..] m  spin P tilt 15 deg`, `rotor at [..] m  spin P  blades 3`.
+pub(super) fn clause(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
+    let is_rotor = statement.word() == "rotor" && !statement.has_body && statement.place == Place::Rotors;
+    if !is_rotor || !is_word || !failure.expects(Expected::Clause) {
+        return None;
+    }
+    let span = statement.span(failure.at, failure.at + found.len());
+    let error =
+        |message: String| Diagnostic::error("mavc::syntax::unexpected", span, message).here("no clause of a rotor");
+    if TILTED.contains(&found) {
+        let message = format!("a rotor has no `{found}`: the axes of all rotors are parallel to the body's z axis");
+        return Some(error(message).help("take it out: rotors with tilted axes cannot be described so far"));
+    }
+    let message = format!("a rotor has no `{}`", cut(found));
+    if let Some((_, clause)) = OTHER_WORDS.iter().find(|(word, _)| *word == found) {
+        return Some(error(message).help(format!("did you mean `{clause}`?")).fix(span, *clause));
+    }
+    // Words that are nearly right are told as misspelt.
+    nearest(found, CLAUSES).is_none().then(|| error(message).help(format!("its clauses are {}", listed())))
+}
+
+/// "`at`, `spin` and `time_constant`"
+fn listed() -> String {
+    let quoted = CLAUSES.map(|word| format!("`{word}`"));
+    let (last, rest) = quoted.split_last().unwrap_or((&quoted[0], &[]));
+    format!("{} and {last}", rest.join(", "))
+}
