@@ -133,7 +133,7 @@ impl<'a> Context<'a> {
 }
 
 /// The code that `written` stands for: a whole code, or the last word of one.
-fn meant(written: &str) -> Option<&'static str> {
+pub(super) fn meant(written: &str) -> Option<&'static str> {
     let is_meant = |code: &&&str| **code == written || code.strip_prefix("mavc::") == Some(written);
     let is_short = |code: &&&str| SHORT.contains(&written) && last_word(code) == written;
     WARNINGS.iter().find(is_meant).or_else(|| WARNINGS.iter().find(is_short)).copied()
@@ -172,6 +172,9 @@ mod tests {
         for code in WARNINGS {
             assert!(codes::lookup(code).is_some(), "{code} has no page");
             assert_eq!(meant(code), Some(code));
+        }
+        for page in codes::all().iter().filter(|page| page.code.starts_with("mavc::sense::")) {
+            assert!(WARNINGS.contains(&page.code), "{} cannot be allowed", page.code);
         }
         for word in words() {
             assert_eq!(meant(word).map(last_word), Some(*word));

@@ -54,6 +54,11 @@ pub fn words(place: Place, field: &str) -> &'static [&'static str] {
     }
 }
 
+/// The code of the warning that a word in `allow` stands for.
+pub fn allowed(word: &str) -> Option<&'static str> {
+    allow::meant(word)
+}
+
 /// The numbers of a fault mode that `against = where` looks at.
 pub fn mode_numbers() -> &'static [&'static str] {
     &plan::MODE_NUMBERS
