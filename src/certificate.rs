@@ -163,20 +163,46 @@ pub enum Side {
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum RowRecord {
     /// A derivative that is zero at rest; axes count x, y, z, yaw from 0.
-    Rest { node: usize, axis: usize, derivative: usize },
+    Rest {
+        node: usize,
+        axis: usize,
+        derivative: usize,
+    },
     /// `facets[facet]` at a node.
-    Facet { facet: usize, node: usize },
+    Facet {
+        facet: usize,
+        node: usize,
+    },
     /// The same of what rotors that lag are commanded there; `interval`, beside the node, chooses which slopes of the
     /// inputs are meant.
-    Commands { facet: usize, node: usize, interval: usize },
+    Commands {
+        facet: usize,
+        node: usize,
+        interval: usize,
+    },
     /// A bound on one coordinate or rate.
-    Limit { limit: usize, node: usize, side: Side },
+    Limit {
+        limit: usize,
+        node: usize,
+        side: Side,
+    },
     /// A bound on a norm; `interval` chooses which z''' of a jerk is meant.
-    LimitNorm { limit: usize, node: usize, interval: usize },
+    LimitNorm {
+        limit: usize,
+        node: usize,
+        interval: usize,
+    },
     /// m |(x'', y'', z'' + g)| is at most the thrust that `thrust` shows to be the largest.
-    Thrust { node: usize },
-    Waypoint { waypoint: usize },
-    WaypointYaw { waypoint: usize, side: Side },
+    Thrust {
+        node: usize,
+    },
+    Waypoint {
+        waypoint: usize,
+    },
+    WaypointYaw {
+        waypoint: usize,
+        side: Side,
+    },
 }
 
 /// A facet of a mode's set, by rotors and the side it is on. Where the spec has intervals it is the row that holds for all

@@ -2,6 +2,7 @@
 //! is a finite `f64`, and every list is complete.
 
 mod after_fault;
+mod allow;
 mod arithmetic;
 mod blame;
 mod campaign;
@@ -22,11 +23,13 @@ mod legs;
 mod likely_unit;
 mod limits;
 mod load;
+mod magnitude;
 mod mend;
 mod mission;
 mod near_files;
 mod overrides;
 mod plan;
+mod sense;
 mod simulate;
 mod slip;
 mod survey;

@@ -8,15 +8,15 @@ use crate::planner::select::SetRow;
 use crate::planner::transcribe::NodeState;
 use crate::report::caveats::limit_words;
 use crate::trajectory::Trajectory;
+use crate::verify::Premises;
+use crate::verify::cost::Purse;
 use crate::verify::interval::Interval;
 use crate::verify::limits;
-use crate::verify::cost::Purse;
 use crate::verify::motion::Motion;
 use crate::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT, OF_A_GRID, Setting, wrench_family};
 use crate::verify::proof::throughout;
 use crate::verify::sets::Plane;
 use crate::verify::wrench::{Dynamics, Held};
-use crate::verify::Premises;
 use serde::Serialize;
 
 /// Points of each interval, one of its ends included, where nothing is proved: those on which plans of the exact model are
@@ -127,9 +127,11 @@ fn kept_limit(motion: &Motion, limit: &Limit, trajectory: &Trajectory, gravity: 
     let family = limits::family(limit, gravity);
     let seen = seen(trajectory, |_, state| limit_excess(limit, state, gravity));
     // What is seen to be false is not tried.
-    let proved = PAST.map(|share| share * limit.size()).into_iter().filter(|bound| seen <= *bound).find(|&excess| {
-        throughout(&family, motion, excess, &mut Purse(WORK)).iter().all(|&kept| kept)
-    });
+    let proved = PAST
+        .map(|share| share * limit.size())
+        .into_iter()
+        .filter(|bound| seen <= *bound)
+        .find(|&excess| throughout(&family, motion, excess, &mut Purse(WORK)).iter().all(|&kept| kept));
     match proved {
         Some(excess) => Between { rows, shown: Shown::Proved, points: None, imposed: 1, proved: 1, excess },
         None => Between { rows, shown: Shown::Checked, points: Some(GRID), imposed: 1, proved: 0, excess: seen },

@@ -3,11 +3,11 @@
 
 use super::facet::facet_of;
 use super::plan::motion;
-use crate::certificate::{
-    Certificate, Claim, DynamicModel, FacetRecord, FacetWeight, InfeasibleClaim, MAX_FACETS, MAX_MULTIPLIERS, Multiplier,
-    RowRecord, SCHEMA, Side,
-};
 use crate::admissible::AdmissibleSet;
+use crate::certificate::{
+    Certificate, Claim, DynamicModel, FacetRecord, FacetWeight, InfeasibleClaim, MAX_FACETS, MAX_MULTIPLIERS,
+    Multiplier, RowRecord, SCHEMA, Side,
+};
 use crate::model::{LimitKind, Mission, Model, PlanModel};
 use crate::planner::compare::PlannerRun;
 use crate::planner::hover_model::YAW;
@@ -114,11 +114,7 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
     let leads = layout.leads(model);
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes())
         .with_leads(leads.as_ref());
-    Ok(Asked {
-        program: form.full_program(Purpose::Overshoot { epsilon: COST }),
-        tau: form.tau(),
-        thrust: Vec::new(),
-    })
+    Ok(Asked { program: form.full_program(Purpose::Overshoot { epsilon: COST }), tau: form.tau(), thrust: Vec::new() })
 }
 
 /// The exact model's relaxation, asked the same.

@@ -3,7 +3,7 @@ use crate::diagnostic::{codes, nearest};
 use crate::source::visible;
 
 /// Codes that are named instead of one that there is not.
-const MOST_OFFERED: usize = 12;
+const MOST_OFFERED: usize = 20;
 
 /// `mavc explain`
 pub fn run(code: Option<&str>) -> Result<u8, Problem> {

@@ -9,15 +9,16 @@ pub struct CodePage {
     pub code: &'static str,
     /// One sentence.
     pub title: &'static str,
-    /// The book that holds its page: `syntax`, `model` or `analysis`.
+    /// The book that holds its page: `syntax`, `model`, `sense` or `analysis`.
     pub book: &'static str,
     /// What it means, an example, how to mend it; Markdown, the title included, the heading not.
     pub page: &'static str,
 }
 
-const BOOKS: [(&str, &str); 3] = [
+const BOOKS: [(&str, &str); 4] = [
     ("syntax", include_str!("../../docs/diagnostics/syntax.md")),
     ("model", include_str!("../../docs/diagnostics/model.md")),
+    ("sense", include_str!("../../docs/diagnostics/sense.md")),
     ("analysis", include_str!("../../docs/diagnostics/analysis.md")),
 ];
 

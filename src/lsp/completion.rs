@@ -9,7 +9,8 @@ use super::documentation;
 use super::hover::described;
 use super::names::Kind;
 use super::workspace::Spec;
-use crate::model::vocabulary::{clauses, constants, fields, functions, mode_numbers, words};
+use crate::diagnostic::codes;
+use crate::model::vocabulary::{allowed, clauses, constants, fields, functions, mode_numbers, words};
 use crate::source::FileId;
 use crate::syntax::Place;
 use context::{Before, Context};
@@ -171,7 +172,11 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
     // `all` is no element of a list.
     let words_here = words(place, field).iter().filter(|word| !context.listed.contains(**word));
     let words_here = words_here.filter(|_| !is_against || !context.in_brackets && context.range_from.is_none());
-    list.extend(words_here.map(|word| Offer::new(word, ItemKind::EnumMember, 0)));
+    // The words of `allow` are codes, which have pages.
+    let page = |word: &str| allowed(word).filter(|_| field == "allow").and_then(codes::lookup);
+    list.extend(
+        words_here.map(|word| Offer::new(word, ItemKind::EnumMember, 0).documented(page(word).map(|p| p.title))),
+    );
     match (place, field) {
         (Place::Plan, "against") => {
             if let Some(first) = &context.range_from {

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::allow::Allowed;
 use super::blame::Suspect;
 use super::expression::Value;
 use super::mend;
@@ -34,6 +35,8 @@ pub(super) struct Context<'a> {
     pub modes_unnamed: bool,
     /// Every word of the statements that could not be read.
     lost_words: BTreeSet<&'a str>,
+    /// Warnings that are not to be shown.
+    pub(super) allowed: Allowed,
     /// Diagnostics past the limit.
     pub dropped: usize,
     /// Those past the limit that are about blocks which are not used.
@@ -49,6 +52,8 @@ pub(super) struct Context<'a> {
     pub(super) suspects: Vec<Suspect<'a>>,
     /// The curve parameter and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
+    /// Whether the parameter, a plain number, is an angle in radians.
+    pub(super) parameter_turns: bool,
     pub(super) depth: u32,
     pub(super) steps: u32,
 }
@@ -78,6 +83,7 @@ impl<'a> Context<'a> {
             incomplete,
             modes_unnamed: false,
             lost_words: words.collect(),
+            allowed: Allowed::default(),
             dropped: 0,
             dropped_softly: 0,
             softened: false,
@@ -86,13 +92,17 @@ impl<'a> Context<'a> {
             accused: BTreeMap::new(),
             suspects: Vec::new(),
             parameter: None,
+            parameter_turns: false,
             depth: 0,
             steps: 0,
         }
     }
 
-    /// Keeps a diagnostic; past [`MAX_DIAGNOSTICS`] it is only counted.
+    /// Keeps a diagnostic unless `allow` silences it; past [`MAX_DIAGNOSTICS`] it is only counted.
     pub fn report(&mut self, diagnostic: Diagnostic) {
+        if self.allowed.silences(&diagnostic) {
+            return;
+        }
         if self.is_full() {
             self.dropped += 1;
         } else {

@@ -151,7 +151,9 @@ impl<'a> Context<'a> {
         };
         // Three of one wrong kind are one mistake.
         if x.dimension == y.dimension && y.dimension == z.dimension {
-            self.fit(due, x, expr)?;
+            for part in [x, y, z] {
+                self.fit(due, part, expr)?;
+            }
             self.note(expr.span, &[x.value, y.value, z.value], due.unit);
             return Some([x.value, y.value, z.value]);
         }
@@ -209,7 +211,7 @@ impl<'a> Context<'a> {
     fn fit(&mut self, due: Due, q: Quantity, expr: &Expr) -> Option<f64> {
         let expected = due.dimension();
         if q.dimension == expected {
-            return Some(q.value);
+            return self.is_within_magnitude(due, q.value, expr.span).then_some(q.value);
         }
         if due.coefficient && q.dimension == expected.without_angle() {
             let message = format!("`{}` is usually given per square of a rate in radians", due.what);
@@ -243,7 +245,7 @@ impl<'a> Context<'a> {
             return;
         }
         let error = self.unit_missing(due, size, expr);
-        let error = self.blame(expr, &likely_units(due, size), error);
+        let error = self.blame(expr, &self.likely_units_of(due, size, expr), error);
         self.report(error);
     }
 
@@ -256,7 +258,7 @@ impl<'a> Context<'a> {
             let mended = units.iter().map(|unit| format!("{text} {unit}")).collect();
             return one_of(error.here(format!("`{}` makes a share of it", percent.value)), expr.span, mended);
         }
-        let units = likely_units(due, size);
+        let units = self.likely_units_of(due, size, expr);
         if let ExprKind::Range { high, .. } = &expr.kind
             && !matches!(high.kind, ExprKind::Number { .. })
         {

@@ -10,7 +10,7 @@ use super::overrides::{Override, apply};
 use super::plan::{Draft, against};
 use super::simulate::Around;
 use super::understanding::Understanding;
-use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, vehicle};
+use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, sense, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
 use crate::report::number::number;
 use crate::source::{SourceMap, Span, Spanned};
@@ -54,6 +54,7 @@ fn understand_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks
     // What a block with mistakes would have used is unknown.
     if value.is_some() && !cx.softened && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {
         cx.warn_unused();
+        cx.warn_idle();
     }
     diagnostics.append(&mut cx.diagnostics);
     sort(&mut diagnostics);
@@ -110,6 +111,9 @@ fn use_broken(trees: &[SpecFile], sources: &SourceMap) -> bool {
     trees.iter().flat_map(|tree| &tree.items).any(|item| matches!(item, Item::Broken(span) if brings_in(*span)))
 }
 
+/// The fields that stand outside all blocks.
+pub(super) const TOP_FIELDS: [&str; 2] = ["gravity", "allow"];
+
 #[derive(Default)]
 struct Blocks<'a> {
     vehicles: Vec<&'a Block>,
@@ -130,6 +134,7 @@ fn whole<'a>(
     let items = || trees.iter().flat_map(|tree| &tree.items);
     let mut blocks = Blocks::default();
     let mut gravity: Option<&Field> = None;
+    let mut allows = Vec::new();
     for tree in trees {
         // Below a statement that could not be read, a field may belong to the block that it should have opened.
         let mut homeless = false;
@@ -144,6 +149,7 @@ fn whole<'a>(
                     "campaign" => blocks.campaigns.push(block),
                     _ => {}
                 },
+                Item::Field(field) if field.name.value == "allow" => allows.push(field),
                 Item::Field(field) if homeless && field.name.value != "gravity" => cx.lose(&field.name.value),
                 Item::Field(field) => top_field(cx, field, &mut gravity),
                 // A limit was to open none.
@@ -152,6 +158,7 @@ fn whole<'a>(
             }
         }
     }
+    cx.allow(&allows);
     no_second(cx, "vehicle", &blocks.vehicles);
     no_second(cx, "mission", &blocks.missions);
     only_one(cx, &blocks.plans);
@@ -208,6 +215,9 @@ fn whole<'a>(
     if plan_written || mission.is_some() {
         defaults.extend(plan_defaults);
     }
+    if let Some(flown) = flown {
+        sense::check_pace(cx, &flown.waypoints, plan_time);
+    }
     let known = vehicle.and_then(|v| v.vehicle.as_ref());
     let lags_known = plan.as_ref().zip(known).is_none_or(|(plan, vehicle)| lag::check(cx, plan, vehicle));
     let around = Around {
@@ -249,7 +259,7 @@ fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'
     if name.value != "gravity" {
         let message = format!("`{}` is not a field of the top level", name.value);
         let error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
-        let error = match (nearest(&name.value, ["gravity"]), elsewhere(&name.value)) {
+        let error = match (nearest(&name.value, TOP_FIELDS), elsewhere(&name.value)) {
             (Some(near), _) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
             (None, Some(place)) => error.help(place),
             (None, None) => {
@@ -274,6 +284,7 @@ fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: 
         Some(FieldValue::Expr(expr)) => {
             let given = cx.positive(Due::new("gravity", "m/s^2"), expr, "mavc::vehicle::not_positive");
             if let Some(given) = given.filter(|g| *g != GRAVITY) {
+                sense::gravity(cx, given, expr.span);
                 cx.gravity = given;
                 // What was evaluated on the way may have used the old value.
                 cx.lets.values_mut().for_each(|l| {

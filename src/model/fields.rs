@@ -11,6 +11,7 @@ use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, State
 /// Fields that belong elsewhere, and the word people use for what belongs there.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("gravity", "stands at the top level, outside all blocks"),
+    ("allow", "stands at the top level, outside all blocks"),
     ("timing", "is a field of `plan`"),
     ("within", "is a field of `plan`, of a `curve` and of a `waypoint`"),
     ("yaw_within", "is a field of `plan`, of a `curve` and of a `waypoint`"),

@@ -9,7 +9,7 @@ use super::due::Due;
 use super::fields::Fields;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
-use super::{Mission, Waypoint, limits, mend, survey};
+use super::{Mission, Waypoint, limits, mend, sense, survey};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
@@ -209,7 +209,9 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     let in_order = check_times(cx, &route.waypoints[..sure]);
     if !route.broken {
         warn_close(cx, &route.waypoints);
+        sense::check_mission(cx, &name, span, &route.waypoints);
     }
+    sense::check_limits(cx, &limits);
     limits::check(cx, &limits, &route.waypoints[..sure]);
     route.broken |= !in_order;
     let legs = shares(&route.waypoints, &route.curves, manner.timing);

@@ -1,6 +1,6 @@
 //! `--set plan.time=20s`: one field replaced or added before the spec is understood.
 
-use super::elaborate::expr_of;
+use super::elaborate::{TOP_FIELDS, expr_of};
 use crate::diagnostic::Diagnostic;
 use crate::source::{Source, SourceMap, Span, Spanned};
 use crate::syntax::ast::{Block, ExprKind, Field, Item, LimitRelation, Name, SpecFile, Statement};
@@ -18,7 +18,7 @@ pub fn is_override(sources: &SourceMap, span: Span) -> bool {
 /// One `--set`: where it goes and the field to put there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Override {
-    /// The blocks on the way, outermost first; empty for `gravity` and `let`s.
+    /// The blocks on the way, outermost first; empty for `gravity`, `allow` and `let`s.
     pub path: Vec<Name>,
     pub field: Field,
 }
@@ -126,7 +126,7 @@ fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Box<Diagnostic
             _ => {}
         }
     }
-    if name == "gravity"
+    if TOP_FIELDS.contains(&name.as_str())
         && let Some(tree) = trees.first_mut()
     {
         tree.items.push(Item::Field(field.clone()));

@@ -13,7 +13,7 @@ use super::fault::family::Families;
 use super::fields::Fields;
 use super::flight::{MOTOR_TIME_CONSTANT, Written, default};
 use super::mission::{MAX_DURATION, too_long};
-use super::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle};
+use super::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle, sense};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
@@ -210,6 +210,11 @@ impl<'a> Reader<'a> {
         if let Some(error) = around.vehicle.and_then(|vehicle| checks::coarse_drag(&simulation, vehicle)) {
             cx.report(error);
             self.fine = false;
+        } else if self.fine {
+            sense::check_air(cx, &simulation, around.vehicle, &self.fields, span);
+        }
+        if let Some(vehicle) = around.vehicle.filter(|_| self.fine) {
+            sense::check_gains(cx, &simulation, vehicle, &self.fields, span);
         }
         Some(simulation)
     }

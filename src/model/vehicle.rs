@@ -1,13 +1,15 @@
 //! `vehicle` blocks: rings and rotors one by one.
 
 mod rotor;
+mod whole;
 
 use std::f64::consts::PI;
 
-use super::context::{Context, listed};
+use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
-use super::{Allocation, DefaultUsed, Rotor, Spin, Vehicle};
+use super::sense::{Written, check_vehicle};
+use super::{Allocation, DefaultUsed, Spin, Vehicle};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
@@ -88,6 +90,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
         fields.missing(cx, "`rotor` block", example);
     }
+    let written = places.as_ref().map(|places| rotor::written(places, &fields, rotor_fields.as_ref()));
     // Which of two blocks is meant is not known, nor what they say together.
     let rotors = places.filter(|_| !twice).and_then(|places| rotor::give_all(cx, places, rotor_fields.as_ref(), base));
     let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
@@ -125,6 +128,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         }
         _ => None,
     };
+    let mut vehicle_fits = true;
     if let Some(vehicle) = &vehicle {
         if vehicle.allocation == Allocation::PseudoInverse && vehicle.has_uncertain_rotors() {
             let message = "the pseudo-inverse goes by coefficients and speeds that are known, not by intervals";
@@ -135,8 +139,18 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
                     .help("write `allocation = bounded`, or take the intervals out of the rotors; `mass` may have one"),
             );
         }
-        check_whole(cx, vehicle);
+        whole::check(cx, vehicle);
+        let places = Written {
+            mass: vehicle.mass_span,
+            inertia: fields.span_of("inertia").unwrap_or(span),
+            rotors: written.unwrap_or_default(),
+        };
+        match cx.has_magnitude(vehicle, |k| [places.rotors[k].thrust, places.rotors[k].torque]) {
+            true => check_vehicle(cx, vehicle, &places),
+            false => vehicle_fits = false,
+        }
     }
+    let vehicle = vehicle.filter(|_| vehicle_fits);
     Outline { name, span, rotors: count, vehicle, defaults }
 }
 
@@ -342,61 +356,4 @@ fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Plac
         }
     });
     Some(Place { position: position?, spin: spin?, own: Some(own) })
-}
-
-/// What only the whole vehicle shows: its weight against its thrust, and whether it can hold its yaw.
-fn check_whole(cx: &mut Context, vehicle: &Vehicle) {
-    let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
-    let weight = vehicle.mass * cx.gravity;
-    let finite = vehicle.rotors.iter().all(|r| r.max_thrust().is_finite() && r.drag_coefficient.is_finite());
-    if !finite || !thrust.is_finite() || !weight.is_finite() {
-        let (span, what) = match weight.is_finite() {
-            true => (vehicle.span, "the rotors' thrust"),
-            false => (vehicle.mass_span, "the vehicle's weight"),
-        };
-        let error = Diagnostic::error("mavc::unit::not_finite", span, format!("{what} is too large for a number"));
-        cx.report(error.here("too much").help("check the numbers, their exponents and units"));
-        return;
-    }
-    if thrust <= weight {
-        let message = format!(
-            "vehicle `{}` cannot hover: it weighs {} N and its rotors lift {} N at full thrust",
-            vehicle.name,
-            number(weight),
-            number(thrust)
-        );
-        cx.report(
-            Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
-                .here("too heavy for these rotors")
-                .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
-                .help(format!(
-                    "write a mass well below {} kg, or give it stronger rotors",
-                    number(thrust / cx.gravity)
-                )),
-        );
-    }
-    let idle: f64 = vehicle.rotors.iter().map(Rotor::idle_thrust).sum();
-    if idle >= weight {
-        let message = format!(
-            "vehicle `{}` cannot hover: it weighs {} N and its rotors lift {} N at their lowest speeds",
-            vehicle.name,
-            number(weight),
-            number(idle)
-        );
-        cx.report(
-            Diagnostic::error("mavc::vehicle::too_light", vehicle.mass_span, message)
-                .here("too light for rotors that may not stop")
-                .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
-                .help("write a lower `min_speed`, or take it out for rotors that may stop"),
-        );
-    }
-    let same = vehicle.rotors.iter().all(|r| r.spin == vehicle.rotors[0].spin);
-    if same {
-        let message = format!("all rotors of vehicle `{}` turn the same way, so it cannot hold its yaw", vehicle.name);
-        cx.report(
-            Diagnostic::error("mavc::vehicle::spin_balance", vehicle.span, message)
-                .here("every drag torque points the same way")
-                .help(format!("let some rotors turn the other way: {} are both needed", listed(&["P", "N"]))),
-        );
-    }
 }

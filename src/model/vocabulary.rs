@@ -2,13 +2,14 @@
 //! take, functions. The rooms that read a block own its list; here they are only put side by side.
 
 use super::context::{CONSTANTS, FUNCTIONS};
-use super::{campaign, fault, limits, mission, plan, simulate, vehicle};
+use super::elaborate::TOP_FIELDS;
+use super::{allow, campaign, fault, limits, mission, plan, simulate, vehicle};
 use crate::syntax::Place;
 
 /// The fields of a block, or the limits of a `limits` block; nothing where no field stands.
 pub fn fields(place: Place) -> Vec<&'static str> {
     match place {
-        Place::Top => vec!["gravity"],
+        Place::Top => TOP_FIELDS.to_vec(),
         Place::Vehicle => vehicle::VEHICLE_FIELDS.to_vec(),
         Place::Rotor => vehicle::ROTOR_FIELDS.to_vec(),
         Place::Mode | Place::Every => fault::FIELDS.to_vec(),
@@ -35,6 +36,7 @@ pub fn clauses(place: Place, opener: &str) -> &'static [&'static str] {
 /// The words that a field takes in place of a value, or beside one.
 pub fn words(place: Place, field: &str) -> &'static [&'static str] {
     match (place, field) {
+        (Place::Top, "allow") => allow::words(),
         (Place::Vehicle, "allocation") => &["bounded", "pseudo_inverse"],
         (Place::Rotors, "spin") => &["P", "N"],
         (Place::Mode | Place::Every | Place::Plan, "after_fault") => &["continue", "hold"],
@@ -51,6 +53,11 @@ pub fn words(place: Place, field: &str) -> &'static [&'static str] {
         (Place::Campaign, "planners") => &["rip", "rsp", "rcp"],
         _ => &[],
     }
+}
+
+/// The code of the warning that a word in `allow` stands for.
+pub fn allowed(word: &str) -> Option<&'static str> {
+    allow::meant(word)
 }
 
 /// The numbers of a fault mode that `against = where` looks at.

@@ -239,9 +239,7 @@ impl CheckRecord {
         match verification {
             Verification::None => None,
             Verification::Passed => Some(CheckRecord { outcome: "checked", undecided: None }),
-            Verification::Undecided(why) => {
-                Some(CheckRecord { outcome: "not_decided", undecided: Some(why.clone()) })
-            }
+            Verification::Undecided(why) => Some(CheckRecord { outcome: "not_decided", undecided: Some(why.clone()) }),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! in units, misspelt words; `wording`: what is said so elsewhere); what is left is told by what was expected and what was found.
 
 mod block;
+mod clause;
 mod flight;
 mod habit;
 mod list;

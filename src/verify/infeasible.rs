@@ -88,7 +88,10 @@ pub(super) fn decide(
         number(total)
     );
     let proved = Shown { statement: format!("{keeping} contradict each other"), reach: None };
-    let weaker = vec![format!("one grid: motions with other nodes than those of {} samples are not excluded", model.plan.samples)];
+    let weaker = vec![format!(
+        "one grid: motions with other nodes than those of {} samples are not excluded",
+        model.plan.samples
+    )];
     Ok(Verdict { headline, shown: vec![proved], weaker, undecided: Vec::new() })
 }
 

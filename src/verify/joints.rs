@@ -59,7 +59,8 @@ pub(super) fn check(motion: &Motion) -> Result<(), Rejection> {
 fn carry(moved: &mut [[Interval; 4]; 4], h: Interval) {
     for axis in moved.iter_mut() {
         for j in 0..4 {
-            axis[j] = (j..4).rev().fold(Interval::ZERO, |sum, i| axis[i] + h / Interval::point((i + 1 - j) as f64) * sum);
+            axis[j] =
+                (j..4).rev().fold(Interval::ZERO, |sum, i| axis[i] + h / Interval::point((i + 1 - j) as f64) * sum);
         }
     }
 }

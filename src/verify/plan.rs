@@ -159,12 +159,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Everything at the nodes of one motion.
-    fn at_nodes(
-        &self,
-        record: &MotionRecord,
-        selected_by: &[Motion],
-        role: Role,
-    ) -> Result<Checked<'_>, Rejection> {
+    fn at_nodes(&self, record: &MotionRecord, selected_by: &[Motion], role: Role) -> Result<Checked<'_>, Rejection> {
         let mut motion = self.motion(record)?;
         let coarser = schedule::check(self.model, self.mission, &mut motion, self.premises)?;
         if self.premises.has(Premise::Joints) {

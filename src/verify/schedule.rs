@@ -51,7 +51,10 @@ pub(super) struct Grid {
 pub(super) fn grid(model: &Model, mission: &Mission) -> Result<Grid, Rejection> {
     let span = Some(model.plan.time_span);
     if model.plan.chooses_times {
-        return wrong("multipliers are about waypoint times that the spec lays down, and here they are free".into(), span);
+        return wrong(
+            "multipliers are about waypoint times that the spec lays down, and here they are free".into(),
+            span,
+        );
     }
     let Some(total) = fixed_total(model, mission) else { return wrong("the spec leaves the time open".into(), span) };
     let Some(durations) = leg_durations(mission, total) else { return wrong("some leg is left no time".into(), span) };
@@ -119,8 +122,7 @@ fn agrees(model: &Model, mission: &Mission, motion: &Motion) -> Result<(), Rejec
     for (i, point) in points.iter().enumerate() {
         let arrival = times[nodes[i]];
         if let Some(fixed) = point.time.filter(|&fixed| apart(fixed, arrival, fixed)) {
-            let why =
-                format!("waypoint {} is due at {} s and reached at {} s", i + 1, number(fixed), number(arrival));
+            let why = format!("waypoint {} is due at {} s and reached at {} s", i + 1, number(fixed), number(arrival));
             return wrong(why, point.time_span);
         }
         let Some(leaves) = held_until(mission, motion, i) else {

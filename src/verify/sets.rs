@@ -197,7 +197,9 @@ impl Generators {
             Some(inverse) => {
                 let rows = inverse.rows()?;
                 // A rotor's bound may be out of the others' reach.
-                rows.into_iter().map(|(rotor, normal, offset)| self.plane(&normal, &offset, vec![rotor], false)).collect()
+                rows.into_iter()
+                    .map(|(rotor, normal, offset)| self.plane(&normal, &offset, vec![rotor], false))
+                    .collect()
             }
             None => self.spanned()?,
         };

@@ -108,7 +108,8 @@ fn main() -> ExitCode {
     };
     let corpus = corpus();
     let made = |index: u64| {
-        let mut numbers = Numbers(seed.wrapping_mul(0x9e37_79b9).wrapping_add(index).wrapping_mul(0xbf58_476d_1ce4_e5b9));
+        let mut numbers =
+            Numbers(seed.wrapping_mul(0x9e37_79b9).wrapping_add(index).wrapping_mul(0xbf58_476d_1ce4_e5b9));
         let (path, text) = &corpus[numbers.below(corpus.len())];
         (path, mutant(text, &corpus, &mut numbers))
     };

@@ -5,6 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::fields::Fields;
+use crate::model::likely_unit::runs_through_turns;
 use crate::report::number::number;
 use crate::syntax::ast::{Expr, Field, Name, Statement};
 use crate::unit::Quantity;
@@ -35,6 +36,7 @@ impl<'a> Curve<'a> {
         let y = axis(cx, "y", "y = 4 m * sin(s)");
         let z = axis(cx, "z", "z = 10 m");
         let yaw = fields.get("yaw");
+        cx.parameter_turns = runs_through_turns(&self.parameter.value, self.range, &[x, y, z, yaw]);
         let (Some(points), Some((low, high)), Some(manner)) = (points, range, manner) else {
             // The coordinates are looked at once all the same, so that their own mistakes are told.
             if let Some((low, _)) = range {

@@ -5,6 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::fields::Fields;
+use crate::model::sense::WrittenRotor;
 use crate::model::{Rotor, RotorSpread, Spread};
 use crate::report::number::number;
 use crate::source::Span;
@@ -38,6 +39,26 @@ pub(super) fn give_all<'a>(
         }
     }
     rotors
+}
+
+/// Where each rotor's numbers are written: in its own clauses, or else in the `rotor` block. `fields` are those of the
+/// vehicle, which has the arm of a ring.
+pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>) -> Vec<WrittenRotor> {
+    let one = |place: &Place| {
+        let blocks = [place.own.as_ref(), shared, Some(fields)];
+        let of = |names: &[&str]| {
+            let found = blocks.iter().flatten().find_map(|block| names.iter().find_map(|name| block.span_of(name)));
+            found.unwrap_or(fields.span)
+        };
+        WrittenRotor {
+            place: of(&["at", "arm"]),
+            thrust: of(&["thrust_coefficient", "max_thrust"]),
+            torque: of(&["drag_coefficient", "torque_per_thrust"]),
+            max_speed: of(&["max_speed"]),
+            time_constant: of(&["time_constant"]),
+        }
+    };
+    places.iter().map(one).collect()
 }
 
 /// A number and how well it is known.

@@ -50,6 +50,11 @@ fn split(
     if found == "=" && fails.expects(Expected::Value) && CLAUSES.contains(&statement.before(fails.at).1) {
         return None;
     }
+    // No field stands among rotors: `tilt = 15 deg` behind one is meant as a clause.
+    let behind = text[fails.at..].strip_prefix(found).unwrap_or("").trim_start();
+    if statement.place == Place::Rotors && statement.word() == "rotor" && behind.starts_with('=') {
+        return None;
+    }
     if found == "," {
         let next = fails.at + 1 + blanks(&text[fails.at + 1..]);
         let whole = fails.expects(Expected::End) && failure(&text[..fails.at], false).is_none();

@@ -9,6 +9,7 @@ use crate::syntax::place::Place;
 pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     keyword_colon,
     super::strike::recognise,
+    super::clause::of_rotor,
     super::flight::landing,
     super::flight::takeoff,
     bare_path,
@@ -29,7 +30,7 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     limit_range,
     indexed,
     positive_sign,
-    clause_word,
+    super::clause::of_waypoint,
     all_rotors,
     comma_at_end,
 ];
@@ -355,33 +356,6 @@ fn positive_sign(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             .help("take the `+` out")
             .fix(statement.span(failure.at, failure.at + 1), "")
     })
-}
-
-/// `waypoint at [..] m speed 3 m/s`
-fn clause_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let found = statement.found(failure.at);
-    let clauses = match statement.word() {
-        "waypoint" | "start" => "`at`, `yaw`, `within`, `yaw_within`, `weight` and `time`",
-        _ => return None,
-    };
-    let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
-    if !failure.expects(Expected::Clause) || !is_word || nearest(found, super::habit::CLAUSES).is_some() {
-        return None;
-    }
-    let follows_value = failure.expects(Expected::End);
-    let diagnostic =
-        unexpected(statement, failure.at, failure.at + found.len(), format!("a waypoint has no `{}`", cut(found)));
-    let help = match found {
-        "speed" | "velocity" | "altitude" | "tilt" => {
-            format!("clauses are {clauses}; limits stand in `limits {{ .. }}`")
-        }
-        "heading" | "course" | "bearing" => {
-            "say it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
-        }
-        "hold" | "wait" | "for" => format!("clauses are {clauses}; `hold 3 s` is a statement on the next line"),
-        _ => format!("clauses are {clauses}"),
-    };
-    follows_value.then(|| diagnostic.here("no clause of a waypoint").help(help))
 }
 
 /// `all rotors lost`

@@ -6,16 +6,12 @@ use super::super::interval::{Interval, exceeds};
 use super::super::limits;
 use super::super::motion::{Motion, State, Z, series};
 use super::super::premise::Premise;
-use super::super::proof::{
-    Failure, Family, Measure, Rated, above_at_nodes, cost_of_grid, largest_on_grid, throughout,
-};
+use super::super::proof::{Failure, Family, Measure, Rated, above_at_nodes, cost_of_grid, largest_on_grid, throughout};
 use super::super::series::Series;
 use super::super::sets::{Plane, along};
 use super::super::wrench::{Dynamics, Held};
 use super::super::{Reach, Rejection, Scope, Shown};
-use super::{
-    Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups,
-};
+use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
 use crate::certificate::DynamicModel;
 use crate::report::caveats::limit_words;
 

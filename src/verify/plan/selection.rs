@@ -60,7 +60,8 @@ impl Setting<'_> {
         }
         let mut before: Vec<Motion> = Vec::new();
         for (round, record) in records.iter().enumerate() {
-            let named = |r: Rejection| Rejection { claim: format!("plan {} to select by: {}", round + 1, r.claim), ..r };
+            let named =
+                |r: Rejection| Rejection { claim: format!("plan {} to select by: {}", round + 1, r.claim), ..r };
             let checked = self.at_nodes(record, &before, Role::SelectedBy(round)).map_err(named)?;
             if let Some(why) = checked.undecided.first() {
                 return Err(named(Rejection::new("the plan", why.clone())));
@@ -82,7 +83,9 @@ impl Setting<'_> {
             return Ok(out);
         }
         let (bounding, undecided) = self.planes_of_modes()?;
-        out.remarks.extend(undecided.into_iter().map(|(mode, why)| format!("what is selected of {mode} is not decided: {why}")));
+        out.remarks.extend(
+            undecided.into_iter().map(|(mode, why)| format!("what is selected of {mode} is not decided: {why}")),
+        );
         let violated = self.violated(bounding.iter().map(|(_, plane)| plane), selected_by);
         for mode in self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i)) {
             let of_mode = bounding.iter().zip(&violated).filter(|((of, _), over)| **over && *of == mode.name);
@@ -124,7 +127,10 @@ impl Setting<'_> {
         let over = |motions: &[Motion]| self.violated(bounding.iter().map(|(_, plane)| plane), motions);
         let new_in = |motion: &Motion, before: &[Motion]| {
             let (now, known) = (over(std::slice::from_ref(motion)), over(before));
-            bounding.iter().zip(now.iter().zip(&known)).any(|((_, plane), (now, known))| plane.is_facet && *now && !known)
+            bounding
+                .iter()
+                .zip(now.iter().zip(&known))
+                .any(|((_, plane), (now, known))| plane.is_facet && *now && !known)
         };
         let Some((last, before)) = selected_by.split_last() else { return Ok(false) };
         Ok(!new_in(last, before) || !new_in(motion, selected_by))

@@ -15,7 +15,8 @@ use std::cmp::Ordering;
 type Row = (Exact, Dyadic);
 
 /// Why there are no rows.
-pub(super) const NOT_ALL_GIVEN: &str = "the rotors do not give all four dimensions, and the pseudo-inverse is another one";
+pub(super) const NOT_ALL_GIVEN: &str =
+    "the rotors do not give all four dimensions, and the pseudo-inverse is another one";
 
 /// Rows for each rotor, from 1.
 #[derive(Debug, Clone)]

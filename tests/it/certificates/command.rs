@@ -70,7 +70,12 @@ fn a_plan_is_certified_and_verified() {
     assert!(told.contains("limit on jerk") && told.contains("inside the set of healthy"), "{told}");
     assert!(told.contains("proved for every instant"), "{told}");
     let flat = told.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(flat.ends_with("accepted: the motion of 9 s is a plan of mission turn by RSP, for the selection by the RIP plan carried"), "{told}");
+    assert!(
+        flat.ends_with(
+            "accepted: the motion of 9 s is a plan of mission turn by RSP, for the selection by the RIP plan carried"
+        ),
+        "{told}"
+    );
     // The same bytes again.
     let text = std::fs::read(&proof).unwrap();
     assert_eq!(code(&mavc(&["plan", &spec, "--quiet", "--certificate", &proof])), 0);
@@ -94,7 +99,12 @@ fn a_plan_is_certified_and_verified() {
     let false_claim = mavc(&["verify", &proof, &spec]);
     assert_eq!(code(&false_claim), 5);
     let message = said(&false_claim);
-    for part in ["mavc::verify::rejected", "the joints of the motion at ", "misses the next by 0.5 m/s in velocity", "at most 1e-5 m/s is allowed"] {
+    for part in [
+        "mavc::verify::rejected",
+        "the joints of the motion at ",
+        "misses the next by 0.5 m/s in velocity",
+        "at most 1e-5 m/s is allowed",
+    ] {
         assert!(message.contains(part), "{part}: {message}");
     }
     // A start that moves points to the statement of the spec.
@@ -119,7 +129,10 @@ fn what_costs_too_much_is_refused() {
         let ran = mavc(&["verify", &proof, &spec, "--budget", budget]);
         assert_eq!(code(&ran), 8, "{budget}: {}", said(&ran));
         let message = said(&ran);
-        assert!(message.contains("mavc::verify::too_costly") && message.contains("allow more with `--budget "), "{message}");
+        assert!(
+            message.contains("mavc::verify::too_costly") && message.contains("allow more with `--budget "),
+            "{message}"
+        );
         assert!(ran.stdout.is_empty());
     }
     let message = said(&mavc(&["verify", &proof, &spec, "--budget", "0.0001s"]));
@@ -154,7 +167,12 @@ fn a_mission_without_a_plan_is_certified() {
     // What is about one grid alone is weaker than what the spec asks.
     assert_eq!(code(&ran), 7, "{}", said(&ran));
     let told = String::from_utf8(ran.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(told.contains("accepted, weaker than the spec asks: proved infeasible on one grid: mission turn has no RIP plan of 4 s"), "{told}");
+    assert!(
+        told.contains(
+            "accepted, weaker than the spec asks: proved infeasible on one grid: mission turn has no RIP plan of 4 s"
+        ),
+        "{told}"
+    );
     assert!(told.contains("- one grid: motions with other nodes than those of 40 samples are not excluded"), "{told}");
 }
 

@@ -1,8 +1,8 @@
 //! Certificates in the exact model: a motion from rest to rest with turning yaw, built here, with bounds from
 //! differences of its attitude.
 
-use super::{SHA, decide};
 use super::wrench::{G, Path, at, exact_by_differences};
+use super::{SHA, decide};
 use crate::vehicles::{limit, mission, octocopter, waypoint};
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
@@ -193,10 +193,13 @@ fn free_fall_is_not_proved() {
     });
     // Whether the pieces join does not matter for this.
     let settings = Settings { premises: Premises::without(Premise::Joints), ..Settings::default() };
-    for verdict in [decide(&falling, &model), mavc::verify::decide(&falling, &model, settings).map_err(|r| match r {
-        Refusal::Rejected(rejection) => rejection,
-        other => panic!("{other:?}"),
-    })] {
+    for verdict in [
+        decide(&falling, &model),
+        mavc::verify::decide(&falling, &model, settings).map_err(|r| match r {
+            Refusal::Rejected(rejection) => rejection,
+            other => panic!("{other:?}"),
+        }),
+    ] {
         assert!(verdict.is_err());
     }
 }

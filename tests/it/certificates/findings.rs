@@ -83,12 +83,14 @@ fn no_index_overflows() {
         ] {
             for exact in [false, true] {
                 let mut model = model.clone();
-                let kind = if exact { mavc::certificate::DynamicModel::Exact } else { mavc::certificate::DynamicModel::Hover };
+                let kind =
+                    if exact { mavc::certificate::DynamicModel::Exact } else { mavc::certificate::DynamicModel::Hover };
                 model.plan.model = if exact { mavc::model::PlanModel::Exact } else { mavc::model::PlanModel::Hover };
                 model.plan.planner = mavc::model::PlannerKind::Rcp;
                 let multipliers = vec![Multiplier { row, z: vec![1.0] }];
                 let claim = InfeasibleClaim { multipliers, ..whole.clone() };
-                let certificate = Certificate { model: kind, claim: Claim::Infeasible(claim), ..forged("other_planner") };
+                let certificate =
+                    Certificate { model: kind, claim: Claim::Infeasible(claim), ..forged("other_planner") };
                 let told = decide(&certificate, &model).unwrap_err();
                 assert!(!told.claim.is_empty(), "{row:?}");
             }
@@ -104,5 +106,8 @@ fn fewer_pieces_are_weaker() {
     assert!(decide(&certificate, &model).unwrap().weaker.is_empty());
     model.plan.samples = 61;
     let weaker = decide(&certificate, &model).unwrap().weaker;
-    assert!(weaker.len() == 1 && weaker[0].starts_with("fewer pieces than the spec's 61 samples make, on 2 of 2 legs"), "{weaker:?}");
+    assert!(
+        weaker.len() == 1 && weaker[0].starts_with("fewer pieces than the spec's 61 samples make, on 2 of 2 legs"),
+        "{weaker:?}"
+    );
 }

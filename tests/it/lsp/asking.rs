@@ -181,6 +181,9 @@ fn a_list_is_offered_what_it_does_not_have() {
     assert!(whole.contains(&"all".to_string()) && whole.contains(&"where".to_string()), "{whole:?}");
     let planners = offers("campaign { planners = [rip, |] }\n");
     assert_eq!(labels(&planners[0]), ["rcp", "rsp"]);
+    let all = offers("allow = [inertia, |]\n");
+    let warnings = labels(&all[0]);
+    assert!(warnings.contains(&"tip_speed") && !warnings.contains(&"inertia"), "{warnings:?}");
 }
 
 #[test]

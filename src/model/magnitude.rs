@@ -1,0 +1,92 @@
+//! The magnitudes that mavc computes with. They are far beyond every multirotor, and near enough to each other that
+//! sums and products of any two keep their digits; what lies beyond is an error wherever it is written.
+
+use super::context::Context;
+use super::due::{Due, called};
+use super::{Rotor, Vehicle};
+use crate::diagnostic::Diagnostic;
+use crate::report::number::number;
+use crate::source::Span;
+use crate::unit::parse_unit;
+
+const CODE: &str = "mavc::unit::magnitude";
+
+/// Least size (zero aside, which signs are checked for) and largest, in SI.
+type Bounds = (f64, f64);
+
+/// Largest of what is not listed.
+const ANY: Bounds = (0.0, 1e12);
+
+/// Thrust of one rotor at full speed, N: from a millionth of that of the smallest to more than a helicopter's.
+const THRUST: Bounds = (1e-6, 1e6);
+/// Its torque per thrust, m.
+const TORQUE: Bounds = (1e-12, 1e4);
+
+/// Fields with bounds of their own.
+const FIELDS: [(&str, &str, Bounds); 21] = [
+    ("gravity", "m/s^2", (1e-3, 1e4)),
+    ("mass", "kg", (1e-6, 1e6)),
+    ("inertia", "kg*m^2", (1e-15, 1e9)),
+    ("arm", "m", (1e-4, 1e4)),
+    ("max_thrust", "N", THRUST),
+    ("torque_per_thrust", "m", TORQUE),
+    ("max_speed", "rad/s", (0.1, 1e6)),
+    ("min_speed", "rad/s", (0.0, 1e6)),
+    ("time_constant", "s", (1e-6, 1e4)),
+    // These have upper bounds and errors of their own.
+    ("time", "s", (1e-9, f64::INFINITY)),
+    ("hold", "s", (0.0, f64::INFINITY)),
+    ("duration", "s", (1e-9, f64::INFINITY)),
+    ("at", "m", (0.0, f64::INFINITY)),
+    ("within", "cm", (1e-9, 1e9)),
+    ("yaw_within", "deg", (1e-9, 1e9)),
+    ("weight", "1", (0.0, 1e12)),
+    ("snap", "1", (0.0, 1e12)),
+    ("acceleration", "1", (0.0, 1e12)),
+    ("wind", "m/s", (0.0, 1e4)),
+    ("gusts", "m/s", (0.0, 1e4)),
+    ("gust_length", "m", (1e-6, 1e9)),
+];
+
+fn has((low, high): Bounds, value: f64) -> bool {
+    let size = value.abs();
+    size <= high && (size == 0.0 || size >= low)
+}
+
+impl Context<'_> {
+    /// Whether mavc computes with `value`, in SI; otherwise it is reported.
+    pub(super) fn is_within_magnitude(&mut self, due: Due, value: f64, span: Span) -> bool {
+        let own = FIELDS.iter().find(|(name, unit, _)| (*name, *unit) == (due.what, due.unit));
+        // Plain numbers have ranges of their own where they are read.
+        let bounds = own.map(|row| row.2).or((due.unit != "1").then_some(ANY));
+        let Some(bounds) = bounds.filter(|bounds| !has(*bounds, value)) else { return true };
+        let scale = parse_unit(due.unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
+        self.report(beyond(&called(due.what), value / scale, (bounds.0 / scale, bounds.1 / scale), due.unit, span));
+        false
+    }
+
+    /// Whether mavc computes with what the rotors' numbers come to together; otherwise it is reported where `places`
+    /// have the thrust and the torque of the rotor.
+    pub(super) fn has_magnitude(&mut self, vehicle: &Vehicle, places: impl Fn(usize) -> [Span; 2]) -> bool {
+        let ratio = |rotor: &Rotor| rotor.drag_coefficient / rotor.thrust_coefficient;
+        let odd = vehicle.rotors.iter().enumerate().find_map(|(k, rotor)| match () {
+            _ if !has(THRUST, rotor.max_thrust()) => {
+                Some((k, "a rotor's full thrust", rotor.max_thrust(), THRUST, "N"))
+            }
+            _ if !has(TORQUE, ratio(rotor)) => Some((k, "a rotor's torque per thrust", ratio(rotor), TORQUE, "m")),
+            _ => None,
+        });
+        let Some((k, what, value, bounds, unit)) = odd else { return true };
+        let [thrust, torque] = places(k);
+        self.report(beyond(what, value, bounds, unit, if unit == "N" { thrust } else { torque }));
+        false
+    }
+}
+
+fn beyond(what: &str, value: f64, (low, high): Bounds, unit: &str, span: Span) -> Diagnostic {
+    let blank = if unit == "1" { String::new() } else { format!(" {unit}") };
+    let (side, bound) = if value.abs() > high { ("at most", high) } else { ("at least", low) };
+    let message = format!("{what} must be {side} {}{blank} in size", number(bound));
+    let error = Diagnostic::error(CODE, span, message).here(format!("this is {}{blank}", number(value)));
+    error.help("check the number, its exponent and its unit")
+}

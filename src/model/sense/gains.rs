@@ -1,0 +1,167 @@
+//! Gains against the rates at which the controller acts and the motors follow: the phase margin of every loop.
+
+use nalgebra::Complex;
+
+use super::{short, warning};
+use crate::model::context::Context;
+use crate::model::fields::Fields;
+use crate::model::{Rotor, Simulation, Vehicle};
+use crate::source::Span;
+
+/// Least phase margin, rad: 15 degrees. Autopilots are tuned to 30 to 60; with less than this a vehicle swings for long.
+const LEAST_MARGIN: f64 = 15.0 * std::f64::consts::PI / 180.0;
+/// A loop that crosses over below this, rad/s, takes longer than ten seconds to come back.
+const SLOWEST: f64 = 0.1;
+/// Frequencies between which a crossover is looked for, rad/s, and how many a factor of ten.
+const LOWEST: f64 = 1e-6;
+const DECADES: usize = 14;
+const PER_DECADE: usize = 100;
+
+/// What stands between a command of the controller and the torque or thrust: the motors and the sampling.
+#[derive(Clone, Copy)]
+struct Actuator {
+    /// Time constant of the slowest rotor, s.
+    lag: f64,
+    /// A command is held for a period: half of it on the mean, s.
+    delay: f64,
+}
+
+impl Actuator {
+    fn response(self, frequency: f64) -> Complex<f64> {
+        Complex::from_polar(1.0, -self.delay * frequency) / Complex::new(1.0, self.lag * frequency)
+    }
+}
+
+/// One loop about a double integrator: gains on the deviation, 1/s^2, and on its rate, 1/s.
+struct Loop {
+    name: &'static str,
+    fields: [&'static str; 2],
+    gains: [f64; 2],
+    /// The gains of the loop inside this one: a position is held by tilting.
+    inner: Option<[f64; 2]>,
+}
+
+impl Loop {
+    /// The open loop's response.
+    fn response(&self, actuator: Actuator, frequency: f64) -> Complex<f64> {
+        let own = controller(self.gains, frequency);
+        match self.inner {
+            None => own * actuator.response(frequency),
+            Some(inner) => {
+                let open = controller(inner, frequency) * actuator.response(frequency);
+                own * open / (open + 1.0)
+            }
+        }
+    }
+
+    /// The least phase margin at a crossover, rad, and that crossover, rad/s.
+    fn margin(&self, actuator: Actuator) -> Option<(f64, f64)> {
+        let frequency = |k: usize| LOWEST * 10f64.powf(k as f64 / PER_DECADE as f64);
+        let size = |frequency: f64| self.response(actuator, frequency).norm();
+        let ends = (0..DECADES * PER_DECADE).map(|k| (frequency(k), frequency(k + 1)));
+        let crossings = ends.filter(|(low, high)| (size(*low) - 1.0) * (size(*high) - 1.0) <= 0.0);
+        let margins = crossings.map(|(low, high)| {
+            let at = (low * high).sqrt();
+            // Past half a turn of lag the argument jumps up; an open loop of these never leads.
+            let phase = self.response(actuator, at).arg();
+            let phase = if phase > 0.0 { phase - 2.0 * std::f64::consts::PI } else { phase };
+            (phase + std::f64::consts::PI, at)
+        });
+        margins.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
+
+/// (K_d s + K_p)/s^2 at s = j frequency.
+fn controller([deviation, rate]: [f64; 2], frequency: f64) -> Complex<f64> {
+    Complex::new(deviation, rate * frequency) / -(frequency * frequency)
+}
+
+fn loops(simulation: &Simulation) -> [Loop; 4] {
+    let g = &simulation.gains;
+    let attitude = [g.attitude, g.attitude_rate];
+    let one = |name, fields, gains, inner| Loop { name, fields, gains, inner };
+    [
+        one("roll and pitch", ["attitude_gain", "attitude_rate_gain"], attitude, None),
+        one("yaw", ["yaw_gain", "yaw_rate_gain"], [g.yaw, g.yaw_rate], None),
+        one("height", ["altitude_gain", "climb_gain"], [g.altitude, g.climb], None),
+        one("position", ["position_gain", "velocity_gain"], [g.position, g.velocity], Some(attitude)),
+    ]
+}
+
+/// Warns of loops that oscillate, or hardly act, with these motors and this rate. `fields` are those of `simulate`, which
+/// stands at `block`.
+pub(in crate::model) fn check(
+    cx: &mut Context,
+    simulation: &Simulation,
+    vehicle: &Vehicle,
+    fields: &Fields,
+    block: Span,
+) {
+    let lag = vehicle.rotors.iter().map(Rotor::lag).fold(0.0, f64::max);
+    let actuator = Actuator { lag, delay: 0.5 / simulation.control_rate };
+    let mut swings = false;
+    for each in loops(simulation) {
+        // Where the vehicle cannot hold its attitude, it cannot hold its position either.
+        if each.inner.is_some() && swings {
+            continue;
+        }
+        let Some((margin, crossover)) = each.margin(actuator) else { continue };
+        let (text, slip) = if margin < LEAST_MARGIN {
+            swings = true;
+            let degrees = margin.to_degrees();
+            let state = if margin <= 0.0 { "is unstable" } else { "hardly settles" };
+            let text = format!("{state}: its phase margin is {} degrees, where 30 to 60 is usual", short(degrees));
+            (text, "check the gains, or lower them until they fit motors and rates")
+        } else if crossover < SLOWEST {
+            let text = format!(
+                "hardly acts: it needs {} s to come back, where less than 10 s is usual",
+                short(1.0 / crossover)
+            );
+            (text, "check the gains, which are per unit of mass or inertia")
+        } else {
+            continue;
+        };
+        let span = each.fields.iter().find_map(|name| fields.span_of(name)).unwrap_or(block);
+        let [deviation, rate] = each.gains;
+        let here = format!(
+            "{} {} 1/s^2 and {} {} 1/s cross over at {} rad/s",
+            each.fields[0],
+            short(deviation),
+            each.fields[1],
+            short(rate),
+            short(crossover)
+        );
+        let message = format!("the control of {} {text}", each.name);
+        let warning = warning("mavc::sense::gains", span, message, slip).here(here);
+        let motors = format!("its rotors follow in {} ms", short(1e3 * lag));
+        let warning = warning.also(vehicle.span, motors);
+        cx.report(match fields.span_of("control_rate") {
+            Some(rate) => warning.also(rate, format!("it acts every {} ms", short(1e3 / simulation.control_rate))),
+            None => warning,
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn margin(gains: [f64; 2], lag: f64, delay: f64) -> (f64, f64) {
+        let each = Loop { name: "", fields: [""; 2], gains, inner: None };
+        each.margin(Actuator { lag, delay }).unwrap()
+    }
+
+    #[test]
+    fn margins_are_those_of_the_closed_form() {
+        // Without lag and delay |L| = 1 at w^2 = (Kd^2 + sqrt(Kd^4 + 4 Kp^2))/2, and the margin is atan(Kd w/Kp).
+        let (found, at) = margin([100.0, 16.0], 0.0, 0.0);
+        let crossover = ((256.0 + (256f64.powi(2) + 4e4).sqrt()) / 2.0).sqrt();
+        assert!((at / crossover - 1.0).abs() < 0.03 && (found - (0.16 * crossover).atan()).abs() < 0.02);
+        // Routh: s^2 (1 + tau s) + Kd s + Kp is stable just where Kd > tau Kp.
+        assert!(margin([100.0, 16.0], 0.15, 0.0).0 > 0.0);
+        assert!(margin([100.0, 16.0], 0.17, 0.0).0 < 0.0);
+        // A delay costs w times itself.
+        let (delayed, at) = margin([100.0, 16.0], 0.0, 0.01);
+        assert!((found - delayed - 0.01 * at).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,240 @@
+//! Whether a vehicle's numbers fit each other: thrust and weight, inertia and size, propellers and torque.
+
+use std::f64::consts::PI;
+
+use super::{Usual, short, warning};
+use crate::diagnostic::Diagnostic;
+use crate::model::context::Context;
+use crate::model::{Rotor, Vehicle};
+use crate::source::Span;
+
+/// Full thrust over weight: little below the range is left to climb and steer with; racing quadcopters reach 15.
+const THRUST_TO_WEIGHT: Usual = Usual::new(1.2, 20.0);
+/// An axis' inertia over m R^2, R the distance of the outermost rotor.
+const INERTIA: Usual = Usual::new(0.02, 2.0);
+/// Distance of the outermost rotor over the diameter of the largest propeller.
+const ARM: Usual = Usual::new(0.3, 10.0);
+/// Torque per thrust over the propeller's diameter.
+const TORQUE: Usual = Usual::new(0.01, 0.3);
+/// The same in m, where the diameter cannot be estimated: of propellers from 15 mm to 4 m.
+const TORQUE_ALONE: Usual = Usual::new(0.001, 0.3);
+/// Speed of a propeller's tips, m/s: the upper end is close to the speed of sound.
+const TIP_SPEED: Usual = Usual::new(30.0, 300.0);
+/// Time constant with which a rotor's speed follows, s.
+const TIME_CONSTANT: Usual = Usual::new(0.001, 1.0);
+
+/// Static thrust coefficient C_T = T/(rho n^2 D^4) that diameters are estimated with. The estimate goes with the fourth
+/// root: half or twice the coefficient changes it by 19 %.
+const THRUST_COEFFICIENT: f64 = 0.1;
+/// Density of air at sea level, kg/m^3.
+const AIR_DENSITY: f64 = 1.225;
+
+/// Where a vehicle's numbers are written.
+pub(in crate::model) struct Written {
+    pub mass: Span,
+    pub inertia: Span,
+    /// One for each rotor, in their order.
+    pub rotors: Vec<WrittenRotor>,
+}
+
+/// Where a rotor's numbers are written.
+#[derive(Clone, Copy)]
+pub(in crate::model) struct WrittenRotor {
+    /// The arm of a ring, or the rotor's position.
+    pub place: Span,
+    pub thrust: Span,
+    pub torque: Span,
+    pub max_speed: Span,
+    pub time_constant: Span,
+}
+
+impl Rotor {
+    /// Diameter of a propeller with the usual thrust coefficient that gives this thrust at this speed, m.
+    fn diameter(&self) -> f64 {
+        let revolutions = 2.0 * PI;
+        (self.thrust_coefficient * revolutions * revolutions / (THRUST_COEFFICIENT * AIR_DENSITY)).powf(0.25)
+    }
+
+    /// Speed of its tips at full speed, by the estimated diameter, m/s.
+    fn tip_speed(&self) -> f64 {
+        0.5 * self.max_speed * self.diameter()
+    }
+}
+
+/// Warns of what does not fit; each check once, of the first rotor that it finds.
+pub(in crate::model) fn check(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+    thrust_to_weight(cx, vehicle, written);
+    inertia(cx, vehicle, written);
+    let odd_tips = tip_speed(cx, vehicle, written);
+    // The diameter of a rotor with odd tips says nothing.
+    if !odd_tips {
+        arm(cx, vehicle, written);
+    }
+    torque_ratio(cx, vehicle, written);
+    time_constant(cx, vehicle, written);
+}
+
+fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+    let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
+    let weight = vehicle.mass * cx.gravity;
+    let ratio = thrust / weight;
+    // A vehicle that cannot lift itself has an error of its own.
+    if THRUST_TO_WEIGHT.has(ratio) || ratio <= 1.0 {
+        return;
+    }
+    let message = format!(
+        "the rotors of vehicle `{}` lift {} times its weight, where {} is usual",
+        vehicle.name,
+        short(ratio),
+        THRUST_TO_WEIGHT.text("times")
+    );
+    let slip = match ratio > THRUST_TO_WEIGHT.high {
+        true => {
+            "look for `g` in place of `kg` in the mass, for `N` in place of `gf` and for a thrust coefficient without its e-6"
+        }
+        false => "little thrust is left to climb and steer with: check mass and thrust",
+    };
+    let at = written.rotors[0].thrust;
+    let here = format!("{} kg weigh {} N", short(vehicle.mass), short(weight));
+    let warning = warning("mavc::sense::thrust_to_weight", written.mass, message, slip).here(here);
+    let rotors = vehicle.rotors.len();
+    cx.report(warning.also(at, format!("{rotors} rotors give {} N at full speed", short(thrust))));
+}
+
+/// The distance of the outermost rotor from the centre of gravity, m, and which it is.
+fn outermost(vehicle: &Vehicle) -> (f64, usize) {
+    let distances = vehicle.rotors.iter().map(|rotor| rotor.position.iter().map(|p| p * p).sum::<f64>().sqrt());
+    distances.enumerate().fold((0.0, 0), |far, (k, distance)| if distance > far.0 { (distance, k) } else { far })
+}
+
+fn inertia(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+    let (reach, rotor) = outermost(vehicle);
+    let unit = vehicle.mass * reach * reach;
+    let ratio = |axis: usize| vehicle.inertia[axis] / unit;
+    let Some(axis) = (0..3).find(|&axis| !INERTIA.has(ratio(axis))) else { return };
+    let name = ["x", "y", "z"][axis];
+    let message = format!(
+        "the inertia of vehicle `{}` about {name} is {} m R^2, where {} is usual",
+        vehicle.name,
+        short(ratio(axis)),
+        INERTIA.text("m R^2")
+    );
+    let slip = match ratio(axis) > INERTIA.high {
+        true => "look for `g` in place of `kg` in the mass, and check inertia and arm with their units",
+        false => {
+            "look for a prefix too many in the inertia (`g*m^2`, `kg*cm^2`), and check mass and arm with their units"
+        }
+    };
+    let (low, high) = (INERTIA.low * unit, INERTIA.high * unit);
+    let here =
+        format!("{} kg*m^2, where {} is usual", short(vehicle.inertia[axis]), Usual::new(low, high).text("kg*m^2"));
+    let warning = warning("mavc::sense::inertia", written.inertia, message, slip).here(here);
+    let warning = warning.also(written.mass, format!("m is {} kg", short(vehicle.mass)));
+    let farthest = format!("R is {} m, the distance of the outermost rotor", short(reach));
+    cx.report(warning.also(written.rotors[rotor].place, farthest));
+}
+
+/// Whether the tips of some rotor are too slow or too fast.
+fn tip_speed(cx: &mut Context, vehicle: &Vehicle, written: &Written) -> bool {
+    let Some(k) = vehicle.rotors.iter().position(|rotor| !TIP_SPEED.has(rotor.tip_speed())) else { return false };
+    let rotor = &vehicle.rotors[k];
+    let message = format!(
+        "the tips of the propellers of vehicle `{}` move at about {} m/s, where {} is usual",
+        vehicle.name,
+        short(rotor.tip_speed()),
+        TIP_SPEED.text("m/s")
+    );
+    let slip = match rotor.tip_speed() > TIP_SPEED.high {
+        true => "look for `rad/s` in place of `rpm`, for `N` in place of `gf` and for a coefficient without its e-6",
+        false => "look for `rpm` in place of `rad/s`, for `gf` in place of `N` and for an exponent too large",
+    };
+    let at = written.rotors[k];
+    let here = format!("full speed is {} rad/s", short(rotor.max_speed));
+    let diameter = format!(
+        "{} N at that speed are those of a propeller of about {} m",
+        short(rotor.max_thrust()),
+        short(rotor.diameter())
+    );
+    cx.report(warning("mavc::sense::tip_speed", at.max_speed, message, slip).here(here).also(at.thrust, diameter));
+    true
+}
+
+fn arm(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+    let (reach, k) = outermost(vehicle);
+    let diameter = vehicle.rotors.iter().map(Rotor::diameter).fold(0.0, f64::max);
+    let ratio = reach / diameter;
+    if ARM.has(ratio) {
+        return;
+    }
+    let message = format!(
+        "the rotors of vehicle `{}` are {} propeller diameters from its centre of gravity, where {} is usual",
+        vehicle.name,
+        short(ratio),
+        ARM.text("diameters")
+    );
+    let at = written.rotors[k];
+    let warning =
+        warning("mavc::sense::arm", at.place, message, "look for `m` in place of `cm` or `mm`, or the other way round");
+    let warning = warning.here(format!("{} m to the outermost rotor", short(reach)));
+    cx.report(warning.also(at.thrust, estimate(diameter)));
+}
+
+fn torque_ratio(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+    let odd = vehicle.rotors.iter().enumerate().find_map(|(k, rotor)| odd_torque(rotor).map(|odd| (k, odd)));
+    let Some((k, Odd { usual, diameter })) = odd else { return };
+    let rotor = &vehicle.rotors[k];
+    let ratio = rotor.drag_coefficient / rotor.thrust_coefficient;
+    let message = format!(
+        "the rotors of vehicle `{}` have a drag torque of {} m times their thrust, where {} is usual",
+        vehicle.name,
+        short(ratio),
+        usual.text("m")
+    );
+    let slip = match ratio > usual.high {
+        true => "look for `m` in place of `mm` or `cm`, and for a drag coefficient without its e-7",
+        false => "look for `mm` in place of `cm`, and for an exponent of the drag coefficient that is too small",
+    };
+    let at = written.rotors[k];
+    let torque = ratio * rotor.max_thrust();
+    let warning = warning("mavc::sense::torque_ratio", at.torque, message, slip);
+    let warning = warning.here(format!("{} N*m at full speed", short(torque)));
+    let of_thrust = format!("{} N at full speed", short(rotor.max_thrust()));
+    cx.report(warning.also(at.thrust, diameter.map_or(of_thrust.clone(), |d| format!("{of_thrust}: {}", estimate(d)))));
+}
+
+/// What is usual for a rotor that has not the usual torque.
+struct Odd {
+    /// m
+    usual: Usual,
+    /// m, where it can be estimated.
+    diameter: Option<f64>,
+}
+
+fn odd_torque(rotor: &Rotor) -> Option<Odd> {
+    let diameter = Some(rotor.diameter()).filter(|_| TIP_SPEED.has(rotor.tip_speed()));
+    let usual = diameter.map_or(TORQUE_ALONE, |d| Usual::new(TORQUE.low * d, TORQUE.high * d));
+    (!usual.has(rotor.drag_coefficient / rotor.thrust_coefficient)).then_some(Odd { usual, diameter })
+}
+
+fn estimate(diameter: f64) -> String {
+    format!("a propeller of about {} m by its thrust and speed", short(diameter))
+}
+
+fn time_constant(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
+    let lags = vehicle.rotors.iter().map(|rotor| rotor.time_constant);
+    let odd = lags.enumerate().find_map(|(k, lag)| lag.filter(|lag| !TIME_CONSTANT.has(*lag)).map(|lag| (k, lag)));
+    let Some((k, lag)) = odd else { return };
+    let message = format!(
+        "the rotors of vehicle `{}` follow in {} ms, where {} is usual",
+        vehicle.name,
+        short(1e3 * lag),
+        Usual::new(1e3 * TIME_CONSTANT.low, 1e3 * TIME_CONSTANT.high).text("ms")
+    );
+    let warning: Diagnostic = warning(
+        "mavc::sense::time_constant",
+        written.rotors[k].time_constant,
+        message,
+        "look for `s` in place of `ms`, or `us`",
+    );
+    cx.report(warning.here(format!("{} s", short(lag))));
+}

@@ -1,0 +1,110 @@
+//! Words that begin no clause: behind `rotor at [0.2, 0.15, 0] m  spin P`, `start` and `waypoint`.
+
+use super::{Broken, Expected, Failure, cut};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::syntax::place::Place;
+
+/// Clauses of a rotor, as one reads them.
+const OF_ROTOR: [&str; 9] = [
+    "at",
+    "spin",
+    "max_thrust",
+    "thrust_coefficient",
+    "torque_per_thrust",
+    "drag_coefficient",
+    "min_speed",
+    "max_speed",
+    "time_constant",
+];
+
+/// How people say that an axis is not upright.
+const TILTED: [&str; 13] = [
+    "tilt",
+    "tilted",
+    "tilting",
+    "cant",
+    "canted",
+    "angle",
+    "axis",
+    "axes",
+    "normal",
+    "direction",
+    "orientation",
+    "roll",
+    "pitch",
+];
+
+/// Other words for a clause, and the clause.
+const OTHER_WORDS: [(&str, &str); 10] = [
+    ("position", "at"),
+    ("pos", "at"),
+    ("turns", "spin"),
+    ("rotation", "spin"),
+    ("thrust", "max_thrust"),
+    ("torque", "torque_per_thrust"),
+    ("drag", "drag_coefficient"),
+    ("speed", "max_speed"),
+    ("max_rpm", "max_speed"),
+    ("rpm", "max_speed"),
+];
+
+/// A word that begins no clause: `rotor at [..] m  spin P tilt 15 deg`, `rotor at [..] m  spin P  blades 3`.
+pub(super) fn of_rotor(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
+    let is_rotor = statement.word() == "rotor" && !statement.has_body && statement.place == Place::Rotors;
+    if !is_rotor || !is_word || !failure.expects(Expected::Clause) {
+        return None;
+    }
+    let span = statement.span(failure.at, failure.at + found.len());
+    let error =
+        |message: String| Diagnostic::error("mavc::syntax::unexpected", span, message).here("no clause of a rotor");
+    if TILTED.contains(&found) {
+        let message = format!("a rotor has no `{found}`: the axes of all rotors are parallel to the body's z axis");
+        return Some(error(message).help("take it out: rotors with tilted axes cannot be described so far"));
+    }
+    let message = format!("a rotor has no `{}`", cut(found));
+    if let Some((_, clause)) = OTHER_WORDS.iter().find(|(word, _)| *word == found) {
+        return Some(error(message).help(format!("did you mean `{clause}`?")).fix(span, *clause));
+    }
+    // Words that are nearly right are told as misspelt.
+    nearest(found, OF_ROTOR).is_none().then(|| error(message).help(format!("its clauses are {}", listed())))
+}
+
+/// "`at`, `spin` and `time_constant`"
+fn listed() -> String {
+    let quoted = OF_ROTOR.map(|word| format!("`{word}`"));
+    let (last, rest) = quoted.split_last().unwrap_or((&quoted[0], &[]));
+    format!("{} and {last}", rest.join(", "))
+}
+
+/// `waypoint at [..] m speed 3 m/s`
+pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let found = statement.found(failure.at);
+    let clauses = match statement.word() {
+        "waypoint" | "start" => "`at`, `yaw`, `within`, `yaw_within`, `weight` and `time`",
+        _ => return None,
+    };
+    let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
+    if !failure.expects(Expected::Clause) || !is_word || nearest(found, super::CLAUSES).is_some() {
+        return None;
+    }
+    let follows_value = failure.expects(Expected::End);
+    let diagnostic = super::wording::unexpected(
+        statement,
+        failure.at,
+        failure.at + found.len(),
+        format!("a waypoint has no `{}`", cut(found)),
+    );
+    let help = match found {
+        "speed" | "velocity" | "altitude" | "tilt" => {
+            format!("clauses are {clauses}; limits stand in `limits {{ .. }}`")
+        }
+        "heading" | "course" | "bearing" => {
+            "say it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
+        }
+        "hold" | "wait" | "for" => format!("clauses are {clauses}; `hold 3 s` is a statement on the next line"),
+        _ => format!("clauses are {clauses}"),
+    };
+    follows_value.then(|| diagnostic.here("no clause of a waypoint").help(help))
+}
