@@ -100,7 +100,7 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
             Some(text) => files::print(&text)?,
             None => {
                 files::tell(&format!(
-                    "error[{NO_CONES_IN_MPS}]: this program has second-order cones, and MPS cannot say them\n  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e9km`) and without limits on\n        norms there are none\n"
+                    "error[{NO_CONES_IN_MPS}]: this program has second-order cones, and MPS cannot say them\n  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e6km`) and without limits on\n        norms there are none\n"
                 ));
                 return Ok(USAGE);
             }

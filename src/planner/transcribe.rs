@@ -359,9 +359,9 @@ impl<'a> Transcription<'a> {
     }
 }
 
-/// A tolerance this wide binds nothing and gets no row, m or rad: a million times further than a waypoint may lie from
-/// the origin. What a spec may say always binds.
-pub const UNBOUNDED: f64 = 1e12;
+/// A tolerance this wide binds nothing and gets no row, m or rad: the widest that a spec may say, a thousand times
+/// further than a waypoint may lie from the origin.
+pub const UNBOUNDED: f64 = 1e9;
 
 /// Steps per unit of scaled time.
 const TAU_STEPS: f64 = 4.0;

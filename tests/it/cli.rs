@@ -326,7 +326,7 @@ fn programs_are_exported() {
     let refused = mavc_with(&["emit", "qp", "-", "--format", "mps"], HOP);
     assert_eq!(code(&refused), 2);
     assert!(err(&refused).contains("mavc::emit::cones"));
-    let mps = mavc_with(&["emit", "qp", "-", "--format", "mps", "--set", "plan.within=1e9km"], HOP);
+    let mps = mavc_with(&["emit", "qp", "-", "--format", "mps", "--set", "plan.within=1e6km"], HOP);
     assert_eq!(code(&mps), 0, "{}", err(&mps));
     for section in ["NAME", "ROWS", "COLUMNS", "RHS", "BOUNDS", "QUADOBJ", "ENDATA"] {
         assert!(out(&mps).lines().any(|l| l.starts_with(section)), "{section}");

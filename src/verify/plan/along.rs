@@ -14,6 +14,7 @@ use super::super::{Reach, Rejection, Scope, Shown};
 use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
 use crate::certificate::DynamicModel;
 use crate::report::caveats::limit_words;
+use std::collections::BTreeSet;
 
 /// Points between the ends of a piece at which what is not proved is looked at; with one of the ends 64.
 pub const OF_A_GRID: usize = 63;
@@ -108,7 +109,20 @@ fn group_of(groups: &[Group], member: usize) -> Option<(&Group, usize)> {
     None
 }
 
+/// Normals of planes, in widths of the healthy set, are one where they differ by less than this share.
+const SAME_NORMAL: f64 = 1e-6;
+
 impl Group {
+    /// How many facets the planes lie in: several triples of rotors may span one.
+    fn facets(&self) -> usize {
+        let direction = |plane: &Plane| {
+            let normal = plane.normal.map(Interval::middle);
+            let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+            normal.map(|n| (n / length / SAME_NORMAL).round() as i64)
+        };
+        self.planes.iter().map(direction).collect::<BTreeSet<_>>().len()
+    }
+
     fn name(&self) -> String {
         match self.whole {
             true => format!("the set of {}", self.mode),
@@ -147,16 +161,16 @@ impl Checked<'_> {
             found.add(format!("limit on {}", limit_words(limit.kind).0), Reach::NODES);
         }
         for group in &self.groups {
-            found.shown.push(Shown::new(self.statement(group, Held::Wrench, group.planes.len()), Reach::NODES));
+            found.shown.push(Shown::new(self.statement(group, Held::Wrench), Reach::NODES));
         }
     }
 
-    fn statement(&self, group: &Group, held: Held, count: usize) -> String {
-        let held = self.setting.words(held);
+    fn statement(&self, group: &Group, held: Held) -> String {
+        let (held, count) = (self.setting.words(held), group.facets());
         match group.whole {
             true => format!("{held} inside the set of {}", group.mode),
-            false if count == 1 => format!("{held} inside 1 plane selected of {}", group.mode),
-            false => format!("{held} inside {count} planes selected of {}", group.mode),
+            false if count == 1 => format!("{held} inside 1 facet selected of {}", group.mode),
+            false => format!("{held} inside {count} facets selected of {}", group.mode),
         }
     }
 
@@ -168,7 +182,7 @@ impl Checked<'_> {
             first += group.planes.len();
             let open: Vec<usize> = members.iter().copied().filter(|&member| !proved[member]).collect();
             let reach = self.on_grid(family, &open, MOST_OUTSIDE, purse);
-            found.add(self.statement(group, held, members.len()), reach);
+            found.add(self.statement(group, held), reach);
         }
     }
 
