@@ -39,6 +39,11 @@ impl Dynamics<'_> {
         rated(self.series::<4>(state))
     }
 
+    /// T, tau_x, tau_y, tau_z alone: N, N m. A torque needs the attitude's second derivative.
+    pub fn value(&self, state: &State) -> [Interval; 4] {
+        self.series::<3>(state).map(|part| part.value())
+    }
+
     /// What is held against sets, at a state whose inputs have the slopes of its piece.
     pub fn held(&self, held: Held, state: &State) -> Wrench {
         match held {

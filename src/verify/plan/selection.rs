@@ -7,7 +7,6 @@ use super::super::interval::Interval;
 use super::super::motion::Motion;
 use super::super::proof::above_at_nodes;
 use super::super::sets::{Generators, Plane};
-use super::super::wrench::{Held, Wrench};
 use super::super::{Rejection, mode_named};
 use super::{Group, MOST_OUTSIDE, Role, Setting, of_groups};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
@@ -169,7 +168,7 @@ impl Setting<'_> {
         let planes: Vec<([f64; 4], f64)> = planes.map(|p| (middles(&p.normal), p.offset.middle())).collect();
         let mut over = vec![false; planes.len()];
         for wrench in motions.iter().flat_map(|motion| self.wrenches(motion)) {
-            let wrench = middles(&wrench.value);
+            let wrench = middles(&wrench);
             for ((normal, offset), over) in planes.iter().zip(&mut over) {
                 *over |= (0..4).map(|i| normal[i] * wrench[i]).sum::<f64>() - offset > VIOLATED;
             }
@@ -178,12 +177,12 @@ impl Setting<'_> {
     }
 
     /// The wrench where violations are looked for.
-    fn wrenches<'s>(&'s self, motion: &'s Motion) -> impl Iterator<Item = Wrench> + 's {
+    fn wrenches<'s>(&'s self, motion: &'s Motion) -> impl Iterator<Item = [Interval; 4]> + 's {
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS } else { 1 };
         let nodes = (0..motion.times.len()).map(move |node| motion.node_in(node, node.min(motion.pieces() - 1)));
         let between = (0..motion.pieces())
             .flat_map(move |piece| motion.grid(piece, parts - 1).map(move |at| motion.over(piece, at)));
-        nodes.chain(between).map(|state| self.dynamics.held(Held::Wrench, &state))
+        nodes.chain(between).map(|state| self.dynamics.value(&state))
     }
 
     /// Units of looking for what a claim's motions select.
