@@ -82,7 +82,7 @@ impl Motion {
 
     /// Points at which rows are looked at: nodes and what is asked for between them.
     pub fn looks(&self) -> u64 {
-        self.times.len() as u64 + self.asked.iter().map(|&n| n as u64).fold(0, u64::saturating_add)
+        self.asked.iter().map(|&n| n as u64).fold(self.times.len() as u64, u64::saturating_add)
     }
 
     /// When rows are looked at within a piece, s since it began.

@@ -191,7 +191,7 @@ fn dense(model: &Model, mission: &Mission, motion: &mut Motion) -> Coarser {
             let shares = (motion.times[piece + 1] - motion.times[piece]) / longest;
             if exceeds(shares, 1.0 + SAME_DURATION) {
                 // At least one point between; a float cast saturates.
-                motion.ask(piece, (shares - SAME_DURATION).ceil() as usize - 1);
+                motion.ask(piece, ((shares - SAME_DURATION).ceil() as usize).saturating_sub(1));
                 some = true;
             }
         }

@@ -23,6 +23,7 @@ use mavc::verify::{self, Premise, Premises, Read, Settings};
 use numbers::Numbers;
 use rayon::prelude::*;
 use specs::Spec;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::time::Instant;
 use tally::{Outcome, Result, Tally};
@@ -104,14 +105,22 @@ fn one(kind: &Kind, specs: &[Spec], numbers: &mut Numbers, tries_premises: bool)
     let Some((spec, forgery)) = found else { return Result::default() };
     let outcome = decided(spec, &forgery);
     let premises = if tries_premises { kind.premises } else { &[] };
-    let tried = premises.iter().map(|&premise| (premise, passes_without(spec, &forgery, premise)));
-    Result { spec: spec.name, outcome: Some(outcome), without: tried.collect() }
+    let mut result = Result { spec: spec.name, outcome: Some(outcome), without: Vec::new() };
+    for &premise in premises {
+        match catch_unwind(AssertUnwindSafe(|| passes_without(spec, &forgery, premise))) {
+            Ok(passed) => result.without.push((premise, passed)),
+            Err(_) => result.outcome = Some(Outcome::Panicked),
+        }
+    }
+    result
 }
 
 /// As the command decides it.
 fn decided(spec: &Spec, forgery: &Certificate) -> Outcome {
     let read = Read { certificate: forgery.clone(), hash: Default::default() };
-    match verify::verify(&read, spec.model(), SHA, Settings::default()) {
+    let found = catch_unwind(AssertUnwindSafe(|| verify::verify(&read, spec.model(), SHA, Settings::default())));
+    let Ok(found) = found else { return Outcome::Panicked };
+    match found {
         Ok(verdict) => Outcome::Accepted(format!("{}; weaker: {:?}", verdict.headline, verdict.weaker)),
         Err(diagnostic) if diagnostic.code == verify::TOO_COSTLY => Outcome::Refused,
         Err(_) => Outcome::Rejected,

@@ -13,6 +13,8 @@ pub enum Outcome {
     Rejected,
     /// Too costly to be decided.
     Refused,
+    /// Nothing: it panicked, with every premise or without one.
+    Panicked,
 }
 
 /// One forgery; nothing where none could be made.
@@ -59,6 +61,7 @@ impl Tally {
                     row.accepted += 1;
                     failed.push(format!("accepted: {} ({}): {headline}", row.name, result.spec));
                 }
+                Outcome::Panicked => failed.push(format!("panicked: {} ({})", row.name, result.spec)),
                 Outcome::Rejected => row.rejected += 1,
                 Outcome::Refused => row.refused += 1,
             }

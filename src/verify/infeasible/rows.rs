@@ -162,7 +162,9 @@ impl Rows<'_> {
 
     /// Whether an interval begins or ends at a node.
     fn beside(&self, node: usize, interval: usize) -> bool {
-        interval + 1 < self.nodes() && (interval == node || interval + 1 == node)
+        // The certificate's number may be as large as numbers get.
+        let ends = interval.checked_add(1).filter(|&end| end < self.nodes());
+        ends.is_some_and(|end| interval == node || end == node)
     }
 
     /// e - n.(w + tau w'): with one yaw w is linear in an interval, so w' is what it changes there over the duration.

@@ -5,7 +5,7 @@ use super::{Kind, Known, unfounded};
 use crate::numbers::Numbers;
 use crate::specs::{Harder, Spec, WEAKER};
 use mavc::certificate::{Certificate, FacetWeight, Multiplier, RowRecord, Side};
-use mavc::model::PlanModel;
+use mavc::model::{LimitKind, PlanModel, PlanRotors};
 use mavc::planner::hover_model::YAW;
 use mavc::verify::Premise;
 
@@ -25,6 +25,7 @@ pub const KINDS: &[Kind] = &[
     unfounded("weights of the thrust", &[], thrust_weights),
     unfounded("huge and tiny multipliers", &[], extreme),
     unfounded("nodes and intervals near 2^64", &[], far_nodes),
+    unfounded("intervals that are not beside their node", &[], elsewhere),
     unfounded("multipliers changed at random", &[], tampered),
     unfounded("nothing at all", &[], nothing),
     Kind { name: "a grid where times are open", known: Known::NoSuchGrid, premises: &[], make: open_times },
@@ -216,6 +217,27 @@ fn far_nodes(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
         row(RowRecord::WaypointYaw { waypoint: far, side: Side::Upper }, &[1.0]),
     ];
     claim.multipliers.extend(numbers.pick(&rows).cloned());
+    Some(claiming(spec, claim))
+}
+
+/// Slopes of an interval before the first, behind the last or elsewhere.
+fn elsewhere(spec: &Spec, numbers: &mut Numbers) -> Option<Certificate> {
+    let nodes = grid_nodes(spec);
+    let (node, weight) = ([0, nodes - 1, numbers.below(nodes)][numbers.below(3)], numbers.magnitude(1e-3, 1e3));
+    let interval = [usize::MAX, usize::MAX - 1, nodes - 1, nodes, node + 1][numbers.below(5)];
+    let lags = spec.model().plan.rotors == PlanRotors::Lagging;
+    let jerk = spec.truth.mission().limits.iter().position(|l| l.kind == LimitKind::Jerk);
+    let mut claim = of_some(spec, numbers).unwrap_or_else(empty);
+    match jerk {
+        Some(limit) if spec.model().plan.model == PlanModel::Hover => {
+            let z = [weight, 0.0, 0.0, -weight];
+            claim.multipliers.push(row(RowRecord::LimitNorm { limit, node, interval }, &z));
+        }
+        _ if lags && !claim.facets.is_empty() => {
+            claim.multipliers.push(row(RowRecord::Commands { facet: 0, node, interval }, &[weight]));
+        }
+        _ => return None,
+    }
     Some(claiming(spec, claim))
 }
 
