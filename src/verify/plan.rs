@@ -197,7 +197,7 @@ impl<'a> Setting<'a> {
             let span = self.span_of(&mode);
             match Generators::of(self.model, &mode)?.planes() {
                 Ok(planes) => groups.push(Group { mode, whole: true, span, planes }),
-                Err(why) => undecided.push(format!("the set of {mode} is not decided: {why}")),
+                Err(why) => undecided.push(format!("the set of {mode}: {why}")),
             }
         }
         Ok((groups, undecided))
@@ -285,7 +285,7 @@ impl Checked<'_> {
                 mission.legs.len()
             ));
         }
-        weaker.extend(self.undecided.iter().cloned());
+        weaker.extend(self.undecided.iter().map(|what| format!("not decided: {what}")));
         weaker.extend(self.selection.iter().cloned());
         if self.setting.model.plan.require_risk.is_some() && self.setting.model.plan.planner == PlannerKind::Rsp {
             weaker.push("`require risk` is not checked: what protects the plan is not part of a certificate".into());

@@ -230,7 +230,7 @@ impl Generators {
             }
         }
         if normals.is_empty() {
-            return Err("the set has fewer than three dimensions".into());
+            return Err("it has fewer than three dimensions".into());
         }
         if let Some(lacking) = self.lacking() {
             // Flat: with the direction it lacks, two generators span what bounds it within its three dimensions. Planes that

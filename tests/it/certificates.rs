@@ -3,6 +3,7 @@
 
 mod arithmetic;
 mod between;
+mod checked;
 mod command;
 mod exact;
 mod findings;

@@ -1,0 +1,107 @@
+//! Every plan goes through the checker before it is called one: what the commands say, write and end with.
+
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn finding(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/findings");
+    folder.join(name).to_str().unwrap().into()
+}
+
+fn mavc(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_mavc")).args(args).env("NO_COLOR", "1").env("COLUMNS", "200").output().unwrap()
+}
+
+struct Planned {
+    code: i32,
+    text: String,
+    report: Value,
+    is_written: bool,
+}
+
+fn planned(spec: &str, more: &[&str]) -> Planned {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| -> PathBuf { folder.path().join(name) };
+    let (table, report) = (at("traj.csv"), at("report.json"));
+    let mut args = vec!["plan", spec, "-o", table.to_str().unwrap(), "--report", report.to_str().unwrap(), "--quiet"];
+    args.extend(more);
+    let ran = mavc(&args);
+    let text = String::from_utf8(ran.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+    Planned {
+        code: ran.status.code().unwrap(),
+        text,
+        report: serde_json::from_slice(&std::fs::read(report).unwrap()).unwrap(),
+        is_written: table.exists(),
+    }
+}
+
+#[test]
+fn a_plan_that_fails_is_not_found_and_not_written() {
+    // In six nanoseconds everything is as near as rounding; in a set that drag hardly widens most planes are lost.
+    for (spec, why) in [
+        (
+            "tiny_time.mav",
+            "the motion planned for 6e-9 s fails the check of plans: waypoint 1 at 0 s: its position is missed",
+        ),
+        (
+            "degenerate_facets.mav",
+            "the motion planned for 17.5 s fails the check of plans: a facet of pair that RSP selects",
+        ),
+    ] {
+        let Planned { code, text, report, is_written } = planned(&finding(spec), &[]);
+        assert!(code == 4 && !is_written, "{spec}: {code} {text}");
+        assert!(text.contains(&format!("not found: {why}")), "{spec}: {text}");
+        let planner = &report["planners"][0];
+        assert_eq!((&planner["verdict"], &planner["check"]), (&"not found".into(), &Value::Null), "{planner:#}");
+    }
+}
+
+#[test]
+fn a_plan_that_passes_says_so_in_the_report() {
+    let Planned { code, report, is_written, .. } = planned(&finding("nodes_per_leg.mav"), &[]);
+    assert!(code == 0 && is_written);
+    assert_eq!(report["planners"][0]["check"]["outcome"], "checked");
+}
+
+/// Six rotors stuck where they hover leave a set of two dimensions, which no plane through three rotors bounds.
+#[test]
+fn what_cannot_be_decided_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = folder.path().join("still.mav");
+    let text = "vehicle octo {
+    layout = \"PPNNPPNN\"; arm = 0.211 m; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+    rotor { max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+}
+faults { mode jam { rotors [1, 2, 3, 5, 6, 7] stuck at 33.801684532924964 % } }
+mission still { start at [0, 0, 2] m; waypoint at [0, 0, 2] m }
+plan { model = hover; planner = rcp; against = [jam]; time = 4 s; samples = 20; reserve = 0 % }
+";
+    std::fs::write(&spec, text).unwrap();
+    let spec = spec.to_str().unwrap();
+    let Planned { code, text, report, is_written } = planned(spec, &[]);
+    assert!(code == 0 && is_written, "{text}");
+    let why = "the set of jam: it has fewer than three dimensions";
+    assert!(text.contains(&format!("RCP jam: found, 4 s; not decided by the check of plans: {why}")), "{text}");
+    let check = &report["planners"][0]["check"];
+    assert_eq!((&check["outcome"], &check["undecided"]), (&"not_decided".into(), &why.into()));
+    // The certificate of such a plan is weaker than the spec asks.
+    let proof = folder.path().join("cert.json");
+    let proof = proof.to_str().unwrap();
+    assert_eq!(mavc(&["plan", spec, "--quiet", "--certificate", proof]).status.code(), Some(0));
+    let verified = mavc(&["verify", proof, spec]);
+    let told = String::from_utf8(verified.stdout).unwrap();
+    assert_eq!(verified.status.code(), Some(7), "{told}");
+    assert!(told.contains(&format!("- not decided: {why}")), "{told}");
+}
+
+/// The command refuses the forgeries that were once accepted.
+#[test]
+fn forgeries_are_refused_by_the_command() {
+    for name in ["teleport", "nodes_not_tied", "nodes_per_leg", "other_planner", "overflow"] {
+        let ran = mavc(&["verify", &finding(&format!("{name}.forged.json")), &finding(&format!("{name}.mav"))]);
+        assert_eq!(ran.status.code(), Some(5), "{name}");
+        let told = String::from_utf8(ran.stderr).unwrap();
+        assert!(told.contains("mavc::verify::rejected") && ran.stdout.is_empty(), "{name}: {told}");
+    }
+}
