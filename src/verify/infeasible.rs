@@ -74,7 +74,8 @@ pub(super) fn decide(
         rows.thrust = Some(rows.most_thrust()?);
     }
     let most = rows.largest()?;
-    if !(most.high < 0.0) {
+    // Zero contradicts nothing either, and what is not a number contradicts nothing.
+    if most.high.partial_cmp(&0.0).is_none_or(|order| order.is_ge()) {
         let why = format!("the rows, weighted, add up to {} at most, which contradicts nothing", number(most.high));
         return Err(Rejection { span: Some(mission.span), ..Rejection::new("that there is no plan", why) }.into());
     }
