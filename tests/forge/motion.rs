@@ -137,8 +137,8 @@ fn widest_gap(motion: &Trajectory) -> f64 {
     for k in 0..motion.intervals() {
         let end = motion.within(k, motion.times[k + 1] - motion.times[k]);
         for (axis, order) in AXES.into_iter().zip(motion.model.orders()) {
-            for i in 0..order {
-                let gap = (end[axis][i] - motion.nodes[k + 1][axis][i]).abs();
+            for (a, b) in end[axis].iter().zip(&motion.nodes[k + 1][axis]).take(order) {
+                let gap = (a - b).abs();
                 widest = if gap.is_nan() { f64::INFINITY } else { widest.max(gap) };
             }
         }

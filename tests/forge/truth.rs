@@ -213,14 +213,14 @@ impl Truth {
         let asked = self.longest_pieces(motion);
         // Since when each row has been broken, s.
         let mut since: Vec<(Falsehood, f64)> = Vec::new();
-        for k in 0..motion.intervals() {
+        for (k, &longest) in asked.iter().enumerate() {
             let h = motion.times[k + 1] - motion.times[k];
-            let looks = ((h / asked[k] * LOOKS as f64).ceil() as usize).clamp(1, 4000);
-            let between = if h > asked[k] * (1.0 + 1e-6) { looks } else { 1 };
+            let looks = ((h / longest * LOOKS as f64).ceil() as usize).clamp(1, 4000);
+            let between = if h > longest * (1.0 + 1e-6) { looks } else { 1 };
             for i in 0..=between {
                 let at = if i == between { h } else { h * i as f64 / between as f64 };
                 let rows = self.excesses(motion, k, at, role);
-                let over: Vec<Falsehood> = rows.iter().filter(|r| !(r.1 <= TIMES)).map(|r| r.0).collect();
+                let over: Vec<Falsehood> = rows.iter().filter(|r| exceeds(r.1, TIMES)).map(|r| r.0).collect();
                 let now = motion.times[k] + at;
                 if i == 0 || i == between {
                     over.iter().copied().for_each(&mut note);
@@ -228,7 +228,7 @@ impl Truth {
                 since.retain(|(what, _)| over.contains(what));
                 for what in over {
                     match since.iter().find(|(known, _)| *known == what) {
-                        Some((_, from)) if now - from >= 1.001 * asked[k] => note(what),
+                        Some((_, from)) if now - from >= 1.001 * longest => note(what),
                         Some(_) => {}
                         None => since.push((what, now)),
                     }
@@ -330,6 +330,11 @@ impl Truth {
     }
 }
 
+/// Whether a number is above another; what is no number is above everything.
+fn exceeds(x: f64, most: f64) -> bool {
+    x.partial_cmp(&most).is_none_or(|order| order.is_gt())
+}
+
 fn most(rows: &[SetRow], wrench: &Wrench) -> f64 {
     rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, |a, b| if b.is_nan() { b } else { a.max(b) })
 }
@@ -362,7 +367,7 @@ fn joins(motion: &Trajectory) -> bool {
             }
             for i in 0..order {
                 let gap = (end[axis][i] - motion.nodes[k + 1][axis][i]).abs();
-                if !(gap <= TIMES * GAPS[i]) {
+                if exceeds(gap, TIMES * GAPS[i]) {
                     return false;
                 }
                 sums[i] += gap;
