@@ -110,7 +110,7 @@ pub fn headline(waypoints: &[WaypointRecord]) -> String {
     format!("{}{}", counted(waypoints), worst(waypoints).map_or(String::new(), largest))
 }
 
-/// The waypoints that a list for people has, in the order of flight: all, or of many the [`WORST`]; and the largest share of the
+/// The waypoints that a list for people has, in the order of flight: all, or of many the `WORST`; and the largest share of the
 /// others with their number.
 pub fn listed(waypoints: &[WaypointRecord]) -> (Vec<&WaypointRecord>, Option<(usize, f64)>) {
     if waypoints.len() <= MOST_LISTED {
