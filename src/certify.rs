@@ -40,7 +40,7 @@ pub fn of(
             infeasible::certificate(model, mission, run, *at, (&comparison.selected_by, spec_sha256))
         }
         Some((_, Ending::Infeasible { .. })) => Err("no plan at many times is more than a certificate says".into()),
-        _ => Err("there is no verdict".into()),
+        _ => Err("no plan was found, and none was proved infeasible".into()),
     }
 }
 

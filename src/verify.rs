@@ -107,11 +107,11 @@ impl Refusal {
                     "write the certificate anew with `mavc plan --certificate`; if that one is rejected too, {open}"
                 ))
             }
-            Refusal::Budget { estimate, .. } => {
+            Refusal::Budget { estimate, budget } => {
                 let message = format!("the certificate is not decided: {}", self.sentence());
                 let error = Diagnostic::error(TOO_COSTLY, model.plan.span, message);
-                let seconds = estimate.seconds().ceil();
-                let size = megabytes(estimate.bytes);
+                let seconds = estimate.seconds().ceil().max(budget.seconds);
+                let size = megabytes(estimate.bytes.max(budget.bytes));
                 error.here("what this asks for is too costly").help(format!(
                     "allow more with `--budget {}s,{size}MB`, or plan with fewer samples or modes",
                     number(seconds)

@@ -41,7 +41,10 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     };
     let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
     // Where only the required risk is not met there is a plan for every statement that could be blamed.
-    let explanation = if solved || !comparison.trade_off.is_empty() { None } else { why(&model, &mission, options) };
+    // A motion that fails the check is the planner's failure, and no statement of the spec is to blame for it.
+    let is_failed = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Failed { .. }));
+    let is_settled = solved || is_failed || !comparison.trade_off.is_empty();
+    let explanation = if is_settled { None } else { why(&model, &mission, options) };
     let progress = Progress::new(options);
     let certified = proof.as_ref().map(|target| {
         let begin = Instant::now();

@@ -120,10 +120,14 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
 pub(super) fn cannot_fly(loaded: &mut Loaded, model: &Model, time: f64, options: &Options) -> bool {
     let end = model.simulation.duration.unwrap_or(time);
     let late = past_the_end(model, end).into_iter();
-    loaded.diagnostics = late.chain(too_many_steps(model, end)).chain(coarse_step(model)).collect();
+    // What was said before is not said again, and stays for the page.
+    let late: Vec<_> = late.chain(too_many_steps(model, end)).chain(coarse_step(model)).collect();
+    let earlier = std::mem::replace(&mut loaded.diagnostics, late);
     sort(&mut loaded.diagnostics);
     loaded.tell(options);
-    loaded.has_errors()
+    let has_errors = loaded.has_errors();
+    loaded.diagnostics.splice(0..0, earlier);
+    has_errors
 }
 
 /// Every so many acts of the controller make a row of the log.

@@ -97,7 +97,11 @@ pub fn parse_budget(text: &str) -> Result<Budget, String> {
             (Some(gb), _, _) if positive(gb) => budget.bytes = (gb * 1e9) as u64,
             (_, Some(mb), _) if positive(mb) => budget.bytes = (mb * 1e6) as u64,
             (_, _, Some(seconds)) if positive(seconds) => budget.seconds = seconds,
-            _ => return Err(format!("`{part}` is neither a time nor a size: write `60s`, `2GB` or `60s,2GB`")),
+            _ => {
+                return Err(format!(
+                    "`{part}` is neither a time in s nor a size in MB or GB: write `60s`, `2GB` or `60s,2GB`"
+                ));
+            }
         }
     }
     Ok(budget)

@@ -129,7 +129,9 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
     });
     match (rates.iter().any(Option::is_some), holds(model)) {
         (false, _) => "",
-        (true, _) if risks.fold(0.0, f64::max) == 0.0 => "  risk 0: no mode with a rate commits any of these plans.\n",
+        (true, _) if risks.fold(0.0, f64::max) == 0.0 => {
+            "  risk 0: no mode planned against that has a rate commits any of these plans.\n"
+        }
         (true, false) => {
             "  risk: that some mode with a rate strikes before its last instant outside, if the mission goes on; modes are\n  \
              taken as independent.\n"

@@ -70,7 +70,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
         out.push_str(&match comparison.selected.len() {
             0 if model.plan.rounds == 0 => "RSP guards nothing more than RIP: `rounds = 0` selects no facet\n".into(),
             0 => format!(
-                "RSP guards nothing more than RIP: the RIP plan at {} s {} every fault set\n",
+                "RSP guards nothing more than RIP: the RIP plan at {} s {} the sets of all modes planned against\n",
                 number(time),
                 if model.plan.model == PlanModel::Hover { "has every node inside" } else { "stays inside" }
             ),
@@ -197,12 +197,31 @@ fn risk_lines(model: &Model, comparison: &Comparison, solved: &Solved) -> String
         }
     };
     let text = format!(
-        "Risk {}: {meaning}{unrated}{}",
+        "Risk {}: {meaning}{unrated}{}{}",
         significant(risk, 3),
-        between_samples(model, &rates, comparison, solved)
+        between_samples(model, &rates, comparison, solved),
+        not_looked_at(model)
     );
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     format!("\n{}\n", textwrap::fill(&text, options))
+}
+
+/// Modes with a rate that the plan is not against: they may strike too, and no plan was held against their sets.
+fn not_looked_at(model: &Model) -> String {
+    let others = model
+        .modes
+        .iter()
+        .enumerate()
+        .filter(|(i, mode)| !model.plan.against.contains(i) && mode.rate.is_some_and(|rate| rate > 0.0));
+    let names: Vec<&str> = others.map(|(_, mode)| mode.name.as_str()).collect();
+    match names[..] {
+        [] => String::new(),
+        [one] => format!(" This is about the modes planned against; {one} has a rate too and is not among them."),
+        [first, .., last] => format!(
+            " This is about the modes planned against; {} others have rates and are not among them ({first} to {last}).",
+            names.len()
+        ),
+    }
 }
 
 /// Which modes the risk counts only for what lies between samples. Where RCP imposes them it is what the grid leaves.

@@ -16,6 +16,9 @@ const WORST: usize = 5;
 /// Shares are told apart to this.
 const FINEST_SHARE: f64 = 1e-3;
 
+/// Errors that rounding leaves, m and rad: they count as none.
+const ROUNDING: f64 = 1e-12;
+
 /// One waypoint of a plan: its errors, their tolerances, and each error as a share of its tolerance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WaypointRecord {
@@ -39,6 +42,7 @@ impl WaypointRecord {
         let state = &solved.trajectory.nodes[node];
         let distance = (0..3).map(|i| (state[i][0] - waypoint.position[i]).powi(2)).sum::<f64>().sqrt();
         let turn = (state[YAW][0] - waypoint.yaw).abs();
+        let [distance, turn] = [distance, turn].map(|error| if error < ROUNDING { 0.0 } else { error });
         WaypointRecord {
             number: index + 1,
             name: waypoint.name.clone(),

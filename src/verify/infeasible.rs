@@ -84,9 +84,10 @@ pub(super) fn decide(
     let planner = model.plan.planner.name().to_uppercase();
     let headline = format!(
         "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the nodes of \
-         the spec's {pieces} pieces in flight",
+         the spec's {pieces} pieces in flight{}",
         mission.name,
-        number(total)
+        number(total),
+        if claim.selected_by.is_empty() { "" } else { ", for the selection by the plans carried" }
     );
     let proved = Shown { statement: format!("{keeping} contradict each other"), reach: None };
     let weaker = vec![format!(

@@ -2,7 +2,7 @@
 
 use super::interval::Interval;
 use super::series::Series;
-use crate::certificate::{DynamicModel, MotionRecord, Vertical};
+use crate::certificate::{DynamicModel, MAX_NODES, MotionRecord, Vertical};
 
 /// Axes in the order of the records.
 pub const X: usize = 0;
@@ -83,6 +83,11 @@ impl Motion {
     /// Points at which rows are looked at: nodes and what is asked for between them.
     pub fn looks(&self) -> u64 {
         self.asked.iter().map(|&n| n as u64).fold(self.times.len() as u64, u64::saturating_add)
+    }
+
+    /// How many points between the ends of a piece are asked for; at most as many as samples may be.
+    pub(super) fn asked_points(&self, piece: usize) -> usize {
+        self.asked[piece].min(MAX_NODES)
     }
 
     /// When rows are looked at within a piece, s since it began.

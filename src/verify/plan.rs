@@ -118,7 +118,7 @@ impl<'a> Setting<'a> {
             all.add(times(times(motion.looks(), rows), of_state), times(planes, cost::BYTES_OF_A_PLANE));
             all.add(times(times(motion.looks(), self.mission.limits.len() as u64), 2 * cost::OF_A_LIMIT), 0);
             all.add(times(planes, cost::OF_A_PLANE), 0);
-            all.add(self.cost_of_selecting(nodes, planes), 0);
+            all.add(self.cost_of_selecting(motion.looks(), planes), 0);
         }
         Ok(all)
     }

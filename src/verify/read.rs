@@ -3,6 +3,7 @@
 use crate::certificate::{Certificate, MAX_BYTES, SCHEMA};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
+use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::error::Category;
 
@@ -15,6 +16,12 @@ pub struct Read {
     pub certificate: Certificate,
     /// The hash of its spec.
     pub hash: Span,
+}
+
+/// What every version of a certificate says of itself.
+#[derive(Deserialize)]
+struct Version {
+    schema: u32,
 }
 
 /// Reads a certificate; `file` is its text, for the places in messages.
@@ -37,7 +44,17 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Read, Box<Diagnostic>> {
     if text.trim().is_empty() {
         return Err(malformed(0, "it is empty", String::new()));
     }
+    let of_another_version = || {
+        let written = serde_json::from_str::<Version>(text).ok().filter(|found| found.schema != SCHEMA)?;
+        let at = text.find("\"schema\"").unwrap_or(0);
+        let here = format!("schema {}, and this program reads {SCHEMA}", written.schema);
+        let error = malformed(at, "it is of another version", here);
+        Some(Box::new(error.help("write it anew with `mavc plan --certificate`")))
+    };
     let certificate: Certificate = serde_json::from_str(text).map_err(|e| {
+        if let Some(older) = of_another_version() {
+            return older;
+        }
         let why = match e.classify() {
             Category::Eof => "it ends too early",
             Category::Data => "it is JSON of another kind",
@@ -49,10 +66,8 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Read, Box<Diagnostic>> {
         let at = if e.is_eof() { text.trim_end().len() - 1 } else { place(text, e.line(), e.column()) };
         malformed(boundary(text, at), why, words(&e.to_string()))
     })?;
-    if certificate.schema != SCHEMA {
-        let at = text.find("\"schema\"").unwrap_or(0);
-        let here = format!("schema {}, and this program reads {SCHEMA}", certificate.schema);
-        return Err(malformed(at, "it is of another version", here));
+    if let Some(older) = of_another_version() {
+        return Err(older);
     }
     // One that is written in another way, with escapes, is not found; then the file is shown from its beginning.
     let written = format!("\"{}\"", certificate.spec_sha256);

@@ -199,7 +199,7 @@ fn a_vehicle_that_turns_away_is_lost_unless_the_spec_says_otherwise() {
     let (exit, text, record) = flown("lost_yaw = off");
     let turns = record["turns"].as_u64().unwrap();
     assert!(exit == 0 && turns >= 8 && record["max_error_m"].as_f64().unwrap() < 1.0, "{text}");
-    assert!(text.contains(&format!("; turned away {turns} times\n")), "{text}");
+    assert!(text.contains(&format!("; {turns} whole turns away from the planned heading\n")), "{text}");
     assert!(
         text.contains("\n  heading error: ") && text.contains(" degrees root mean square; largest 180.0"),
         "{text}"

@@ -126,12 +126,12 @@ fn heading(record: &FlightRecord) -> String {
     )
 }
 
-/// `; turned away 8 times`, for a vehicle that did not only swing.
+/// `; 8 whole turns away from the planned heading`, for a vehicle that did not only swing.
 pub fn turned(turns: usize) -> String {
     match turns {
         0 => String::new(),
-        1 => "; turned away once".into(),
-        n => format!("; turned away {n} times"),
+        1 => "; one whole turn away from the planned heading".into(),
+        n => format!("; {n} whole turns away from the planned heading"),
     }
 }
 

@@ -96,7 +96,7 @@ fn headline(comparison: &Comparison) -> String {
         n if comparison.modes.is_empty() => format!("{n} plans at one time"),
         n => {
             let stay = if inside == 1 { "stays" } else { "stay" };
-            format!("At one time, {inside} of {n} plans {stay} inside every fault set")
+            format!("At one time, {inside} of {n} plans {stay} inside the sets of all modes planned against")
         }
     }
 }

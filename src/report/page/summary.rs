@@ -169,7 +169,7 @@ fn capital(text: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// `and stays inside every fault set`, or when it does not.
+/// `and stays inside the sets of all modes planned against`, or when it does not.
 fn outside(comparison: &Comparison, solved: &Solved) -> String {
     let mut left: Vec<(&String, f64)> = comparison
         .modes
@@ -181,7 +181,7 @@ fn outside(comparison: &Comparison, solved: &Solved) -> String {
     left.sort_by(|a, b| b.1.total_cmp(&a.1));
     match left.as_slice() {
         _ if comparison.modes.is_empty() => "and stands against no fault mode".into(),
-        [] => "and stays inside every fault set".into(),
+        [] => "and stays inside the sets of all modes planned against".into(),
         [(name, seconds)] => format!("and leaves the set of {name} for {} s", short_seconds(*seconds)),
         [(name, seconds), rest @ ..] => {
             format!("and leaves the sets of {} modes, that of {name} for {} s", rest.len() + 1, short_seconds(*seconds))
@@ -217,7 +217,11 @@ fn stays(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
         .max_by(|a, b| a.2.total_cmp(&b.2));
     match worst {
         _ if comparison.modes.is_empty() => None,
-        None => Some(Figure::new("Outside a fault set", "never", "a fault at any instant finds the wrench inside")),
+        None => Some(Figure::new(
+            "Outside a fault set",
+            "never",
+            "a fault planned against finds the wrench inside at any instant",
+        )),
         Some((name, o, last)) => Some(
             Figure::new(
                 "Last outside a fault set",

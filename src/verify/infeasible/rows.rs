@@ -69,7 +69,8 @@ impl Rows<'_> {
                 Ok(vec![Expression::of(node, axis, derivative)])
             }
             RowRecord::Rest { node, axis, derivative } => {
-                Err(format!("the spec does not ask for rest of derivative {derivative} of axis {axis} at node {node}"))
+                let name = ["x", "y", "z", "yaw"].get(axis).copied().unwrap_or("an unknown axis");
+                Err(format!("the spec does not ask that derivative {derivative} of {name} be zero at node {node}"))
             }
             RowRecord::Facet { .. } | RowRecord::Commands { .. } if self.kind == DynamicModel::Exact => {
                 Err("in the exact model facets are no rows in the derivatives".into())

@@ -30,7 +30,7 @@ pub(super) struct Selected {
 /// chosen otherwise.
 pub(in crate::verify) fn selects(model: &Model) -> bool {
     let plan = &model.plan;
-    plan.planner == PlannerKind::Rsp && plan.rounds > 0 && !plan.against.is_empty() && plan.require_risk.is_none()
+    plan.planner == PlannerKind::Rsp && plan.rounds > 0 && plan.require_risk.is_none()
 }
 
 impl Setting<'_> {
@@ -180,16 +180,18 @@ impl Setting<'_> {
     fn wrenches<'s>(&'s self, motion: &'s Motion) -> impl Iterator<Item = [Interval; 4]> + 's {
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS } else { 1 };
         let nodes = (0..motion.times.len()).map(move |node| motion.node_in(node, node.min(motion.pieces() - 1)));
+        // As dense as on the spec's pieces, where the motion's are longer.
+        let looks = move |piece: usize| parts * (motion.asked_points(piece) + 1) - 1;
         let between = (0..motion.pieces())
-            .flat_map(move |piece| motion.grid(piece, parts - 1).map(move |at| motion.over(piece, at)));
+            .flat_map(move |piece| motion.grid(piece, looks(piece)).map(move |at| motion.over(piece, at)));
         nodes.chain(between).map(|state| self.dynamics.value(&state))
     }
 
     /// Units of looking for what a claim's motions select.
-    pub(super) fn cost_of_selecting(&self, nodes: u64, planes: u64) -> u64 {
+    pub(super) fn cost_of_selecting(&self, looks: u64, planes: u64) -> u64 {
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS as u64 } else { 1 };
         let of_state = self.overhead().saturating_add(planes);
-        cost::times(cost::times(nodes, parts), of_state)
+        cost::times(cost::times(looks, parts), of_state)
     }
 
     /// Whether facets of a mode may be selected at all.
