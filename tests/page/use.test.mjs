@@ -94,7 +94,7 @@ test("a flight is shown beside its plan", () =>
   open("flight", {}, async (page) => {
     assert.match(await text(page, "#found"), /Simulated to its end/);
     assert.match(await text(page, "#chart-estimates"), /M3 is isolated after/);
-    assert.match(await text(page, "#chart-yaw"), /^The heading is .* deg off, root mean square; largest .*heading planned/s);
+    assert.match(await text(page, "#chart-yaw"), /^The heading is .*\sdeg off, root mean square; largest .*heading planned/s);
     const flown = await text(page, "#chart-position");
     await page.selectOption("#run", { index: 1 });
     assert.notEqual(await text(page, "#chart-position"), flown);

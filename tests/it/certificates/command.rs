@@ -215,7 +215,8 @@ fn what_breaks_a_certificate_is_shown_in_it() {
         ("{ \"claim\": { \"plan\": { \"motion\": {", "it ends too early", "the file ends in"),
         (" \n", "it is empty", ""),
         ("t,x,y\n0,1,2\n", "it is no JSON", "expected ident"),
-        ("\u{feff}{\n  \"schema\": 1,\n  \"sets\": []\n}", "it is JSON of another kind", "unknown field `sets`"),
+        ("\u{feff}{\n  \"schema\": 2,\n  \"sets\": []\n}", "it is JSON of another kind", "unknown field `sets`"),
+        ("{ \"schema\": 1, \"sets\": [] }", "it is of another version", "schema 1, and this program reads 2"),
         ("[]", "it is JSON of another kind", "expected a certificate"),
     ] {
         std::fs::write(&proof, text).unwrap();
