@@ -109,6 +109,19 @@ impl Setting<'_> {
                 out.groups.push(group(planes));
             }
         }
+        if !violated.contains(&true) {
+            // Where nothing is selected RSP's plan is RIP's, and the one carried leaves no set: another that does is guarded by
+            // nothing.
+            let leaves = self.violated(bounding.iter().map(|(_, plane)| plane), std::slice::from_ref(motion));
+            if let Some(((mode, _), _)) =
+                bounding.iter().zip(&leaves).find(|((_, plane), over)| **over && plane.is_facet)
+            {
+                out.remarks.push(format!(
+                    "the plan carried selects no facet, and the motion leaves the set of {mode}: nothing of the fault sets is \
+                     guarded"
+                ));
+            }
+        }
         if selected_by.len() < self.model.plan.rounds && !out.groups.is_empty() && !self.closed(motion, selected_by)? {
             out.remarks.push(format!(
                 "the spec selects in {} rounds, and the plans of {} are carried",

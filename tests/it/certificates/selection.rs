@@ -73,3 +73,20 @@ fn rounds_carry_a_plan_each() {
         other => assert!(carried == 1 && other.is_ok(), "{other:?}"),
     }
 }
+
+/// A plan to select by that stays inside every set selects nothing; a motion that leaves one is then guarded by nothing.
+#[test]
+fn a_tame_plan_to_select_by_guards_nothing() {
+    let model = quick(PlannerKind::Rsp, 1);
+    let rip = certified(&quick(PlannerKind::Rip, 1)).unwrap();
+    let tame = certified(&quick(PlannerKind::Rcp, 1)).unwrap();
+    let forged = with(&rip, &claim(&rip).motion, std::slice::from_ref(&claim(&tame).motion));
+    let weaker = decide(&forged, &model).unwrap().weaker;
+    assert!(
+        weaker.iter().any(|w| w.starts_with("the plan carried selects no facet, and the motion leaves")),
+        "{weaker:?}"
+    );
+    // Where the motion stays inside as well nothing is missing.
+    let whole = with(&rip, &claim(&tame).motion, std::slice::from_ref(&claim(&tame).motion));
+    assert!(decide(&whole, &model).unwrap().weaker.is_empty());
+}
