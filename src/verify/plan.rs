@@ -67,8 +67,8 @@ pub struct Setting<'a> {
 enum Role {
     /// The spec's own.
     Asked,
-    /// A plan that RSP selects by: this many selections came before it.
-    SelectedBy(usize),
+    /// A plan that RSP selects by, which keeps to the healthy set.
+    SelectedBy,
 }
 
 impl<'a> Setting<'a> {
@@ -191,7 +191,7 @@ impl<'a> Setting<'a> {
         let (mut groups, mut undecided) = (Vec::new(), Vec::new());
         let modes = match role {
             Role::Asked => required(self.model),
-            Role::SelectedBy(_) => vec![HEALTHY.into()],
+            Role::SelectedBy => vec![HEALTHY.into()],
         };
         for mode in modes {
             let span = self.span_of(&mode);

@@ -61,7 +61,7 @@ impl Setting<'_> {
         for (round, record) in records.iter().enumerate() {
             let named =
                 |r: Rejection| Rejection { claim: format!("plan {} to select by: {}", round + 1, r.claim), ..r };
-            let checked = self.at_nodes(record, &before, Role::SelectedBy(round)).map_err(named)?;
+            let checked = self.at_nodes(record, &before, Role::SelectedBy).map_err(named)?;
             if let Some(why) = checked.undecided.first() {
                 return Err(named(Rejection::new("the plan", why.clone())));
             }
