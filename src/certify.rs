@@ -12,7 +12,7 @@ use crate::model::{Mission, MissionTime, Model};
 use crate::planner::compare::{Comparison, Ending, Verification};
 use crate::verify::{self, Settings};
 
-pub use check::{check, check_rounds};
+pub use check::{check, check_rounds, is_plan};
 
 /// The certificate of the last run's outcome. It is decided before it is given: what is written is accepted.
 ///

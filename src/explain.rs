@@ -37,6 +37,8 @@ pub struct Conflict {
     pub statements: Vec<Statement>,
     /// Whether it was proved that no plan meets them all; otherwise none was found.
     pub proved: bool,
+    /// It was proved of the facets that the RIP plan selects, by RSP.
+    pub of_selection: bool,
     /// Whether a plan was found for the others whenever one of them was left out.
     pub irreducible: bool,
     /// The mission time at which they were asked for, s.

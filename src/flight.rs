@@ -53,17 +53,19 @@ pub struct Sortie<'a> {
 }
 
 impl<'a> Sortie<'a> {
-    /// Along a plan, for as long as the spec says or the plan takes. Gusts pass at the plan's mean speed.
+    /// Along a plan, for as long as the spec says or the plan takes; no longer than one that ends in motion, after which nothing
+    /// says where the vehicle should be. Gusts pass at the plan's mean speed.
     pub fn along(model: &'a Model, trajectory: &'a Trajectory, strikes: &'a [Strike], seed: u64) -> Self {
         let place = |s: &NodeState| nalgebra::Vector3::new(s[X][0], s[Y][0], s[Z][0]);
         let legs = trajectory.nodes.windows(2).map(|pair| (place(&pair[1]) - place(&pair[0])).norm());
+        let longest = if trajectory.ends_at_rest() { f64::INFINITY } else { trajectory.duration() };
         Sortie {
             model,
             simulation: &model.simulation,
             course: Course::Plan(trajectory),
             strikes,
             seed,
-            duration: model.simulation.duration.unwrap_or(trajectory.duration()),
+            duration: model.simulation.duration.unwrap_or(trajectory.duration()).min(longest),
             airspeed: legs.sum::<f64>() / trajectory.duration(),
         }
     }
@@ -217,7 +219,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             }
             // A duration that is no number is none.
             if t >= duration - 0.5 * h || duration.is_nan() {
-                break Outcome::Flown;
+                break watch.end(t, &body);
             }
             blowing = air.next(&mut random);
             let measured = sensors.measure(&body, &mut random);

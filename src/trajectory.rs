@@ -44,6 +44,11 @@ impl Trajectory {
         self.times[self.times.len() - 1]
     }
 
+    /// Whether it stands still at its end, but for what the solver leaves.
+    pub fn ends_at_rest(&self) -> bool {
+        self.nodes.last().is_none_or(|end| end.iter().all(|axis| axis[1].abs() < 1e-3))
+    }
+
     pub fn intervals(&self) -> usize {
         self.times.len() - 1
     }

@@ -21,7 +21,7 @@ pub mod series;
 pub mod sets;
 pub mod wrench;
 
-use crate::certificate::{Certificate, Claim, DynamicModel};
+use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Allocation, FaultMode, Mission, Model, PlanModel, PlannerKind};
 use crate::report::number::number;
@@ -292,7 +292,7 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
     match &certificate.claim {
         Claim::Plan(claim) => {
             let found = setting.decide(claim, settings.budget, between)?;
-            let headline = plan_headline(model, mission, found.total, claim.selected_by.len());
+            let headline = plan_headline(model, mission, found.total, &claim.selected_by);
             Ok(Verdict { headline, shown: found.shown, weaker: found.weaker, undecided: found.undecided })
         }
         Claim::Infeasible(claim) => infeasible::decide(&setting, certificate.model, claim, settings.budget),
@@ -300,12 +300,18 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
 }
 
 /// What an accepted plan is, in a sentence.
-fn plan_headline(model: &Model, mission: &Mission, total: f64, selected_by: usize) -> String {
+fn plan_headline(model: &Model, mission: &Mission, total: f64, selected_by: &[MotionRecord]) -> String {
     let planner = model.plan.planner.name().to_uppercase();
-    let selection = match selected_by {
+    // Where the spec leaves time free RSP selects at another one than its own.
+    let selects_at = selected_by.first().and_then(|motion| motion.times_s.last()).copied().unwrap_or(total);
+    let of = match schedule::is_one_time(selects_at, total, total) {
+        true => String::new(),
+        false => format!(", of {} s", number(selects_at)),
+    };
+    let selection = match selected_by.len() {
         0 => String::new(),
-        1 => ", for the selection by the RIP plan carried".into(),
-        rounds => format!(", for the selection by the {rounds} plans carried"),
+        1 => format!(", for the selection by the RIP plan carried{of}"),
+        rounds => format!(", for the selection by the {rounds} plans carried{of}"),
     };
     let in_hover = match model.plan.model {
         PlanModel::Hover => " in the linear model about hover",

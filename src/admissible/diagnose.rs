@@ -1,13 +1,13 @@
 //! What the sets say about the spec: modes that the plan must stand but cannot.
 
-use super::edge::{EDGE, Place};
+use super::edge::{self, Place};
 use super::interval::{Certainty, Robust};
 use super::parallel::{Parallel, least_angle};
 use super::verdict::{ModeAnalysis, Verdict, analyze};
 use super::{AdmissibleSet, HEALTHY};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::Model;
-use crate::report::number::{number, significant};
+use crate::report::number::{down, number, significant, up};
 use crate::source::Span;
 
 /// A mode that the plan must stand has lost control over some axis.
@@ -178,12 +178,16 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
         (Verdict::Controllable, Place::Inside) => {
             let sure = |r: &Robust| {
                 r.hover == Certainty::Yes
-                    && (model.plan.reserve == 0.0 || r.acai_worst.is_some_and(|worst| worst > EDGE))
+                    && (model.plan.reserve == 0.0
+                        || r.acai_worst.is_some_and(|worst| worst > edge::width(&super::hover(model))))
             };
             let robust = mode.robust.filter(|r| !sure(r))?;
             let label = match (robust.acai_worst, robust.acai_best) {
                 (Some(worst), Some(best)) => {
                     format!("its margin lies between {} and {}", significant(worst, 3), significant(best, 3))
+                }
+                (None, Some(best)) => {
+                    format!("its margin is at most {}, and hover can be out of reach", significant(best, 3))
                 }
                 _ => "no wrench is sure to be given".to_string(),
             };
@@ -227,8 +231,8 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             };
             let says = format!("; the spec says {} kg", number(mass));
             let label = match possible {
-                Possible::UpTo(most) => format!("it could at {} kg or less{says}", significant(most, 4)),
-                Possible::From(least) => format!("it could from {} kg on{says}", significant(least, 4)),
+                Possible::UpTo(most) => format!("it could at {} kg or less{says}", down(most, 4)),
+                Possible::From(least) => format!("it could from {} kg on{says}", up(least, 4)),
                 Possible::Never => "no mass makes it possible".to_string(),
             };
             let what = match verdict {

@@ -1,10 +1,17 @@
 //! Where hover lies relative to a set: inside it, on its edge, or outside. One tolerance for every command.
 
 use super::AdmissibleSet;
+use crate::actuation::Wrench;
 use serde::Serialize;
 
-/// Hover is on the edge of a set if it lies within this of its boundary, N and N m alike, or within this of a flat set.
+/// Hover is on the edge of a set if it lies within this of its boundary, N and N m alike, or within this of a flat set; of a
+/// vehicle that weighs less than 1 N, within this share of the weight.
 pub const EDGE: f64 = 1e-6;
+
+/// How wide the edge is for a vehicle with this hover, N and N m alike.
+pub fn width(hover: &Wrench) -> f64 {
+    EDGE * hover[0].abs().min(1.0)
+}
 
 /// Where hover lies relative to a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -28,11 +35,11 @@ impl Place {
     }
 
     /// `margin`: signed distance to the boundary, positive inside; `None` where the set is flat and has no inside. `residual`:
-    /// distance to the set. Both in N and N m.
-    pub fn new(margin: Option<f64>, residual: f64) -> Self {
+    /// distance to the set. Both in N and N m, as is the [`width`] of the edge.
+    pub fn new(margin: Option<f64>, residual: f64, width: f64) -> Self {
         match margin {
-            _ if residual >= EDGE => Place::Outside,
-            Some(margin) if margin > EDGE => Place::Inside,
+            _ if residual >= width => Place::Outside,
+            Some(margin) if margin > width => Place::Inside,
             _ => Place::OnEdge,
         }
     }
@@ -41,7 +48,7 @@ impl Place {
 impl AdmissibleSet {
     /// Whether hover lies inside, with all of thrust, roll, pitch and yaw in hand.
     pub fn has_hover_inside(&self) -> bool {
-        self.polytope.equalities.is_empty() && self.polytope.margin(&self.hover) > EDGE
+        self.polytope.equalities.is_empty() && self.polytope.margin(&self.hover) > width(&self.hover)
     }
 }
 
@@ -52,8 +59,10 @@ mod tests {
     #[test]
     fn the_edge_is_as_wide_on_both_sides() {
         let places = [(2.0 * EDGE, 0.0), (0.5 * EDGE, 0.0), (-0.5 * EDGE, 0.5 * EDGE), (-2.0 * EDGE, 2.0 * EDGE)];
-        let told = places.map(|(margin, residual)| Place::new(Some(margin), residual).word());
+        let told = places.map(|(margin, residual)| Place::new(Some(margin), residual, EDGE).word());
         assert_eq!(told, ["inside", "on the edge", "on the edge", "outside"]);
-        assert_eq!(Place::new(None, 0.0), Place::OnEdge);
+        assert_eq!(Place::new(None, 0.0, EDGE), Place::OnEdge);
+        let hovers = [0.001, 1.0, 20.0].map(|weight| width(&Wrench::new(weight, 0.0, 0.0, 0.0)));
+        assert_eq!(hovers, [0.001 * EDGE, EDGE, EDGE]);
     }
 }

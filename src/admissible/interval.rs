@@ -3,7 +3,7 @@
 //! Each rotor's full and idle thrust, and the ratio kappa_k of its drag torque to its thrust, lie anywhere in their
 //! intervals, whatever the others do; so does the mass.
 
-use super::edge::EDGE;
+use super::edge;
 use super::{AdmissibleSet, FacetOf, hover};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::{Equality, Facet, Polytope};
@@ -193,7 +193,8 @@ impl Certainty {
 pub struct Robust {
     pub hover: Certainty,
     /// Bounds on the margin of hover over all values, N and N m: none is below the first or above the second. They are
-    /// the least and the largest where [`guaranteed`] and [`possible`] are exact; `None` where the set is flat.
+    /// the least and the largest where [`guaranteed`] and [`possible`] are exact; `None` where the set is flat, of the first
+    /// where some value may take hover out of reach, and of the second where every one does.
     pub acai_worst: Option<f64>,
     pub acai_best: Option<f64>,
 }
@@ -207,24 +208,27 @@ pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
     let [lightest, heaviest] = [spread.low, spread.high].map(|share| hover(model) * share);
     let (sure, possible) = (guaranteed(model, set), possible(model, set));
     let margin = |rows: &Rows, w: &Wrench| rows.margin(w);
-    let hovers = |rows: &Rows| [lightest, heaviest].iter().all(|w| rows.contains(w, EDGE));
+    let edge = edge::width(&lightest);
+    let hovers = |rows: &Rows| [lightest, heaviest].iter().all(|w| rows.contains(w, edge));
     let certainty = match &sure {
         Some(rows) if hovers(rows) => Certainty::Yes,
-        _ if meets(&possible, lightest[0], heaviest[0]) => Certainty::Depends,
+        _ if meets(&possible, lightest[0], heaviest[0], edge) => Certainty::Depends,
         _ => Certainty::No,
     };
     let full = |rows: &&Rows| rows.equalities.is_empty();
+    // Outside a set its margin is the largest excess over a facet, which is no smaller in every smaller set.
+    let inside = |margin: &f64| *margin >= 0.0;
     Some(Robust {
         hover: certainty,
-        acai_worst: sure.as_ref().filter(full).map(|s| margin(s, &lightest).min(margin(s, &heaviest))),
-        acai_best: Some(&possible).filter(full).map(|p| largest(&lightest, &heaviest, |w| margin(p, w))),
+        acai_worst: sure.as_ref().filter(full).map(|s| margin(s, &lightest).min(margin(s, &heaviest))).filter(inside),
+        acai_best: Some(&possible).filter(full).map(|p| largest(&lightest, &heaviest, |w| margin(p, w))).filter(inside),
     })
 }
 
 /// Whether the set holds some [T, 0, 0, 0] with T between two thrusts, N.
-fn meets(rows: &Rows, low: f64, high: f64) -> bool {
+fn meets(rows: &Rows, low: f64, high: f64, edge: f64) -> bool {
     let thrust = Wrench::new(1.0, 0.0, 0.0, 0.0);
-    rows.chord(&Wrench::zeros(), &thrust, EDGE).is_some_and(|(least, most)| least <= high + EDGE && most >= low - EDGE)
+    rows.chord(&Wrench::zeros(), &thrust, edge).is_some_and(|(least, most)| least <= high + edge && most >= low - edge)
 }
 
 /// The largest value of a concave function between two points, by ternary search.

@@ -1,6 +1,6 @@
 //! Verdicts of section 3.2 with margins: what a mode can still do about hover.
 
-use super::edge::{EDGE, Place};
+use super::edge::{self, Place};
 use super::interval::{Robust, robust};
 use super::parallel::{Parallel, nearest_rows};
 use super::{AdmissibleSet, hover};
@@ -125,21 +125,22 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     let u_ref = hover(model);
     let u_ref3 = u_ref.fixed_rows::<3>(0).into_owned();
     let Reach { nearest, nearest3, yaw_free } = Reach::of(set, &u_ref, &u_ref3);
-    let residual4 = clean(nearest - u_ref);
-    let residual3 = clean(nearest3 - u_ref3);
-    let verdict = if residual4.norm() < EDGE {
+    let edge = edge::width(&u_ref);
+    let residual4 = clean(nearest - u_ref, edge);
+    let residual3 = clean(nearest3 - u_ref3, edge);
+    let verdict = if residual4.norm() < edge {
         Verdict::Controllable
-    } else if residual3.norm() < EDGE {
+    } else if residual3.norm() < edge {
         Verdict::Stabilizable
     } else {
         Verdict::Unstable
     };
     let size = set.zonotope.scale()[0];
-    let acai = signed_margin(&set.polytope, &u_ref);
-    let acai_yaw_free = signed_margin(&yaw_free, &u_ref3);
+    let acai = signed_margin(&set.polytope, &u_ref, edge);
+    let acai_yaw_free = signed_margin(&yaw_free, &u_ref3, edge);
     let hover = match verdict {
-        Verdict::Controllable => Place::new(acai, residual4.norm()),
-        Verdict::Stabilizable => Place::new(acai_yaw_free, residual3.norm()),
+        Verdict::Controllable => Place::new(acai, residual4.norm(), edge),
+        Verdict::Stabilizable => Place::new(acai_yaw_free, residual3.norm(), edge),
         Verdict::Unstable => Place::Outside,
     };
     ModeAnalysis {
@@ -205,17 +206,17 @@ pub fn without_yaw(zonotope: &Zonotope<4>) -> Zonotope<3> {
 }
 
 /// Rounding dust in a residual is zero.
-fn clean<const D: usize>(e: SVector<f64, D>) -> SVector<f64, D> {
-    if e.norm() < EDGE { SVector::zeros() } else { e.map(|v| if v.abs() < 1e-12 { 0.0 } else { v }) }
+fn clean<const D: usize>(e: SVector<f64, D>, edge: f64) -> SVector<f64, D> {
+    if e.norm() < edge { SVector::zeros() } else { e.map(|v| if v.abs() < 1e-12 { 0.0 } else { v }) }
 }
 
 /// Signed distance to the boundary; `None` where the set is flat, exactly 0 on the boundary.
-fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVector<f64, D>) -> Option<f64> {
+fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVector<f64, D>, edge: f64) -> Option<f64> {
     if !polytope.equalities.is_empty() {
         return None;
     }
     let margin = polytope.margin(at);
-    Some(if margin.abs() <= EDGE { 0.0 } else { margin })
+    Some(if margin.abs() <= edge { 0.0 } else { margin })
 }
 
 /// Least and largest T >= 0 with [T, 0, ...] in the set, N.

@@ -5,9 +5,7 @@ use super::design::Design;
 use super::rows::Row;
 use crate::flight::{Sortie, fly};
 use crate::model::Strike;
-use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::source::Span;
-use crate::trajectory::Trajectory;
 use rayon::prelude::*;
 
 /// Flights in a chunk for each thread: enough to even out flights that end early, few enough to lose little when
@@ -35,16 +33,10 @@ pub fn fly_case(design: &Design, case: &Case) -> Row {
     let mut sortie = Sortie::along(design.model, &design.plan(case).trajectory, &strikes, seed);
     // A shorter simulation would end before the later faults.
     sortie.duration = sortie.duration.max(design.time);
-    if let Some(strike) = strikes.first().filter(|_| ends_at_rest(&design.plan(case).trajectory)) {
+    if let Some(strike) = strikes.first().filter(|_| design.plan(case).trajectory.ends_at_rest()) {
         sortie.duration = sortie.duration.max(strike.at + AFTERMATH);
     }
     Row::new(design, case, &fly(&sortie, None))
-}
-
-/// Where the plan ends in motion nothing says where the vehicle should be later.
-fn ends_at_rest(trajectory: &Trajectory) -> bool {
-    let end = &trajectory.nodes[trajectory.intervals()];
-    [X, Y, Z, YAW].iter().all(|&axis| end[axis][1].abs() < 1e-3)
 }
 
 /// Flies cases and hands their rows on in order, a chunk at a time; ends early where `take` fails.

@@ -30,6 +30,17 @@ pub fn check_rounds(model: &Model, mission: &Mission, rounds: &mut [Round]) {
     }
 }
 
+/// Whether a motion of `time` s passes the check as a plan of the mission, as far as that can be decided.
+pub fn is_plan(model: &Model, mission: &Mission, time: f64, motion: &Trajectory, selected_by: &[Trajectory]) -> bool {
+    let mut asked = Model { mission: Some(mission.clone()), ..model.clone() };
+    asked.plan.time = MissionTime::Fixed(time);
+    asked.plan.require_risk = None;
+    // Variants of a spec are planned with one round.
+    asked.plan.rounds = asked.plan.rounds.min(1);
+    let certificate = certificate(motion, selected_by, String::new());
+    !matches!(verify::decide_at_nodes(&certificate, &asked, Settings::default()), Err(Refusal::Rejected(_)))
+}
+
 /// Decides a plan of a model at the nodes.
 fn decide(asked: &Model, ending: &mut Ending, selected_by: &[Trajectory]) {
     let Ending::Solved(solved) = ending else { return };

@@ -59,7 +59,7 @@ pub(crate) struct CampaignArgs {
     #[arg(long, value_name = "I/N")]
     shard: Option<String>,
     /// Threads that fly, at most four for each core; as many as there are cores without it. Results are the same
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..=1024))]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..))]
     threads: Option<u64>,
     /// Instants of the fault, instead of the spec's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_TIMES))]

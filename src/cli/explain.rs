@@ -16,12 +16,24 @@ pub fn run(code: Option<&str>) -> Result<u8, Problem> {
             files::print(&format!("{}\n\n{}\n", page.code, page.page.trim()))?;
             Ok(FINE)
         }
+        // The codes of one kind, as in `mavc explain sense`.
+        None if of_kind(code).next().is_some() => {
+            files::print(&listed(of_kind(code)))?;
+            Ok(FINE)
+        }
         None => {
             // Several lines, which a problem is not.
             files::tell(&format!("mavc: {}\n", unknown(&visible::line(code))));
             Ok(USAGE)
         }
     }
+}
+
+/// The codes whose middle word this is, with or without the first.
+fn of_kind(kind: &str) -> impl Iterator<Item = &'static codes::CodePage> {
+    let kind = kind.trim().trim_end_matches("::");
+    let within = format!("mavc::{}::", kind.strip_prefix("mavc::").unwrap_or(kind).to_lowercase());
+    codes::all().iter().filter(move |page| page.code.starts_with(&within))
 }
 
 /// One line a code, its title beside it.

@@ -9,9 +9,10 @@ use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
-use crate::model::{FlightBlocks, MAX_ROUNDS, Mission, Model};
+use crate::model::{FlightBlocks, MAX_ROUNDS, Mission, MissionTime, Model};
 use crate::planner::compare::rounds;
-use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, compare as compare_planners};
+use crate::planner::profile::determined;
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::page::{self, Kind, Subject};
 use crate::report::record::{Record, RoundRecord};
@@ -183,12 +184,19 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     write(&results)?;
     tell_page(told, &html, args.html.as_deref(), options)?;
     tell_written("Figures", told, args.svg.as_deref(), options)?;
-    let any = |verdict: Verdict| comparison.runs.iter().any(|r| r.ending.verdict() == verdict);
-    Ok(match (any(Verdict::NotFound), any(Verdict::Found), any(Verdict::ProvedInfeasible)) {
+    Ok(compared_code(&model, &mission, &comparison))
+}
+
+/// The exit code of planners side by side, at the time that the spec asks for where it asks for one.
+fn compared_code(model: &Model, mission: &Mission, comparison: &Comparison) -> u8 {
+    let is_fixed = determined(mission).is_some() || matches!(model.plan.time, MissionTime::Fixed(_));
+    let asked = |run: &&PlannerRun| !is_fixed || run.run == Run::Common;
+    let any = |verdict: Verdict| comparison.runs.iter().filter(asked).any(|r| r.ending.verdict() == verdict);
+    match (any(Verdict::NotFound), any(Verdict::Found), any(Verdict::ProvedInfeasible)) {
         (false, true, _) => FINE,
         (false, false, true) => NO_PLAN,
         _ => INCONCLUSIVE,
-    })
+    }
 }
 
 /// How the page and its option are called.

@@ -54,7 +54,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let strikes = &model.simulation.faults;
     let sortie = Sortie::along(&model, &solved.trajectory, strikes, model.simulation.seed);
     let mut log = match &table {
-        Some(_) => Some(Log::new(model.vehicle.rotors.len(), every(&model, rate, sortie.duration)?)),
+        Some(_) => Some(Log::new(model.vehicle.rotors.len(), every(&model, rate, sortie.duration, options)?)),
         None => None,
     };
     let mut track = html.as_ref().map(|_| Track::new(&model, sortie.duration));
@@ -131,7 +131,7 @@ pub(super) fn cannot_fly(loaded: &mut Loaded, model: &Model, time: f64, options:
 }
 
 /// Every so many acts of the controller make a row of the log.
-fn every(model: &Model, rate: Option<f64>, duration: f64) -> Result<usize, Problem> {
+fn every(model: &Model, rate: Option<f64>, duration: f64, options: &Options) -> Result<usize, Problem> {
     let control = model.simulation.control_rate;
     let every = (control / rate.unwrap_or(LOG_RATE)).round().max(1.0);
     let rows = duration * control / every;
@@ -141,6 +141,11 @@ fn every(model: &Model, rate: Option<f64>, duration: f64) -> Result<usize, Probl
             number(rows.round()),
             number(MAX_ROWS)
         ));
+    }
+    let got = control / every;
+    if let Some(asked) = rate.filter(|asked| !options.quiet && (got - asked).abs() > 1e-6 * asked) {
+        let [asked, got, control] = [asked, got, control].map(number);
+        files::tell(&format!("mavc: the log has rows at {got} Hz, not {asked}: the controller acts at {control} Hz\n"));
     }
     Ok(every as usize)
 }

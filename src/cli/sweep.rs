@@ -150,16 +150,20 @@ impl Sweep {
             let value = low + (high - low) * i as f64 / PARTS as f64;
             let right = (value, at(value)?);
             for (k, mode) in subject.modes.iter().enumerate() {
-                let (below, above) = (left.1[k], right.1[k]);
-                if below == above {
-                    continue;
+                // Between two of the values looked at a verdict may flip more than once.
+                let mut left = (left.0, left.1[k]);
+                while left.1 != right.1[k] {
+                    let (mut a, mut b, mut above) = (left.0, right.0, right.1[k]);
+                    while b - a > 1e-7 * (high - low).max(b.abs()) {
+                        let middle = 0.5 * (a + b);
+                        match at(middle)?[k] {
+                            same if same == left.1 => a = middle,
+                            other => (b, above) = (middle, other),
+                        }
+                    }
+                    flips.push(Flip { mode: mode.name.clone(), at: 0.5 * (a + b), below: left.1, above });
+                    left = (b, above);
                 }
-                let (mut a, mut b) = (left.0, right.0);
-                while b - a > 1e-7 * (high - low).max(b.abs()) {
-                    let middle = 0.5 * (a + b);
-                    if at(middle)?[k] == below { a = middle } else { b = middle }
-                }
-                flips.push(Flip { mode: mode.name.clone(), at: 0.5 * (a + b), below, above });
             }
             left = right;
         }
@@ -183,6 +187,9 @@ impl Sweep {
                 out.push_str(&format!(", {} above {} {}", f.above.name(), significant(f.at, 6), self.unit));
             }
             out.push('\n');
+        }
+        if model.vehicle.is_uncertain() {
+            out.push_str("The spec's intervals are left out: verdicts are those of the nominal values.\n");
         }
         out.push_str(&format!("Looked at {} values; two flips closer than a step may be missed.\n", PARTS + 1));
         out

@@ -2,7 +2,7 @@
 
 use super::{Explanation, Statement};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Mission, MissionTime, Model, PlannerKind, is_override};
+use crate::model::{Mission, MissionTime, Model, is_override};
 use crate::planner::profile::determined;
 use crate::report::number::number;
 use crate::source::{SourceMap, Span};
@@ -74,7 +74,7 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: 
         (true, None) => format!(" in {a_mission_of}{} s, which is long for {it}", number(conflict.time)),
         (false, _) => String::new(),
     };
-    let facets = if model.plan.planner == PlannerKind::Rsp { " and the facets that the RIP plan selects" } else { "" };
+    let facets = if conflict.of_selection { " and the facets that the RIP plan selects" } else { "" };
     let grid = format!("with {} samples{facets}", model.plan.samples);
     match (verdict == Verdict::ProvedInfeasible, places) {
         (true, 1) => format!("{verdict} {grid}: a statement of the spec cannot be met{time}"),
@@ -93,6 +93,11 @@ fn help(explanation: &Explanation, model: &Model, mission: &Mission, sources: &S
             let rest: String = [one, two].into_iter().chain(fixes).map(|fix| format!("\n- {fix}")).collect();
             format!("each of these was tried and gives a plan:{rest}")
         }
+    };
+    // Variants of a spec are planned without what it requires of risk.
+    let changes = match model.plan.require_risk.is_some() && !explanation.fixes.is_empty() {
+        true => format!("{changes}\nWhether such a plan keeps the required risk was not looked at"),
+        false => changes,
     };
     match explanation.conflict.irreducible {
         true => changes,

@@ -17,18 +17,21 @@ struct Filter<'q, 'a> {
     left_out: BTreeSet<Statement>,
     /// That what is left has no plan was proved, not only not found.
     proved: bool,
+    /// And that it was proved of the facets that the RIP plan selects only.
+    of_selection: bool,
     /// What the parts of what is left weigh; no part is named twice.
     weights: BTreeMap<Part, f64>,
 }
 
 /// An irreducible set of `statements` that have no plan together; `None` where all have one, or none of them is to blame.
 pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Option<Conflict> {
-    let (proved, weights) = match questions.without(&BTreeSet::new())? {
+    let (proved, of_selection, weights) = match questions.without(&BTreeSet::new())? {
         Answer::Feasible => return None,
-        Answer::Infeasible(weights) => (true, weights),
-        Answer::NotFound(weights) => (false, weights),
+        Answer::Infeasible { weights, of_selection } => (true, of_selection, weights),
+        Answer::NotFound(weights) => (false, false, weights),
     };
-    let mut filter = Filter { questions, left_out: BTreeSet::new(), proved, weights: summed(weights) };
+    let weights = summed(weights);
+    let mut filter = Filter { questions, left_out: BTreeSet::new(), proved, of_selection, weights };
     // Multipliers say nothing of these; and a conflict that does not hang on time is told as such.
     let of = |wanted: fn(&Statement) -> bool| -> Vec<Statement> { statements.iter().copied().filter(wanted).collect() };
     filter.halve(&of(|s| matches!(s, Statement::Time)));
@@ -36,11 +39,11 @@ pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Opt
     filter.halve(&of(|s| matches!(s, Statement::Arrival(_) | Statement::Hold(_))));
     filter.weigh_down(statements);
     let irreducible = filter.check(statements);
-    let Filter { questions, left_out, proved, .. } = filter;
+    let Filter { questions, left_out, proved, of_selection, .. } = filter;
     let kept: Vec<Statement> = statements.iter().copied().filter(|s| !left_out.contains(s)).collect();
     let (model, mission) = questions.variant(&left_out);
     let (time, any_time) = questions.time_of(&model, &mission);
-    (!kept.is_empty()).then_some(Conflict { statements: kept, proved, irreducible, time, any_time })
+    (!kept.is_empty()).then_some(Conflict { statements: kept, proved, of_selection, irreducible, time, any_time })
 }
 
 /// What each part weighs in all.
@@ -56,8 +59,8 @@ impl Filter<'_, '_> {
         let mut fewer = self.left_out.clone();
         fewer.extend(statements);
         match self.questions.without(&fewer) {
-            Some(Answer::Infeasible(weights)) => {
-                (self.proved, self.weights) = (true, summed(weights));
+            Some(Answer::Infeasible { weights, of_selection }) => {
+                (self.proved, self.of_selection, self.weights) = (true, of_selection, summed(weights));
             }
             Some(Answer::NotFound(weights)) if !self.proved => self.weights = summed(weights),
             _ => return false,

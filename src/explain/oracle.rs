@@ -20,9 +20,14 @@ pub enum Part {
 pub enum Answer {
     /// It has a plan.
     Feasible,
-    /// It has shown that there is none: what each part weighs in the multipliers that show it (>= 0; a part may be named
-    /// more than once). Empty where there are no multipliers.
-    Infeasible(Vec<(Part, f64)>),
+    /// It has shown that there is none.
+    Infeasible {
+        /// What each part weighs in the multipliers that show it (>= 0; a part may be named more than once). Empty where there
+        /// are no multipliers.
+        weights: Vec<(Part, f64)>,
+        /// Shown only of the facets that the RIP plan selects. (Where RIP itself has no plan nothing is selected.)
+        of_selection: bool,
+    },
     /// It has found no plan, and not shown that there is none; with what each part is likely to weigh, as above, where
     /// something tells.
     NotFound(Vec<(Part, f64)>),

@@ -1,7 +1,9 @@
 //! The planners, in either model, as an oracle.
 
 use super::oracle::{Answer, Oracle, Part};
+use crate::certify;
 use crate::model::{LimitKind, Mission, Model, PlanModel, PlannerKind, Vehicle};
+use crate::planner::compare::{THESE_TIMES, proofs_are_about};
 use crate::planner::pool::Pool;
 use crate::planner::profile::profile;
 use crate::planner::rows::{Decision, Engine, Planned};
@@ -77,15 +79,28 @@ impl Oracle for Planners<'_> {
                 PlanModel::Exact => decide_exactly(&mut engine, set, pool, time, settled),
             };
             let weights = std::mem::take(&mut engine.weights);
+            let decision = match proofs_are_about(model, mission) {
+                // Without weights the yaw waypoints, or what has no yaw in it, show it by themselves.
+                Some(about) if about == THESE_TIMES || !weights.is_empty() => not_for_all(decision),
+                _ => decision,
+            };
             (decision, weighed(set, weights, model, mission, time))
         };
+        let (mut of_selection, mut selected_by) = (false, Vec::new());
         let (decision, parts) = match model.plan.planner {
             PlannerKind::Rip => decide(&sets.imposed.rip, &mut of_rip, false),
             PlannerKind::Rcp => decide(&sets.imposed.joint, &mut of_joint, false),
+            // Without rounds nothing is selected.
+            PlannerKind::Rsp if model.plan.rounds == 0 => decide(&sets.imposed.rip, &mut of_rip, false),
             PlannerKind::Rsp => match decide(&sets.imposed.rip, &mut of_rip, true) {
                 (Decision::Feasible(planned), parts) => match sets.imposed.violated(model, &planned) {
-                    none if none.is_empty() => (Decision::Feasible(planned), parts),
+                    none if none.is_empty() => {
+                        selected_by.push(Trajectory::of(&planned));
+                        (Decision::Feasible(planned), parts)
+                    }
                     facets => {
+                        of_selection = true;
+                        selected_by.push(Trajectory::of(&planned));
                         let (decision, parts) = decide(&sets.imposed.rip.with(facets), &mut of_rip.clone(), false);
                         (about_all_selections(decision, model.plan.model), parts)
                     }
@@ -100,19 +115,33 @@ impl Oracle for Planners<'_> {
             Decision::Feasible(planned) if passes_a_limit(&planned, mission, model.gravity) => {
                 Answer::NotFound(Vec::new())
             }
-            Decision::Feasible(_) => Answer::Feasible,
-            Decision::Infeasible => Answer::Infeasible(parts),
+            // A change is offered only where it gives what `mavc plan` would call a plan.
+            Decision::Feasible(planned) => {
+                match certify::is_plan(model, mission, time, &Trajectory::of(&planned), &selected_by) {
+                    true => Answer::Feasible,
+                    false => Answer::NotFound(Vec::new()),
+                }
+            }
+            Decision::Infeasible => Answer::Infeasible { weights: parts, of_selection },
             Decision::Inconclusive(_) => Answer::NotFound(parts),
         }
+    }
+}
+
+/// A proof that is not about all that the spec leaves open is none.
+fn not_for_all(decision: Decision) -> Decision {
+    match decision {
+        Decision::Infeasible => Decision::Inconclusive(NOT_FOUND.into()),
+        decision => decision,
     }
 }
 
 /// What is decided for the facets that one RIP plan selects. The hover model's RIP plan is the only one of least cost, so they are
 /// RSP's facets; in the exact model another RIP plan may select others, and a proof for these is none for RSP.
 fn about_all_selections(decision: Decision, model: PlanModel) -> Decision {
-    match (decision, model) {
-        (Decision::Infeasible, PlanModel::Exact) => Decision::Inconclusive(NOT_FOUND.into()),
-        (decision, _) => decision,
+    match model {
+        PlanModel::Exact => not_for_all(decision),
+        PlanModel::Hover => decision,
     }
 }
 

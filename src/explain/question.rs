@@ -106,7 +106,7 @@ impl<'a> Questions<'a> {
             same_times(other, left_out)
                 && match answer {
                     Answer::Feasible => other.is_subset(left_out),
-                    Answer::Infeasible(_) => other.is_superset(left_out),
+                    Answer::Infeasible { .. } => other.is_superset(left_out),
                     Answer::NotFound(_) => false,
                 }
         };
@@ -126,7 +126,7 @@ impl<'a> Questions<'a> {
             model.plan.planner = PlannerKind::Rcp;
         }
         match self.oracle.ask(&model, mission, time) {
-            Answer::Infeasible(parts) if asks_rcp => Some(self.without_modes(model, mission, time, parts)),
+            Answer::Infeasible { weights, .. } if asks_rcp => Some(self.without_modes(model, mission, time, weights)),
             answer => Some(answer),
         }
     }
@@ -137,7 +137,7 @@ impl<'a> Questions<'a> {
         self.asked += 1;
         model.plan.planner = PlannerKind::Rip;
         match self.oracle.ask(&model, mission, time) {
-            proof @ Answer::Infeasible(_) => proof,
+            proof @ Answer::Infeasible { .. } => proof,
             _ => Answer::NotFound(of_rcp),
         }
     }

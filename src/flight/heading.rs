@@ -96,10 +96,14 @@ impl Patience {
         Patience { limit, longest, off_for: 0.0, kept_for: 0.0 }
     }
 
+    /// Whether a heading error, rad, is past the limit.
+    pub fn is_off(&self, error: f64) -> bool {
+        self.limit.is_some_and(|limit| error.abs() > limit)
+    }
+
     /// Whether the heading counts as lost, once `period` more seconds have passed with this error, rad.
     pub fn is_over(&mut self, error: f64, period: f64) -> bool {
-        let Some(limit) = self.limit else { return false };
-        if error.abs() > limit {
+        if self.is_off(error) {
             self.off_for += period;
             self.kept_for = 0.0;
         } else {

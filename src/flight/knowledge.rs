@@ -31,8 +31,8 @@ pub struct Found {
     pub mode: usize,
     /// s
     pub at: f64,
-    /// Seconds until some rotor that it touches was believed weaker than before; `None` where that never came while
-    /// the fault lasted.
+    /// Seconds until some rotor that it touches was believed weaker than before, or until the fault was told; `None` where that
+    /// never came, of an estimate while the fault lasted.
     pub detected_after: Option<f64>,
     /// Seconds until every rotor's capacity was believed within 0.2 of what it was.
     pub isolated_after: Option<f64>,
@@ -208,6 +208,15 @@ impl<'a> Knowledge<'a> {
             self.false_alarms += usize::from(before <= LASTING && self.alarmed[k] > LASTING);
         }
         if self.found.iter().all(|f| f.isolated_after.is_some()) {
+            return;
+        }
+        // What a delay lets be known is known as it was, also of a fault that is over by then.
+        if let Detection::After(delay) = self.detection {
+            let told = self.found.iter_mut().filter(|f| f.detected_after.is_none() && t + 1e-9 >= f.at + delay);
+            told.for_each(|f| {
+                let after = Some((t - f.at).max(0.0));
+                (f.detected_after, f.isolated_after) = (after, after);
+            });
             return;
         }
         let is_close = |k: usize| {

@@ -45,11 +45,11 @@ impl Outcome {
 pub enum Cause {
     /// Farther from its place than `lost_beyond`.
     Position,
-    /// Tilted past 90 degrees for longer than `upside_down`.
+    /// Tilted past 90 degrees for longer than `upside_down`, or at the flight's end.
     UpsideDown,
     /// It struck the ground.
     Ground,
-    /// Its heading was farther off than `lost_yaw`, for longer than `lost_yaw_after`.
+    /// Its heading was farther off than `lost_yaw`, for longer than `lost_yaw_after` or at the flight's end.
     Heading,
 }
 
@@ -126,12 +126,16 @@ impl Watch {
         }
         let tilt = body.tilt();
         self.heading.look(body, reference.yaw[0]);
-        if body.position.z <= self.ground {
-            let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
-            return if self.may_land && soft { Some(Outcome::Landed { at: t }) } else { lost(Cause::Ground) };
-        }
         self.max_error = self.max_error.max(error);
         self.max_tilt = self.max_tilt.max(tilt);
+        if body.position.z <= self.ground {
+            let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
+            return match (self.may_land && soft, self.patience.is_off(self.heading.error())) {
+                (false, _) => lost(Cause::Ground),
+                (true, true) => lost(Cause::Heading),
+                (true, false) => Some(Outcome::Landed { at: t }),
+            };
+        }
         self.headings.add(&self.heading, after);
         self.squares += error * error;
         self.looks += 1;
@@ -147,6 +151,17 @@ impl Watch {
             return lost(Cause::UpsideDown);
         }
         if self.patience.is_over(self.heading.error(), self.period) { lost(Cause::Heading) } else { None }
+    }
+
+    /// What a flight that has come to its end ended in: a vehicle that points or leans too far away then has not kept its
+    /// heading or attitude, however short it has been so.
+    pub fn end(&self, t: f64, body: &Body) -> Outcome {
+        let lost = |cause| Outcome::Lost { at: t, cause };
+        match (body.tilt() > FRAC_PI_2, self.patience.is_off(self.heading.error())) {
+            (true, _) => lost(Cause::UpsideDown),
+            (false, true) => lost(Cause::Heading),
+            (false, false) => Outcome::Flown,
+        }
     }
 
     pub fn heading_errors(&self) -> HeadingErrors {

@@ -15,7 +15,7 @@ const IDLE: &str = "mavc::allow::idle";
 
 /// What `allow` silences: every warning about what is written. What is found out by computing, as the sets of
 /// `mavc::analysis`, is an answer that nobody can wave away, and an error is not a matter of taste.
-const WARNINGS: [&str; 25] = [
+const WARNINGS: [&str; 27] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",
     "mavc::sense::arm",
@@ -27,6 +27,8 @@ const WARNINGS: [&str; 25] = [
     "mavc::sense::wind",
     "mavc::sense::gusts",
     "mavc::sense::drag",
+    "mavc::sense::noise",
+    "mavc::sense::loss",
     "mavc::sense::speed",
     "mavc::sense::limit",
     "mavc::sense::tolerance",

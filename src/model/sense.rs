@@ -5,11 +5,15 @@
 mod air;
 mod flight;
 mod gains;
+mod loss;
+mod noise;
 mod vehicle;
 
 pub(super) use air::check as check_air;
 pub(super) use flight::{limits as check_limits, mission as check_mission, pace as check_pace};
 pub(super) use gains::check as check_gains;
+pub(super) use loss::check as check_loss;
+pub(super) use noise::check as check_noise;
 pub(super) use vehicle::{Written, WrittenRotor, check as check_vehicle};
 
 use super::context::Context;

@@ -212,6 +212,8 @@ impl<'a> Reader<'a> {
             self.fine = false;
         } else if self.fine {
             sense::check_air(cx, &simulation, around.vehicle, &self.fields, span);
+            sense::check_noise(cx, &simulation, &self.fields, span);
+            sense::check_loss(cx, &simulation, &self.fields, span);
         }
         if let Some(vehicle) = around.vehicle.filter(|_| self.fine) {
             sense::check_gains(cx, &simulation, vehicle, &self.fields, span);

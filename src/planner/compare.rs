@@ -8,7 +8,9 @@ pub mod protect;
 pub mod rounds;
 mod times;
 
-pub use outcome::{Comparison, Ending, PlannerRun, Run, Scope, Solved, Verification, label};
+pub use outcome::{
+    Comparison, Ending, PlannerRun, Run, Scope, Solved, THESE_TIMES, THIS_YAW, Verification, label, proofs_are_about,
+};
 
 use super::pool::Pool;
 use super::profile::determined;
@@ -64,7 +66,25 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
     let timed = (model.plan.model == PlanModel::Hover && model.plan.chooses_times)
         .then(|| times::with_better_times(model, mission, progress))
         .flatten();
-    let mission = timed.as_ref().unwrap_or(mission);
+    let mut comparison = with_times(model, timed.as_ref().unwrap_or(mission), scope, progress);
+    let is_solved = |c: &Comparison| c.runs.last().is_some_and(|run| run.ending.solved().is_some());
+    if scope == Scope::Plan && timed.is_some() && !is_solved(&comparison) {
+        // The times that the steps chose may be worse than those of the legs' lengths at the time asked for.
+        let other = with_times(model, mission, scope, progress);
+        let effort = comparison.effort;
+        comparison = if is_solved(&other) { other } else { comparison };
+        comparison.effort += effort;
+    }
+    if let Some(about) = outcome::proofs_are_about(model, mission) {
+        let setting = Setting::new(model, mission, None);
+        let is_hopeless = |at: f64| about == THIS_YAW && setting.with_engine("", |e| e.is_hopeless(at)).0;
+        comparison.runs.iter_mut().for_each(|run| run.ending.weaken(about, is_hopeless));
+    }
+    comparison
+}
+
+/// The same with the legs' shares of time as the mission has them.
+fn with_times(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
     let mut setting = Setting { weighs_risk: scope != Scope::Common, ..Setting::new(model, mission, progress) };
     if scope == Scope::Everything {
         setting.all = setting.runs_of_everything();

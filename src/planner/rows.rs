@@ -145,6 +145,15 @@ impl<'a> Engine<'a> {
         Ok(Some(Layout { profile, flown, yaw }))
     }
 
+    /// Whether there is no plan whatever the yaw: fixed times, the yaw waypoints or reach alone show it.
+    pub(super) fn is_hopeless(&mut self, total: f64) -> bool {
+        match self.layout(total, self.model.plan.samples) {
+            Ok(Some(layout)) => self.out_of_reach(&layout),
+            Ok(None) | Err(Outcome::Infeasible { .. }) => true,
+            Err(_) => false,
+        }
+    }
+
     /// Decides one mission time: plans it, or shows that no plan meets every waypoint within its tolerance plus
     /// [`FEASIBLE`].
     pub fn decide(&mut self, total: f64, samples: usize, set: &PlanningSet, pool: &mut Pool) -> Decision {

@@ -1,6 +1,6 @@
 //! What `mavc analyze` says to people.
 
-use super::number::significant;
+use super::number::{down, significant};
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::admissible::edge::Place;
@@ -48,8 +48,8 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             m.hover_words(),
             optional(m.acai, 4),
             optional(m.acai_yaw_free, 4),
-            m.critical_mass_kg.map_or("none".into(), |v| format!("{} kg", significant(v, 4))),
-            m.critical_mass_yaw_free_kg.map_or("none".into(), |v| format!("{} kg", significant(v, 4))),
+            m.critical_mass_kg.map_or("none".into(), |v| format!("{} kg", down(v, 4))),
+            m.critical_mass_yaw_free_kg.map_or("none".into(), |v| format!("{} kg", down(v, 4))),
             m.facets.map_or("flat".into(), |f| f.to_string()),
             m.rank.to_string(),
             norm(&m.residual4),
@@ -76,10 +76,11 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         );
     }
     if modes.iter().any(|m| m.robust.is_some()) {
-        out.push_str("\nOver the spec's intervals: does it hover with all axes held, and the bounds on its margin\n");
+        out.push_str("\nOver the spec's intervals: does it hover with all axes held, and the bounds on its margin\n(- where hover can be out of reach, or the set is flat)\n");
         let mut table = Table::new(&["mode", "hovers", "worst", "best"]);
         for (m, r) in modes.iter().filter_map(|m| Some((m, m.robust?))) {
-            let cells = [r.hover.name().into(), optional(r.acai_worst, 4), optional(r.acai_best, 4)];
+            let told = |bound: Option<f64>| bound.map_or("-".into(), |margin| significant(margin, 4));
+            let cells = [r.hover.name().into(), told(r.acai_worst), told(r.acai_best)];
             table.row(std::iter::once(m.name.clone()).chain(cells).collect());
         }
         out.push_str(&table.render(0));

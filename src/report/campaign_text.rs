@@ -1,6 +1,6 @@
 //! The report of a campaign for people.
 
-use super::number::{fixed, number, percent, significant};
+use super::number::{fixed, number, part_of_all, percent, significant};
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::campaign::HEALTHY;
@@ -11,7 +11,7 @@ use crate::campaign::run::AFTERMATH;
 use crate::campaign::statistics::{Contingency, Share, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
 use crate::flight::Cause;
-use crate::model::{Detection, Model, Simulation};
+use crate::model::{Detection, Simulation};
 use crate::planner::compare::Ending;
 use std::cmp::Reverse;
 
@@ -52,11 +52,12 @@ fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
         _ => format!(", of which shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
     };
     out.push_str(&format!("campaign {}: {}{part}\n", design.id, counted(cases.count(), "flight")));
-    out + &flown_how(model)
+    out + &flown_how(design)
 }
 
 /// Controller, allocation, detection, what follows a fault, and when a vehicle counts as lost.
-fn flown_how(model: &Model) -> String {
+fn flown_how(design: &Design) -> String {
+    let model = design.model;
     let s = &model.simulation;
     let detection = match s.detection {
         Detection::Never => "no fault is detected".to_string(),
@@ -72,8 +73,17 @@ fn flown_how(model: &Model) -> String {
         number(s.lost_beyond),
         number(s.upside_down),
         off_heading(s),
-        format_args!("every fault is given {} s", number(AFTERMATH))
+        aftermath(design)
     )
+}
+
+/// How long a flight goes on after its fault.
+fn aftermath(design: &Design) -> String {
+    let least = number(AFTERMATH);
+    match design.plans.iter().all(|plan| plan.trajectory.ends_at_rest()) {
+        true => format!("every fault is given {least} s"),
+        false => format!("a fault is given {least} s, or what is left of a mission that ends in motion"),
+    }
 }
 
 /// `heading 90 degrees off for 1 s, `, where heading is judged.
@@ -143,7 +153,7 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
         let flights = counted(diverged, "flight");
         out.push_str(&filled(&format!(
             "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). What \
-             became of the vehicle is unknown; a flight that diverged counts neither as lost nor as survived."
+             became of the vehicle is unknown: it is among the flights, and neither among the lost nor the survived."
         )));
     }
     if !modes.is_empty() {
@@ -166,7 +176,8 @@ fn worst(tally: &Tally, p: usize, modes: usize) -> Vec<usize> {
 
 /// Name, flights, survival, errors of the survivors, how soon the fault was detected.
 fn group_cells(name: &str, group: &Group) -> Vec<String> {
-    let survival = wilson(group.survived(), group.flights);
+    // Of flights of which nothing is known no share is told.
+    let survival = wilson(group.survived(), group.flights).filter(|_| group.diverged < group.flights);
     let (rms, max) = (group.rms_error.summary(), group.max_error.summary());
     let heading = group.max_heading_error.summary();
     let detected = group.detected_after.summary().map(|d| {
@@ -177,7 +188,7 @@ fn group_cells(name: &str, group: &Group) -> Vec<String> {
     vec![
         name.into(),
         group.flights.to_string(),
-        survival.map_or_else(dash, |s| percent(s.share)),
+        survival.map_or_else(dash, |s| format!("{} %", part_of_all(s.share))),
         survival.map_or_else(dash, |Share { low, high, .. }| format!("{} .. {}", hundred(low), hundred(high))),
         rms.map_or_else(dash, |s| format!("{} m", significant(s.mean, 3))),
         max.map_or_else(dash, |s| format!("{} m", significant(s.max, 3))),
@@ -207,7 +218,8 @@ fn cause(cause: Cause) -> &'static str {
 }
 
 fn hundred(share: f64) -> String {
-    fixed(100.0 * share, 1)
+    // One decimal, but 100 only for all of it.
+    if share < 1.0 && share > 0.99949 { part_of_all(share) } else { fixed(100.0 * share, 1) }
 }
 
 /// Modes down, instants across; of struck flights the share lost.
@@ -299,7 +311,8 @@ fn scope(scope: &Scope) -> String {
         ["planner", "hits", "misses", "false alarms", "correct negatives", "lost", "lost if predicted", "phi"];
     let mut table = Table::new(&headings);
     let mut row = |name: String, t: &Contingency| {
-        let share = |a: usize, b: usize| if b == 0 { "-".into() } else { percent(a as f64 / b as f64) };
+        let share =
+            |a: usize, b: usize| if b == 0 { "-".into() } else { format!("{} %", part_of_all(a as f64 / b as f64)) };
         let mut cells = vec![name];
         cells.extend([t.hits, t.misses, t.false_alarms, t.correct_negatives].map(|n| n.to_string()));
         cells.push(share(t.hits + t.misses, t.total()));
@@ -323,7 +336,9 @@ fn scope(scope: &Scope) -> String {
 pub fn by_flight(t: &Contingency) -> String {
     let lost = t.hits + t.misses;
     match (Worth::of(t.phi()), t.phi()) {
-        (Worth::Undefined, _) if t.total() == 0 => "No flight lived to its fault: nothing can be said.".into(),
+        (Worth::Undefined, _) if t.total() == 0 => {
+            "No flight of known outcome lived to its fault: nothing can be said.".into()
+        }
         (Worth::Undefined, _) if lost == 0 => "No flight was lost to a fault: the prediction cannot be judged.".into(),
         (Worth::Undefined, _) if lost == t.total() => {
             "Every struck flight was lost: the prediction cannot be judged.".into()

@@ -10,6 +10,8 @@ use serde::Serialize;
 pub struct ConflictRecord {
     /// Whether a plan meets all of the statements: `proved infeasible` or `not found`.
     pub verdict: Verdict,
+    /// A proof is one for the facets that the RIP plan selects, by RSP.
+    pub of_selection: bool,
     /// A plan was found for the others whenever one statement was left out.
     pub irreducible: bool,
     /// The mission time at which the statements were asked for, s.
@@ -82,6 +84,7 @@ impl ConflictRecord {
         };
         ConflictRecord {
             verdict: conflict.verdict(),
+            of_selection: conflict.of_selection,
             irreducible: conflict.irreducible,
             time_s: conflict.time,
             any_time: conflict.any_time,

@@ -7,4 +7,4 @@ mod text;
 pub use log::{Log, MAX_ROWS};
 pub use record::{FaultRecord, FlightRecord, OutcomeRecord, RegressorRecord, Told};
 pub use text::text;
-pub(super) use text::{DIVERGED, detection, duration, length, loss, turned};
+pub(super) use text::{DIVERGED, detection, duration, length, loss, to_its_end, turned};

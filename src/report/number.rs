@@ -27,9 +27,46 @@ pub fn significant(x: f64, digits: usize) -> String {
     }
 }
 
+/// Up to `digits` significant digits of a bound that must not be passed: the next below.
+pub fn down(x: f64, digits: usize) -> String {
+    let rounded = significant(x, digits);
+    let passes = |text: &str| text.parse::<f64>().is_ok_and(|value| value > x + SAME * x.abs());
+    if !passes(&rounded) || x == 0.0 {
+        return rounded;
+    }
+    let unit = 10f64.powf(x.abs().log10().floor() - (digits as f64 - 1.0));
+    significant(x - 0.5 * unit, digits)
+}
+
+/// The same of a bound that must be reached: the next above.
+pub fn up(x: f64, digits: usize) -> String {
+    let text = down(-x, digits);
+    text.strip_prefix('-').map_or_else(|| if text == "0" { text.clone() } else { format!("-{text}") }, str::to_string)
+}
+
+/// Numbers that differ by less than this share of themselves are one.
+const SAME: f64 = 1e-9;
+
+/// Significant digits of a share.
+pub const DIGITS: usize = 3;
+
 /// A share as percent with up to three significant digits: `14.6 %`.
 pub fn percent(x: f64) -> String {
-    format!("{} %", significant(100.0 * x, 3))
+    format!("{} %", significant(100.0 * x, DIGITS))
+}
+
+/// A share of a whole, in percent: as [`percent`], but `100` only for all of it. What three digits would round up to that has
+/// as many as tell it apart, cut off: `99.96`.
+pub fn part_of_all(x: f64) -> String {
+    let rounded = significant(100.0 * x, DIGITS);
+    if rounded != "100" || x >= 1.0 {
+        return rounded;
+    }
+    let missing = 100.0 * (1.0 - x);
+    // The first digit of what is missing.
+    let decimals = (-missing.log10().floor()).clamp(1.0, 12.0);
+    let scale = 10f64.powf(decimals);
+    trim(&format!("{:.*}", decimals as usize, (100.0 * x * scale).floor() / scale)).to_string()
 }
 
 /// Seconds with two decimals; less than these can show is `< 0.01`, never `0.00`.
@@ -75,6 +112,13 @@ mod tests {
         }
         assert_eq!(fixed(-0.0001, 2), "0.00");
         assert_eq!(percent(0.146378), "14.6 %");
+        assert_eq!(
+            [3.99388, 2.46687, 2.4, 2.4 - 1e-12, 0.0].map(|x| down(x, 4)),
+            ["3.993", "2.466", "2.4", "2.4", "0"]
+        );
+        assert_eq!([3.99312, 2.4, 2.4 + 1e-12, 0.0, 999.91].map(|x| up(x, 4)), ["3.994", "2.4", "2.4", "0", "1000"]);
+        let shares = [0.0, 0.146378, 0.995, 0.9995, 0.99951, 0.9996, 0.99999, 1.0 - 1.0 / 3e6, 1.0].map(part_of_all);
+        assert_eq!(shares, ["0", "14.6", "99.5", "99.95", "99.95", "99.96", "99.999", "99.99996", "100"]);
         assert_eq!([0.0, 0.0049, 0.005, 1.2].map(short_seconds), ["< 0.01", "< 0.01", "0.01", "1.20"]);
     }
 }

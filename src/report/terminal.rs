@@ -151,7 +151,8 @@ fn solved_run(
     if !solved.infeasible_above.is_empty() {
         let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();
         out.push_str(&format!(
-            "\n  Longer is not always easier here: with these fixed times and holds, {} s is proved infeasible.\n",
+            "\n  Longer is not always easier here: with {} samples, {} s is proved infeasible.\n",
+            model.plan.samples,
             times.join(", ")
         ));
     }

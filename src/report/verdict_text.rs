@@ -3,7 +3,7 @@
 use super::number::number;
 use crate::model::{Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::UNMET;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, Verification};
+use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, THESE_TIMES, THIS_YAW, Verification};
 use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
 
@@ -17,7 +17,8 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
                 Verification::Undecided(why) => format!("; not decided by the check of plans: {why}"),
                 Verification::None | Verification::Passed => String::new(),
             };
-            format!("{verdict}, {} s{}{undecided}", number(solved.time), shown_of_time(model, mission, run, solved))
+            let time = shown_of_time(model, mission, comparison, run, solved);
+            format!("{verdict}, {} s{time}{undecided}", number(solved.time))
         }
         Ending::Failed { at, why } => {
             format!("{verdict}: the motion planned for {} s fails the check of plans: {why}", number(*at))
@@ -31,22 +32,30 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
         Ending::Inconclusive { at, status } => {
             let others =
                 if run.run == Run::Own && determined(mission).is_none() { " or any other time tried" } else { "" };
-            let solver = if status == NOT_FOUND { String::new() } else { format!("; the solver stopped ({status})") };
-            format!("{verdict} at {} s{others} with {samples} samples; a plan may exist{solver}", number(*at))
+            let more = match status.as_str() {
+                NOT_FOUND => "; a plan may exist".to_string(),
+                THESE_TIMES | THIS_YAW => format!("; there is none {status}, and others may have one"),
+                _ => format!("; a plan may exist; the solver stopped ({status})"),
+            };
+            format!("{verdict} at {} s{others} with {samples} samples{more}", number(*at))
         }
         Ending::NotAttempted { why, .. } => format!("{verdict}: {why}"),
     }
 }
 
 /// What was shown of the time of a plan, after it.
-fn shown_of_time(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> String {
+fn shown_of_time(
+    model: &Model,
+    mission: &Mission,
+    comparison: &Comparison,
+    run: &PlannerRun,
+    solved: &Solved,
+) -> String {
     match (run.run, solved.infeasible_at) {
         (Run::Own, Some(below)) => format!(
-            ", the shortest time found; {} s is proved infeasible with {} samples{}",
+            ", the shortest time found; {} s is proved infeasible{}",
             number(below),
-            model.plan.samples,
-            // Waypoint times that are searched for are a local best.
-            if model.plan.chooses_times { " and these waypoint times" } else { "" }
+            conditions(model, mission, comparison, run)
         ),
         (Run::Own, None) if determined(mission).is_some() => {
             ", the only time that the mission's fixed times allow".into()
@@ -67,9 +76,14 @@ fn times(proved: &[f64]) -> String {
     }
 }
 
-/// What a proof holds for, beside the spec: the grid, a yaw that was planned before the rest, and the facets selected.
+/// What a proof holds for, beside the spec: the grid, waypoint times and a yaw that were settled before the rest, and the facets
+/// selected.
 fn conditions(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> String {
     let mut conditions = vec![format!("with {} samples", model.plan.samples)];
+    // Waypoint times that are searched for are a local best.
+    if model.plan.chooses_times {
+        conditions.push("for these waypoint times".into());
+    }
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
         conditions.push("for the yaw planned first".into());
     }

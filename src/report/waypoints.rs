@@ -1,6 +1,6 @@
 //! How far a plan misses each waypoint, beside what the spec allows.
 
-use super::number::{percent, significant};
+use super::number::{DIGITS, percent, significant};
 use super::table::Table;
 use crate::model::{Mission, Waypoint};
 use crate::planner::compare::Solved;
@@ -12,9 +12,6 @@ use std::cmp::Ordering;
 /// Waypoints that a table for people lists at most: so many, or [`WORST`] of more.
 const MOST_LISTED: usize = 8;
 const WORST: usize = 5;
-
-/// Shares are told apart to this.
-const FINEST_SHARE: f64 = 1e-3;
 
 /// Errors that rounding leaves, m and rad: they count as none.
 const ROUNDING: f64 = 1e-12;
@@ -62,10 +59,9 @@ impl WaypointRecord {
         if self.position_share.total_cmp(&self.yaw_share).is_ge() { self.position_share } else { self.yaw_share }
     }
 
-    /// Missed after met, then by share. Shares that no reader could tell apart are one, so that the solver's last digits decide
-    /// nothing.
+    /// Missed after met, then by share. Shares that read alike are one, so that the solver's last digits decide nothing.
     fn by_share(&self, other: &Self) -> Ordering {
-        let rounded = |w: &Self| (w.share() / FINEST_SHARE).round();
+        let rounded = |w: &Self| format!("{:.*e}", DIGITS - 1, w.share()).parse().unwrap_or(f64::NAN);
         (!self.met).cmp(&!other.met).then(rounded(self).total_cmp(&rounded(other)))
     }
 

@@ -118,7 +118,9 @@ impl<'a> Setting<'a> {
             all.add(times(times(motion.looks(), rows), of_state), times(planes, cost::BYTES_OF_A_PLANE));
             all.add(times(times(motion.looks(), self.mission.limits.len() as u64), 2 * cost::OF_A_LIMIT), 0);
             all.add(times(planes, cost::OF_A_PLANE), 0);
-            all.add(self.cost_of_selecting(motion.looks(), planes), 0);
+            if selection::selects(self.model) {
+                all.add(self.cost_of_selecting(motion.looks(), planes), 0);
+            }
         }
         Ok(all)
     }
@@ -131,11 +133,14 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// Planes of all sets that may be looked at.
+    /// Planes of all sets that are looked at: those kept to whole, and of RSP what may be selected.
     fn planes_at_most(&self) -> Result<u64, Rejection> {
-        let against = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i));
-        let modes = against.map(|m| m.name.as_str()).chain([HEALTHY]);
-        modes.map(|mode| Ok(Generators::of(self.model, mode)?.planes_at_most())).sum()
+        let mut modes = required(self.model);
+        if selection::selects(self.model) {
+            let against = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i));
+            modes.extend(against.map(|m| m.name.clone()));
+        }
+        modes.iter().map(|mode| Ok(Generators::of(self.model, mode)?.planes_at_most())).sum()
     }
 
     /// Decides that the motion is a plan: everything at the nodes, and as far as `budget` goes between them.
@@ -226,7 +231,8 @@ impl<'a> Setting<'a> {
                 let highest = if held { motion.order(axis) } else { motion.order(axis).min(3) };
                 if let Some(order) = (1..=highest).find(|&i| motion.at_node(node, axis, i) != 0.0) {
                     let name = ["x", "y", "z", "yaw"][axis];
-                    let why = format!("derivative {order} of {name} is not zero");
+                    let value = number(motion.at_node(node, axis, order));
+                    let why = format!("derivative {order} of {name} is {value}, and the spec asks for 0");
                     return Err(Rejection { at: Some(motion.times[node]), ..Rejection::new("rest", why) });
                 }
             }

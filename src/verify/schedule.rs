@@ -20,6 +20,11 @@ fn apart(a: f64, b: f64, total: f64) -> bool {
     exceeds((a - b).abs(), SAME_TIME * total.max(1.0))
 }
 
+/// Whether two instants of a mission of `total` s are one.
+pub(super) fn is_one_time(a: f64, b: f64, total: f64) -> bool {
+    !apart(a, b, total)
+}
+
 fn wrong<T>(why: String, span: Option<Span>) -> Result<T, Rejection> {
     Err(Rejection { span, ..Rejection::new("the times", why) })
 }

@@ -127,11 +127,10 @@ proptest! {
                 Certainty::Depends => {}
             }
             let Some(acai) = record.acai else { continue };
-            // Outside, a margin is that of the facet passed furthest, which need not be the same one.
-            if let Some(worst) = robust.acai_worst.filter(|w| *w >= 0.0) {
+            if let Some(worst) = robust.acai_worst {
                 prop_assert!(acai >= worst - 1e-7, "{acai} {robust:?}");
             }
-            if let Some(best) = robust.acai_best.filter(|_| acai >= 0.0) {
+            if let Some(best) = robust.acai_best {
                 prop_assert!(acai <= best + 1e-7, "{acai} {robust:?}");
             }
         }
@@ -151,8 +150,11 @@ fn bounds_are_reached() {
         };
         let worst = acai(-1.0, -1.0).min(acai(1.0, -1.0));
         let best = (0..=2000).map(|k| acai(f64::from(k) / 1000.0 - 1.0, 1.0)).fold(f64::NEG_INFINITY, f64::max);
-        assert!((found.acai_worst.unwrap() - worst).abs() < 1e-9, "{found:?} {worst}");
-        assert!(found.acai_best.unwrap() >= best - 1e-9 && found.acai_best.unwrap() < best + 1e-5, "{found:?} {best}");
+        // Where hover can be out of reach nothing is claimed of the margin.
+        assert_eq!(found.acai_worst.is_some(), worst >= 0.0, "{found:?} {worst}");
+        assert_eq!(found.acai_best.is_some(), best >= 0.0, "{found:?} {best}");
+        assert!(found.acai_worst.is_none_or(|found| (found - worst).abs() < 1e-9), "{found:?} {worst}");
+        assert!(found.acai_best.is_none_or(|found| (best - 1e-9..best + 1e-5).contains(&found)), "{found:?} {best}");
     }
 }
 

@@ -195,6 +195,9 @@ fn unfit(path: &Path, error: &ScanError, design: &Design) -> Problem {
              make it)",
             design.id
         ),
+        ScanError::OutOfOrder { line, found, due: Some(due) } if found == due => {
+            format!("{name}, line {line}: this row of case {due} has another plan, mode, instant or seed than the case")
+        }
         ScanError::OutOfOrder { line, found, due } => {
             let due = due.map_or("no more".into(), |due| format!("case {due}"));
             format!("{name}, line {line}: case {found} stands where {due} is due; is it of another shard?")

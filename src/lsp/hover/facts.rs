@@ -7,7 +7,7 @@ use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::lsp::names::Kind;
 use crate::model::{FaultMode, Model, Rotor};
-use crate::report::number::{number, percent, significant};
+use crate::report::number::{down, number, percent, significant};
 use crate::source::{FileId, Span};
 
 /// Modes that are named; of more the first and the last.
@@ -111,7 +111,7 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
     match analyses {
         [one] => {
             let mass = one.critical_mass_kg.filter(|m| *m > 0.0);
-            let heaviest = mass.map_or(String::new(), |m| format!(", hovers up to {} kg", significant(m, 4)));
+            let heaviest = mass.map_or(String::new(), |m| format!(", hovers up to {} kg", down(m, 4)));
             let axes = match one.verdict {
                 Verdict::Controllable if one.hover == Place::OnEdge => " (hover lies on the edge of what is left)",
                 Verdict::Controllable => "",

@@ -10,7 +10,7 @@ use crate::source::Span;
 
 /// Least phase margin, rad: 15 degrees. Autopilots are tuned to 30 to 60; with less than this a vehicle swings for long.
 const LEAST_MARGIN: f64 = 15.0 * std::f64::consts::PI / 180.0;
-/// A loop that crosses over below this, rad/s, takes longer than ten seconds to come back.
+/// A loop that crosses over below this, rad/s, or whose gains have a ratio below it, takes longer than ten seconds to come back.
 const SLOWEST: f64 = 0.1;
 /// Frequencies between which a crossover is looked for, rad/s, and how many a factor of ten.
 const LOWEST: f64 = 1e-6;
@@ -112,11 +112,10 @@ pub(in crate::model) fn check(
             let state = if margin <= 0.0 { "is unstable" } else { "hardly settles" };
             let text = format!("{state}: its phase margin is {} degrees, where 30 to 60 is usual", short(degrees));
             (text, "check the gains, or lower them until they fit motors and rates")
-        } else if crossover < SLOWEST {
-            let text = format!(
-                "hardly acts: it needs {} s to come back, where less than 10 s is usual",
-                short(1.0 / crossover)
-            );
+        } else if let Some(rate) = [crossover, each.gains[0] / each.gains[1]].into_iter().find(|r| *r < SLOWEST) {
+            // With much damping a deviation goes with the ratio of the gains.
+            let text =
+                format!("hardly acts: it needs {} s to come back, where less than 10 s is usual", short(1.0 / rate));
             (text, "check the gains, which are per unit of mass or inertia")
         } else {
             continue;

@@ -1,7 +1,7 @@
 //! What comes of planners side by side.
 
 use super::protect::Addition;
-use crate::model::PlannerKind;
+use crate::model::{Mission, Model, PlanModel, PlannerKind};
 use crate::planner::rows::Planned;
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::solve::Effort;
@@ -64,12 +64,35 @@ impl Ending {
         }
     }
 
+    /// A proof that is not about all that the spec leaves open is none, unless there is one for its longest time by itself.
+    pub(super) fn weaken(&mut self, about: &'static str, is_hopeless: impl Fn(f64) -> bool) {
+        if let Ending::Infeasible { at, .. } = *self
+            && !is_hopeless(at)
+        {
+            *self = Ending::Inconclusive { at, status: about.into() };
+        }
+    }
+
     /// `times` in s, in any order; proved for each of them.
     pub(super) fn proved_infeasible(times: &[f64]) -> Self {
         let mut proved = times.to_vec();
         proved.sort_by(f64::total_cmp);
         proved.dedup();
         Ending::Infeasible { at: proved.last().copied().unwrap_or(0.0), proved }
+    }
+}
+
+/// What a proof is about where it is not about the spec: times of waypoints that were chosen, or a yaw that was planned before
+/// the rest.
+pub const THESE_TIMES: &str = "with the waypoint times that were tried";
+pub const THIS_YAW: &str = "with the yaw that is planned first";
+
+/// To what a proof that the hover model has no plan is confined, if to anything.
+pub fn proofs_are_about(model: &Model, mission: &Mission) -> Option<&'static str> {
+    match model.plan.model {
+        PlanModel::Hover if model.plan.chooses_times && mission.legs.len() > 1 => Some(THESE_TIMES),
+        PlanModel::Hover if !mission.has_one_yaw() => Some(THIS_YAW),
+        _ => None,
     }
 }
 

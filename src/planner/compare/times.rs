@@ -13,7 +13,9 @@ use crate::planner::wrench_model::WrenchModel;
 /// keep these shares of any mission time. `None` where the steps find no plan.
 pub(super) fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Option<Mission> {
     let sets = PlanningSets::of(model);
-    let set = if model.plan.planner == PlannerKind::Rip { &sets.rip } else { &sets.joint };
+    let is_rip =
+        model.plan.planner == PlannerKind::Rip || model.plan.planner == PlannerKind::Rsp && model.plan.rounds == 0;
+    let set = if is_rip { &sets.rip } else { &sets.joint };
     let tell = |t: f64| {
         if let Some(progress) = progress {
             progress("waypoint times", t);

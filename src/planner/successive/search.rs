@@ -315,7 +315,11 @@ impl Successive<'_, '_> {
 
     /// The plan of least cost about a motion inside the set, with holds.
     fn kept(&mut self, motion: Motion, total: f64, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Planned> {
-        let settled = self.settle_between(motion, care, pool)?;
+        let mut settled = self.settle_between(motion, care, pool)?;
+        // A motion that was carried over to other nodes is at rest but for rounding.
+        for (node, axis, order) in self.transcription(&settled.profile, &[]).at_rest() {
+            settled.states[node][axis][order] = 0.0;
+        }
         let intervals = settled.profile.segments.iter().map(|s| (s.duration, s.intervals)).collect::<Vec<_>>();
         let profile = Profile::with_legs(self.engine.mission, &intervals, total);
         Some(Planned {

@@ -257,7 +257,8 @@ impl Transcription<'_> {
             // Values at all nodes leave a spline its slopes at the ends, and from there it may swing about between nodes.
             if free.contains(&node) {
                 let beside = 2.0 * around;
-                for axis in [X, Y, Z] {
+                // Of an axis whose input is its acceleration all has been said.
+                for axis in [X, Y, Z].into_iter().filter(|&axis| self.orders[axis] > 2) {
                     near(axis, 3, acceleration / beside);
                 }
                 near(YAW, 1, TURN / beside);

@@ -43,7 +43,7 @@ impl Transcription<'_> {
 
     /// Derivatives that vanish, as (node, axis, order): velocity, acceleration and (x, y) jerk at rest; where the vehicle
     /// holds, inputs too.
-    pub(super) fn at_rest(&self) -> Vec<(usize, usize, usize)> {
+    pub(in crate::planner) fn at_rest(&self) -> Vec<(usize, usize, usize)> {
         let last = self.nodes() - 1;
         let mut zero = Vec::new();
         let mut rest = |node: usize, holding: bool| {

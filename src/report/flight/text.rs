@@ -20,7 +20,7 @@ pub fn text(told: &Told) -> String {
         manner(model)
     );
     out.push_str(&match record.outcome {
-        OutcomeRecord::Flown => format!("Simulated to its end at {} s\n", fixed(flight.end, 2)),
+        OutcomeRecord::Flown => format!("{}\n", to_its_end(model, &record)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s\n", fixed(at_s, 2)),
         OutcomeRecord::Lost { at_s, cause } => format!("LOST at {} s: {}\n", fixed(at_s, 2), loss(model, cause)),
         OutcomeRecord::Diverged { at_s } => format!("DIVERGED at {} s: {DIVERGED}\n", fixed(at_s, 2)),
@@ -70,11 +70,19 @@ pub fn text(told: &Told) -> String {
         let manner = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
         format!("\n{}\n", textwrap::fill(text, manner))
     };
-    for group in told.alike {
-        let list = listed(group);
-        out.push_str(&fill(&format!(
-            "The torques of {list} are alike all along the plan: no estimate tells them apart."
-        )));
+    match told.alike {
+        [] => {}
+        [one] => out.push_str(&fill(&format!(
+            "The torques of {} are alike all along the plan: no estimate tells them apart.",
+            listed(one)
+        ))),
+        groups => {
+            let groups: Vec<String> = groups.iter().map(|group| listed(group)).collect();
+            out.push_str(&fill(&format!(
+                "Modes whose torques are alike all along the plan, so that no estimate tells them apart: {}.",
+                groups.join("; ")
+            )));
+        }
     }
     record.warnings.iter().for_each(|caveat| out.push_str(&fill(&caveat.message)));
     out
@@ -135,6 +143,22 @@ pub fn turned(turns: usize) -> String {
     }
 }
 
+/// That a flight has ended otherwise than in a loss. A `duration` may end it before its plan does.
+pub fn to_its_end(model: &Model, record: &FlightRecord) -> String {
+    let end = fixed(record.end_s, 2);
+    let tick = 1.0 / model.simulation.control_rate;
+    let asked = model.simulation.duration;
+    match record.end_s < record.plan_time_s - tick {
+        false if asked.is_some_and(|asked| record.end_s < asked - tick) => {
+            format!("Simulated to the end of the plan at {end} s, where it is in motion and leads no further")
+        }
+        true => {
+            format!("Simulated for {end} s, as `duration` says; the plan goes on to {} s", number(record.plan_time_s))
+        }
+        false => format!("Simulated to its end at {end} s"),
+    }
+}
+
 /// Why a flight that diverged has no result.
 pub const DIVERGED: &str = "the integration broke down (NaN, infinity, or more than half a turn in one step); \
                             what became of the vehicle is unknown";
@@ -146,9 +170,12 @@ pub fn loss(model: &Model, cause: &str) -> String {
         "ground" => "it struck the ground".into(),
         "heading" => {
             let limit = s.lost_yaw.map_or(0.0, f64::to_degrees);
-            format!("heading more than {} degrees off for longer than {} s", number(limit), number(s.lost_yaw_after))
+            let (limit, after) = (number(limit), number(s.lost_yaw_after));
+            format!("heading more than {limit} degrees off for longer than {after} s, or when the flight ended")
         }
-        "upside_down" => format!("tilted past 90 degrees for longer than {} s", number(s.upside_down)),
+        "upside_down" => {
+            format!("tilted past 90 degrees for longer than {} s, or when the flight ended", number(s.upside_down))
+        }
         _ => format!("more than {} m from its place", number(s.lost_beyond)),
     }
 }

@@ -85,6 +85,10 @@ pub struct Phase {
     pub label: String,
 }
 
+/// The labels of marks where a flight was lost, and where its integration broke down.
+pub const LOST: &str = "lost";
+pub const DIVERGED: &str = "diverged";
+
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mark {
     /// s

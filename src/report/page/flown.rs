@@ -1,13 +1,13 @@
 //! A flight as a run of the page: what was flown, beside what was planned.
 
 use super::chart::{Bound, Chart, Columns, Line, column};
-use super::content::{Mark, Phase, RunContent};
+use super::content::{DIVERGED as DIVERGED_AT, LOST, Mark, Phase, RunContent};
 use super::motion::WRENCH;
 use crate::admissible::hover;
 use crate::flight::Sample;
 use crate::model::Model;
 use crate::report::flight::{
-    DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, turned,
+    DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, to_its_end, turned,
 };
 use crate::report::number::{fixed, number, significant};
 use maud::{Markup, html};
@@ -86,7 +86,7 @@ impl Track {
 /// What became of it, in one sentence.
 pub fn headline(model: &Model, record: &FlightRecord) -> String {
     match record.outcome {
-        OutcomeRecord::Flown => format!("Simulated to its end at {} s", fixed(record.end_s, 2)),
+        OutcomeRecord::Flown => to_its_end(model, record),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s", fixed(at_s, 2)),
         OutcomeRecord::Lost { at_s, cause } => format!("Lost at {} s: {}", fixed(at_s, 2), loss(model, cause)),
         OutcomeRecord::Diverged { at_s } => format!("Diverged at {} s: {DIVERGED}", fixed(at_s, 2)),
@@ -105,8 +105,8 @@ fn marks(record: &FlightRecord) -> Vec<Mark> {
         marks.extend(fault.until_s.map(|t| Mark { t, label: format!("{} ends", fault.mode) }));
     }
     match record.outcome {
-        OutcomeRecord::Lost { at_s, .. } => marks.push(Mark { t: at_s, label: "lost".into() }),
-        OutcomeRecord::Diverged { at_s } => marks.push(Mark { t: at_s, label: "diverged".into() }),
+        OutcomeRecord::Lost { at_s, .. } => marks.push(Mark { t: at_s, label: LOST.into() }),
+        OutcomeRecord::Diverged { at_s } => marks.push(Mark { t: at_s, label: DIVERGED_AT.into() }),
         OutcomeRecord::Flown | OutcomeRecord::Landed { .. } => {}
     }
     marks

@@ -1,6 +1,6 @@
 //! Where a page opens: at what is worst about the run shown first.
 
-use super::content::RunContent;
+use super::content::{DIVERGED, LOST, RunContent};
 use super::sets::SetContent;
 use serde::Serialize;
 
@@ -16,8 +16,8 @@ pub struct Opening {
     pub t: f64,
 }
 
-/// Of a plan the smallest margin and the mode whose set it is to, the first of those alike; of a flight the largest distance
-/// from its place, and the fault that is in force then. The start and the first mode where neither is known.
+/// Of a plan the smallest margin and the mode whose set it is to, the first of those alike; of a flight its loss, or else the largest
+/// distance from its place, and the fault that is in force then. The start and the first mode where neither is known.
 pub fn opening(run: Option<&RunContent>, sets: &[SetContent]) -> Opening {
     let first = Opening { set: sets.len().saturating_sub(1).min(1), t: 0.0 };
     let Some(run) = run else { return first };
@@ -40,9 +40,10 @@ fn smallest_margin(run: &RunContent, sets: &[SetContent]) -> Option<Opening> {
 /// Of a flight.
 fn farthest(run: &RunContent, sets: &[SetContent], otherwise: usize) -> Option<Opening> {
     let (times, errors) = (run.columns.get("t")?, run.columns.get("error")?);
+    let lost = run.marks.iter().find(|mark| mark.label == LOST || mark.label == DIVERGED).map(|mark| mark.t);
     // Of equal ones the first.
-    let k = (0..errors.len()).reduce(|best, k| if errors[k] > errors[best] { k } else { best })?;
-    let t = *times.get(k)?;
+    let farthest = (0..errors.len()).reduce(|best, k| if errors[k] > errors[best] { k } else { best })?;
+    let t = lost.or_else(|| times.get(farthest).copied())?;
     let phase = run.phases.iter().rev().find(|phase| phase.from <= t)?;
     // `M3 undetected`, `M3, M5 detected`: the first mode among the sets.
     let struck = phase.label.split(", ").filter_map(|fault| fault.split(' ').next());

@@ -6,7 +6,7 @@ use crate::campaign::statistics::{Share, wilson};
 use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord, ModeRecord, PlannerRecord};
 use crate::report::campaign_text::by_flight;
 use crate::report::flight::detection;
-use crate::report::number::{number, percent, significant};
+use crate::report::number::{number, part_of_all, significant};
 use maud::{Markup, html};
 
 /// Modes and columns of one map at most.
@@ -21,9 +21,10 @@ const CLASSES: [(&str, f64); 5] =
 pub fn found(record: &CampaignRecord) -> Found {
     let shares: Vec<(String, f64)> =
         record.planners.iter().filter_map(|p| Some((p.name.to_uppercase(), survival(p)?.share))).collect();
-    let list: Vec<String> = shares.iter().map(|(name, share)| format!("{} with {name}", percent(*share))).collect();
+    let list: Vec<String> =
+        shares.iter().map(|(name, share)| format!("{} % with {name}", part_of_all(*share))).collect();
     let headline = match list.is_empty() {
-        true => "Nothing was simulated: no planner's plan was found".to_string(),
+        true => no_fault_flown(record),
         false => format!("Flights that survive a fault: {}", list.join(", ")),
     };
     let figures = vec![
@@ -45,6 +46,15 @@ pub fn found(record: &CampaignRecord) -> Found {
     Found { headline, figures, warnings: Vec::new() }
 }
 
+/// Why there is nothing to say of faults.
+fn no_fault_flown(record: &CampaignRecord) -> String {
+    match (record.flights, record.planners.iter().any(|p| p.healthy.is_some())) {
+        (0, false) => "Nothing was simulated: no planner's plan was found".into(),
+        (0, true) => "Nothing was simulated: this part of the campaign has no flights".into(),
+        (_, _) => "No flight with a fault is among those simulated".into(),
+    }
+}
+
 /// Share of flights with a fault that survive.
 fn survival(planner: &PlannerRecord) -> Option<Share> {
     let flights: usize = planner.modes.iter().map(|m| m.flights.flights).sum();
@@ -54,8 +64,8 @@ fn survival(planner: &PlannerRecord) -> Option<Share> {
 
 /// `85.7 (60.1 to 96)`, in percent.
 fn with_interval(share: Option<Share>) -> String {
-    let percent = |x: f64| significant(100.0 * x, 3);
-    share.map_or("\u{2013}".into(), |s| format!("{} ({} to {})", percent(s.share), percent(s.low), percent(s.high)))
+    let told = |s: Share| format!("{} ({} to {})", part_of_all(s.share), part_of_all(s.low), part_of_all(s.high));
+    share.map_or("\u{2013}".into(), told)
 }
 
 /// Who survives, planner by planner.
@@ -209,7 +219,7 @@ pub fn agreement(record: &CampaignRecord) -> Markup {
                         @for t in &a.by_flight {
                             tr {
                                 th scope="row" { (t.planner.map_or("all".into(), str::to_uppercase)) }
-                                td.n { (t.base_rate.map_or("\u{2013}".into(), |r| significant(100.0 * r, 3))) }
+                                td.n { (t.base_rate.map_or("\u{2013}".into(), part_of_all)) }
                                 td.n { (t.phi.map_or("\u{2013}".into(), |r| true_minus(&significant(r, 3)))) }
                             }
                         }

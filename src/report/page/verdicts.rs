@@ -6,7 +6,7 @@ use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::Model;
 use crate::planner::compare::{Comparison, Ending, Solved};
-use crate::report::number::{fixed, short_seconds, significant};
+use crate::report::number::{down, fixed, short_seconds, significant};
 use crate::report::terminal::holds;
 use crate::trajectory::outside::Outside;
 use maud::{Markup, html};
@@ -177,7 +177,7 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
             th scope="row" { (a.name) @if let Some(title) = title { br; span.unit { (title) } } }
             td { span.verdict.(class) { (a.verdict.name()) (yaw) (edge) } }
             td.n { (a.acai.map_or("flat".into(), |m| signed(m, 4))) }
-            td.n { (a.critical_mass_kg.map_or("none".into(), |m| significant(m, 4))) }
+            td.n { (a.critical_mass_kg.map_or("none".into(), |m| down(m, 4))) }
             @if columns.of_plan {
                 td.n.bad[outside.is_some_and(|o| o.last.is_some())] {
                     (outside.map_or_else(dash, |o| signed_percent(-o.max_violation)))

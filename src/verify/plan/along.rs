@@ -13,7 +13,9 @@ use super::super::wrench::{Dynamics, Held};
 use super::super::{Reach, Rejection, Scope, Shown};
 use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
 use crate::certificate::DynamicModel;
+use crate::model::LimitKind;
 use crate::report::caveats::limit_words;
+use crate::report::number::number;
 use std::collections::BTreeSet;
 
 /// Points between the ends of a piece at which what is not proved is looked at; with one of the ends 64.
@@ -144,6 +146,16 @@ impl Checked<'_> {
         if setting.dynamics.model == DynamicModel::Exact {
             let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
             found.add("thrust points up, by a tenth of the weight at least".into(), reach);
+        } else if setting.mission.limits.iter().any(|limit| limit.kind == LimitKind::Tilt) {
+            // The linear model's thrust may vanish, and then has no direction that a limit could bound.
+            let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
+            if reach.weaker("").is_some() {
+                let at = reach.beyond.map_or(String::new(), |beyond| format!(", at {} s", number(beyond.at)));
+                found.weaker.push(format!(
+                    "limit on tilt: it is not shown that the thrust stays above a tenth of the weight{at}; a thrust that nearly \
+                     vanishes keeps any limit on its direction within the tolerance"
+                ));
+            }
         }
         let planes = all_planes(&self.groups);
         for held in [Some(Held::Wrench), setting.commands].into_iter().flatten() {

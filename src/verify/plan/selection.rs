@@ -6,11 +6,13 @@ use super::super::cost;
 use super::super::interval::Interval;
 use super::super::motion::Motion;
 use super::super::proof::above_at_nodes;
+use super::super::schedule;
 use super::super::sets::{Generators, Plane};
 use super::super::{Rejection, mode_named};
 use super::{Group, MOST_OUTSIDE, Role, Setting, of_groups};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Model, PlannerKind};
+use crate::report::number::number;
 
 /// A facet counts as violated where it is exceeded by more than this share of the healthy set's width.
 const VIOLATED: f64 = 1e-4;
@@ -66,6 +68,14 @@ impl Setting<'_> {
                 return Err(named(Rejection::new("the plan", why.clone())));
             }
             before.push(checked.motion);
+        }
+        // All rounds select at one mission time.
+        let ends = |motion: &Motion| motion.times[motion.times.len() - 1];
+        let apart = |pair: &[Motion]| !schedule::is_one_time(ends(&pair[0]), ends(&pair[1]), ends(&pair[0]));
+        if let Some(round) = before.windows(2).position(apart) {
+            let [a, b] = [round, round + 1].map(|i| number(ends(&before[i])));
+            let why = format!("plans {} and {} to select by take {a} s and {b} s", round + 1, round + 2);
+            return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
         }
         Ok(before)
     }

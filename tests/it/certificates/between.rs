@@ -1,8 +1,9 @@
 //! What reports say of plans between their nodes, against dense samples of the motion.
 
-use super::{SHA, decide, hop, planned};
+use super::{SHA, certified, decide, hop, planned};
+use crate::vehicles::{limit, waypoint};
 use mavc::certify::between::{Between, Shown, WRENCH, between};
-use mavc::model::{LimitKind, Model, PlanModel, PlannerKind};
+use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::planner::compare::{Comparison, Ending, Solved};
 use mavc::planner::transcribe::NodeState;
 use mavc::report::between as words;
@@ -163,4 +164,24 @@ fn what_does_not_hold_is_not_proved() {
     let whole = format!("{}\n{text}", caveats.join("\n"));
     assert!(whole.contains("the speed limit is passed by"), "{whole}");
     assert_eq!(whole.matches("speed").count(), 1, "{whole}");
+}
+
+/// In the hover model a plan that nearly falls keeps any limit on tilt, and certificates of it say so.
+#[test]
+fn a_limit_on_tilt_says_little_where_thrust_vanishes() {
+    let mut model = hop(PlannerKind::Rip, 2.0);
+    model.plan.reserve = 0.0;
+    let flight = model.mission.as_mut().unwrap();
+    // Down by 12 m in two seconds: free fall for as long as it lasts.
+    flight.waypoints = vec![waypoint([0.0, 0.0, 14.0], 0.0), waypoint([0.0, 0.0, 3.4], 0.0)];
+    flight.legs.truncate(1);
+    flight.limits = vec![limit(LimitKind::Tilt, 0.35)];
+    let falling = decide(&certified(&model).unwrap(), &model).unwrap();
+    assert!(
+        falling.weaker.iter().any(|w| w.starts_with("limit on tilt: it is not shown that the thrust")),
+        "{falling:?}"
+    );
+    model.plan.time = MissionTime::Fixed(6.0);
+    let calm = decide(&certified(&model).unwrap(), &model).unwrap();
+    assert!(calm.weaker.is_empty(), "{calm:?}");
 }

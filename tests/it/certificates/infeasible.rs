@@ -134,7 +134,7 @@ fn what_cannot_be_certified_is_not() {
     let mut turning = hop(PlannerKind::Rip, 5.0);
     turning.mission = Some(inspection());
     turning.plan.time = MissionTime::Fixed(20.0);
-    assert!(is_infeasible(&turning) && certified(&turning).is_none());
+    assert!(!is_infeasible(&turning) && certified(&turning).is_none());
     let mut moving = hop(PlannerKind::Rip, 2.0);
     moving.mission.as_mut().unwrap().start_at_rest = false;
     if is_infeasible(&moving) {

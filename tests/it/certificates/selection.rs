@@ -2,7 +2,7 @@
 
 use super::{certified, decide, hop};
 use mavc::certificate::{Certificate, Claim, MotionRecord, PlanClaim};
-use mavc::model::{Model, PlannerKind};
+use mavc::model::{MissionTime, Model, PlannerKind};
 
 fn claim(certificate: &Certificate) -> &PlanClaim {
     match &certificate.claim {
@@ -89,4 +89,31 @@ fn a_tame_plan_to_select_by_guards_nothing() {
     // Where the motion stays inside as well nothing is missing.
     let whole = with(&rip, &claim(&tame).motion, std::slice::from_ref(&claim(&tame).motion));
     assert!(decide(&whole, &model).unwrap().weaker.is_empty());
+}
+
+/// All rounds select at one time, and where the spec leaves time free the headline names it.
+#[test]
+fn plans_to_select_by_take_one_time() {
+    let model = |rounds: usize| {
+        let mut model = quick(PlannerKind::Rsp, rounds);
+        model.plan.time = MissionTime::Minimum;
+        model
+    };
+    let at = |planner: PlannerKind, time: f64| {
+        let mut model = quick(planner, 1);
+        model.plan.time = MissionTime::Fixed(time);
+        claim(&certified(&model).unwrap()).motion.clone()
+    };
+    let tame = certified(&quick(PlannerKind::Rcp, 1)).unwrap();
+    let (motion, slow) = (claim(&tame).motion.clone(), at(PlannerKind::Rip, 3.5));
+    let [tame_too, later] = [3.5, 3.6].map(|time| at(PlannerKind::Rcp, time));
+    let verdict = decide(&with(&tame, &motion, std::slice::from_ref(&slow)), &model(1)).unwrap();
+    assert!(verdict.headline.ends_with("for the selection by the RIP plan carried, of 3.5 s"), "{verdict:?}");
+    let twice = decide(&with(&tame, &motion, &[slow.clone(), tame_too]), &model(2)).unwrap();
+    assert!(twice.headline.ends_with("for the selection by the 2 plans carried, of 3.5 s"), "{twice:?}");
+    let told = decide(&with(&tame, &motion, &[slow, later]), &model(2)).unwrap_err();
+    assert_eq!(
+        (told.claim.as_str(), told.detail.as_str()),
+        ("the selection", "plans 1 and 2 to select by take 3.5 s and 3.6 s")
+    );
 }

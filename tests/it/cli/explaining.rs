@@ -36,6 +36,16 @@ fn a_part_of_a_code_finds_those_that_have_it() {
 }
 
 #[test]
+fn the_codes_of_one_kind_are_listed() {
+    for word in ["sense", "mavc::sense", "Sense::"] {
+        let ran = mavc(&["explain", word]);
+        assert_eq!(code(&ran), 0, "{}", err(&ran));
+        let listed = String::from_utf8(ran.stdout).unwrap();
+        assert!(listed.lines().count() > 10 && listed.lines().all(|l| l.starts_with("mavc::sense::")), "{listed}");
+    }
+}
+
+#[test]
 fn a_code_written_almost_right_is_found() {
     for (written, meant) in [("unit::mismtach", "mavc::unit::mismatch"), ("mavc::sytax::depth", "mavc::syntax::depth")]
     {

@@ -54,8 +54,10 @@ impl Oracle for Asked<'_> {
         match met {
             None => Answer::Feasible,
             Some(_) if !self.known.proves => Answer::NotFound(Vec::new()),
-            Some(conflict) if self.known.weighs => Answer::Infeasible(conflict.iter().filter_map(part).collect()),
-            Some(_) => Answer::Infeasible(Vec::new()),
+            Some(conflict) if self.known.weighs => {
+                Answer::Infeasible { weights: conflict.iter().filter_map(part).collect(), of_selection: false }
+            }
+            Some(_) => Answer::Infeasible { weights: Vec::new(), of_selection: false },
         }
     }
 }

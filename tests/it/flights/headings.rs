@@ -118,6 +118,21 @@ fn a_vehicle_that_keeps_its_place_and_spins_is_lost_by_heading() {
     );
 }
 
+/// A second off is allowed in flight; a vehicle that points away when the flight ends has not kept its heading.
+#[test]
+fn a_heading_that_is_off_at_the_end_is_lost() {
+    let model = spinning();
+    let plan = staying(PLACE, 0.5, 30.0);
+    let strikes = [strike(0, 2.0)];
+    let (_, all) = seen(&sortie(&model, &plan, &strikes), |s: &Sample| (s.time, s.heading.error().abs()));
+    let away = all.iter().find(|(_, error)| *error > 1.6).unwrap().0;
+    let flown = |duration: f64| fly(&Sortie { duration, ..sortie(&model, &plan, &strikes) }, None);
+    let flight = flown(away);
+    let Outcome::Lost { at, cause: Cause::Heading } = flight.outcome else { panic!("{flight:?}") };
+    assert!((at - away).abs() < 0.01, "{at} {away}");
+    assert_eq!(flown(away - 0.2).outcome, Outcome::Flown);
+}
+
 /// Both controllers keep the plan's heading where the vehicle tilts and turns at once.
 #[test]
 fn a_sound_vehicle_keeps_its_heading() {

@@ -231,11 +231,16 @@ fn absurd_flights_get_the_warning_of_their_slip() {
         sense(&flight(hop, "plan { time = 10 s }\nsimulate { wind = [5, 0, 0] m/s; drag = 0.5 N*s/m; gusts = 2 m/s }")),
         [""; 0]
     );
-    let cases: [(&str, &str, &[&str]); 13] = [
+    let cases: [(&str, &str, &[&str]); 18] = [
         (hop, "simulate { wind = [300, 0, 0] m/s; drag = 0.3 N*s/m }", &["wind"]),
         (hop, "simulate { wind = [20, 0, 0] m/s; drag = 6 N*s/m }", &["wind"]),
         (hop, "simulate { drag = 30 N*s/m }", &["drag"]),
         (hop, "simulate { gusts = 100 m/s; drag = 0.3 N*s/m }", &["gusts"]),
+        (hop, "simulate { position_noise = 10 m }", &["noise"]),
+        (hop, "simulate { position_gain = 0.004 1/s^2 }", &["gains"]),
+        (hop, "simulate { lost_beyond = 2000 m; upside_down = 500 s }", &["loss", "loss"]),
+        (hop, "simulate { lost_yaw_after = 1 ms }", &["loss"]),
+        (hop, "simulate { gyroscope_noise = 90 deg/s }", &["noise"]),
         (hop, "simulate { attitude_gain = 100 1/s^2; attitude_rate_gain = 1.6 1/s }", &["gains"]),
         (hop, "simulate { control_rate = 10 Hz; estimator_rate = 10 Hz }", &["gains"]),
         (hop, "simulate { position_gain = 0.004 1/s^2; velocity_gain = 0.0032 1/s }", &["gains"]),

@@ -1,0 +1,28 @@
+//! When a simulated vehicle counts as lost: limits that hardly any flight passes, or that every flight does.
+
+use super::{Usual, short, warning};
+use crate::model::Simulation;
+use crate::model::context::Context;
+use crate::model::fields::Fields;
+use crate::source::Span;
+
+/// Distance from its place, m: less is a gust, more is another field.
+const DISTANCE: Usual = Usual::new(0.05, 200.0);
+/// How long a vehicle may be upside down or point away, s.
+const SECONDS: Usual = Usual::new(0.01, 60.0);
+
+/// Warns of limits that judge nothing. `fields` are those of `simulate`, which stands at `block`.
+pub(in crate::model) fn check(cx: &mut Context, simulation: &Simulation, fields: &Fields, block: Span) {
+    let limits = [
+        ("lost_beyond", simulation.lost_beyond, DISTANCE, "m"),
+        ("upside_down", simulation.upside_down, SECONDS, "s"),
+        ("lost_yaw_after", simulation.lost_yaw_after, SECONDS, "s"),
+    ];
+    for (name, limit, usual, unit) in limits.into_iter().filter(|(_, limit, usual, _)| !usual.has(*limit)) {
+        let message = format!("a {name} of {} {unit}, where {} is usual", short(limit), usual.text(unit));
+        let here =
+            if limit > usual.high { "hardly any flight is lost by this" } else { "hardly any flight keeps to this" };
+        let span = fields.span_of(name).unwrap_or(block);
+        cx.report(warning("mavc::sense::loss", span, message, "check the number and its unit").here(here));
+    }
+}
