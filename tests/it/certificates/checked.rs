@@ -105,3 +105,45 @@ fn forgeries_are_refused_by_the_command() {
         assert!(told.contains("mavc::verify::rejected") && ran.stdout.is_empty(), "{name}: {told}");
     }
 }
+
+/// A proof for one choice of waypoint times, or for one yaw, is none for a spec that leaves them open, and no exit code, report or
+/// conflict says so. Each of these missions has a plan.
+#[test]
+fn proofs_of_less_than_the_spec_are_none() {
+    for (spec, confined) in [
+        ("one_division.mav", "there is none with the waypoint times that were tried"),
+        ("one_yaw.mav", "there is none with the yaw that is planned first"),
+    ] {
+        let Planned { code, text, report, is_written } = planned(&finding(spec), &[]);
+        assert!(code == 4 && !is_written, "{spec}: {code} {text}");
+        assert!(text.contains(confined) && !text.contains("RIP: proved infeasible"), "{spec}: {text}");
+        assert_eq!(report["planners"][0]["verdict"], "not found", "{spec}");
+        assert_eq!(report["conflict"]["verdict"], "not found", "{spec}: {:#}", report["conflict"]);
+    }
+    // The shortest time's statement names what it is confined to, wherever it is told.
+    let Planned { code, report, .. } = planned(&finding("one_yaw.mav"), &["--set", "plan.time=minimum"]);
+    let told = report["planners"][0]["statement"].as_str().unwrap();
+    assert!(code == 0 && told.ends_with("is proved infeasible with 40 samples, for the yaw planned first"), "{told}");
+    // Here another yaw does meet what the one planned first does not: within its tolerance it may stay.
+    let stays = ["--set", "plan.time=3s", "--set", "plan.samples=40"];
+    let folder = tempfile::tempdir().unwrap();
+    let held = folder.path().join("held.mav");
+    let text = std::fs::read_to_string(finding("one_yaw.mav")).unwrap();
+    let text = text.replace("yaw 0 deg", "yaw 45 deg").replace("yaw 90 deg", "yaw 45 deg");
+    std::fs::write(&held, text).unwrap();
+    assert_eq!(planned(held.to_str().unwrap(), &stays).code, 0);
+}
+
+/// Without rounds RSP selects nothing, so that no mode can be in its way; and missions that once ended in a panic, or at rest but
+/// for rounding, have plans.
+#[test]
+fn missions_that_were_missed_or_blamed_on_others() {
+    let Planned { code, report, .. } = planned(&finding("no_rounds.mav"), &[]);
+    let kinds: Vec<&str> =
+        report["conflict"]["statements"].as_array().unwrap().iter().map(|s| s["kind"].as_str().unwrap()).collect();
+    assert!(code == 3 && !kinds.contains(&"mode") && report["conflict"]["of_selection"] == false, "{kinds:?}");
+    for spec in ["ends_in_motion.mav", "carried_to_rest.mav"] {
+        let Planned { code, text, .. } = planned(&finding(spec), &[]);
+        assert_eq!(code, 0, "{spec}: {text}");
+    }
+}
