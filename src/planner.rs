@@ -3,6 +3,7 @@
 pub mod compare;
 mod cost;
 pub mod hover_model;
+pub mod kinematics;
 pub mod lead;
 mod limits;
 pub mod pool;

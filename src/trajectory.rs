@@ -44,7 +44,7 @@ impl Trajectory {
         self.times[self.times.len() - 1]
     }
 
-    /// Whether it stands still at its end, but for what the solver leaves.
+    /// Whether it ends at rest, up to the solver's tolerance.
     pub fn ends_at_rest(&self) -> bool {
         self.nodes.last().is_none_or(|end| end.iter().all(|axis| axis[1].abs() < 1e-3))
     }

@@ -70,7 +70,7 @@ impl Context<'_> {
     }
 }
 
-/// Whether `parameter`, which runs through `range`, is an angle in radians: its range is told in `pi`, or one of the
+/// Whether `parameter`, which runs through `range`, is an angle in radians: its range is written with `pi`, or one of the
 /// expressions takes its sine, cosine or tangent.
 pub(super) fn runs_through_turns(parameter: &str, range: &Expr, expressions: &[Option<&Expr>]) -> bool {
     let named = |wanted: &'static str| move |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name == wanted);

@@ -82,7 +82,7 @@ fn aftermath(design: &Design) -> String {
     let least = number(AFTERMATH);
     match design.plans.iter().all(|plan| plan.trajectory.ends_at_rest()) {
         true => format!("every fault is given {least} s"),
-        false => format!("a fault is given {least} s, or what is left of a mission that ends in motion"),
+        false => format!("a fault is given {least} s, or the rest of a mission that ends in motion"),
     }
 }
 
@@ -176,7 +176,7 @@ fn worst(tally: &Tally, p: usize, modes: usize) -> Vec<usize> {
 
 /// Name, flights, survival, errors of the survivors, how soon the fault was detected.
 fn group_cells(name: &str, group: &Group) -> Vec<String> {
-    // Of flights of which nothing is known no share is told.
+    // No share is printed where every outcome is unknown.
     let survival = wilson(group.survived(), group.flights).filter(|_| group.diverged < group.flights);
     let (rms, max) = (group.rms_error.summary(), group.max_error.summary());
     let heading = group.max_heading_error.summary();

@@ -59,7 +59,10 @@ impl Trajectory {
     fn mend(&mut self, axis: usize, order: usize) {
         let mut first = 0;
         while first < self.intervals() {
-            let next = self.waypoint_nodes.iter().copied().find(|&n| n > first).unwrap_or(self.intervals());
+            // A hold ends at a node that is not a waypoint's, and rests as well.
+            let rests = |n: usize| self.nodes[n][axis][1..=order].iter().all(|&d| d == 0.0);
+            let ends_here = |&n: &usize| self.waypoint_nodes.contains(&n) || rests(n);
+            let next = (first + 1..self.intervals()).find(ends_here).unwrap_or(self.intervals());
             // Parts of one size, so that none is too short.
             let parts = (next - first).div_ceil(PIECES);
             let last = first + (next - first).div_ceil(parts);

@@ -1,5 +1,6 @@
 //! Plans at one mission time, and motions at shorter and shorter ones, each begun from the plan of least cost at the last.
 
+use super::super::kinematics;
 use super::super::profile::{has_fixed_times, profile};
 use super::super::rows::{Decision, Planned};
 use super::relaxation::Verdict;
@@ -148,8 +149,11 @@ impl Successive<'_, '_> {
     fn first(&mut self, near: f64) -> Option<Motion> {
         let samples = self.engine.model.plan.samples;
         let coarse_samples = self.engine.coarse_samples();
-        let guess = self.engine.guess().max(near + self.held());
-        let coarse = self.lay_out(None, guess, coarse_samples)?;
+        // Where durations are the planner's, each leg begins with what its own limits ask for.
+        let initial = self.chooses_times().then(|| kinematics::initial(self.engine.model, self.engine.mission));
+        let longest = initial.as_ref().map_or(0.0, |legs| legs.iter().sum());
+        let guess = self.engine.guess().max(near + self.held()).max(longest + self.held());
+        let coarse = self.lay_out(initial.as_deref(), guess, coarse_samples)?;
         let smooth = self.smooth(&coarse.flown())?;
         let mut motion = self.timed(&smooth)?;
         let mut pool = BTreeSet::new();
@@ -316,7 +320,7 @@ impl Successive<'_, '_> {
     /// The plan of least cost about a motion inside the set, with holds.
     fn kept(&mut self, motion: Motion, total: f64, care: Care, pool: &mut BTreeSet<RowAt>) -> Option<Planned> {
         let mut settled = self.settle_between(motion, care, pool)?;
-        // A motion that was carried over to other nodes is at rest but for rounding.
+        // Interpolation at other nodes leaves rounding errors where the motion rests.
         for (node, axis, order) in self.transcription(&settled.profile, &[]).at_rest() {
             settled.states[node][axis][order] = 0.0;
         }

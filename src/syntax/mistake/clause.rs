@@ -67,7 +67,7 @@ pub(super) fn of_rotor(statement: &Broken, failure: &Failure) -> Option<Diagnost
     if let Some((_, clause)) = OTHER_WORDS.iter().find(|(word, _)| *word == found) {
         return Some(error(message).help(format!("did you mean `{clause}`?")).fix(span, *clause));
     }
-    // Words that are nearly right are told as misspelt.
+    // Nearly right words are reported as misspelt.
     nearest(found, OF_ROTOR).is_none().then(|| error(message).help(format!("its clauses are {}", listed())))
 }
 

@@ -1,0 +1,162 @@
+//! How long each leg takes at least, from distances, limits and thrust alone: lower bounds for motions that keep the
+//! spec's limits at every instant, whatever the division of the time, and the planner's initial durations.
+//!
+//! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at most v
+//! and the acceleration at most a in size, a leg of length d takes at least d/v; if the vehicle rests at k of its two ends, at
+//! least `d/v + k v/(2a)` where it reaches v, and `sqrt(2 k d/a)` where it does not (time-optimal control of the double
+//! integrator; Bryson and Ho, *Applied Optimal Control*, 1975, section 3.9).
+
+use crate::model::{LimitKind, Mission, Model, PlanModel, Waypoint};
+use std::f64::consts::FRAC_PI_2;
+
+/// Bounds on rates and accelerations of one displacement, SI; infinite where nothing bounds them.
+#[derive(Debug, Clone, Copy)]
+struct Pace {
+    rate: f64,
+    acceleration: f64,
+}
+
+impl Pace {
+    /// The least time for a displacement with rest at `rests` (0 to 2) of its ends, s.
+    fn least(self, displacement: f64, rests: usize) -> f64 {
+        if displacement <= 0.0 {
+            return 0.0;
+        }
+        let (Pace { rate, acceleration }, k) = (self, rests as f64);
+        let hurried = (2.0 * k * displacement / acceleration).sqrt();
+        // The rate is reached if half of `k v^2/a`, what starting and stopping take, is no more than the displacement.
+        match rate.is_finite() && 0.5 * k * rate * rate / acceleration <= displacement {
+            true => displacement / rate + 0.5 * k * rate / acceleration,
+            false => hurried,
+        }
+    }
+}
+
+/// What the limits and the thrust allow.
+#[derive(Debug, Clone, Copy)]
+pub struct Paces {
+    whole: Pace,
+    horizontal: Pace,
+    up: Pace,
+    down: Pace,
+    turn: Pace,
+}
+
+impl Paces {
+    /// Of a mission under its vehicle's full thrust, with intervals at the ends that allow most.
+    pub fn of(model: &Model, mission: &Mission) -> Self {
+        let most = |kind: LimitKind| {
+            let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind);
+            of_kind.filter_map(|limit| limit.upper).fold(f64::INFINITY, f64::min)
+        };
+        let vehicle = &model.vehicle;
+        let thrust: f64 = vehicle.rotors.iter().map(|r| r.max_thrust() * r.spread.full_thrust.high).sum();
+        let g = model.gravity;
+        // |(x'', y'', z'' + g)| is at most this.
+        let force = thrust / (vehicle.mass * vehicle.mass_spread.low);
+        let tilt = most(LimitKind::Tilt);
+        // Exactly |(x'', y'')| is a part of the force; about hover only a limit on tilt ties it to the thrust m (z'' + g).
+        let (sideways, any) = match model.plan.model {
+            PlanModel::Exact => (force * tilt.min(FRAC_PI_2).sin(), force + g),
+            PlanModel::Hover if tilt < FRAC_PI_2 => (force * tilt.tan(), f64::INFINITY),
+            PlanModel::Hover => (f64::INFINITY, f64::INFINITY),
+        };
+        let whole = most(LimitKind::Acceleration);
+        // A climb slows under gravity alone and a descent under full thrust: the larger of the two holds for both ends.
+        let vertical = g.max(force - g).min(whole);
+        let speed = most(LimitKind::Speed);
+        Paces {
+            whole: Pace { rate: speed, acceleration: whole.min(any) },
+            horizontal: Pace {
+                rate: speed.min(most(LimitKind::SpeedHorizontal)),
+                acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways),
+            },
+            up: Pace { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical },
+            down: Pace { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical },
+            turn: Pace { rate: most(LimitKind::YawRate), acceleration: most(LimitKind::YawAcceleration) },
+        }
+    }
+
+    /// The least time from one waypoint to the next, s, with rest at `rests` of them.
+    fn leg(&self, from: &Waypoint, to: &Waypoint, rests: usize) -> f64 {
+        let room = from.within + to.within;
+        let apart: [f64; 3] = std::array::from_fn(|i| to.position[i] - from.position[i]);
+        let [x, y, z] = apart;
+        let turn = (to.yaw - from.yaw).abs() - from.yaw_within - to.yaw_within;
+        let (up, down) = (z - room, -z - room);
+        let all = [
+            self.whole.least(x.hypot(y).hypot(z) - room, rests),
+            self.horizontal.least(x.hypot(y) - room, rests),
+            self.up.least(up, rests),
+            self.down.least(down, rests),
+            self.turn.least(turn, rests),
+        ];
+        all.into_iter().fold(0.0, f64::max)
+    }
+
+    /// The least durations of all legs, s.
+    pub fn legs(&self, mission: &Mission) -> Vec<f64> {
+        let points = &mission.waypoints;
+        let last = points.len().saturating_sub(1);
+        let rests = |i: usize| {
+            points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest
+        };
+        let legs = (0..last).map(|i| {
+            let rests = usize::from(rests(i)) + usize::from(rests(i + 1));
+            self.leg(&points[i], &points[i + 1], rests)
+        });
+        legs.collect()
+    }
+}
+
+/// Of the least duration of a leg, and of what flying it from rest to rest at half of g takes, the larger is its initial
+/// duration.
+const UNHURRIED: f64 = 1.25;
+const FLOWN_THROUGH: f64 = 0.7;
+
+/// Initial durations of the legs, s: each as long as its own distance, turn and limits ask for.
+pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
+    let least = Paces::of(model, mission).legs(mission);
+    let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity };
+    let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
+        let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();
+        (UNHURRIED * least).max(FLOWN_THROUGH * half.least(apart, 2))
+    });
+    let durations: Vec<f64> = legs.collect();
+    // No leg is without time, as none is without a share.
+    let mean = durations.iter().sum::<f64>() / durations.len().max(1) as f64;
+    durations.into_iter().map(|d| if mean > 0.0 { d.max(0.05 * mean) } else { 1.0 }).collect()
+}
+
+/// A mission time that no plan undercuts, s: legs, holds and fixed times.
+pub fn bound(model: &Model, mission: &Mission) -> f64 {
+    let legs = Paces::of(model, mission).legs(mission);
+    let mut at = 0.0_f64;
+    for (i, point) in mission.waypoints.iter().enumerate() {
+        if i > 0 {
+            at += legs[i - 1];
+        }
+        at = point.time.map_or(at, |time| at.max(time)) + point.hold;
+    }
+    at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bang-bang motions by closed form, and dense integration of the one with a plateau.
+    #[test]
+    fn least_times_are_those_of_bang_bang_motions() {
+        let pace = |rate: f64, acceleration: f64| Pace { rate, acceleration };
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.max(1.0), "{a} {b}");
+        near(pace(2.0, f64::INFINITY).least(10.0, 2), 5.0);
+        near(pace(f64::INFINITY, 2.0).least(8.0, 2), 4.0); // 2 sqrt(d/a)
+        near(pace(f64::INFINITY, 2.0).least(8.0, 1), 8f64.sqrt()); // sqrt(2 d/a)
+        near(pace(f64::INFINITY, 2.0).least(8.0, 0), 0.0);
+        near(pace(3.0, 2.0).least(12.0, 2), 4.0 + 1.5);
+        near(pace(3.0, 2.0).least(12.0, 1), 4.0 + 0.75);
+        near(pace(3.0, 2.0).least(4.5, 2), 3.0); // it just reaches 3 m/s
+        assert_eq!(pace(3.0, 2.0).least(-1.0, 2), 0.0);
+    }
+}
