@@ -1,6 +1,7 @@
 //! `mavc analyze --sweep`: where verdicts flip as one field varies.
 
 use super::Problem;
+use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
 use crate::diagnostic::{Diagnostic, Severity, nearest};
 use crate::model::{FileSet, FlightBlocks, Model, elaborate_for, parse_override};
@@ -19,7 +20,9 @@ pub struct Flip {
     /// In the unit of the sweep.
     at: f64,
     below: Verdict,
+    below_hover: Place,
     above: Verdict,
+    above_hover: Place,
 }
 
 pub struct Sweep {
@@ -28,8 +31,36 @@ pub struct Sweep {
     high: f64,
     unit: String,
     /// Verdicts at the low end.
-    start: Vec<(String, Verdict)>,
+    start: Vec<(String, Standing)>,
     pub flips: Vec<Flip>,
+}
+
+impl Flip {
+    fn new(mode: String, at: f64, below: Standing, above: Standing) -> Self {
+        let (below_hover, above_hover) = (below.hover, above.hover);
+        Flip { mode, at, below: below.verdict, below_hover, above: above.verdict, above_hover }
+    }
+
+    fn above(&self) -> Standing {
+        Standing { verdict: self.above, hover: self.above_hover }
+    }
+}
+
+/// A mode's verdict, and where hover lies: a flip of either counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Standing {
+    verdict: Verdict,
+    hover: Place,
+}
+
+impl Standing {
+    /// `controllable`, `stabilizable, on the edge`
+    fn words(self) -> String {
+        match self.hover {
+            Place::OnEdge => format!("{}, {}", self.verdict.name(), self.hover.word()),
+            Place::Inside | Place::Outside => self.verdict.name().into(),
+        }
+    }
 }
 
 /// What verdicts depend on: fields of the vehicle as written after `vehicle.`, and gravity.
@@ -109,7 +140,7 @@ pub struct Subject<'a> {
 
 impl Subject<'_> {
     /// Every mode's verdict with the field set to a value, in the order of the modes.
-    fn verdicts(&self, path: &str, value: f64, unit: &str) -> Result<Vec<Verdict>, Problem> {
+    fn verdicts(&self, path: &str, value: f64, unit: &str) -> Result<Vec<Standing>, Problem> {
         let mut files = self.files.clone();
         let mut overrides = Vec::new();
         for text in self.set.iter().cloned().chain([format!("{path}={value}{unit}")]) {
@@ -117,12 +148,12 @@ impl Subject<'_> {
         }
         let checked = elaborate_for(&files, &overrides, FlightBlocks::Unused);
         if let Some(model) = checked.value {
-            return Ok(analyze_each(&model).iter().map(|m| m.verdict).collect());
+            return Ok(analyze_each(&model).iter().map(|m| Standing { verdict: m.verdict, hover: m.hover }).collect());
         }
         let mut errors = checked.diagnostics.iter().filter(|d| d.severity == Severity::Error);
         match errors.find(|d| !self.is_too_heavy(d)) {
             Some(d) => Err(format!("at {}{unit}: {}", significant(value, 6), d.message)),
-            None => Ok(vec![Verdict::Unstable; self.modes.len()]),
+            None => Ok(vec![Standing { verdict: Verdict::Unstable, hover: Place::Outside }; self.modes.len()]),
         }
     }
 
@@ -152,6 +183,10 @@ impl Sweep {
             for (k, mode) in subject.modes.iter().enumerate() {
                 // Between two of the values looked at a verdict may flip more than once.
                 let mut left = (left.0, left.1[k]);
+                // The edge of a set is passed within its tolerance; only one that stays is worth a line.
+                let is_passed = |flip: &Flip, at: f64| {
+                    flip.mode == mode.name && flip.above_hover == Place::OnEdge && at - flip.at <= 1e-4 * (high - low)
+                };
                 while left.1 != right.1[k] {
                     let (mut a, mut b, mut above) = (left.0, right.0, right.1[k]);
                     while b - a > 1e-7 * (high - low).max(b.abs()) {
@@ -161,7 +196,11 @@ impl Sweep {
                             other => (b, above) = (middle, other),
                         }
                     }
-                    flips.push(Flip { mode: mode.name.clone(), at: 0.5 * (a + b), below: left.1, above });
+                    let mut flip = Flip::new(mode.name.clone(), 0.5 * (a + b), left.1, above);
+                    if let Some(entered) = flips.pop_if(|before| is_passed(before, flip.at)) {
+                        (flip.below, flip.below_hover) = (entered.below, entered.below_hover);
+                    }
+                    flips.push(flip);
                     left = (b, above);
                 }
             }
@@ -182,9 +221,9 @@ impl Sweep {
             self.unit
         );
         for (mode, verdict) in &self.start {
-            out.push_str(&format!("  {mode}: {}", verdict.name()));
+            out.push_str(&format!("  {mode}: {}", verdict.words()));
             for f in self.flips.iter().filter(|f| f.mode == *mode) {
-                out.push_str(&format!(", {} above {} {}", f.above.name(), significant(f.at, 6), self.unit));
+                out.push_str(&format!("; {} above {} {}", f.above().words(), significant(f.at, 6), self.unit));
             }
             out.push('\n');
         }

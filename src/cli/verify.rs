@@ -81,7 +81,8 @@ fn words(reach: Reach) -> String {
     };
     let Some(beyond) = reach.beyond else { return shown };
     let of = beyond.measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
-    format!("{shown}; exceeded between them by {}{of}", beyond.measure.of(beyond.excess))
+    let most = if beyond.throughout { "at most " } else { "" };
+    format!("{shown}; exceeded between them by {most}{}{of}", beyond.measure.of(beyond.excess))
 }
 
 /// `10s`, `500MB` or both with a comma between.

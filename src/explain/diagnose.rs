@@ -69,9 +69,9 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: 
     };
     let time = match (conflict.any_time, asked_for.filter(|asked| *asked < conflict.time)) {
         (true, Some(asked)) => {
-            format!(" in {a_mission_of}{} s, longer than the {} s asked for", number(conflict.time), number(asked))
+            format!(", not even in {a_mission_of}{} s where {} s are asked for", number(conflict.time), number(asked))
         }
-        (true, None) => format!(" in {a_mission_of}{} s, which is long for {it}", number(conflict.time)),
+        (true, None) => format!(", not even in {a_mission_of}{} s, which is long for {it}", number(conflict.time)),
         (false, _) => String::new(),
     };
     let facets = if conflict.of_selection { " and the facets that the RIP plan selects" } else { "" };

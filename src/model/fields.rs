@@ -249,6 +249,16 @@ impl<'a> Fields<'a> {
         expr
     }
 
+    /// As [`Fields::demand`], of a figure that nobody but the user knows.
+    pub fn demand_own(&self, cx: &mut Context<'a>, name: &str, example: &str) -> Option<&'a Expr> {
+        let expr = self.get(name);
+        if expr.is_none() && !self.may_have(name) {
+            let help = format!("add `{example}`, with the figures of your vehicle");
+            self.missing_or(cx, &format!("`{name}`"), example, &help);
+        }
+        expr
+    }
+
     pub fn missing(&self, cx: &mut Context<'a>, what: &str, example: &str) {
         self.missing_or(cx, what, example, &format!("add `{example}`"));
     }

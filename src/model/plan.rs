@@ -55,7 +55,7 @@ const SAMPLES: (usize, &str, &str) = (200, "200", "intervals of the whole missio
 const ROUNDS: (usize, &str, &str) = (1, "1", "how often rsp selects facets");
 const AFTER_FAULT: (AfterFault, &str, &str) = (AfterFault::Continue, "continue", "the mission goes on");
 const WEIGHT: (f64, &str, &str) = (1.0, "1", "weight of the squared distance to each waypoint");
-const SNAP: (f64, &str, &str) = (1e-4, "1e-4", "weight of horizontal snap");
+const SNAP: (f64, &str, &str) = (1e-4, "1e-4", "weight of snap: horizontal, in the exact model vertical too");
 const ACCELERATION: (f64, &str, &str) = (1e-4, "1e-4", "weight of vertical and yaw acceleration");
 
 /// A `plan` block before modes and mission are known.

@@ -62,9 +62,9 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let fields = Fields::of_block(cx, owner.clone(), span, &block.body, &VEHICLE_FIELDS);
     let (shared, placed, twice) = blocks(cx, block);
 
-    let mass_expr = fields.demand(cx, "mass", "mass = 1.8 kg");
+    let mass_expr = fields.demand_own(cx, "mass", "mass = 1.8 kg");
     let mass = mass_expr.and_then(|e| cx.interval(Due::new("mass", "kg"), e, POSITIVE));
-    let inertia = fields.demand(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2").and_then(|e| inertia(cx, e));
+    let inertia = fields.demand_own(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2").and_then(|e| inertia(cx, e));
     let rotor_fields =
         shared.map(|b| Fields::of_block(cx, format!("`rotor` of {owner}"), b.keyword.span, &b.body, &ROTOR_FIELDS));
 

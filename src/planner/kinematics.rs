@@ -98,9 +98,8 @@ impl Paces {
     pub fn legs(&self, mission: &Mission) -> Vec<f64> {
         let points = &mission.waypoints;
         let last = points.len().saturating_sub(1);
-        let rests = |i: usize| {
-            points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest
-        };
+        let rests =
+            |i: usize| points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest;
         let legs = (0..last).map(|i| {
             let rests = usize::from(rests(i)) + usize::from(rests(i + 1));
             self.leg(&points[i], &points[i + 1], rests)

@@ -4,6 +4,7 @@ use super::number::{down, significant};
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::admissible::edge::Place;
+use crate::admissible::interval::Certainty;
 use crate::admissible::parallel::{Parallel, least_angle};
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::{Allocation, Model};
@@ -80,7 +81,10 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         let mut table = Table::new(&["mode", "hovers", "worst", "best"]);
         for (m, r) in modes.iter().filter_map(|m| Some((m, m.robust?))) {
             let told = |bound: Option<f64>| bound.map_or("-".into(), |margin| significant(margin, 4));
-            let cells = [r.hover.name().into(), told(r.acai_worst), told(r.acai_best)];
+            // Sure to hover, and on the edge for some of the values.
+            let edge =
+                if r.hover == Certainty::Yes && r.acai_worst == Some(0.0) { ", at worst on the edge" } else { "" };
+            let cells = [format!("{}{edge}", r.hover.name()), told(r.acai_worst), told(r.acai_best)];
             table.row(std::iter::once(m.name.clone()).chain(cells).collect());
         }
         out.push_str(&table.render(0));

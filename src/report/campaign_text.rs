@@ -135,6 +135,7 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
         table.row(cells);
     }
     out.push_str(&table.render(2));
+    out.push_str("  errors and headings are those of the flights that survived\n");
     if let lost @ 1.. = healthy.all_lost() {
         let text = format!(
             "Warning: {lost} of {} without a fault {} lost. This plan cannot be flown as it stands, so its losses \

@@ -11,7 +11,7 @@ use crate::flight::twins::listed;
 use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::Protection;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Solved, label};
-use crate::planner::select::PlanningSet;
+use crate::planner::select::{PlanningSet, VIOLATED};
 use crate::trajectory::outside::Outside;
 use crate::trajectory::risk::rated_risk;
 
@@ -143,6 +143,7 @@ fn solved_run(
     if !comparison.modes.is_empty() {
         out.push_str("\n  If a fault strikes, when is the plan outside what is left?\n");
         out.push_str(&mode_table(model, comparison, solved).render(2));
+        out.push_str(&unguarded(model, comparison, solved));
         out.push_str(&risk_lines(model, comparison, solved));
         out.push_str("\n  How near the plan comes to the edge of what is left, in shares of the healthy set's width\n");
         out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
@@ -161,6 +162,33 @@ fn solved_run(
         out.push_str(&format!("\n{}\n", textwrap::fill(&caveat.message, text)));
     }
     out
+}
+
+/// RSP guards facets, and its plan may leave a set elsewhere.
+fn unguarded(model: &Model, comparison: &Comparison, solved: &Solved) -> String {
+    if model.plan.planner != PlannerKind::Rsp || comparison.selected.is_empty() || model.plan.require_risk.is_some() {
+        return String::new();
+    }
+    let out: Vec<(&str, f64)> = comparison
+        .modes
+        .iter()
+        .zip(&solved.outside)
+        .filter(|(_, out)| out.max_violation > VIOLATED)
+        .map(|(name, out)| (name.as_str(), out.max_violation))
+        .collect();
+    let most = out.iter().map(|(_, violation)| *violation).fold(0.0, f64::max);
+    let sets = match out[..] {
+        [] => return String::new(),
+        [(one, _)] => format!("the set of {one}"),
+        [(first, _), .., (last, _)] => format!("the sets of {} modes, {first} to {last}", out.len()),
+    };
+    let text = format!(
+        "RSP guards the facets selected, not whole sets: this plan leaves {sets}, by up to {}. A larger `rounds` selects more \
+         facets, and RCP keeps to every set.",
+        percent(most)
+    );
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    format!("\n{}\n", textwrap::fill(&text, options))
 }
 
 /// Whether after some fault the mission holds.
@@ -208,7 +236,7 @@ fn risk_lines(model: &Model, comparison: &Comparison, solved: &Solved) -> String
 }
 
 /// Modes with a rate that the plan is not against: they may strike too, and no plan was held against their sets.
-fn not_looked_at(model: &Model) -> String {
+pub(super) fn not_looked_at(model: &Model) -> String {
     let others = model
         .modes
         .iter()

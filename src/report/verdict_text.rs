@@ -87,8 +87,15 @@ fn conditions(model: &Model, mission: &Mission, comparison: &Comparison, run: &P
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
         conditions.push("for the yaw planned first".into());
     }
-    if run.planner == PlannerKind::Rsp && !comparison.selected.is_empty() {
-        conditions.push("for the facets that the RIP plan selects".into());
+    // What is imposed beside the healthy set follows from plans, and a proof is about this alone.
+    if run.planner == PlannerKind::Rsp && model.plan.require_risk.is_some() {
+        conditions.push("for what is protected here to keep the required risk".into());
+    } else if run.planner == PlannerKind::Rsp && !comparison.selected.is_empty() {
+        let selects = match comparison.selected_by.len() {
+            0 | 1 => "the RIP plan selects",
+            _ => "the RIP plan and the plans of further rounds select",
+        };
+        conditions.push(format!("for the facets that {selects}"));
     }
     format!(" {}", conditions.join(", "))
 }

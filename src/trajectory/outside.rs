@@ -17,8 +17,8 @@ pub struct Outside {
     pub rows: usize,
     /// Nodes with a violated row.
     pub positions: usize,
-    /// Largest excess over all rows, in widths of the healthy set, at the nodes and, where the wrench bends between
-    /// them, at sixteen points an interval; negative where all stays inside.
+    /// Largest excess over all rows, in widths of the healthy set: at the nodes and, where the wrench bends between
+    /// them, about the largest of sixteen points an interval; negative where all stays inside.
     pub max_violation: f64,
     /// Seconds outside.
     pub seconds: f64,
@@ -51,17 +51,54 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
         found.positions += usize::from(any);
     }
     found.facets = (0..rows.len()).filter(|&i| violated[i]).collect();
+    let mut highest: Option<Seen> = None;
     for k in 0..trajectory.intervals() {
         let (stretches, worst) = stretches(trajectory, vehicle, gravity, rows, k);
-        found.max_violation = found.max_violation.max(worst);
+        highest = highest.into_iter().chain(worst).max_by(|a, b| a.excess.total_cmp(&b.excess));
         stretches.iter().for_each(|stretch| violated[stretch.row] = true);
         for (a, b) in merged(stretches.into_iter().map(|s| (s.from, s.to)).collect()) {
             found.seconds += b - a;
             found.last = Some(b);
         }
     }
+    if let Some(seen) = highest {
+        found.max_violation = found.max_violation.max(refined(trajectory, vehicle, gravity, rows, seen));
+    }
     found.passed = (0..rows.len()).filter(|&i| violated[i]).collect();
     found
+}
+
+/// The excess over a row at an instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seen {
+    pub row: usize,
+    pub excess: f64,
+    /// s since the start
+    pub at: f64,
+    /// How far apart the instants looked at are, s.
+    pub apart: f64,
+}
+
+/// Golden-section steps by which the peak about a sample is found: to 1e-6 of the distance of samples.
+const REFINEMENTS: usize = 30;
+
+/// The largest excess over a row about the sample at which it is largest.
+fn refined(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], seen: Seen) -> f64 {
+    if matches!(trajectory.model, WrenchModel::HoverAt(_)) {
+        // Linear between samples.
+        return seen.excess;
+    }
+    let at = |t: f64| rows[seen.row].excess(&trajectory.wrench(vehicle, gravity, &trajectory.at(t)));
+    let (mut low, mut high) = ((seen.at - seen.apart).max(0.0), (seen.at + seen.apart).min(trajectory.duration()));
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let mut best = seen.excess;
+    for _ in 0..REFINEMENTS {
+        let (a, b) = (high - golden * (high - low), low + golden * (high - low));
+        let (left, right) = (at(a), at(b));
+        best = best.max(left).max(right);
+        if left < right { low = a } else { high = b }
+    }
+    best
 }
 
 /// A time during which a row is violated within one interval.
@@ -80,7 +117,7 @@ pub fn stretches(
     gravity: f64,
     rows: &[SetRow],
     k: usize,
-) -> (Vec<Stretch>, f64) {
+) -> (Vec<Stretch>, Option<Seen>) {
     let begin = trajectory.times[k];
     let h = trajectory.times[k + 1] - begin;
     let curved = !matches!(trajectory.model, WrenchModel::HoverAt(_));
@@ -88,13 +125,17 @@ pub fn stretches(
     let at = |t: f64| trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
     let at_node = |node: usize| trajectory.wrench(vehicle, gravity, &trajectory.nodes[node]);
     let mut found = Vec::new();
-    let mut worst = f64::NEG_INFINITY;
+    let mut worst: Option<Seen> = None;
+    let apart = h / parts as f64;
     let mut left = (0.0, at_node(k));
     for p in 1..=parts {
         let t = h * p as f64 / parts as f64;
         let right = (t, if p == parts { at_node(k + 1) } else { at(t) });
         for (i, row) in rows.iter().enumerate() {
-            worst = worst.max(row.excess(&right.1));
+            let excess = row.excess(&right.1);
+            if worst.is_none_or(|seen| excess > seen.excess) {
+                worst = Some(Seen { row: i, excess, at: begin + t, apart });
+            }
             let at = curved.then_some(&at as &dyn Fn(f64) -> Wrench);
             // A plane can be left on either side.
             let sides: &[f64] = if row.equality { &[1.0, -1.0] } else { &[1.0] };

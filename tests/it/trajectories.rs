@@ -191,7 +191,8 @@ proptest! {
             .fold(at_nodes, f64::max);
         let rounding = 1e-9 * (1.0 + dense.abs());
         prop_assert!(found.max_violation >= at_nodes - rounding);
-        prop_assert!(found.max_violation <= dense + rounding);
+        // The peak lies between two of the dense samples.
+        prop_assert!(found.max_violation <= dense + 1e-4 * (1.0 + dense.abs()), "{} {dense}", found.max_violation);
         if flight.model != WrenchModel::HoverFollowing {
             // A wrench that is linear between nodes is worst at one of them.
             prop_assert!((found.max_violation - at_nodes).abs() <= rounding);

@@ -144,7 +144,7 @@ pub(in crate::model) fn warn_unused(
         let list = format!("as in `[{}]`", all.join(", "));
         cx.report(warning.help(match count {
             1 => format!("take it out, or add it to `against`, {list}, if `mavc analyze` calls it controllable and not on the edge"),
-            _ => format!("take them out, or add some to `against`, {list}, if `mavc analyze` calls them controllable"),
+            _ => format!("take them out, or add some to `against`, {list}, if `mavc analyze` calls them controllable and not on the edge"),
         }));
     }
 }

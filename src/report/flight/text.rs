@@ -2,7 +2,7 @@
 
 use super::record::{FlightRecord, OutcomeRecord, Told};
 use crate::flight::twins::listed;
-use crate::model::{AfterFault, Allocation, Controller, Detection, Model};
+use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, Model};
 use crate::report::number::{fixed, number, significant};
 use crate::report::table::Table;
 use crate::report::terminal::{WIDTH, vehicle_line};
@@ -33,12 +33,14 @@ pub fn text(told: &Told) -> String {
         heading(&record),
         fixed(flight.max_tilt.to_degrees(), 1)
     ));
+    out.pop();
+    out.push_str(&past_limit(told));
     if !record.faults.is_empty() {
-        let mut table = Table::new(&["fault", "struck", "recovers", "detected", "isolated"]);
+        let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
         let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
         for fault in &record.faults {
             let mut row = vec![fault.mode.clone(), format!("{} s", number(fault.at_s))];
-            row.push(fault.until_s.map_or("no".into(), |t| format!("{} s", number(t))));
+            row.push(fault.until_s.map_or("never".into(), |t| format!("{} s", number(t))));
             match fault.struck {
                 true => row.extend([after(fault.detected_after_s), after(fault.isolated_after_s)]),
                 false => row.push("not struck".to_string()),
@@ -100,7 +102,7 @@ fn manner(model: &Model) -> String {
         Allocation::Bounded => "bounded allocation",
     };
     let detection = match s.detection {
-        Detection::Never => "faults never known".to_string(),
+        Detection::Never => return format!("{controller}, {allocation}, faults never known{}", air_and_rate(model)),
         Detection::After(delay) => format!("faults known after {}", duration(delay)),
         Detection::Estimator => "capacities estimated".to_string(),
     };
@@ -109,16 +111,29 @@ fn manner(model: &Model) -> String {
         AfterFault::Hold => "stops and holds",
         AfterFault::Land => "stops and lands",
     };
+    format!("{controller}, {allocation}, {detection}; after a fault it {after}{}", air_and_rate(model))
+}
+
+/// `; gusts of 2 m/s; the ground is at z = -1 m; 1000 Hz, seed 1`
+fn air_and_rate(model: &Model) -> String {
+    let s = &model.simulation;
     let air = match (s.wind.iter().any(|w| *w != 0.0), s.gusts > 0.0) {
         (false, false) => String::new(),
         (true, false) => "; steady wind".to_string(),
         (_, true) => format!("; gusts of {} m/s", number(s.gusts)),
     };
-    format!(
-        "{controller}, {allocation}, {detection}; after a fault it {after}{air}; {} Hz, seed {}",
-        number(s.rate),
-        s.seed
-    )
+    let ground = if s.ground == 0.0 { String::new() } else { format!("; the ground is at z = {} m", number(s.ground)) };
+    format!("{air}{ground}; {} Hz, seed {}", number(s.rate), s.seed)
+}
+
+/// `, past the 20 degrees of the mission's limit`, which binds the plan and not the flight.
+fn past_limit(told: &Told) -> String {
+    let limits = told.model.mission.iter().flat_map(|mission| &mission.limits);
+    let tilt = limits.filter(|limit| limit.kind == LimitKind::Tilt).filter_map(|limit| limit.upper);
+    match tilt.filter(|most| told.flight.max_tilt > *most).reduce(f64::min) {
+        Some(most) => format!(", past the {} degrees that the plan is limited to\n", number(most.to_degrees())),
+        None => "\n".into(),
+    }
 }
 
 /// `heading error: 1.2 degrees root mean square; largest 4.0 degrees, 4.0 since the first fault`

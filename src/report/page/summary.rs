@@ -10,7 +10,7 @@ use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label
 use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
 use crate::report::number::{fixed, number, percent, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
-use crate::report::terminal::in_planes;
+use crate::report::terminal::{in_planes, not_looked_at};
 use crate::report::verdict_text::statement;
 use crate::report::waypoints::{WaypointRecord, waypoints, worst};
 use crate::verdict::Verdict;
@@ -63,7 +63,9 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
             figures.extend(stays(comparison, solved));
             figures.extend(waypoint_error(told));
             figures.extend(told.risk.map(|r| {
-                Figure::new("Risk", significant(r, 3), "that a fault strikes while the mission is committed to it")
+                let others = not_looked_at(model);
+                let text = format!("that a fault strikes while the mission is committed to it.{others}");
+                Figure::new("Risk", significant(r, 3), text.trim_end_matches('.'))
             }));
             figures.extend(shown_between(told));
             Found { headline, figures, warnings: told.warnings.iter().map(|c| c.message.clone()).collect() }

@@ -295,7 +295,7 @@ fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     }
     let word_follows = rest.strip_prefix(',')?.trim_start().starts_with(|c: char| c.is_ascii_alphabetic());
     word_follows.then(|| {
-        error("no comma stands between the clauses of a statement")
+        error("clauses of a statement are not separated by commas")
             .here("not expected")
             .help("remove it; blanks separate clauses")
             .fix(span, "")

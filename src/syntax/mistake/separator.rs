@@ -91,7 +91,7 @@ fn error(statement: &Broken, at: usize, next: usize) -> Diagnostic {
     let word = token(statement.text, next, is_name);
     let code = "mavc::syntax::separator";
     let diagnostic = match statement.text[at..].starts_with(',') {
-        true => Diagnostic::error(code, statement.span(at, at + 1), "no comma stands between two statements")
+        true => Diagnostic::error(code, statement.span(at, at + 1), "statements are not separated by commas")
             .here("another statement follows")
             .fix(statement.span(at, at + 1), ";"),
         false => {

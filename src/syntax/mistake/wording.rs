@@ -126,7 +126,7 @@ fn hold_for(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let follows = statement.text[..start].trim_end() == "hold";
     let value = statement.text[failure.at..].trim_end();
     (statement.word() == "hold" && is_filler && follows && !value.is_empty()).then(|| {
-        unexpected(statement, start, start + word.len(), "nothing stands between `hold` and its time")
+        unexpected(statement, start, start + word.len(), "a word between `hold` and its time")
             .here("not expected")
             .help(format!("write `hold {}`", cut(value)))
             .fix(statement.span(start, failure.at), "")

@@ -107,19 +107,29 @@ fn forgeries_are_refused_by_the_command() {
 }
 
 /// A proof for one choice of waypoint times, or for one yaw, is none for a spec that leaves them open, and no exit code, report or
-/// conflict says so. Each of these missions has a plan.
+/// conflict says so.
 #[test]
 fn proofs_of_less_than_the_spec_are_none() {
-    for (spec, confined) in [
-        ("one_division.mav", "there is none with the waypoint times that were tried"),
-        ("one_yaw.mav", "there is none with the yaw that is planned first"),
+    for (spec, time, confined) in [
+        ("one_division.mav", "18.5s", "there is none with the waypoint times that were tried"),
+        ("one_yaw.mav", "3s", "there is none with the yaw that is planned first"),
     ] {
-        let Planned { code, text, report, is_written } = planned(&finding(spec), &[]);
+        let Planned { code, text, report, is_written } =
+            planned(&finding(spec), &["--set", &format!("plan.time={time}")]);
         assert!(code == 4 && !is_written, "{spec}: {code} {text}");
         assert!(text.contains(confined) && !text.contains("RIP: proved infeasible"), "{spec}: {text}");
         assert_eq!(report["planners"][0]["verdict"], "not found", "{spec}");
         assert_eq!(report["conflict"]["verdict"], "not found", "{spec}: {:#}", report["conflict"]);
     }
+    // With more rounds other plans select too, and here what they select is infeasible where the RIP plan's facets are not.
+    let rounds = finding("more_rounds.mav");
+    let Planned { code, report, .. } = planned(&rounds, &["--set", "plan.rounds=6"]);
+    let told = report["planners"][0]["statement"].as_str().unwrap();
+    assert!(
+        code == 3 && told.ends_with("for the facets that the RIP plan and the plans of further rounds select"),
+        "{told}"
+    );
+    assert_eq!(planned(&rounds, &[]).code, 0);
     // The shortest time's statement names what it is confined to, wherever it is told.
     let Planned { code, report, .. } = planned(&finding("one_yaw.mav"), &["--set", "plan.time=minimum"]);
     let told = report["planners"][0]["statement"].as_str().unwrap();

@@ -48,7 +48,12 @@ fn every_clear_mistake_has_a_fix_that_mends_it() {
         ("8500 rpm", "8500 RPM", "mavc::unit::unknown", "Write `rpm`"),
         ("max_speed", "max_sped", "mavc::name::unknown_field", "Write `max_speed`"),
         ("[worn,", "[wron,", "mavc::name::unknown", "Write `worn`"),
-        ("    mass    = 1.6 kg\n", "", "mavc::name::missing_field", "Add `mass = 1.8 kg`"),
+        (
+            "    mass    = 1.6 kg\n",
+            "",
+            "mavc::name::missing_field",
+            "Add `mass = 1.8 kg`, with the figures of your vehicle",
+        ),
         ("    arm     = 25 cm\n", "", "mavc::name::missing_field", "Add `arm = 0.2 m`"),
         ("    arm     = 25 cm\n", "    arm     = 25 cm\n    arm = 20 cm\n", "mavc::name::duplicate", "Take one out"),
         ("tilt <= 20 deg", "tlit <= 20 deg", "mavc::name::unknown_field", "Write `tilt`"),

@@ -246,7 +246,15 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
     let (unit, shown) = (cut(unit), cut(&mended));
     let help = match factor.contains([' ', '\t']) {
         false if divides => format!("write `{shown}`, which is `{unit}*{factor}`"),
-        false => format!("write `{unit}*{factor}` for a product, `{unit}/{factor}` for a quotient"),
+        false => {
+            // `m2` is a power without its sign.
+            let letters = factor.trim_end_matches(|c: char| c.is_ascii_digit());
+            let factor = match &factor[letters.len()..] {
+                "" => factor.to_string(),
+                power => format!("{letters}^{power}"),
+            };
+            format!("write `{unit}*{factor}` for a product, `{unit}/{factor}` for a quotient")
+        }
         true => format!("write `{shown}`, with `/` before what divides"),
     };
     Some(
