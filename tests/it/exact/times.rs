@@ -71,6 +71,7 @@ fn a_time_too_short_for_even_legs_is_met() {
 }
 
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn fixed_times_and_holds_stand() {
     let mut held = uneven();
     held.waypoints[1].hold = 1.0;
@@ -89,6 +90,7 @@ fn fixed_times_and_holds_stand() {
 
 /// Who chooses times can choose these, so what is proved of all times is proved of these.
 #[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
 fn a_proof_covers_every_division_of_time() {
     let at = |mission: Mission, chooses_times: bool| {
         let mut model = quick(mission, chooses_times);
