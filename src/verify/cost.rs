@@ -1,7 +1,7 @@
 //! What a certificate costs to decide, bounded from its size before any work begins, and the budget it has to fit.
 //!
 //! Work is counted in units, never in time, so that the same certificate has the same verdict on every machine. The weights
-//! below are chosen so that the bound is not too low: for four shipped specs it was 4 to 110 times the time that the check
+//! below are chosen so that the bound is not too low: for four shipped specs it was 2 to 40 times the time that the check
 //! at the nodes took (docs/certificates.md, *Cost*).
 
 use super::interval::exceeds;

@@ -13,6 +13,7 @@ use super::{Group, MOST_OUTSIDE, Role, Setting, of_groups};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Model, PlannerKind};
 use crate::report::number::number;
+use rayon::prelude::*;
 
 /// A facet counts as violated where it is exceeded by more than this share of the healthy set's width.
 const VIOLATED: f64 = 1e-4;
@@ -189,24 +190,31 @@ impl Setting<'_> {
         // Selecting needs no enclosure: what is exceeded by just this much may count or not.
         let middles = |v: &[Interval; 4]| v.map(Interval::middle);
         let planes: Vec<([f64; 4], f64)> = planes.map(|p| (middles(&p.normal), p.offset.middle())).collect();
-        let mut over = vec![false; planes.len()];
-        for wrench in motions.iter().flat_map(|motion| self.wrenches(motion)) {
-            let wrench = middles(&wrench);
-            for ((normal, offset), over) in planes.iter().zip(&mut over) {
-                *over |= (0..4).map(|i| normal[i] * wrench[i]).sum::<f64>() - offset > VIOLATED;
+        let pieces: Vec<(&Motion, usize)> =
+            motions.iter().flat_map(|motion| (0..motion.pieces()).map(move |piece| (motion, piece))).collect();
+        // The order in which pieces are looked at changes nothing.
+        let of_piece = |mut over: Vec<bool>, &(motion, piece): &(&Motion, usize)| {
+            for wrench in self.wrenches(motion, piece) {
+                let wrench = middles(&wrench);
+                for ((normal, offset), over) in planes.iter().zip(&mut over) {
+                    *over |= (0..4).map(|i| normal[i] * wrench[i]).sum::<f64>() - offset > VIOLATED;
+                }
             }
-        }
-        over
+            over
+        };
+        let none = || vec![false; planes.len()];
+        let any = |a: Vec<bool>, b: Vec<bool>| a.iter().zip(&b).map(|(a, b)| *a || *b).collect();
+        pieces.par_iter().fold(none, of_piece).reduce(none, any)
     }
 
-    /// The wrench where violations are looked for.
-    fn wrenches<'s>(&'s self, motion: &'s Motion) -> impl Iterator<Item = [Interval; 4]> + 's {
+    /// The wrench where violations are looked for on a piece: at its ends and between them.
+    fn wrenches<'s>(&'s self, motion: &'s Motion, piece: usize) -> impl Iterator<Item = [Interval; 4]> + 's {
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS } else { 1 };
-        let nodes = (0..motion.times.len()).map(move |node| motion.node_in(node, node.min(motion.pieces() - 1)));
+        let end = (piece + 1 == motion.pieces()).then_some(piece + 1);
+        let nodes = std::iter::once(piece).chain(end).map(move |node| motion.node_in(node, piece));
         // As dense as on the spec's pieces, where the motion's are longer.
-        let looks = move |piece: usize| parts * (motion.asked_points(piece) + 1) - 1;
-        let between = (0..motion.pieces())
-            .flat_map(move |piece| motion.grid(piece, looks(piece)).map(move |at| motion.over(piece, at)));
+        let looks = parts * (motion.asked_points(piece) + 1) - 1;
+        let between = motion.grid(piece, looks).map(move |at| motion.over(piece, at));
         nodes.chain(between).map(|state| self.dynamics.value(&state))
     }
 
