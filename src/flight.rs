@@ -231,7 +231,11 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 let stop = Stop::from(&reference, t, lands, simulation.ground);
                 let rest = stop.at_rest();
                 let height = stop.place_of_rest().z - simulation.ground;
-                duration = if lands { rest + height / DESCENT + 20.0 } else { duration.max(rest + 5.0) };
+                duration = if lands {
+                    rest + height / DESCENT + 20.0
+                } else {
+                    duration.max(simulation.duration.unwrap_or(0.0)).max(rest + 5.0)
+                };
                 course = Course::Stop(Box::new(stop));
                 reference = course.at(t);
                 watch.is_stopping = true;

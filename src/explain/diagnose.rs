@@ -68,10 +68,12 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: 
         false => ("", "this mission"),
     };
     let time = match (conflict.any_time, asked_for.filter(|asked| *asked < conflict.time)) {
+        // Shown, or tried, of this time alone: at another one the same samples are other instants.
         (true, Some(asked)) => {
-            format!(", not even in {a_mission_of}{} s where {} s are asked for", number(conflict.time), number(asked))
+            let [tried, asked] = [conflict.time, asked].map(number);
+            format!(" in {a_mission_of}{tried} s, at which they were tried; the spec asks for {asked} s")
         }
-        (true, None) => format!(", not even in {a_mission_of}{} s, which is long for {it}", number(conflict.time)),
+        (true, None) => format!(" in {a_mission_of}{} s, which is long for {it}", number(conflict.time)),
         (false, _) => String::new(),
     };
     let facets = if conflict.of_selection { " and the facets that the RIP plan selects" } else { "" };

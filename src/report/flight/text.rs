@@ -164,7 +164,10 @@ pub fn to_its_end(model: &Model, record: &FlightRecord) -> String {
     let tick = 1.0 / model.simulation.control_rate;
     let asked = model.simulation.duration;
     match record.end_s < record.plan_time_s - tick {
-        false if asked.is_some_and(|asked| record.end_s < asked - tick) => {
+        false
+            if asked.is_some_and(|asked| record.end_s < asked - tick)
+                && (record.end_s - record.plan_time_s).abs() <= tick =>
+        {
             format!("Simulated to the end of the plan at {end} s, where it is in motion and leads no further")
         }
         true => {

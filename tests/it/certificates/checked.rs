@@ -157,3 +157,28 @@ fn missions_that_were_missed_or_blamed_on_others() {
         assert_eq!(code, 0, "{spec}: {text}");
     }
 }
+
+/// A conflict is shown at one mission time, and nothing is said of the one that the spec asks for: there these statements hold.
+#[test]
+fn a_conflict_is_about_the_time_at_which_it_was_tried() {
+    let ran = mavc(&["plan", &finding("long_last_leg.mav")]);
+    let told = String::from_utf8(ran.stderr).unwrap().replace("\n  │ ", " ");
+    assert!(
+        told.contains("cannot hold together in a mission of 61 s, at which they were tried; the spec asks for 4 s"),
+        "{told}"
+    );
+}
+
+/// After a plan that ends in motion nothing leads further, but a vehicle that has stopped goes on holding its place.
+#[test]
+fn a_stop_is_flown_beyond_a_plan_that_ends_in_motion() {
+    let spec = finding("hold_after_moving_end.mav");
+    let flown = |more: &[&str]| {
+        let ran = mavc(&[&["simulate", &spec], more].concat());
+        (ran.status.code(), String::from_utf8(ran.stdout).unwrap())
+    };
+    let (code, told) = flown(&[]);
+    assert!(code == Some(0) && told.contains("Simulated to its end at 20.00 s\n"), "{told}");
+    let (_, told) = flown(&["--set", "simulate.after_fault=continue"]);
+    assert!(!told.contains("at 20.00 s") && told.contains(" at 5.00 s"), "{told}");
+}
