@@ -127,19 +127,6 @@ pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
     durations.into_iter().map(|d| if mean > 0.0 { d.max(0.05 * mean) } else { 1.0 }).collect()
 }
 
-/// A mission time that no plan undercuts, s: legs, holds and fixed times.
-pub fn bound(model: &Model, mission: &Mission) -> f64 {
-    let legs = Paces::of(model, mission).legs(mission);
-    let mut at = 0.0_f64;
-    for (i, point) in mission.waypoints.iter().enumerate() {
-        if i > 0 {
-            at += legs[i - 1];
-        }
-        at = point.time.map_or(at, |time| at.max(time)) + point.hold;
-    }
-    at
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
