@@ -216,7 +216,7 @@ pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
         _ => Certainty::No,
     };
     let full = |rows: &&Rows| rows.equalities.is_empty();
-    // Outside a set its margin is the largest excess over a facet, which is no smaller in every smaller set.
+    // Outside, the margin is the largest facet violation, and that need not grow as the set shrinks.
     let inside = |margin: &f64| *margin >= 0.0;
     Some(Robust {
         hover: certainty,

@@ -4,7 +4,7 @@
 //! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at most v
 //! and the acceleration at most a in size, a leg of length d takes at least d/v; if the vehicle rests at k of its two ends, at
 //! least `d/v + k v/(2a)` where it reaches v, and `sqrt(2 k d/a)` where it does not (time-optimal control of the double
-//! integrator; Bryson and Ho, *Applied Optimal Control*, 1975, section 3.9).
+//! integrator; Bryson and Ho, *Applied Optimal Control*, 1975).
 
 use crate::model::{LimitKind, Mission, Model, PlanModel, Waypoint};
 use std::f64::consts::FRAC_PI_2;
@@ -131,7 +131,7 @@ pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// Bang-bang motions by closed form, and dense integration of the one with a plateau.
+    /// Bang-bang motions by closed form.
     #[test]
     fn least_times_are_those_of_bang_bang_motions() {
         let pace = |rate: f64, acceleration: f64| Pace { rate, acceleration };

@@ -145,7 +145,7 @@ impl<'a> Engine<'a> {
         Ok(Some(Layout { profile, flown, yaw }))
     }
 
-    /// Whether there is no plan for any yaw: fixed times, the yaw waypoints or reach alone show it.
+    /// Whether fixed times, yaw waypoints or reach already rule out every plan, for any choice of yaw.
     pub(super) fn is_hopeless(&mut self, total: f64) -> bool {
         match self.layout(total, self.model.plan.samples) {
             Ok(Some(layout)) => self.out_of_reach(&layout),

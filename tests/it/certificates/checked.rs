@@ -130,7 +130,7 @@ fn proofs_of_less_than_the_spec_are_none() {
         "{told}"
     );
     assert_eq!(planned(&rounds, &[]).code, 0);
-    // The shortest time's statement names what it is confined to, wherever it is told.
+    // The statement of the shortest time names its condition in JSON too.
     let Planned { code, report, .. } = planned(&finding("one_yaw.mav"), &["--set", "plan.time=minimum"]);
     let told = report["planners"][0]["statement"].as_str().unwrap();
     assert!(code == 0 && told.ends_with("is proved infeasible with 40 samples, for the yaw planned first"), "{told}");
