@@ -3,6 +3,7 @@
 mod analyze;
 mod campaign;
 mod check;
+mod compare;
 mod emit;
 mod explain;
 mod files;
@@ -322,7 +323,7 @@ pub fn run() -> u8 {
         Command::Check(args) => check::run(args, &options),
         Command::Analyze(args) => analyze::run(args, &options),
         Command::Plan(args) => plan::plan(args, &options),
-        Command::Compare(args) => plan::compare(args, &options),
+        Command::Compare(args) => compare::compare(args, &options),
         Command::Verify(args) => verify::run(args, &options),
         Command::Simulate(args) => simulate::run(args, &options),
         Command::Campaign(args) => campaign::run(args, &options),

@@ -71,6 +71,17 @@ impl<'a> Sortie<'a> {
     }
 }
 
+/// How long a flight along a plan of `time` s can take at most, a landing included, but for the seconds of a stop, s.
+pub fn longest(model: &Model, time: f64) -> f64 {
+    let simulation = &model.simulation;
+    let flown = simulation.duration.unwrap_or(time);
+    let heights = model.mission.iter().flat_map(|m| m.waypoints.iter().map(|w| w.position[2] - simulation.ground));
+    match simulation.after_fault {
+        AfterFault::Land => flown + heights.fold(0.0, f64::max) / DESCENT + LANDING_MARGIN,
+        _ => flown,
+    }
+}
+
 /// What is to be seen of a flight at an instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample<'a> {
@@ -176,6 +187,9 @@ pub struct Regressor {
 /// Looks at the regressor a second.
 const CONDITION_RATE: f64 = 10.0;
 
+/// What a landing is given beyond the time that its descent takes, s.
+const LANDING_MARGIN: f64 = 20.0;
+
 /// Flies. `record` is given every instant at which the controller acts, and the last of the flight, with finite numbers
 /// only: of a flight that diverges the last ones before.
 pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flight {
@@ -232,7 +246,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 let rest = stop.at_rest();
                 let height = stop.place_of_rest().z - simulation.ground;
                 duration = if lands {
-                    rest + height / DESCENT + 20.0
+                    rest + height / DESCENT + LANDING_MARGIN
                 } else {
                     duration.max(simulation.duration.unwrap_or(0.0)).max(rest + 5.0)
                 };

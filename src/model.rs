@@ -50,7 +50,7 @@ pub use mission::MAX_WAYPOINTS;
 pub(crate) use near_files::is_unfit;
 pub use near_files::{List, entries};
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
-pub use plan::{MAX_ROUNDS, MAX_SAMPLES};
+pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
 

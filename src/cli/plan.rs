@@ -1,22 +1,20 @@
-//! `mavc plan` and `mavc compare`: one engine, two reports.
+//! `mavc plan`, and what `mavc compare` and the pages share with it.
 
 use super::progress::Progress;
 use super::spec::{self, Loaded, timing};
 use super::target::{Target, cannot_write, write};
 use super::why::why;
-use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
+use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
-use crate::model::{FlightBlocks, MAX_ROUNDS, Mission, MissionTime, Model};
-use crate::planner::compare::rounds;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, compare as compare_planners};
-use crate::planner::profile::determined;
+use crate::model::{FlightBlocks, Mission, Model};
+use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::page::{self, Kind, Subject};
-use crate::report::record::{Record, RoundRecord};
-use crate::report::{self, comparison_text, terminal, trajectory_csv};
+use crate::report::record::Record;
+use crate::report::{self, terminal, trajectory_csv};
 use crate::source::visible;
 use crate::verdict::Verdict;
 use std::io::ErrorKind;
@@ -68,7 +66,9 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let code = match comparison.runs.last().map(|r| &r.ending) {
         Some(Ending::Solved(solved)) => {
             if table.is_some() {
-                few_enough(trajectory_csv::count(&solved.trajectory, rate))?;
+                let header = trajectory_csv::header(model.vehicle.rotors.len());
+                let rows = trajectory_csv::count(&solved.trajectory, rate);
+                trajectory_csv::few_enough("trajectory", rows, &header)?;
             }
             let rows = |target| (target, trajectory_csv::render(&solved.trajectory, &model, rate));
             results.extend(table.as_ref().map(rows));
@@ -135,70 +135,6 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     Ok(code)
 }
 
-pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
-    let wanted = args.rounds.as_deref().map(parse_rounds).transpose()?;
-    let (_, report) = targets(None, args.report.as_deref())?;
-    let html = args.html.as_deref().map(Target::new).transpose()?;
-    apart(PAGE, &html, &[&report])?;
-    args.svg.as_deref().map_or(Ok(()), is_folder)?;
-    let mut loaded = spec::read(&args.spec, FlightBlocks::Unused, options)?;
-    spare(&loaded, &[&report, &html])?;
-    let Some((model, mission)) = ready(&mut loaded, options) else { return Ok(SPEC_ERRORS) };
-    let Some(mut comparison) = plan_for(&loaded, &model, &mission, Scope::Everything, options) else {
-        return refused(&loaded, &model, &report, &html, args.html.as_deref(), options);
-    };
-    let rounds = wanted.map(|wanted| {
-        let progress = Progress::new(options);
-        let tell = |round: &str, time: f64| progress.tell(round, time);
-        let mut rounds = rounds::rounds(&model, &mission, &mut comparison, wanted, Some(&tell));
-        progress.done();
-        certify::check_rounds(&model, &mission, &mut rounds);
-        rounds
-    });
-    let told = ![&report, &html].into_iter().flatten().any(Target::is_stdout);
-    if told {
-        files::print_painted(&comparison_text::compare(
-            &model,
-            &mission,
-            &comparison,
-            spec::colored(&std::io::stdout()),
-        ))?;
-        if let Some(rounds) = &rounds {
-            files::print(&comparison_text::rounds(&model, &mission, &comparison, rounds))?;
-        }
-    }
-    let subject = subject(&loaded, &model, &mission, &[]);
-    let figures = figures(args.svg.as_deref(), &subject, &comparison, &[&report, &html])?;
-    let mut results: Vec<_> = figures.iter().map(|(target, text)| (target, text.clone())).collect();
-    if report.is_some() || html.is_some() {
-        let rounds = rounds.map(|all| all.iter().map(|r| RoundRecord::new(&mission, r)).collect());
-        let record = Record { rounds, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
-        if let Some(target) = &report {
-            results.push((target, json(&record)?));
-        }
-        if let Some(target) = &html {
-            let subject = Subject { diagnostics: &loaded.diagnostics, ..subject };
-            results.push((target, page::plans(Kind::Compare, &subject, &comparison, &record)));
-        }
-    }
-    write(&results)?;
-    tell_page(told, &html, args.html.as_deref(), options)?;
-    tell_written("Figures", told, args.svg.as_deref(), options)?;
-    Ok(compared_code(&model, &mission, &comparison))
-}
-
-/// The exit code of planners side by side, at the time that the spec asks for where it asks for one.
-fn compared_code(model: &Model, mission: &Mission, comparison: &Comparison) -> u8 {
-    let is_fixed = determined(mission).is_some() || matches!(model.plan.time, MissionTime::Fixed(_));
-    let asked = |run: &&PlannerRun| !is_fixed || run.run == Run::Common;
-    let any = |verdict: Verdict| comparison.runs.iter().filter(asked).any(|r| r.ending.verdict() == verdict);
-    match (any(Verdict::NotFound), any(Verdict::Found), any(Verdict::ProvedInfeasible)) {
-        (false, true, _) => FINE,
-        (false, false, true) => NO_PLAN,
-        _ => INCONCLUSIVE,
-    }
-}
-
 /// How the page and its option are called.
 pub(super) const PAGE: (&str, &str) = ("the page", "--html");
 
@@ -222,7 +158,7 @@ pub(super) fn subject<'a>(
 }
 
 /// Says early that no folder can be there: something else is, or stands in its way.
-fn is_folder(name: &Path) -> Result<(), Problem> {
+pub(super) fn is_folder(name: &Path) -> Result<(), Problem> {
     let standing = name.ancestors().find(|a| a.as_os_str().is_empty() || a.symlink_metadata().is_ok());
     match standing.filter(|a| !a.as_os_str().is_empty()) {
         Some(place) if !place.is_dir() => Err(cannot_write(name, &ErrorKind::NotADirectory.into())),
@@ -234,7 +170,7 @@ fn is_folder(name: &Path) -> Result<(), Problem> {
 type Figure = (Target, String);
 
 /// Draws the charts for a folder, which is made where it is missing. None goes where `read` is or another result.
-fn figures(
+pub(super) fn figures(
     folder: Option<&Path>,
     subject: &Subject,
     comparison: &Comparison,
@@ -266,7 +202,7 @@ pub(super) fn tell_page(
     tell_written("Page", told && page.is_some(), name, options)
 }
 
-fn tell_written(what: &str, told: bool, name: Option<&Path>, options: &Options) -> Result<(), Problem> {
+pub(super) fn tell_written(what: &str, told: bool, name: Option<&Path>, options: &Options) -> Result<(), Problem> {
     match name {
         Some(name) if told && !options.quiet => files::print(&format!("{what} written to {}\n", files::shown(name))),
         _ => Ok(()),
@@ -387,26 +323,6 @@ pub(super) fn refused(
 pub(super) fn json(record: &impl serde::Serialize) -> Result<String, Problem> {
     let text = serde_json::to_string_pretty(record).map_err(|e| format!("cannot write the report: {e}"))?;
     Ok(visible::json(text) + "\n")
-}
-
-/// `0..5` or `3`, both ends included.
-fn parse_rounds(text: &str) -> Result<(usize, usize), Problem> {
-    let (first, last) = text.split_once("..").unwrap_or((text, text));
-    let whole = |t: &str| t.trim().parse::<usize>().ok().filter(|n| *n <= MAX_ROUNDS);
-    match (whole(first), whole(last)) {
-        (Some(a), Some(b)) if a <= b => Ok((a, b)),
-        (Some(_), Some(_)) => Err(format!("--rounds {text}: the first number is the smaller one, as in 0..5")),
-        _ => Err(format!("--rounds {text}: write whole numbers up to {MAX_ROUNDS}, such as 0..5")),
-    }
-}
-
-/// Refuses tables that nobody could read back.
-fn few_enough(rows: u64) -> Result<(), Problem> {
-    let most = trajectory_csv::MAX_ROWS;
-    match rows <= most {
-        true => Ok(()),
-        false => Err(format!("the trajectory would have {rows} rows, and {most} are the most: give a lower --rate")),
-    }
 }
 
 /// `100Hz`, `100 Hz` or `0.5kHz`, as Hz.

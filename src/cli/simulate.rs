@@ -5,14 +5,14 @@ use super::spec::{self, Loaded, timing};
 use super::target::{Target, write};
 use super::{DIVERGED, FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, files};
 use crate::diagnostic::sort;
-use crate::flight::{Outcome, Sample, Sortie, fly, twins};
+use crate::flight::{Outcome, Sample, Sortie, fly, longest, twins};
 use crate::model::{FlightBlocks, Model, coarse_step, past_the_end, too_many_steps};
 use crate::planner::compare::{Ending, Scope};
-use crate::report::flight::{FlightRecord, Log, MAX_ROWS, Told, text};
+use crate::report::flight::{FlightRecord, Log, Told, text};
 use crate::report::number::number;
 use crate::report::page::{self, Kind, Track};
 use crate::report::record::Record;
-use crate::report::terminal;
+use crate::report::{terminal, trajectory_csv};
 use std::time::Instant;
 
 /// Rows of the log a second, where nothing is said.
@@ -54,7 +54,9 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let strikes = &model.simulation.faults;
     let sortie = Sortie::along(&model, &solved.trajectory, strikes, model.simulation.seed);
     let mut log = match &table {
-        Some(_) => Some(Log::new(model.vehicle.rotors.len(), every(&model, rate, sortie.duration, options)?)),
+        Some(_) => {
+            Some(Log::new(model.vehicle.rotors.len(), every(&model, rate, longest(&model, solved.time), options)?))
+        }
         None => None,
     };
     let mut track = html.as_ref().map(|_| Track::new(&model, sortie.duration));
@@ -121,7 +123,7 @@ pub(super) fn cannot_fly(loaded: &mut Loaded, model: &Model, time: f64, options:
     let end = model.simulation.duration.unwrap_or(time);
     let late = past_the_end(model, end).into_iter();
     // What was said before is not said again, and stays for the page.
-    let late: Vec<_> = late.chain(too_many_steps(model, end)).chain(coarse_step(model)).collect();
+    let late: Vec<_> = late.chain(too_many_steps(model, longest(model, time))).chain(coarse_step(model)).collect();
     let earlier = std::mem::replace(&mut loaded.diagnostics, late);
     sort(&mut loaded.diagnostics);
     loaded.tell(options);
@@ -135,13 +137,7 @@ fn every(model: &Model, rate: Option<f64>, duration: f64, options: &Options) -> 
     let control = model.simulation.control_rate;
     let every = (control / rate.unwrap_or(LOG_RATE)).round().max(1.0);
     let rows = duration * control / every;
-    if rows > MAX_ROWS {
-        return Err(format!(
-            "the log would have {} rows, and {} are the most: give a lower --rate",
-            number(rows.round()),
-            number(MAX_ROWS)
-        ));
-    }
+    trajectory_csv::few_enough("log", rows.ceil() as u64, &Log::header(model.vehicle.rotors.len()))?;
     let got = control / every;
     if let Some(asked) = rate.filter(|asked| !options.quiet && (got - asked).abs() > 1e-6 * asked) {
         let [asked, got, control] = [asked, got, control].map(number);

@@ -1,6 +1,7 @@
 //! The `plan` block and its defaults.
 
 pub(super) mod against;
+mod fit;
 mod require;
 
 use super::context::Context;
@@ -13,7 +14,6 @@ use super::{
     AfterFault, DefaultUsed, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault, mend,
 };
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::report::number::number;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 
@@ -22,6 +22,10 @@ pub const MAX_ROUNDS: usize = 100;
 
 /// Most intervals of one plan, so that planning takes less than 500 MB; docs/performance.md has the figures.
 pub const MAX_SAMPLES: usize = 3_000;
+
+/// Most intervals where many plans are tried, for a time or times to be found or planners to be compared, so that this
+/// takes minutes: a search that plans a hundred times at 3,000 intervals had not ended after 500 s.
+pub const MAX_SAMPLES_OF_A_SEARCH: usize = 1_000;
 
 const CHOICE: &str = "mavc::plan::choice";
 pub(super) const FIELDS: [&str; 17] = [
@@ -258,10 +262,15 @@ impl<'a> Draft<'a> {
         let (time_span, samples_span, reserve_span) = (place("time"), place("samples"), place("reserve"));
         if let Some(mission) = mission {
             if let Some(samples) = samples {
-                check_samples(cx, samples, self.get("samples"), samples_span, mission);
+                fit::check_samples(cx, samples, self.get("samples"), samples_span, mission);
+            }
+            let ends_at = mission.waypoints.last().and_then(|w| w.time);
+            let is_search = self.chooses_times || (time == Some(MissionTime::Minimum) && ends_at.is_none());
+            if let Some(samples) = samples.filter(|&n| is_search && n > MAX_SAMPLES_OF_A_SEARCH) {
+                fit::too_many_for_a_search(cx, samples, samples_span);
             }
             if let Some(MissionTime::Fixed(time)) = time {
-                check_time(cx, time, time_span, mission);
+                fit::check_time(cx, time, time_span, mission);
             }
         }
         let plan = match (
@@ -349,69 +358,5 @@ impl<'a> Draft<'a> {
         let error = Diagnostic::error(CODE, expr.span, "a reserve of 100 % leaves nothing to fly with");
         cx.report(error.here("nothing is left").help("write `10 %`, which is usual").fix(expr.span, "10 %"));
         None
-    }
-}
-
-/// Every leg and every hold takes at least one interval.
-fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, span: Span, mission: &Mission) {
-    let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
-    let least = mission.legs.len() + holds;
-    if samples < least {
-        let and_holds = match holds {
-            0 => String::new(),
-            1 => " and 1 hold".into(),
-            _ => format!(" and {holds} holds"),
-        };
-        let legs = mission.legs.len();
-        let message = format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
-        let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
-        let enough = least.max(200);
-        let error = error.also(mission.span, "this mission").help(format!("write `samples = {enough}`"));
-        cx.report(match given {
-            Some(expr) => error.fix(expr.span, enough.to_string()),
-            None => error,
-        });
-        return;
-    }
-    let needed = holds + (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>();
-    if samples < needed {
-        let message = format!("{samples} samples are few for a mission with {} legs", mission.legs.len());
-        let warning = Diagnostic::warning("mavc::plan::few_samples", span, message).here("few");
-        let warning = warning.also(mission.span, "this mission").help(format!(
-            "write `samples = {needed}` or more, so that legs from rest to rest get ten and others beside a rest five"
-        ));
-        cx.report(match given {
-            Some(expr) => warning.fix(expr.span, needed.to_string()),
-            None => warning,
-        });
-    }
-}
-
-/// A fixed mission time leaves room for holds and fixed waypoint times, and agrees with the last one.
-fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
-    const CODE: &str = "mavc::plan::time";
-    let mut free_at = 0.0;
-    let mut reason = mission.span;
-    for waypoint in &mission.waypoints {
-        if let Some(fixed) = waypoint.time {
-            free_at = fixed;
-            reason = waypoint.time_span.unwrap_or(waypoint.span);
-        }
-        if waypoint.hold > 0.0 {
-            free_at += waypoint.hold;
-            reason = waypoint.hold_span.unwrap_or(waypoint.span);
-        }
-    }
-    let last = mission.waypoints.last();
-    let ends_fixed = last.is_some_and(|w| w.time.is_some());
-    let fits = if ends_fixed { (time - free_at).abs() <= 1e-9 * time } else { time > free_at };
-    if !fits {
-        let ends = if ends_fixed { "ends at" } else { "lasts longer than" };
-        let message =
-            format!("the mission {ends} {} s, which a total of {} s does not fit", number(free_at), number(time));
-        let error = Diagnostic::error(CODE, span, message).here("the total");
-        cx.report(
-            error.also(reason, "fixed here").help("change the total or the waypoint's time, or write `time = minimum`"),
-        );
     }
 }

@@ -4,7 +4,7 @@ mod log;
 mod record;
 mod text;
 
-pub use log::{Log, MAX_ROWS};
+pub use log::Log;
 pub use record::{FaultRecord, FlightRecord, OutcomeRecord, RegressorRecord, Told};
 pub use text::text;
 pub(super) use text::{DIVERGED, detection, duration, length, loss, to_its_end, turned};

@@ -5,8 +5,8 @@ use crate::model::Model;
 use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::trajectory::{Trajectory, roll_pitch};
 
-/// Most rows of one table.
-pub const MAX_ROWS: u64 = 1_000_000;
+/// Most numbers of one table, so that its text, 18 bytes a number or so, takes less than 500 MB while it is written.
+const MAX_NUMBERS: u64 = 10_000_000;
 
 /// One row of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +40,29 @@ fn last_row(duration: f64, rate: f64) -> u64 {
     (if on_row { rows.round() } else { rows.ceil() }) as u64
 }
 
+/// Refuses a table of `rows` under the columns of `header`, which is called `name`, where it has too many numbers.
+pub fn few_enough(name: &str, rows: u64, header: &str) -> Result<(), String> {
+    let columns = header.split(',').count() as u64;
+    let most = MAX_NUMBERS / columns;
+    match rows <= most {
+        true => Ok(()),
+        false => Err(format!(
+            "the {name} would have {rows} rows of {columns} numbers, and {most} rows are the most: give a lower --rate"
+        )),
+    }
+}
+
+/// The names of the columns.
+pub fn header(rotors: usize) -> String {
+    let mut header = String::from(
+        "t,x,y,z,yaw,vx,vy,vz,yaw_rate,ax,ay,az,yaw_acc,jx,jy,jz,sx,sy,sz,roll,pitch,thrust,tau_x,tau_y,tau_z",
+    );
+    for k in 1..=rotors {
+        header.push_str(&format!(",omega_{k}"));
+    }
+    header + ",waypoint"
+}
+
 /// How many rows the table has; see [`rows`].
 pub fn count(trajectory: &Trajectory, rate: Option<f64>) -> u64 {
     rate.map_or(trajectory.times.len() as u64, |rate| last_row(trajectory.duration(), rate) + 1)
@@ -49,13 +72,7 @@ pub fn count(trajectory: &Trajectory, rate: Option<f64>) -> u64 {
 /// has its last state.
 pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> String {
     let allocator = Allocator::new(&model.vehicle);
-    let mut out = String::from(
-        "t,x,y,z,yaw,vx,vy,vz,yaw_rate,ax,ay,az,yaw_acc,jx,jy,jz,sx,sy,sz,roll,pitch,thrust,tau_x,tau_y,tau_z",
-    );
-    for k in 1..=model.vehicle.rotors.len() {
-        out.push_str(&format!(",omega_{k}"));
-    }
-    out.push_str(",waypoint\n");
+    let mut out = header(model.vehicle.rotors.len()) + "\n";
     for Row { time, waypoint } in rows(trajectory, rate) {
         let s = trajectory.at(time);
         let (roll, pitch) = roll_pitch(&s, model.gravity);

@@ -68,8 +68,7 @@ pub fn past_the_end(model: &Model, end: f64) -> Vec<Diagnostic> {
 
 /// The error of a flight of `end` seconds that takes too many steps, as [`past_the_end`].
 pub fn too_many_steps(model: &Model, end: f64) -> Option<Diagnostic> {
-    let simulation = &model.simulation;
-    steps(simulation.duration.unwrap_or(end), simulation.rate, simulation.rate_span)
+    steps(end, model.simulation.rate, model.simulation.rate_span)
 }
 
 /// More than [`MAX_STEPS`] in `duration` seconds is an error at `span`.

@@ -3,9 +3,6 @@
 use crate::flight::Sample;
 use crate::report::trajectory_csv::push_row;
 
-/// Most rows of one log.
-pub const MAX_ROWS: f64 = 1e6;
-
 /// Collects rows as CSV.
 #[derive(Debug, Clone)]
 pub struct Log {
@@ -18,6 +15,11 @@ pub struct Log {
 
 impl Log {
     pub fn new(rotors: usize, every: usize) -> Self {
+        Log { csv: Self::header(rotors) + "\n", every: every.max(1), count: 0, row: Vec::new() }
+    }
+
+    /// The names of the columns.
+    pub fn header(rotors: usize) -> String {
         let mut csv = String::from(
             "t,x,y,z,vx,vy,vz,roll,pitch,yaw,p,q,r,x_ref,y_ref,z_ref,yaw_ref,error,heading_error,tilt,\
              thrust,tau_x,tau_y,tau_z,thrust_cmd,tau_x_cmd,tau_y_cmd,tau_z_cmd",
@@ -25,8 +27,7 @@ impl Log {
         for name in ["omega", "theta", "believed"] {
             (1..=rotors).for_each(|k| csv.push_str(&format!(",{name}_{k}")));
         }
-        csv.push_str(",regressor_rank,regressor_condition\n");
-        Log { csv, every: every.max(1), count: 0, row: Vec::new() }
+        csv + ",regressor_rank,regressor_condition"
     }
 
     pub fn add(&mut self, sample: &Sample) {

@@ -169,8 +169,23 @@ fn rates_resample_evenly() {
     assert_eq!(*times.last().unwrap(), 6.0);
     let ran = mavc_with(&["plan", "-", "-o", "-", "--rate", "100kHz", "--set", "plan.time=20s"], HOP);
     assert_eq!(code(&ran), 2);
-    assert!(err(&ran).contains("the trajectory would have 2000001 rows, and 1000000 are the most"), "{}", err(&ran));
+    let most = "the trajectory would have 2000001 rows of 30 numbers, and 333333 rows are the most";
+    assert!(err(&ran).contains(most), "{}", err(&ran));
+    let long = ["--set", "simulate.duration=20000s"];
+    let ran = mavc_with(&[&["simulate", "-", "-o", "-"], &long[..]].concat(), HOP);
+    assert_eq!(code(&ran), 2);
+    assert!(err(&ran).contains("the log would have 2000000 rows of 42 numbers, and 238095 rows are"), "{}", err(&ran));
     for bad in ["7", "fast", "-3Hz", "1e9Hz", "nanHz"] {
         assert_eq!(code(&mavc_with(&["plan", "-", "--rate", bad], HOP)), 2, "{bad}");
     }
+}
+
+/// A comparison looks for every planner's shortest time, and takes fewer samples than one plan.
+#[test]
+fn comparisons_are_bounded() {
+    let fine = ["-", "--set", "plan.time=6s", "--set", "plan.samples=1001"];
+    assert_eq!(code(&mavc_with(&[&["check"], &fine[..]].concat(), HOP)), 0);
+    let ran = mavc_with(&[&["compare"], &fine[..]].concat(), HOP);
+    assert_eq!(code(&ran), 1);
+    assert!(err(&ran).contains("1001 samples are too many to compare planners: at most 1000"), "{}", err(&ran));
 }

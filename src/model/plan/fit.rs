@@ -1,0 +1,81 @@
+//! Whether the samples and the time of a plan fit the mission.
+
+use super::super::Mission;
+use super::super::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::report::number::number;
+use crate::source::Span;
+use crate::syntax::ast::Expr;
+
+/// Every leg and every hold takes at least one interval.
+pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, span: Span, mission: &Mission) {
+    let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+    let least = mission.legs.len() + holds;
+    if samples < least {
+        let and_holds = match holds {
+            0 => String::new(),
+            1 => " and 1 hold".into(),
+            _ => format!(" and {holds} holds"),
+        };
+        let legs = mission.legs.len();
+        let message = format!("{samples} samples are fewer than the mission's {legs} legs{and_holds}");
+        let error = Diagnostic::error("mavc::plan::samples", span, message).here("too few");
+        let enough = least.max(200);
+        let error = error.also(mission.span, "this mission").help(format!("write `samples = {enough}`"));
+        cx.report(match given {
+            Some(expr) => error.fix(expr.span, enough.to_string()),
+            None => error,
+        });
+        return;
+    }
+    let needed = holds + (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>();
+    if samples < needed {
+        let message = format!("{samples} samples are few for a mission with {} legs", mission.legs.len());
+        let warning = Diagnostic::warning("mavc::plan::few_samples", span, message).here("few");
+        let warning = warning.also(mission.span, "this mission").help(format!(
+            "write `samples = {needed}` or more, so that legs from rest to rest get ten and others beside a rest five"
+        ));
+        cx.report(match given {
+            Some(expr) => warning.fix(expr.span, needed.to_string()),
+            None => warning,
+        });
+    }
+}
+
+/// A search plans many times, so that it can have fewer samples than one plan.
+pub fn too_many_for_a_search(cx: &mut Context, samples: usize, span: Span) {
+    const MOST: usize = super::MAX_SAMPLES_OF_A_SEARCH;
+    let message = format!("{samples} samples are too many where the planner looks for times: at most {MOST}");
+    let error = Diagnostic::error("mavc::plan::samples", span, message).here("too many for a search");
+    let help = format!("write `samples = {MOST}`, or give the mission a fixed `time` and leave out `timing = optimal`");
+    cx.report(error.help(help).fix(span, MOST.to_string()));
+}
+
+/// A fixed mission time leaves room for holds and fixed waypoint times, and agrees with the last one.
+pub fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
+    const CODE: &str = "mavc::plan::time";
+    let mut free_at = 0.0;
+    let mut reason = mission.span;
+    for waypoint in &mission.waypoints {
+        if let Some(fixed) = waypoint.time {
+            free_at = fixed;
+            reason = waypoint.time_span.unwrap_or(waypoint.span);
+        }
+        if waypoint.hold > 0.0 {
+            free_at += waypoint.hold;
+            reason = waypoint.hold_span.unwrap_or(waypoint.span);
+        }
+    }
+    let last = mission.waypoints.last();
+    let ends_fixed = last.is_some_and(|w| w.time.is_some());
+    let fits = if ends_fixed { (time - free_at).abs() <= 1e-9 * time } else { time > free_at };
+    if !fits {
+        let ends = if ends_fixed { "ends at" } else { "lasts longer than" };
+        let message =
+            format!("the mission {ends} {} s, which a total of {} s does not fit", number(free_at), number(time));
+        let error = Diagnostic::error(CODE, span, message).here("the total");
+        cx.report(
+            error.also(reason, "fixed here").help("change the total or the waypoint's time, or write `time = minimum`"),
+        );
+    }
+}
