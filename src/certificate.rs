@@ -56,6 +56,8 @@ pub enum Claim {
     Plan(PlanClaim),
     /// The spec has no plan on its grid of nodes.
     Infeasible(InfeasibleClaim),
+    /// The spec has no plan, for a waypoint is due before any motion within the limits can be there.
+    TooEarly(TooEarlyClaim),
 }
 
 /// A motion that is a plan of the spec.
@@ -66,6 +68,19 @@ pub struct PlanClaim {
     /// Of RSP: the plans it selects facets by, the RIP plan first, then one for each further round.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_SELECTIONS, _, _>")]
     pub selected_by: Vec<MotionRecord>,
+    /// No motion that keeps the spec's limits at every instant takes less, s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub least_time_s: Option<f64>,
+}
+
+/// A waypoint is due before any motion that keeps the spec's limits at every instant can be there.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TooEarlyClaim {
+    /// From 1.
+    pub waypoint: usize,
+    /// No motion reaches it sooner, s.
+    pub soonest_s: f64,
 }
 
 /// Node times and derivatives at the nodes. Inputs (the highest derivative of each axis) are linear between nodes; a

@@ -7,9 +7,10 @@ mod facet;
 mod infeasible;
 mod plan;
 
-use crate::certificate::Certificate;
-use crate::model::{Mission, MissionTime, Model};
+use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
+use crate::model::{Mission, MissionTime, Model, PlanModel};
 use crate::planner::compare::{Comparison, Ending, Verification};
+use crate::planner::kinematics::{ROUNDING, least_time_within};
 use crate::verify::{self, Settings};
 
 pub use check::{check, check_rounds, is_plan};
@@ -26,7 +27,10 @@ pub fn of(
 ) -> Result<Certificate, String> {
     match comparison.runs.last().map(|run| (run, &run.ending)) {
         Some((_, Ending::Solved(solved))) => {
-            let certificate = plan::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
+            let mut certificate = plan::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
+            if let Claim::Plan(claim) = &mut certificate.claim {
+                claim.least_time_s = Some(least_time_within(model, mission).seconds);
+            }
             // What the check of plans has passed is not decided again.
             if solved.verification == Verification::Passed {
                 return Ok(certificate);
@@ -36,6 +40,24 @@ pub fn of(
                 Err(refusal) => Err(refusal.sentence()),
             }
         }
+        Some((_, Ending::Infeasible { at, .. })) if least_time_within(model, mission).is_above(*at) => {
+            too_early(model, mission, spec_sha256)
+        }
+        _ => by_multipliers(model, mission, comparison, spec_sha256),
+    }
+}
+
+/// The certificate that the last run has no plan on the spec's grid of nodes: multipliers of its rows.
+///
+/// # Errors
+/// Why there is none.
+pub fn by_multipliers(
+    model: &Model,
+    mission: &Mission,
+    comparison: &Comparison,
+    spec_sha256: String,
+) -> Result<Certificate, String> {
+    match comparison.runs.last().map(|run| (run, &run.ending)) {
         Some((run, Ending::Infeasible { at, .. })) if has_one_time(model, mission) => {
             infeasible::certificate(model, mission, run, *at, (&comparison.selected_by, spec_sha256))
         }
@@ -47,4 +69,22 @@ pub fn of(
 /// Whether the spec leaves one mission time only, so that having no plan then is having none.
 fn has_one_time(model: &Model, mission: &Mission) -> bool {
     matches!(model.plan.time, MissionTime::Fixed(_)) || mission.waypoints.last().is_some_and(|w| w.time.is_some())
+}
+
+/// The certificate that a waypoint is due before any motion within the limits can be there.
+fn too_early(model: &Model, mission: &Mission, spec_sha256: String) -> Result<Certificate, String> {
+    let least = least_time_within(model, mission);
+    let hold = mission.waypoints.last().map_or(0.0, |w| w.hold);
+    let (waypoint, soonest) = least.too_early.unwrap_or((mission.waypoints.len() - 1, least.seconds - hold));
+    let claim = Claim::TooEarly(TooEarlyClaim { waypoint: waypoint + 1, soonest_s: (1.0 - ROUNDING) * soonest });
+    let kind = match model.plan.model {
+        PlanModel::Hover => DynamicModel::Hover,
+        PlanModel::Exact => DynamicModel::Exact,
+    };
+    let certificate = Certificate { schema: SCHEMA, spec_sha256, model: kind, claim };
+    // What does not show it is not written.
+    match verify::decide(&certificate, model, Settings::default()) {
+        Ok(_) => Ok(certificate),
+        Err(refusal) => Err(refusal.sentence()),
+    }
 }

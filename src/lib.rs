@@ -21,6 +21,7 @@ pub mod report;
 pub mod solve;
 pub mod source;
 pub mod syntax;
+pub mod tolerance;
 pub mod trajectory;
 pub mod unit;
 pub mod verdict;

@@ -9,6 +9,7 @@ pub mod comparison_text;
 pub mod conflict_record;
 pub mod flight;
 pub mod heat;
+pub mod least_time;
 pub mod number;
 pub mod page;
 pub mod record;

@@ -10,6 +10,7 @@ mod infeasible;
 pub mod interval;
 pub mod joints;
 pub mod lag;
+mod least_time;
 pub mod limits;
 pub mod motion;
 pub mod plan;
@@ -24,7 +25,7 @@ pub mod wrench;
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Allocation, FaultMode, Mission, Model, PlanModel, PlannerKind};
-use crate::report::number::number;
+use crate::report::number::{down, number};
 use crate::source::Span;
 use cost::{Budget, Estimate};
 use plan::Setting;
@@ -101,7 +102,7 @@ impl Refusal {
                 let error = Diagnostic::error(REJECTED, rejection.span.unwrap_or(model.plan.span), message);
                 let open = match claim {
                     Claim::Plan(_) => "the motion is not a plan of this spec",
-                    Claim::Infeasible(_) => "it is open whether there is a plan",
+                    Claim::Infeasible(_) | Claim::TooEarly(_) => "it is open whether there is a plan",
                 };
                 error.here("not shown for this").help(format!(
                     "write the certificate anew with `mavc plan --certificate`; if that one is rejected too, {open}"
@@ -291,9 +292,24 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
     let setting = Setting::new(model, mission, certificate.model, settings.premises);
     match &certificate.claim {
         Claim::Plan(claim) => {
-            let found = setting.decide(claim, settings.budget, between)?;
+            let mut found = setting.decide(claim, settings.budget, between)?;
+            if let Some(least) = claim.least_time_s {
+                if settings.premises.has(Premise::LeastTime) {
+                    least_time::bound(model, mission, least)?;
+                }
+                let least = down(least, 4);
+                let statement = format!("no motion within the limits at every instant takes less than {least} s");
+                found.shown.push(Shown { statement, reach: None });
+            }
             let headline = plan_headline(model, mission, found.total, &claim.selected_by);
             Ok(Verdict { headline, shown: found.shown, weaker: found.weaker, undecided: found.undecided })
+        }
+        Claim::TooEarly(claim) => {
+            let headline = match settings.premises.has(Premise::LeastTime) {
+                true => least_time::too_early(model, mission, claim)?,
+                false => String::new(),
+            };
+            Ok(Verdict { headline, shown: Vec::new(), weaker: Vec::new(), undecided: Vec::new() })
         }
         Claim::Infeasible(claim) => infeasible::decide(&setting, certificate.model, claim, settings.budget),
     }

@@ -10,7 +10,8 @@ use crate::trajectory::checks::past;
 
 /// The certificate of a plan; `selected_by` are the plans that RSP selected facets by, in order.
 pub(super) fn certificate(trajectory: &Trajectory, selected_by: &[Trajectory], sha256: String) -> Certificate {
-    let claim = PlanClaim { motion: motion(trajectory), selected_by: selected_by.iter().map(motion).collect() };
+    let selected_by = selected_by.iter().map(motion).collect();
+    let claim = PlanClaim { motion: motion(trajectory), selected_by, least_time_s: None };
     Certificate { schema: SCHEMA, spec_sha256: sha256, model: model_of(trajectory), claim: Claim::Plan(claim) }
 }
 

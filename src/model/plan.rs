@@ -266,8 +266,10 @@ impl<'a> Draft<'a> {
             }
             let ends_at = mission.waypoints.last().and_then(|w| w.time);
             let is_search = self.chooses_times || (time == Some(MissionTime::Minimum) && ends_at.is_none());
-            if let Some(samples) = samples.filter(|&n| is_search && n > MAX_SAMPLES_OF_A_SEARCH) {
-                fit::too_many_for_a_search(cx, samples, samples_span);
+            if let (Some(samples), Some(given)) =
+                (samples.filter(|&n| is_search && n > MAX_SAMPLES_OF_A_SEARCH), self.get("samples"))
+            {
+                fit::too_many_for_a_search(cx, samples, given.span);
             }
             if let Some(MissionTime::Fixed(time)) = time {
                 fit::check_time(cx, time, time_span, mission);

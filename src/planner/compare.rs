@@ -12,6 +12,7 @@ pub use outcome::{
     Comparison, Ending, PlannerRun, Run, Scope, Solved, THESE_TIMES, THIS_YAW, Verification, label, proofs_are_about,
 };
 
+use super::kinematics::least_time_within;
 use super::pool::Pool;
 use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned};
@@ -77,7 +78,9 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
     }
     if let Some(about) = outcome::proofs_are_about(model, mission) {
         let setting = Setting::new(model, mission, None);
-        let is_hopeless = |at: f64| about == THIS_YAW && setting.with_engine("", |e| e.is_hopeless(at)).0;
+        let least = least_time_within(model, mission);
+        let has_no_yaw = |at: f64| about == THIS_YAW && setting.with_engine("", |e| e.is_hopeless(at)).0;
+        let is_hopeless = |at: f64| least.is_above(at) || has_no_yaw(at);
         comparison.runs.iter_mut().for_each(|run| run.ending.weaken(about, is_hopeless));
     }
     comparison

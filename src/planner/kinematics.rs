@@ -6,7 +6,8 @@
 //! least `d/v + k v/(2a)` where it reaches v, and `sqrt(2 k d/a)` where it does not (time-optimal control of the double
 //! integrator; Bryson and Ho, *Applied Optimal Control*, 1975).
 
-use crate::model::{LimitKind, Mission, Model, PlanModel, Waypoint};
+use crate::model::{Limit, LimitKind, Mission, Model, PlanModel, Waypoint};
+use crate::tolerance;
 use std::f64::consts::FRAC_PI_2;
 
 /// Bounds on rates and accelerations of one displacement, SI; infinite where nothing bounds them.
@@ -34,7 +35,7 @@ impl Pace {
 
 /// What the limits and the thrust allow.
 #[derive(Debug, Clone, Copy)]
-pub struct Paces {
+struct Paces {
     whole: Pace,
     horizontal: Pace,
     up: Pace,
@@ -43,27 +44,31 @@ pub struct Paces {
 }
 
 impl Paces {
-    /// Of a mission under its vehicle's full thrust, with intervals at the ends that allow most.
-    pub fn of(model: &Model, mission: &Mission) -> Self {
+    /// Of a mission under its vehicle's full thrust, with intervals at the ends that allow most; each limit widened by
+    /// `past`, in its SI unit, and all by what the check of plans lets pass ([`tolerance`]).
+    fn of(model: &Model, mission: &Mission, past: &[f64]) -> Self {
+        let upper = |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
         let most = |kind: LimitKind| {
-            let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind);
-            of_kind.filter_map(|limit| limit.upper).fold(f64::INFINITY, f64::min)
+            let of_kind = mission.limits.iter().zip(past).filter(|(limit, _)| limit.kind == kind);
+            of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
         };
         let vehicle = &model.vehicle;
         let thrust: f64 = vehicle.rotors.iter().map(|r| r.max_thrust() * r.spread.full_thrust.high).sum();
         let g = model.gravity;
         // |(x'', y'', z'' + g)| is at most this.
-        let force = thrust / (vehicle.mass * vehicle.mass_spread.low);
+        let force = (1.0 + tolerance::MOST_OUTSIDE) * thrust / (vehicle.mass * vehicle.mass_spread.low);
+        // Tilt is kept up to an acceleration: `|(x'', y'')| cos L - (z'' + g) sin L` is at most this share of g.
+        let out = tolerance::MOST_PAST_LIMIT * FRAC_PI_2 * g;
         let tilt = most(LimitKind::Tilt);
         // Exactly |(x'', y'')| is a part of the force; about hover only a limit on tilt ties it to the thrust m (z'' + g).
         let (sideways, any) = match model.plan.model {
-            PlanModel::Exact => (force * tilt.min(FRAC_PI_2).sin(), force + g),
-            PlanModel::Hover if tilt < FRAC_PI_2 => (force * tilt.tan(), f64::INFINITY),
+            PlanModel::Exact => (force * tilt.min(FRAC_PI_2).sin() + out, force + g),
+            PlanModel::Hover if tilt < FRAC_PI_2 => (force * tilt.tan() + out / tilt.cos(), f64::INFINITY),
             PlanModel::Hover => (f64::INFINITY, f64::INFINITY),
         };
         let whole = most(LimitKind::Acceleration);
         // A climb slows under gravity alone and a descent under full thrust: the larger of the two holds for both ends.
-        let vertical = g.max(force - g).min(whole);
+        let vertical = (g + tolerance::MOST_OUTSIDE * force).max(force - g).min(whole);
         let speed = most(LimitKind::Speed);
         Paces {
             whole: Pace { rate: speed, acceleration: whole.min(any) },
@@ -77,35 +82,106 @@ impl Paces {
         }
     }
 
-    /// The least time from one waypoint to the next, s, with rest at `rests` of them.
-    fn leg(&self, from: &Waypoint, to: &Waypoint, rests: usize) -> f64 {
-        let room = from.within + to.within;
-        let apart: [f64; 3] = std::array::from_fn(|i| to.position[i] - from.position[i]);
-        let [x, y, z] = apart;
-        let turn = (to.yaw - from.yaw).abs() - from.yaw_within - to.yaw_within;
-        let (up, down) = (z - room, -z - room);
+    /// The least time from one waypoint to the next with rest at `rests` of them, and along what.
+    fn leg(&self, from: &Waypoint, to: &Waypoint, rests: usize) -> LeastLeg {
+        let room = from.within + to.within + 2.0 * tolerance::MOST_MISS;
+        let yaw_room = from.yaw_within + to.yaw_within + 2.0 * tolerance::MOST_MISS;
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|i| to.position[i] - from.position[i]);
         let all = [
-            self.whole.least(x.hypot(y).hypot(z) - room, rests),
-            self.horizontal.least(x.hypot(y) - room, rests),
-            self.up.least(up, rests),
-            self.down.least(down, rests),
-            self.turn.least(turn, rests),
+            (self.horizontal.least(x.hypot(y) - room, rests), Along::Horizontal),
+            (self.up.least(z - room, rests), Along::Up),
+            (self.down.least(-z - room, rests), Along::Down),
+            (self.turn.least((to.yaw - from.yaw).abs() - yaw_room, rests), Along::Turn),
+            (self.whole.least(x.hypot(y).hypot(z) - room, rests), Along::Line),
         ];
-        all.into_iter().fold(0.0, f64::max)
+        let none = LeastLeg { seconds: 0.0, along: Along::Line };
+        all.into_iter().fold(none, |most, (seconds, along)| match seconds > most.seconds {
+            true => LeastLeg { seconds, along },
+            false => most,
+        })
     }
+}
 
-    /// The least durations of all legs, s.
-    pub fn legs(&self, mission: &Mission) -> Vec<f64> {
-        let points = &mission.waypoints;
-        let last = points.len().saturating_sub(1);
-        let rests =
-            |i: usize| points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest;
-        let legs = (0..last).map(|i| {
-            let rests = usize::from(rests(i)) + usize::from(rests(i + 1));
-            self.leg(&points[i], &points[i + 1], rests)
-        });
-        legs.collect()
+/// The displacement that a least duration rests on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Along {
+    Line,
+    Horizontal,
+    Up,
+    Down,
+    Turn,
+}
+
+impl Along {
+    /// As reports call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Along::Line => "distance",
+            Along::Horizontal => "horizontal",
+            Along::Up => "climb",
+            Along::Down => "descent",
+            Along::Turn => "yaw",
+        }
     }
+}
+
+/// The least duration of a leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LeastLeg {
+    /// s
+    pub seconds: f64,
+    pub along: Along,
+}
+
+/// A lower bound on a mission's time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeastTime {
+    /// With holds, s.
+    pub seconds: f64,
+    pub legs: Vec<LeastLeg>,
+    /// The first waypoint with a fixed time before which it cannot be reached, and how soon it can be, s.
+    pub too_early: Option<(usize, f64)>,
+}
+
+/// Sums are rounded down by this share.
+pub const ROUNDING: f64 = 1e-10;
+
+/// Two instants are one within this share of them.
+const SAME_TIME: f64 = 1e-9;
+
+/// The least time in which motions fly a mission that meet its waypoints, fixed times and holds and keep its limits at every
+/// instant, however the time is divided among the legs. `past` widens each limit, in its SI unit.
+pub fn least_time(model: &Model, mission: &Mission, past: &[f64]) -> LeastTime {
+    let points = &mission.waypoints;
+    let last = points.len().saturating_sub(1);
+    let paces = Paces::of(model, mission, past);
+    let rests = |i: usize| points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest;
+    let both = |i: usize| usize::from(rests(i)) + usize::from(rests(i + 1));
+    let legs: Vec<LeastLeg> = (0..last).map(|i| paces.leg(&points[i], &points[i + 1], both(i))).collect();
+    let (mut soonest, mut too_early) = (0.0_f64, None);
+    for (i, point) in points.iter().enumerate() {
+        soonest += i.checked_sub(1).map_or(0.0, |leg| legs[leg].seconds);
+        if let Some(due) = point.time {
+            if soonest > due + 2.0 * SAME_TIME * due.max(1.0) && too_early.is_none() {
+                too_early = Some((i, soonest));
+            }
+            soonest = soonest.max(due);
+        }
+        soonest += point.hold;
+    }
+    LeastTime { seconds: (1.0 - ROUNDING) * soonest, legs, too_early }
+}
+
+impl LeastTime {
+    /// Whether a mission of `total` s is shorter than any can be.
+    pub fn is_above(&self, total: f64) -> bool {
+        self.too_early.is_some() || self.seconds > total + 2.0 * SAME_TIME * total.max(1.0)
+    }
+}
+
+/// The same within the limits as the spec has them.
+pub fn least_time_within(model: &Model, mission: &Mission) -> LeastTime {
+    least_time(model, mission, &vec![0.0; mission.limits.len()])
 }
 
 /// Of the least duration of a leg, and of what flying it from rest to rest at half of g takes, the larger is its initial
@@ -115,11 +191,11 @@ const FLOWN_THROUGH: f64 = 0.7;
 
 /// Initial durations of the legs, s: each as long as its own distance, turn and limits ask for.
 pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
-    let least = Paces::of(model, mission).legs(mission);
+    let least = least_time_within(model, mission).legs;
     let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity };
     let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
         let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();
-        (UNHURRIED * least).max(FLOWN_THROUGH * half.least(apart, 2))
+        (UNHURRIED * least.seconds).max(FLOWN_THROUGH * half.least(apart, 2))
     });
     let durations: Vec<f64> = legs.collect();
     // No leg is without time, as none is without a share.

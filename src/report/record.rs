@@ -2,6 +2,7 @@
 
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
+use super::least_time;
 use super::verdict_text::statement;
 use super::waypoints::{WaypointRecord, waypoints};
 use crate::certify::between::Between;
@@ -113,6 +114,9 @@ pub struct PlannerRecord {
     /// `own`: at its shortest time; `common`: at T_d or the spec's time.
     pub run: &'static str,
     pub time_s: Option<f64>,
+    /// No motion that keeps the limits at every instant takes less, s; where the plan exceeds some between its nodes, none that
+    /// exceeds them no further. `None` where nothing was planned.
+    pub time_bound_s: Option<f64>,
     pub verdict: Verdict,
     /// The verdict for people, with exactly what was shown.
     pub statement: String,
@@ -258,6 +262,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         },
         verdict: run.ending.verdict(),
         statement: statement(model, mission, comparison, run),
+        time_bound_s: Some(least_time::beside(model, mission, run).seconds),
         rows: run.set.rows.len() * nodes,
         ..PlannerRecord::default()
     };

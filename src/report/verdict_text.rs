@@ -1,9 +1,11 @@
 //! The verdict on a planner's run as text: its word, and exactly what was shown.
 
+use super::least_time;
 use super::number::number;
 use crate::model::{Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::UNMET;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, THESE_TIMES, THIS_YAW, Verification};
+use crate::planner::kinematics::least_time_within;
 use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
 
@@ -22,6 +24,9 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
         }
         Ending::Failed { at, why } => {
             format!("{verdict}: the motion planned for {} s fails the check of plans: {why}", number(*at))
+        }
+        Ending::Infeasible { at, .. } if model.plan.chooses_times && least_time_within(model, mission).is_above(*at) => {
+            format!("{verdict} at {} s: {}", number(*at), least_time::sentence(mission, &least_time_within(model, mission)))
         }
         Ending::Infeasible { proved, .. } => {
             format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))
@@ -52,15 +57,19 @@ fn shown_of_time(
     solved: &Solved,
 ) -> String {
     match (run.run, solved.infeasible_at) {
-        (Run::Own, Some(below)) => format!(
-            ", the shortest time found; {} s is proved infeasible{}",
-            number(below),
-            conditions(model, mission, comparison, run)
-        ),
+        (Run::Own, Some(below)) => {
+            let conditions = conditions(model, mission, comparison, run);
+            let gap = least_time::gap(model, mission, run).filter(|_| model.plan.chooses_times);
+            let gap = gap.map_or(String::new(), |gap| format!("; {gap}"));
+            format!(", the shortest time found; {} s is proved infeasible{conditions}{gap}", number(below))
+        }
         (Run::Own, None) if determined(mission).is_some() => {
             ", the only time that the mission's fixed times allow".into()
         }
-        (Run::Own, None) => ", the shortest time found; a shorter one may exist".into(),
+        (Run::Own, None) => {
+            let gap = least_time::gap(model, mission, run).unwrap_or("a shorter one may exist".into());
+            format!(", the shortest time found; {gap}")
+        }
         (Run::Common, _) => String::new(),
     }
 }

@@ -17,14 +17,9 @@ use crate::model::{Mission, Model, PlannerKind};
 use crate::report::number::number;
 use crate::source::Span;
 
+pub use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 pub use along::{OF_A_GRID, wrench_family};
 
-/// A waypoint may be missed by this beside its tolerance, m and rad.
-pub const MOST_MISS: f64 = 1e-5;
-/// A limit may be exceeded by this at the nodes, in its SI unit, and by this share of itself.
-pub const MOST_PAST_LIMIT: f64 = 1e-4;
-/// A set may be left by this share of the healthy set's width, as reports count violations.
-pub const MOST_OUTSIDE: f64 = 1e-4;
 /// In the exact model the vertical part of the thrust is at least this share of the weight.
 pub const UPRIGHT: f64 = 0.1;
 

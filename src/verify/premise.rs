@@ -40,10 +40,12 @@ pub enum Premise {
     Facets,
     /// What multipliers leave of the inputs is weighed with a bound on them.
     Inputs,
+    /// No least time is above what distances and limits give.
+    LeastTime,
 }
 
 impl Premise {
-    pub const ALL: [Premise; 18] = [
+    pub const ALL: [Premise; 19] = [
         Premise::Spec,
         Premise::Equations,
         Premise::Shape,
@@ -62,6 +64,7 @@ impl Premise {
         Premise::Rows,
         Premise::Facets,
         Premise::Inputs,
+        Premise::LeastTime,
     ];
 }
 

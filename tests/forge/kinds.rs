@@ -2,6 +2,7 @@
 
 mod infeasible;
 mod joints;
+mod least_time;
 mod pieces;
 mod rest;
 mod rows;
@@ -32,6 +33,8 @@ pub enum Known {
     PlanExists,
     /// It says that it was written for another spec.
     OtherHash,
+    /// It says that no motion is as soon somewhere as the honest plan, which keeps every row without a tolerance, is.
+    SoonerPlan,
     /// It says that nothing can be planned on one grid where the spec leaves times open.
     NoSuchGrid,
 }
@@ -55,7 +58,7 @@ const fn unfounded(name: &'static str, premises: &'static [Premise], make: Make)
 
 /// Every kind.
 pub fn all() -> Vec<Kind> {
-    let families: [&[Kind]; 8] = [
+    let families: [&[Kind]; 9] = [
         joints::KINDS,
         pieces::KINDS,
         times::KINDS,
@@ -64,6 +67,7 @@ pub fn all() -> Vec<Kind> {
         selection::KINDS,
         shape::KINDS,
         infeasible::KINDS,
+        least_time::KINDS,
     ];
     families.into_iter().flatten().map(|k| Kind { ..*k }).collect()
 }
@@ -75,6 +79,7 @@ impl Kind {
         let is_false = match self.known {
             Known::Evaluated => spec.truth.falsehood(&certificate).is_some(),
             Known::PlanExists => spec.has_one_grid() && matches!(certificate.claim, Claim::Infeasible(_)),
+            Known::SoonerPlan => spec.is_sooner_than(&certificate),
             Known::OtherHash => certificate.spec_sha256 != super::SHA,
             Known::NoSuchGrid => !spec.has_one_grid() && matches!(certificate.claim, Claim::Infeasible(_)),
         };

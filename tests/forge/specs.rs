@@ -7,7 +7,7 @@ mod list;
 use super::motion::{Timetable, Wish, add_spline, certificate};
 use super::numbers::Numbers;
 use super::truth::Truth;
-use mavc::certificate::Certificate;
+use mavc::certificate::{Certificate, Claim};
 use mavc::model::{Allocation, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread};
 use mavc::planner::hover_model::{X, Y, YAW, Z};
 use mavc::trajectory::Trajectory;
@@ -70,6 +70,19 @@ impl Spec {
 
     pub fn is_rsp(&self) -> bool {
         self.model().plan.planner == PlannerKind::Rsp
+    }
+
+    /// Whether the honest plan is where a bound says that no motion is as soon, by more than a thousandth.
+    pub fn is_sooner_than(&self, certificate: &Certificate) -> bool {
+        let (bound, reached) = match &certificate.claim {
+            Claim::Plan(claim) => (claim.least_time_s, Some(self.total())),
+            Claim::TooEarly(claim) => {
+                let node = claim.waypoint.checked_sub(1).and_then(|i| self.honest.waypoint_nodes.get(i));
+                (Some(claim.soonest_s), node.map(|&n| self.honest.times[n]))
+            }
+            Claim::Infeasible(_) => return false,
+        };
+        bound.zip(reached).is_some_and(|(bound, reached)| bound > 1.001 * reached)
     }
 
     /// Whether RCP keeps to a set of fewer than four dimensions.

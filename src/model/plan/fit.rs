@@ -43,12 +43,12 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
 }
 
 /// A search plans many times, so that it can have fewer samples than one plan.
-pub fn too_many_for_a_search(cx: &mut Context, samples: usize, span: Span) {
+pub fn too_many_for_a_search(cx: &mut Context, samples: usize, given: Span) {
     const MOST: usize = super::MAX_SAMPLES_OF_A_SEARCH;
     let message = format!("{samples} samples are too many where the planner looks for times: at most {MOST}");
-    let error = Diagnostic::error("mavc::plan::samples", span, message).here("too many for a search");
+    let error = Diagnostic::error("mavc::plan::samples", given, message).here("too many for a search");
     let help = format!("write `samples = {MOST}`, or give the mission a fixed `time` and leave out `timing = optimal`");
-    cx.report(error.help(help).fix(span, MOST.to_string()));
+    cx.report(error.help(help).fix(given, MOST.to_string()));
 }
 
 /// A fixed mission time leaves room for holds and fixed waypoint times, and agrees with the last one.

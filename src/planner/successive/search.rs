@@ -193,8 +193,18 @@ impl Successive<'_, '_> {
         SLOWER.into_iter().find_map(|factor| motions.iter().find_map(|motion| self.restore_at(motion, factor, pool)))
     }
 
+    /// Whether no division of a mission time among the legs has a plan. Where the division is laid down the relaxation shows
+    /// more.
+    fn is_too_short(&self, total: f64) -> bool {
+        let (model, mission) = (self.engine.model, self.engine.mission);
+        self.chooses_times() && kinematics::least_time_within(model, mission).is_above(total)
+    }
+
     /// A plan at one mission time, begun from other plans where there are some, the first that will do.
     pub fn decide(&mut self, total: f64, begins: &[&Planned]) -> Decision {
+        if self.is_too_short(total) {
+            return Decision::Infeasible;
+        }
         let samples = self.engine.model.plan.samples;
         let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
         self.engine.progress(total);
@@ -224,6 +234,9 @@ impl Successive<'_, '_> {
     /// a motion made to fit, begun from the relaxation's own, which keeps every limit, and then from the smooth one. It is
     /// made (roughly) the cheapest where it is to be `settled`, or where it does not fit otherwise.
     pub fn attempt(&mut self, total: f64, settled: bool) -> Decision {
+        if self.is_too_short(total) {
+            return Decision::Infeasible;
+        }
         let samples = self.engine.model.plan.samples;
         let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
         self.engine.progress(total);

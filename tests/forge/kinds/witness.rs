@@ -35,7 +35,7 @@ pub fn of_harder(spec: &Spec, how: Harder) -> Option<InfeasibleClaim> {
     let (_, certificate) = spec.harder.iter().find(|h| h.0 == how)?;
     match &certificate.claim {
         Claim::Infeasible(claim) => Some(claim.clone()),
-        Claim::Plan(_) => None,
+        _ => None,
     }
 }
 

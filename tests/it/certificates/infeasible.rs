@@ -9,7 +9,7 @@ use mavc::planner::compare::Ending;
 fn claim(certificate: &mut Certificate) -> &mut InfeasibleClaim {
     match &mut certificate.claim {
         Claim::Infeasible(claim) => claim,
-        Claim::Plan(_) => panic!("there is a plan"),
+        _ => panic!("no multipliers"),
     }
 }
 

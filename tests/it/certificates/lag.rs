@@ -198,7 +198,7 @@ fn commands_are_looked_at() {
 fn infeasible(certificate: &mut Certificate) -> &mut InfeasibleClaim {
     match &mut certificate.claim {
         Claim::Infeasible(claim) => claim,
-        Claim::Plan(_) => panic!("there is a plan"),
+        _ => panic!("no multipliers"),
     }
 }
 

@@ -7,12 +7,12 @@ use mavc::model::{MissionTime, Model, PlannerKind};
 fn claim(certificate: &Certificate) -> &PlanClaim {
     match &certificate.claim {
         Claim::Plan(claim) => claim,
-        Claim::Infeasible(_) => panic!("no plan"),
+        _ => panic!("no plan"),
     }
 }
 
 fn with(certificate: &Certificate, motion: &MotionRecord, selected_by: &[MotionRecord]) -> Certificate {
-    let claim = PlanClaim { motion: motion.clone(), selected_by: selected_by.to_vec() };
+    let claim = PlanClaim { motion: motion.clone(), selected_by: selected_by.to_vec(), least_time_s: None };
     Certificate { claim: Claim::Plan(claim), ..certificate.clone() }
 }
 

@@ -1,0 +1,185 @@
+//! How soon each waypoint can be reached by motions that keep the spec's limits at every instant: from distances, limits and
+//! full thrust, in intervals. docs/certificates.md has the theorem.
+//!
+//! A leg whose displacement along something is d or more, with a rate of at most v and an acceleration of at most a there,
+//! and with k of its ends at rest, takes at least `d/u + k u/(2 a)`, where u is its largest rate: the mean rate over the
+//! `u/a` s beside an end at rest is `u/2` at most. This falls in u up to `sqrt(2 a d/k)`, so that v bounds it, and there it
+//! is `sqrt(2 k d/a)`, its least value.
+
+use super::Rejection;
+use super::interval::{Interval, exceeds};
+use super::schedule::fixed_total;
+use crate::certificate::TooEarlyClaim;
+use crate::model::{LimitKind, Mission, Model, PlanModel, Waypoint};
+use crate::report::number::number;
+use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
+use std::f64::consts::FRAC_PI_2;
+
+/// Two instants are one within this share of them.
+const SAME_TIME: f64 = 1e-9;
+
+/// How fast something may change, and how fast its rate: upper bounds, infinite where there is none.
+struct Most {
+    rate: f64,
+    acceleration: f64,
+}
+
+impl Most {
+    /// The least time for a displacement of at least `d`, with rest at `ends` ends, rounded down, s.
+    fn least(&self, d: Interval, ends: usize) -> f64 {
+        if !exceeds(d.low, 0.0) {
+            return 0.0;
+        }
+        let (d, k) = (Interval::point(d.low), Interval::point(ends as f64));
+        let [v, a] = [self.rate, self.acceleration].map(Interval::point);
+        let two = Interval::point(2.0);
+        let whatever_the_rate = if a.high.is_finite() { (two * k * d / a).sqrt().low } else { 0.0 };
+        if !v.high.is_finite() {
+            return whatever_the_rate.max(0.0);
+        }
+        let at_that_rate = (d / v).low;
+        let slowed = match a.high.is_finite() && (k * v * v).high <= (two * a * d).low {
+            true => (d / v + k * v / (two * a)).low,
+            false => 0.0,
+        };
+        whatever_the_rate.max(at_that_rate).max(slowed)
+    }
+}
+
+/// The largest value that limits of a kind and the check of plans let a quantity have.
+fn most(mission: &Mission, kind: LimitKind) -> f64 {
+    let upper = |limit: &crate::model::Limit| {
+        let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(limit.size());
+        Some((Interval::point(limit.upper?) + let_pass).high)
+    };
+    let of_kind = mission.limits.iter().filter(|limit| limit.kind == kind);
+    of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
+}
+
+/// The largest force per mass that the rotors give together, m/s^2.
+fn force(model: &Model) -> Interval {
+    let vehicle = &model.vehicle;
+    let thrust = vehicle.rotors.iter().fold(Interval::ZERO, |sum, rotor| {
+        let speed = Interval::point(rotor.max_speed);
+        let full = Interval::point(rotor.thrust_coefficient) * speed * speed;
+        sum + full * Interval::point(rotor.spread.full_thrust.high)
+    });
+    let let_pass = Interval::ONE + Interval::point(MOST_OUTSIDE);
+    thrust * let_pass / (Interval::point(vehicle.mass) * Interval::point(vehicle.mass_spread.low))
+}
+
+/// The largest horizontal acceleration under the force that tilt leaves.
+fn sideways(model: &Model, mission: &Mission, force: Interval) -> f64 {
+    let tilt = most(mission, LimitKind::Tilt);
+    let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
+    let is_tied = tilt < FRAC_PI_2;
+    let (sine, cosine) = Interval::point(tilt.min(FRAC_PI_2)).sin_cos();
+    match model.plan.model {
+        PlanModel::Exact if is_tied => (force * sine + let_pass).high,
+        PlanModel::Exact => (force + let_pass).high,
+        PlanModel::Hover if is_tied => ((force * sine + let_pass) / cosine).high,
+        PlanModel::Hover => f64::INFINITY,
+    }
+}
+
+/// Lower bounds on when each waypoint is reached, s, in the order of flight.
+pub(super) fn soonest(model: &Model, mission: &Mission) -> Vec<f64> {
+    let (force, g) = (force(model), Interval::point(model.gravity));
+    let most = |kind| most(mission, kind);
+    let speed = most(LimitKind::Speed);
+    let whole = most(LimitKind::Acceleration);
+    // About hover the force is bounded along z alone.
+    let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
+    // The thrust may be as far below zero as a set may be left.
+    let vertical = (g + Interval::point(MOST_OUTSIDE) * force).high.max((force - g).high).min(whole);
+    let along_line = Most { rate: speed, acceleration: whole.min(in_all) };
+    let horizontal = Most {
+        rate: speed.min(most(LimitKind::SpeedHorizontal)),
+        acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways(model, mission, force)),
+    };
+    let up = Most { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical };
+    let down = Most { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical };
+    let turn = Most { rate: most(LimitKind::YawRate), acceleration: most(LimitKind::YawAcceleration) };
+    let last = mission.waypoints.len().saturating_sub(1);
+    let rests = |i: usize| {
+        mission.waypoints[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest
+    };
+    let leg = |i: usize| {
+        let (from, to) = (&mission.waypoints[i], &mission.waypoints[i + 1]);
+        let ends = usize::from(rests(i)) + usize::from(rests(i + 1));
+        let apart = |axis: usize| Interval::point(to.position[axis]) - Interval::point(from.position[axis]);
+        let sum = |axes: &[usize]| axes.iter().fold(Interval::ZERO, |sum, &axis| sum + apart(axis).square()).sqrt();
+        let room = met_within(from.within, to.within);
+        let turned = (Interval::point(to.yaw) - Interval::point(from.yaw)).abs();
+        let yaw_room = met_within(from.yaw_within, to.yaw_within);
+        [
+            along_line.least(sum(&[0, 1, 2]) - room, ends),
+            horizontal.least(sum(&[0, 1]) - room, ends),
+            up.least(apart(2) - room, ends),
+            down.least(-apart(2) - room, ends),
+            turn.least(turned - yaw_room, ends),
+        ]
+        .into_iter()
+        .fold(0.0, f64::max)
+    };
+    let mut now = Interval::ZERO;
+    let mut reached = Vec::new();
+    for (i, Waypoint { time, hold, .. }) in mission.waypoints.iter().enumerate() {
+        if i > 0 {
+            now = now + Interval::point(leg(i - 1));
+        }
+        reached.push(now.low);
+        now = Interval::point(time.map_or(now.low, |due| due.max(now.low))) + Interval::point(*hold);
+    }
+    reached
+}
+
+/// What two tolerances and the check of plans let a displacement be shorter by.
+fn met_within(from: f64, to: f64) -> Interval {
+    Interval::point(from) + Interval::point(to) + Interval::point(2.0) * Interval::point(MOST_MISS)
+}
+
+/// Decides that no motion within the spec's limits takes less than `claimed` s.
+pub(super) fn bound(model: &Model, mission: &Mission, claimed: f64) -> Result<(), Rejection> {
+    let end = mission.waypoints.last();
+    let (own, hold) = (soonest(model, mission).last().copied().unwrap_or(0.0), end.map_or(0.0, |w| w.hold));
+    // A last waypoint with a time of its own is reached then.
+    let reached = end.and_then(|w| w.time).map_or(own, |due| due.max(own));
+    let own = (Interval::point(reached) + Interval::point(hold)).low;
+    if exceeds(claimed, own) {
+        let why = format!("{} s is claimed, and distances and limits give {} s", number(claimed), number(own));
+        return Err(Rejection::new("the least time", why));
+    }
+    Ok(())
+}
+
+/// Decides that some waypoint cannot be reached when it is due.
+pub(super) fn too_early(model: &Model, mission: &Mission, claim: &TooEarlyClaim) -> Result<String, Rejection> {
+    let points = &mission.waypoints;
+    let name = "the time of a waypoint";
+    let Some(point) = claim.waypoint.checked_sub(1).and_then(|i| points.get(i)) else {
+        return Err(Rejection::new(name, format!("there is no waypoint {}", claim.waypoint)));
+    };
+    let is_last = claim.waypoint == points.len();
+    let at_the_end = fixed_total(model, mission).filter(|_| is_last).map(|total| total - point.hold);
+    let Some(due) = point.time.or(at_the_end) else {
+        return Err(Rejection::new(name, format!("the spec gives waypoint {} no time", claim.waypoint)));
+    };
+    let own = soonest(model, mission)[claim.waypoint - 1];
+    if exceeds(claim.soonest_s, own) {
+        let why = format!("{} s is claimed, and distances and limits give {} s", number(claim.soonest_s), number(own));
+        return Err(Rejection::new(format!("how soon waypoint {} can be reached", claim.waypoint), why));
+    }
+    if !exceeds(claim.soonest_s, due + SAME_TIME * due.max(1.0)) {
+        let why = format!("waypoint {} is due at {} s, which is not too early", claim.waypoint, number(due));
+        return Err(Rejection::new(name, why));
+    }
+    Ok(format!(
+        "mission {} has no plan: waypoint {} is due at {} s, and motions within the limits take at least {} s to it, however \
+         the time is divided",
+        mission.name,
+        claim.waypoint,
+        number(due),
+        crate::report::number::down(claim.soonest_s, 4)
+    ))
+}
