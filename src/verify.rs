@@ -298,7 +298,7 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
                     least_time::bound(model, mission, least)?;
                 }
                 let least = down(least, 4);
-                let statement = format!("no motion within the limits at every instant takes less than {least} s");
+                let statement = format!("no motion within the limits takes less than {least} s");
                 found.shown.push(Shown { statement, reach: None });
             }
             let headline = plan_headline(model, mission, found.total, &claim.selected_by);

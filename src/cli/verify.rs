@@ -56,8 +56,8 @@ fn report(name: &str, verdict: &Verdict) -> String {
     for shown in &verdict.shown {
         table.row(vec![shown.statement.clone(), shown.reach.map_or("proved".into(), words)]);
     }
-    let mut out = table.render_left(0);
-    out.push('\n');
+    // What its headline tells whole has no rows.
+    let mut out = if verdict.shown.is_empty() { String::new() } else { table.render_left(0) + "\n" };
     let strength = match verdict.weaker.is_empty() {
         true => "accepted",
         false => "accepted, weaker than the spec asks",

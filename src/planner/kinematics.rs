@@ -4,7 +4,8 @@
 //! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at most v
 //! and the acceleration at most a in size, a leg of length d takes at least d/v; if the vehicle rests at k of its two ends, at
 //! least `d/v + k v/(2a)` where it reaches v, and `sqrt(2 k d/a)` where it does not (time-optimal control of the double
-//! integrator; Bryson and Ho, *Applied Optimal Control*, 1975).
+//! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
+//! most j asks for `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
 use crate::model::{Limit, LimitKind, Mission, Model, PlanModel, Waypoint};
 use crate::tolerance;
@@ -15,6 +16,7 @@ use std::f64::consts::FRAC_PI_2;
 struct Pace {
     rate: f64,
     acceleration: f64,
+    jerk: f64,
 }
 
 impl Pace {
@@ -23,13 +25,15 @@ impl Pace {
         if displacement <= 0.0 {
             return 0.0;
         }
-        let (Pace { rate, acceleration }, k) = (self, rests as f64);
+        let (Pace { rate, acceleration, jerk }, k) = (self, rests as f64);
         let hurried = (2.0 * k * displacement / acceleration).sqrt();
+        let smooth = ([0.0, 6.0, 32.0][rests.min(2)] * displacement / jerk).cbrt();
         // The rate is reached if half of `k v^2/a`, what starting and stopping take, is no more than the displacement.
-        match rate.is_finite() && 0.5 * k * rate * rate / acceleration <= displacement {
+        let bounded = match rate.is_finite() && 0.5 * k * rate * rate / acceleration <= displacement {
             true => displacement / rate + 0.5 * k * rate / acceleration,
             false => hurried,
-        }
+        };
+        bounded.max(smooth)
     }
 }
 
@@ -47,7 +51,8 @@ impl Paces {
     /// Of a mission under its vehicle's full thrust, with intervals at the ends that allow most; each limit widened by
     /// `past`, in its SI unit, and all by what the check of plans lets pass ([`tolerance`]).
     fn of(model: &Model, mission: &Mission, past: &[f64]) -> Self {
-        let upper = |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
+        let upper =
+            |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
         let most = |kind: LimitKind| {
             let of_kind = mission.limits.iter().zip(past).filter(|(limit, _)| limit.kind == kind);
             of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
@@ -69,16 +74,21 @@ impl Paces {
         let whole = most(LimitKind::Acceleration);
         // A climb slows under gravity alone and a descent under full thrust: the larger of the two holds for both ends.
         let vertical = (g + tolerance::MOST_OUTSIDE * force).max(force - g).min(whole);
-        let speed = most(LimitKind::Speed);
+        let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
         Paces {
-            whole: Pace { rate: speed, acceleration: whole.min(any) },
+            whole: Pace { rate: speed, acceleration: whole.min(any), jerk },
             horizontal: Pace {
                 rate: speed.min(most(LimitKind::SpeedHorizontal)),
                 acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways),
+                jerk,
             },
-            up: Pace { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical },
-            down: Pace { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical },
-            turn: Pace { rate: most(LimitKind::YawRate), acceleration: most(LimitKind::YawAcceleration) },
+            up: Pace { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical, jerk },
+            down: Pace { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical, jerk },
+            turn: Pace {
+                rate: most(LimitKind::YawRate),
+                acceleration: most(LimitKind::YawAcceleration),
+                jerk: f64::INFINITY,
+            },
         }
     }
 
@@ -192,7 +202,7 @@ const FLOWN_THROUGH: f64 = 0.7;
 /// Initial durations of the legs, s: each as long as its own distance, turn and limits ask for.
 pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
     let least = least_time_within(model, mission).legs;
-    let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity };
+    let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity, jerk: f64::INFINITY };
     let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
         let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();
         (UNHURRIED * least.seconds).max(FLOWN_THROUGH * half.least(apart, 2))
@@ -210,7 +220,7 @@ mod tests {
     /// Bang-bang motions by closed form.
     #[test]
     fn least_times_are_those_of_bang_bang_motions() {
-        let pace = |rate: f64, acceleration: f64| Pace { rate, acceleration };
+        let pace = |rate: f64, acceleration: f64| Pace { rate, acceleration, jerk: f64::INFINITY };
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.max(1.0), "{a} {b}");
         near(pace(2.0, f64::INFINITY).least(10.0, 2), 5.0);
         near(pace(f64::INFINITY, 2.0).least(8.0, 2), 4.0); // 2 sqrt(d/a)
@@ -220,5 +230,8 @@ mod tests {
         near(pace(3.0, 2.0).least(12.0, 1), 4.0 + 0.75);
         near(pace(3.0, 2.0).least(4.5, 2), 3.0); // it just reaches 3 m/s
         assert_eq!(pace(3.0, 2.0).least(-1.0, 2), 0.0);
+        let smooth = Pace { jerk: 4.0, ..pace(f64::INFINITY, f64::INFINITY) };
+        near(smooth.least(1.0, 2), 2.0); // half a second each of 4, -4, -4, 4 m/s^3
+        near(smooth.least(18.0, 1), 3.0); // j t^3/6
     }
 }

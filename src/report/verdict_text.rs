@@ -25,8 +25,14 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
         Ending::Failed { at, why } => {
             format!("{verdict}: the motion planned for {} s fails the check of plans: {why}", number(*at))
         }
-        Ending::Infeasible { at, .. } if model.plan.chooses_times && least_time_within(model, mission).is_above(*at) => {
-            format!("{verdict} at {} s: {}", number(*at), least_time::sentence(mission, &least_time_within(model, mission)))
+        Ending::Infeasible { at, .. }
+            if model.plan.chooses_times && least_time_within(model, mission).is_above(*at) =>
+        {
+            format!(
+                "{verdict} at {} s: {}",
+                number(*at),
+                least_time::sentence(mission, &least_time_within(model, mission))
+            )
         }
         Ending::Infeasible { proved, .. } => {
             format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))

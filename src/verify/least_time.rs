@@ -4,7 +4,8 @@
 //! A leg whose displacement along something is d or more, with a rate of at most v and an acceleration of at most a there,
 //! and with k of its ends at rest, takes at least `d/u + k u/(2 a)`, where u is its largest rate: the mean rate over the
 //! `u/a` s beside an end at rest is `u/2` at most. This falls in u up to `sqrt(2 a d/k)`, so that v bounds it, and there it
-//! is `sqrt(2 k d/a)`, its least value.
+//! is `sqrt(2 k d/a)`, its least value. Where the jerk is at most j and acceleration and rate begin at zero, the
+//! displacement is at most `j t^3/6`; where they end there too, at most `j T^3/32`, half of it in either half.
 
 use super::Rejection;
 use super::interval::{Interval, exceeds};
@@ -18,10 +19,11 @@ use std::f64::consts::FRAC_PI_2;
 /// Two instants are one within this share of them.
 const SAME_TIME: f64 = 1e-9;
 
-/// How fast something may change, and how fast its rate: upper bounds, infinite where there is none.
+/// How fast something may change, its rate and its acceleration: upper bounds, infinite where there is none.
 struct Most {
     rate: f64,
     acceleration: f64,
+    jerk: f64,
 }
 
 impl Most {
@@ -30,19 +32,33 @@ impl Most {
         if !exceeds(d.low, 0.0) {
             return 0.0;
         }
+        let smoothly = self.smoothly(d.low, ends);
         let (d, k) = (Interval::point(d.low), Interval::point(ends as f64));
         let [v, a] = [self.rate, self.acceleration].map(Interval::point);
         let two = Interval::point(2.0);
         let whatever_the_rate = if a.high.is_finite() { (two * k * d / a).sqrt().low } else { 0.0 };
         if !v.high.is_finite() {
-            return whatever_the_rate.max(0.0);
+            return whatever_the_rate.max(smoothly);
         }
         let at_that_rate = (d / v).low;
         let slowed = match a.high.is_finite() && (k * v * v).high <= (two * a * d).low {
             true => (d / v + k * v / (two * a)).low,
             false => 0.0,
         };
-        whatever_the_rate.max(at_that_rate).max(slowed)
+        whatever_the_rate.max(at_that_rate).max(slowed).max(smoothly)
+    }
+
+    /// What the jerk alone asks for, s.
+    fn smoothly(&self, d: f64, ends: usize) -> f64 {
+        let factor = [0.0, 6.0, 32.0][ends.min(2)];
+        if !self.jerk.is_finite() || factor == 0.0 {
+            return 0.0;
+        }
+        let (most, j) = (Interval::point(factor) * Interval::point(d), Interval::point(self.jerk));
+        let root = (factor * d / self.jerk).cbrt();
+        // A cube root is not rounded to the last digit everywhere; one whose cube is small enough is a lower bound.
+        let is_low = |t: f64| (Interval::point(t) * Interval::point(t) * Interval::point(t) * j).high <= most.low;
+        [1e-15, 1e-14, 1e-12].into_iter().map(|share| (1.0 - share) * root).find(|&t| is_low(t)).unwrap_or(0.0)
     }
 }
 
@@ -71,7 +87,8 @@ fn force(model: &Model) -> Interval {
 /// The largest horizontal acceleration under the force that tilt leaves.
 fn sideways(model: &Model, mission: &Mission, force: Interval) -> f64 {
     let tilt = most(mission, LimitKind::Tilt);
-    let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
+    let let_pass =
+        Interval::point(MOST_PAST_LIMIT) * Interval::point(FRAC_PI_2.next_up()) * Interval::point(model.gravity);
     let is_tied = tilt < FRAC_PI_2;
     let (sine, cosine) = Interval::point(tilt.min(FRAC_PI_2)).sin_cos();
     match model.plan.model {
@@ -86,20 +103,22 @@ fn sideways(model: &Model, mission: &Mission, force: Interval) -> f64 {
 pub(super) fn soonest(model: &Model, mission: &Mission) -> Vec<f64> {
     let (force, g) = (force(model), Interval::point(model.gravity));
     let most = |kind| most(mission, kind);
-    let speed = most(LimitKind::Speed);
+    let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
     let whole = most(LimitKind::Acceleration);
     // About hover the force is bounded along z alone.
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
     // The thrust may be as far below zero as a set may be left.
     let vertical = (g + Interval::point(MOST_OUTSIDE) * force).high.max((force - g).high).min(whole);
-    let along_line = Most { rate: speed, acceleration: whole.min(in_all) };
+    let along_line = Most { rate: speed, acceleration: whole.min(in_all), jerk };
     let horizontal = Most {
         rate: speed.min(most(LimitKind::SpeedHorizontal)),
         acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways(model, mission, force)),
+        jerk,
     };
-    let up = Most { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical };
-    let down = Most { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical };
-    let turn = Most { rate: most(LimitKind::YawRate), acceleration: most(LimitKind::YawAcceleration) };
+    let up = Most { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical, jerk };
+    let down = Most { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical, jerk };
+    let turn =
+        Most { rate: most(LimitKind::YawRate), acceleration: most(LimitKind::YawAcceleration), jerk: f64::INFINITY };
     let last = mission.waypoints.len().saturating_sub(1);
     let rests = |i: usize| {
         mission.waypoints[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest

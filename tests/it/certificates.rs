@@ -10,6 +10,7 @@ mod findings;
 mod infeasible;
 mod joints;
 mod lag;
+mod least_time;
 mod relaxation;
 mod selection;
 mod sets;

@@ -207,11 +207,12 @@ fn certificates_are_as_their_schema_says() {
     };
     let limits = "limits { speed <= 3 m/s; tilt <= 30 deg; altitude in 0 m .. 2 m; jerk <= 30 m/s^3 }\n}\nplan {";
     let spec = hop("weak").replace("}\nplan {", limits);
-    for (time, claim) in [("plan.time=4s", "plan"), ("plan.time=0.5s", "infeasible")] {
+    for (time, claim) in [("plan.time=4s", "plan"), ("plan.time=1.08s", "infeasible"), ("plan.time=0.5s", "too_early")]
+    {
         let certificate = certificate_of(&spec, time);
         schema.assert_valid(&certificate);
         assert!(certificate["claim"][claim].is_object(), "{certificate:#}");
-        assert_strict(&schema, &certificate, &["selected_by"]);
+        assert_strict(&schema, &certificate, &["selected_by", "least_time_s"]);
     }
     // Turning yaw: bounds between nodes that differ from those at the nodes.
     let turning = spec.replace("at [1, 0, 1.5] m", "at [1, 0, 1.5] m yaw 90 deg");

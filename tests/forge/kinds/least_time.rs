@@ -9,7 +9,12 @@ use mavc::certificate::{Certificate, Claim, TooEarlyClaim};
 use mavc::verify::Premise;
 
 pub const KINDS: &[Kind] = &[
-    Kind { name: "a least time above a plan's", known: SoonerPlan, premises: &[Premise::LeastTime], make: above_a_plan },
+    Kind {
+        name: "a least time above a plan's",
+        known: SoonerPlan,
+        premises: &[Premise::LeastTime],
+        make: above_a_plan,
+    },
     Kind { name: "no time where there is", known: SoonerPlan, premises: &[Premise::LeastTime], make: too_early },
 ];
 

@@ -61,7 +61,8 @@ fn impossible() -> Vec<(Model, &'static str)> {
 fn what_no_attitude_could_do_is_certified() {
     for (model, why) in impossible() {
         assert!(matches!(planned(&model).runs[0].ending, Ending::Infeasible { .. }), "{why}");
-        let certificate = mavc::certify::by_multipliers(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
+        let certificate =
+            mavc::certify::by_multipliers(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
         let certificate = certificate.unwrap_or_else(|no| panic!("{why}: {no}"));
         let verdict = decide(&certificate, &model).unwrap();
         assert!(verdict.headline.starts_with("proved infeasible on one grid"), "{why}: {verdict:?}");
@@ -176,7 +177,8 @@ fn what_ends_in_motion_is_certified_within_limits() {
     ];
     for (model, why) in models {
         assert!(matches!(planned(&model).runs[0].ending, Ending::Infeasible { .. }), "{why}");
-        let certificate = mavc::certify::by_multipliers(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
+        let certificate =
+            mavc::certify::by_multipliers(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
         let certificate = certificate.unwrap_or_else(|no| panic!("{why}: {no}"));
         assert!(decide(&certificate, &model).unwrap().headline.starts_with("proved infeasible"), "{why}");
         // At four times the time there is a plan, and the multipliers show nothing.
