@@ -206,6 +206,12 @@ impl Mission {
         }
     }
 
+    /// Whether some waypoint between start and end has no time of its own, so that legs can divide time in more than one way.
+    pub fn leaves_times_free(&self) -> bool {
+        let between = self.waypoints.split_last().map_or(&[][..], |(_, others)| others);
+        between.iter().skip(1).any(|w| w.time.is_none())
+    }
+
     /// Whether all waypoints ask for the same yaw, to rounding (1e-12 rad).
     pub fn has_one_yaw(&self) -> bool {
         self.waypoints.iter().all(|w| (w.yaw - self.waypoints[0].yaw).abs() < 1e-12)

@@ -4,6 +4,7 @@ use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
 use crate::model::{LimitKind, Mission, Model, PlanModel, PlannerKind, Vehicle};
 use crate::planner::compare::{THESE_TIMES, proofs_are_about};
+use crate::planner::kinematics::least_time_within;
 use crate::planner::pool::Pool;
 use crate::planner::profile::profile;
 use crate::planner::rows::{Decision, Engine, Planned};
@@ -68,6 +69,10 @@ impl Oracle for Planners<'_> {
     fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
         if let Some(tell) = &self.on_progress {
             tell(time);
+        }
+        // What holds for every division of the time, grid and planner needs none.
+        if model.plan.chooses_times && least_time_within(model, mission).is_above(time) {
+            return Answer::Infeasible { weights: Vec::new(), of_selection: false };
         }
         let known = self.sets.take().filter(|sets| sets.are_of(model));
         let mut sets = known.unwrap_or_else(|| Sets::new(model));

@@ -4,14 +4,16 @@ use std::f64::consts::PI;
 
 use super::{Leg, Waypoint};
 
-/// `timing = uniform | distance | optimal`
+/// `timing = optimal | proportional | uniform | distance`
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Timing {
     /// Every leg the same.
     Uniform,
     /// Every leg by its length.
     Distance,
-    /// As the planner finds best; begun as where nothing is said.
+    /// Explicit legs by their length, those of a curve evenly: the paper's rule.
+    Proportional,
+    /// As the planner finds best. Shares as under [`Timing::Proportional`] stand where it does not choose.
     Optimal,
 }
 
@@ -26,15 +28,15 @@ pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Each leg's share, with sum 1. Without `timing`, explicit legs count by their effort and the legs of a
+/// Each leg's share, with sum 1. Proportionally, explicit legs count by their effort and the legs of a
 /// curve share its length evenly, so that both kinds are measured in metres and may be mixed. Effort is the length; on a
 /// leg shorter than 10 cm it is at least one metre a radian of its turn. No leg gets less than 1 % of the mean.
-pub(super) fn shares(waypoints: &[Waypoint], curves: &[Option<usize>], timing: Option<Timing>) -> Vec<Leg> {
+pub(super) fn shares(waypoints: &[Waypoint], curves: &[Option<usize>], timing: Timing) -> Vec<Leg> {
     let mut effort: Vec<f64> = waypoints.windows(2).map(|pair| leg_effort(&pair[0], &pair[1])).collect();
     match timing {
-        Some(Timing::Uniform) => effort.fill(1.0),
-        Some(Timing::Distance) => {}
-        None | Some(Timing::Optimal) => {
+        Timing::Uniform => effort.fill(1.0),
+        Timing::Distance => {}
+        Timing::Proportional | Timing::Optimal => {
             let mut start = 0;
             for run in curves.chunk_by(|a, b| a == b) {
                 let legs = start..start + run.len();

@@ -41,7 +41,7 @@ pub(super) struct Manner {
     /// rad
     pub yaw_within: f64,
     pub weight: f64,
-    pub timing: Option<Timing>,
+    pub timing: Timing,
 }
 
 pub(super) struct Outline {

@@ -166,23 +166,18 @@ impl<'a> Draft<'a> {
             Some(e) => keep(cx.not_negative(Due::new("weight", "1"), e, "mavc::mission::weight"), WEIGHT.0),
             None => self.default("weight", WEIGHT),
         };
-        let timing = match self.word(cx, "timing", &["uniform", "distance", "optimal"]) {
-            Some(Some("uniform")) => Some(Timing::Uniform),
-            Some(Some("distance")) => Some(Timing::Distance),
-            Some(Some(_)) => {
-                self.chooses_times = true;
-                Some(Timing::Optimal)
-            }
+        let timing = match self.word(cx, "timing", &["optimal", "proportional", "uniform", "distance"]) {
+            Some(Some("uniform")) => Timing::Uniform,
+            Some(Some("distance")) => Timing::Distance,
+            Some(Some("optimal")) => Timing::Optimal,
+            Some(Some(_)) => Timing::Proportional,
             Some(None) => {
                 fine = false;
-                None
+                Timing::Proportional
             }
-            None => {
-                let text = "uniform on curves, distance elsewhere";
-                self.default("timing", ((), text, "how legs share the time left free"));
-                None
-            }
+            None => self.default("timing", (Timing::Optimal, "optimal", "the planner finds when waypoints are passed")),
         };
+        self.chooses_times = timing == Timing::Optimal;
         (Manner { within, yaw_within, weight, timing }, fine)
     }
 
@@ -265,6 +260,7 @@ impl<'a> Draft<'a> {
                 fit::check_samples(cx, samples, self.get("samples"), samples_span, mission);
             }
             let ends_at = mission.waypoints.last().and_then(|w| w.time);
+            self.chooses_times &= mission.leaves_times_free();
             let is_search = self.chooses_times || (time == Some(MissionTime::Minimum) && ends_at.is_none());
             if let (Some(samples), Some(given)) =
                 (samples.filter(|&n| is_search && n > MAX_SAMPLES_OF_A_SEARCH), self.get("samples"))

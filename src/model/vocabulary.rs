@@ -43,7 +43,7 @@ pub fn words(place: Place, field: &str) -> &'static [&'static str] {
         (Place::Plan, "planner") => &["rip", "rcp", "rsp"],
         (Place::Plan, "model") => &["hover", "exact"],
         (Place::Plan, "rotors") => &["instant", "lagging"],
-        (Place::Plan, "timing") => &["uniform", "distance", "optimal"],
+        (Place::Plan, "timing") => &["optimal", "proportional", "uniform", "distance"],
         (Place::Plan, "time") => &["minimum"],
         (Place::Plan, "against") => &["all"],
         (Place::Simulate, "controller") => &["geometric", "pd"],

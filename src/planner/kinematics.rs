@@ -7,6 +7,7 @@
 //! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
 //! most j asks for `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
+use super::transcribe::UNBOUNDED;
 use crate::model::{Limit, LimitKind, Mission, Model, PlanModel, Waypoint};
 use crate::tolerance;
 use std::f64::consts::FRAC_PI_2;
@@ -166,8 +167,17 @@ pub fn least_time(model: &Model, mission: &Mission, past: &[f64]) -> LeastTime {
     let last = points.len().saturating_sub(1);
     let paces = Paces::of(model, mission, past);
     let rests = |i: usize| points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest;
-    let both = |i: usize| usize::from(rests(i)) + usize::from(rests(i + 1));
-    let legs: Vec<LeastLeg> = (0..last).map(|i| paces.leg(&points[i], &points[i + 1], both(i))).collect();
+    let mut legs = vec![LeastLeg { seconds: 0.0, along: Along::Line }; last];
+    let mut from = 0;
+    for to in 1..=last {
+        // A waypoint that asks for nothing divides no leg.
+        let asks = points[to].within < UNBOUNDED || points[to].time.is_some() || points[to].hold > 0.0;
+        if asks || to == last {
+            let resting = usize::from(rests(from)) + usize::from(rests(to));
+            legs[to - 1] = paces.leg(&points[from], &points[to], resting);
+            from = to;
+        }
+    }
     let (mut soonest, mut too_early) = (0.0_f64, None);
     for (i, point) in points.iter().enumerate() {
         soonest += i.checked_sub(1).map_or(0.0, |leg| legs[leg].seconds);

@@ -98,3 +98,25 @@ fn protection_is_cheap_where_there_is_time() {
     let (rip, rcp) = (cost("rip"), cost("rcp"));
     assert!(rcp < 1.5 * rip, "{rcp} against {rip}");
 }
+
+/// Two missions of the size that people fly: every planner's time, not far above a bound that holds for every division of the
+/// time, and in the order of their sets.
+#[test]
+#[ignore = "minutes long: cargo test -- --include-ignored"]
+fn times_of_real_missions_are_near_their_bounds() {
+    for (spec, longest, bound) in
+        [("specs/missions/parcel_x8.mav", 107.0, 98.0), ("specs/missions/tower_hexa.mav", 70.0, 62.0)]
+    {
+        printed(&["check", spec, "--deny", "warnings"]);
+        let [rip, rsp, rcp] = ["rip", "rsp", "rcp"].map(|planner| {
+            let report = planned(spec, &["--set", &format!("plan.planner={planner}")]);
+            let of = |field: &str| report["planners"][0][field].as_f64().unwrap();
+            let (time, least) = (of("time_s"), of("time_bound_s"));
+            assert!(time <= longest && least >= bound && least < time, "{spec} {planner}: {least} {time}");
+            time
+        });
+        // Each by a command of its own; within one report the order is exact.
+        let no_later = |a: f64, b: f64| a <= 1.005 * b;
+        assert!(no_later(rip, rsp) && no_later(rsp, rcp), "{spec}: {rip} {rsp} {rcp}");
+    }
+}

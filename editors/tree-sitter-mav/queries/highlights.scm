@@ -49,7 +49,7 @@
 ((field value: (reference (name) @constant.builtin))
   (#any-of? @constant.builtin
     "all" "bounded" "continue" "distance" "estimator" "exact" "geometric" "hold" "hover" "instant" "lagging" "land"
-    "minimum" "never" "off" "optimal" "pd" "pseudo_inverse" "rcp" "rip" "rsp" "uniform"))
+    "minimum" "never" "off" "optimal" "pd" "proportional" "pseudo_inverse" "rcp" "rip" "rsp" "uniform"))
 ((field value: (list (reference (name) @constant.builtin)))
   (#any-of? @constant.builtin "rcp" "rip" "rsp"))
 ((clause value: (reference (name) @constant.builtin))

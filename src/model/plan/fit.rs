@@ -47,7 +47,7 @@ pub fn too_many_for_a_search(cx: &mut Context, samples: usize, given: Span) {
     const MOST: usize = super::MAX_SAMPLES_OF_A_SEARCH;
     let message = format!("{samples} samples are too many where the planner looks for times: at most {MOST}");
     let error = Diagnostic::error("mavc::plan::samples", given, message).here("too many for a search");
-    let help = format!("write `samples = {MOST}`, or give the mission a fixed `time` and leave out `timing = optimal`");
+    let help = format!("write `samples = {MOST}`, or give the mission a fixed `time` and `timing = proportional`");
     cx.report(error.help(help).fix(given, MOST.to_string()));
 }
 

@@ -1,8 +1,8 @@
 //! Every planner at its own shortest time and at T_d.
 
 use super::{
-    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, plan_found, planned_of, time,
-    time_below,
+    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, Solved, hint_from, label, plan_found, planned_of,
+    time, time_below,
 };
 use crate::model::{PlanModel, PlannerKind};
 use crate::planner::pool::Pool;
@@ -47,6 +47,9 @@ impl Setting<'_> {
             let begins = plan_found(joint).cloned().into_iter().collect();
             singles = self.singles_own(&rip, Hint { feasible: time(joint), begins, ..above_rip.clone() });
             singles.iter().for_each(|f| effort += f.effort);
+            if let Some(plan) = plan_found(joint) {
+                singles = singles.into_iter().map(|single| single.or_shorter(plan)).collect();
+            }
         }
         let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
         let joint = tightest.as_ref().filter(|_| several);
@@ -91,7 +94,7 @@ impl Setting<'_> {
                     self.rsp_own_and_common(
                         &rsp_set,
                         at,
-                        &rip,
+                        (&rip, binding),
                         Hint { begins, ..above_rip.clone() },
                         Some(&decision).filter(|_| selected.is_empty()),
                         pool,
@@ -113,6 +116,9 @@ impl Setting<'_> {
                 common.push(run);
                 out.effort += spent;
             }
+            if let Some(shorter) = shorter(&out.runs[0].ending, &rsp) {
+                out.runs[0].ending = shorter;
+            }
             out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, rsp, &rsp_set));
             common.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp_common, &rsp_set));
             out.runs.extend(common);
@@ -131,17 +137,18 @@ impl Setting<'_> {
         let begins = plan_found(better).cloned().into_iter().collect();
         let again = self.search("RIP", &self.sets.rip, Hint { begins, ..Hint::default() }, Pool::default());
         *effort += again.effort;
-        if again.result.is_ok() { again } else { rip }
+        let found = if again.result.is_ok() { again } else { rip };
+        plan_found(better).cloned().into_iter().fold(found, |found, plan| found.or_shorter(&plan))
     }
 
     /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there. Where nothing is
-    /// selected it is RIP, whose decision at T_d is `rip_at`; without a plan of RIP there is nothing to select by, and RSP's own
+    /// selected it is RIP, whose decision at T_d is `rip_at`; `rcp` is the joint RCP's plan at its own time, which RSP's set allows; without a plan of RIP there is nothing to select by, and RSP's own
     /// time is not searched for. The own time's ending, then that at T_d.
     fn rsp_own_and_common(
         &self,
         set: &PlanningSet,
         at: f64,
-        rip: &Found,
+        (rip, rcp): (&Found, Option<&Planned>),
         above_rip: Hint,
         rip_at: Option<&Decision>,
         pool: Pool,
@@ -177,9 +184,20 @@ impl Setting<'_> {
         }
         hint.infeasible = hint.infeasible.or(above_rip.infeasible);
         hint.begins = above_rip.begins;
-        let own = self.search("RSP", set, hint, pool);
+        let mut own = self.search("RSP", set, hint, pool);
         self.ended(1);
         effort += own.effort;
+        if let Some(rcp) = rcp {
+            own = own.or_shorter(rcp);
+        }
         (self.own(&own), ending, effort)
     }
+}
+
+/// RIP's ending with RSP's plan, where that is shorter: the healthy set allows it.
+fn shorter(rip: &Ending, rsp: &Ending) -> Option<Ending> {
+    let (Ending::Solved(rip), Ending::Solved(rsp)) = (rip, rsp) else { return None };
+    let infeasible_at = rip.infeasible_at.filter(|&below| below < rsp.time);
+    let solved = || Solved { infeasible_at, infeasible_above: Vec::new(), ..(**rsp).clone() };
+    (rsp.time < rip.time).then(|| Ending::Solved(Box::new(solved())))
 }

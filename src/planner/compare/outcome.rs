@@ -2,6 +2,7 @@
 
 use super::protect::Addition;
 use crate::model::{Mission, Model, PlanModel, PlannerKind};
+use crate::planner::profile::has_fixed_times;
 use crate::planner::rows::Planned;
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::solve::Effort;
@@ -87,9 +88,10 @@ impl Ending {
 pub const THESE_TIMES: &str = "with the waypoint times that were tried";
 pub const THIS_YAW: &str = "with the yaw that is planned first";
 
-/// To what a proof that the hover model has no plan is confined, if to anything.
+/// To what a proof that there is no plan is confined, if to anything.
 pub fn proofs_are_about(model: &Model, mission: &Mission) -> Option<&'static str> {
     match model.plan.model {
+        PlanModel::Exact if model.plan.chooses_times && has_fixed_times(mission) => Some(THESE_TIMES),
         PlanModel::Hover if model.plan.chooses_times && mission.legs.len() > 1 => Some(THESE_TIMES),
         PlanModel::Hover if !mission.has_one_yaw() => Some(THIS_YAW),
         _ => None,

@@ -3,6 +3,7 @@
 
 use super::Progress;
 use crate::model::{Leg, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::planner::kinematics::initial;
 use crate::planner::profile::determined;
 use crate::planner::rows::Engine;
 use crate::planner::sets::PlanningSets;
@@ -32,11 +33,17 @@ pub(super) fn with_better_times(model: &Model, mission: &Mission, progress: Prog
     Some(Mission { legs: legs.map(|s| Leg { share: s.duration }).collect(), ..mission.clone() })
 }
 
+/// The same mission with legs that take shares of the time as their own distances, turns and limits ask for.
+pub(super) fn by_their_limits(model: &Model, mission: &Mission) -> Mission {
+    let legs = initial(model, mission).into_iter().map(|share| Leg { share }).collect();
+    Mission { legs, ..mission.clone() }
+}
+
 /// Where the last waypoint alone has a time of its own, the same mission with that as the plan's time. The exact model's steps
 /// can then begin from slower motions, as they do for missions written so.
 pub(super) fn with_time_of_its_end(model: &Model, mission: &Mission) -> Option<(Model, Mission)> {
     let (last, others) = mission.waypoints.split_last()?;
-    let alone = !model.plan.chooses_times && last.time.is_some() && others.iter().skip(1).all(|w| w.time.is_none());
+    let alone = last.time.is_some() && others.iter().skip(1).all(|w| w.time.is_none());
     let time = determined(mission).filter(|_| alone && model.plan.model == PlanModel::Exact)?;
     let (mut model, mut mission) = (model.clone(), mission.clone());
     model.plan.time = MissionTime::Fixed(time);

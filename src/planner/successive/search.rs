@@ -50,6 +50,13 @@ impl Successive<'_, '_> {
         }
     }
 
+    /// The profile that a search at one mission time begins with: the spec's, or where durations are the planner's each leg
+    /// with the share that its own limits ask for.
+    fn begun(&self, total: f64, samples: usize) -> Option<Profile> {
+        let initial = self.chooses_times().then(|| kinematics::initial(self.engine.model, self.engine.mission));
+        self.lay_out(initial.as_deref(), total, samples)
+    }
+
     pub(super) fn held(&self) -> f64 {
         self.engine.mission.waypoints.iter().map(|w| w.hold).sum()
     }
@@ -163,7 +170,7 @@ impl Successive<'_, '_> {
         motion = self.restore_slower(&motion, &mut pool)?;
         motion = self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool);
         if self.chooses_times() {
-            motion = self.better_times(motion, &mut pool);
+            motion = self.better_times(motion, near, &mut pool);
         }
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
@@ -206,23 +213,27 @@ impl Successive<'_, '_> {
             return Decision::Infeasible;
         }
         let samples = self.engine.model.plan.samples;
-        let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
+        let Some(full) = self.begun(total, samples) else { return Decision::Infeasible };
         self.engine.progress(total);
         if let Some(planned) = self.at_once(&full, begins) {
             return Decision::Feasible(Box::new(planned));
         }
+        if self.chooses_times() {
+            let by_length = self.lay_out(None, total, samples);
+            if let Some(planned) = by_length.and_then(|full| self.at_once(&full, &[])) {
+                return Decision::Feasible(Box::new(planned));
+            }
+        }
         // What is shown of one division of the time is not shown of all. A proof is cheaper than a plan from further away, and
         // where there is none the relaxation's own motion, which keeps every limit, may be made to fit.
-        if !self.chooses_times() || has_fixed_times(self.engine.mission) {
-            match self.relaxed(&full.flown()) {
-                Verdict::Infeasible if !self.chooses_times() => return Decision::Infeasible,
-                Verdict::Feasible(Some(motion)) => {
-                    if let Some(planned) = self.about_relaxed(motion, total) {
-                        return Decision::Feasible(Box::new(planned));
-                    }
+        match self.relaxed(&full.flown()) {
+            Verdict::Infeasible if !self.chooses_times() => return Decision::Infeasible,
+            Verdict::Feasible(Some(motion)) => {
+                if let Some(planned) = self.about_relaxed(motion, total) {
+                    return Decision::Feasible(Box::new(planned));
                 }
-                _ => {}
             }
+            _ => {}
         }
         match self.begun_further_away(total, begins) {
             Some(planned) => Decision::Feasible(Box::new(planned)),
@@ -238,7 +249,7 @@ impl Successive<'_, '_> {
             return Decision::Infeasible;
         }
         let samples = self.engine.model.plan.samples;
-        let Some(full) = self.lay_out(None, total, samples) else { return Decision::Infeasible };
+        let Some(full) = self.begun(total, samples) else { return Decision::Infeasible };
         self.engine.progress(total);
         let flown = full.flown();
         let relaxed = match self.relaxed(&flown) {
@@ -263,11 +274,8 @@ impl Successive<'_, '_> {
         let flown = full.total - self.held();
         let fixed = has_fixed_times(self.engine.mission);
         let mut pool = BTreeSet::new();
-        let mut found = None;
-        if fixed || !self.chooses_times() {
-            let smooth = self.smooth(&full.flown())?;
-            found = self.kept_near(smooth, full.total, CLOSELY, &mut pool);
-        }
+        let smooth = self.smooth(&full.flown());
+        let mut found = smooth.and_then(|motion| self.kept_near(motion, full.total, CLOSELY, &mut pool));
         // Where waypoints have times of their own another plan serves only if it has the same.
         let as_long = |other: &Motion| {
             let pairs = other.profile.segments.iter().zip(full.segments.iter().filter(|s| !s.hold));

@@ -36,7 +36,7 @@ impl Successive<'_, '_> {
         let guess = self.engine.guess();
         let Some(mut motion) = first else { return Err(self.none_at_all(guess)) };
         if self.chooses_times() {
-            motion = self.better_times(motion, &mut pool);
+            motion = self.better_times(motion, 0.0, &mut pool);
         }
         motion = self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool);
         let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();

@@ -25,6 +25,9 @@ const HOPELESS: f64 = 0.3;
 const WIDEST: f64 = 0.08;
 const FINEST: f64 = 0.005;
 
+/// What shortening a leg would give back is worth trying from this share of the flight's time on.
+const WORTH: f64 = 1e-3;
+
 /// Most steps.
 const MOST_STEPS: usize = 40;
 
@@ -35,14 +38,14 @@ impl Successive<'_, '_> {
     }
 
     /// Steps in which each leg has its own change of duration; each is made a motion again with those durations and kept
-    /// where the mission has become shorter, so the time never grows.
-    pub(super) fn better_times(&mut self, mut motion: Motion, pool: &mut BTreeSet<RowAt>) -> Motion {
+    /// where the mission has become shorter, so the time never grows. They end at `target` s of flight.
+    pub(super) fn better_times(&mut self, mut motion: Motion, target: f64, pool: &mut BTreeSet<RowAt>) -> Motion {
         let legs: Vec<Option<usize>> = (0..self.engine.mission.legs.len()).map(Some).collect();
         let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing: SMOOTHING };
         let trust = Trust { proximity: PROXIMITY };
         let mut reach = FIRST_REACH;
         for _ in 0..MOST_STEPS {
-            if reach < LEAST_REACH {
+            if reach < LEAST_REACH || motion.profile.total <= target {
                 break;
             }
             self.engine.progress(motion.profile.total);
@@ -65,21 +68,28 @@ impl Successive<'_, '_> {
                 None => reach *= SHRINK,
             }
         }
-        self.shorten_by_leg(motion, pool)
+        self.shorten_by_leg(motion, target, pool)
     }
 
     /// A pattern search: each leg alone is flown faster, and kept where the motion can be restored; by smaller shares where no
     /// leg can. Where linearised steps in all durations end, because one leg's part of a step cannot be restored, those of the
     /// others still can.
-    fn shorten_by_leg(&mut self, mut motion: Motion, pool: &mut BTreeSet<RowAt>) -> Motion {
+    fn shorten_by_leg(&mut self, mut motion: Motion, target: f64, pool: &mut BTreeSet<RowAt>) -> Motion {
         let legs = self.engine.mission.legs.len();
         let mut share = WIDEST;
         while share >= FINEST {
             // Those that could be shortened by this share in every round so far.
             let mut open: Vec<usize> = (0..legs).collect();
             while !open.is_empty() {
-                let tried = std::mem::take(&mut open);
-                for leg in tried {
+                let before = motion.profile.total;
+                for leg in std::mem::take(&mut open) {
+                    let duration = motion.profile.segments[leg].duration;
+                    if share * duration < WORTH * motion.profile.total {
+                        continue;
+                    }
+                    if motion.profile.total <= target {
+                        return motion;
+                    }
                     self.engine.progress(motion.profile.total);
                     let mut known = pool.clone();
                     let mut changes = vec![0.0; legs];
@@ -92,6 +102,9 @@ impl Successive<'_, '_> {
                 }
                 if !open.is_empty() {
                     motion = self.settle(motion, ROUGHLY, pool);
+                }
+                if motion.profile.total > (1.0 - SMALL) * before {
+                    break;
                 }
             }
             share *= 0.5;

@@ -146,7 +146,10 @@ fn what_costs_too_much_is_refused() {
 
 #[test]
 fn a_mission_without_a_plan_is_certified() {
-    let spec = SPEC.replace("yaw 40 deg", "").replace("yaw 90 deg", "").replace("time = 9 s", "time = 4 s");
+    let spec = SPEC
+        .replace("yaw 40 deg", "")
+        .replace("yaw 90 deg", "")
+        .replace("time = 9 s", "time = 4 s; timing = proportional");
     let folder = Folder::new(&spec);
     let (spec, proof) = (folder.spec(), folder.at("cert.json"));
     assert_eq!(

@@ -186,7 +186,7 @@ fn quiet_keeps_results_and_errors() {
     let new = mavc(&["new", text(&at("new.mav")), "--quiet"]);
     assert_eq!((code(&new), out(&new), err(&new)), (0, String::new(), String::new()));
     // Why there is no plan is an error.
-    let none = mavc(&["plan", text(&spec), "--quiet", "--set", "plan.time=1s"]);
+    let none = mavc(&["plan", text(&spec), "--quiet", "--set", "plan.time=0.5s"]);
     assert_eq!(code(&none), 3);
     assert!(err(&none).contains("mavc::plan::conflict"), "{}", err(&none));
 }

@@ -179,7 +179,7 @@ mission dash {
     waypoint at [0, 8, 5] m yaw 180 deg
     limits { tilt <= 30 deg; yaw_rate <= 60 deg/s }
 }
-plan { planner = rcp; against = [M1, M2]; time = 7.01 s; samples = 60 }
+plan { planner = rcp; timing = proportional; against = [M1, M2]; time = 7.01 s; samples = 60 }
 "#;
 
 /// Where a waypoint has a time of its own another set's plan of the same times is begun from too: one mode leaves all that two do.
