@@ -17,7 +17,7 @@ mission turn {
     waypoint at [3, 1, 3] m
     waypoint at [5, 0, 2] m
 }
-plan { model = hover; planner = rsp; against = [M1, M2]; time = 9 s; samples = 40; reserve = 0 % }
+plan { model = hover; timing = proportional; planner = rsp; against = [M1, M2]; time = 9 s; samples = 40; reserve = 0 % }
 "#;
 
 fn flat(text: &str) -> String {
