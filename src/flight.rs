@@ -71,7 +71,7 @@ impl<'a> Sortie<'a> {
     }
 }
 
-/// How long a flight along a plan of `time` s can take at most, a landing included, but for the seconds of a stop, s.
+/// The longest that a flight along a plan of `time` s can take, s: with a landing, without the seconds of a stop.
 pub fn longest(model: &Model, time: f64) -> f64 {
     let simulation = &model.simulation;
     let flown = simulation.duration.unwrap_or(time);

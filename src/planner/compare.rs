@@ -306,7 +306,7 @@ impl<'a> Setting<'a> {
                 };
                 let hint = Hint { begins: begins.clone(), ..hint };
                 let mut found = self.search(name, &set, hint, Pool::default());
-                // RSP's set allows whatever the plans it begins from do, but for RIP's, which selects.
+                // RSP's set allows every plan it begins from except RIP's, which selects.
                 for rcp in begins.iter().skip(1) {
                     found = found.or_shorter(rcp);
                 }

@@ -143,7 +143,7 @@ fn models_are_those_of_the_library() {
 
 #[test]
 fn actuation_matrices_are_printed() {
-    // Missions fly one of the vehicles, but for two that have their own.
+    // Missions fly one of the vehicles, except two that have their own.
     let (own, others): (Vec<_>, Vec<_>) = MISSIONS.into_iter().partition(|name| OWN_VEHICLE.contains(name));
     VEHICLES.into_iter().chain(own).for_each(|name| compare("actuation", name, &printed("actuation", name, &[])));
     for name in others {

@@ -88,7 +88,7 @@ impl Ending {
 pub const THESE_TIMES: &str = "with the waypoint times that were tried";
 pub const THIS_YAW: &str = "with the yaw that is planned first";
 
-/// To what a proof that there is no plan is confined, if to anything.
+/// The part of the spec's freedom that a proof of no plan is confined to, if there is one.
 pub fn proofs_are_about(model: &Model, mission: &Mission) -> Option<&'static str> {
     match model.plan.model {
         PlanModel::Exact if model.plan.chooses_times && has_fixed_times(mission) => Some(THESE_TIMES),
