@@ -3,6 +3,7 @@
 mod committed;
 mod common;
 mod everything;
+mod order;
 mod outcome;
 pub mod protect;
 pub mod rounds;
@@ -21,7 +22,7 @@ use super::select::PlanningSet;
 use super::sets::PlanningSets;
 use super::successive::Successive;
 use super::wrench_model::WrenchModel;
-use crate::model::{Mission, MissionTime, Model, Plan, PlanModel, PlannerKind};
+use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
 use crate::trajectory::outside::{Outside, outside};
@@ -65,8 +66,8 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
     let ended = times::with_time_of_its_end(model, mission);
     let (model, mission) = ended.as_ref().map_or((model, mission), |(model, mission)| (model, mission));
     let mut comparison = match model.plan.chooses_times {
-        true if has_fixed_times(mission) => with_either_times(model, mission, scope, progress),
-        true if model.plan.model == PlanModel::Hover => with_times_before(model, mission, scope, progress),
+        true if has_fixed_times(mission) => times::with_either_times(model, mission, scope, progress),
+        true if model.plan.model == PlanModel::Hover => times::with_times_before(model, mission, scope, progress),
         _ => with_times(model, mission, scope, progress),
     };
     if let Some(about) = outcome::proofs_are_about(model, mission) {
@@ -77,47 +78,6 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
         comparison.runs.iter_mut().for_each(|run| run.ending.weaken(about, is_hopeless));
     }
     comparison
-}
-
-fn is_solved(comparison: &Comparison) -> bool {
-    comparison.runs.last().is_some_and(|run| run.ending.solved().is_some())
-}
-
-/// The second where it has a plan, with what both took.
-fn better(first: Comparison, second: Comparison) -> Comparison {
-    let effort = [first.effort, second.effort];
-    let mut kept = if is_solved(&second) { second } else { first };
-    [kept.effort, _] = effort;
-    kept.effort += effort[1];
-    kept
-}
-
-/// In the hover model, whose own search keeps the legs' shares, waypoint times are chosen before any planner runs.
-fn with_times_before(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    if scope == Scope::Plan && matches!(model.plan.time, MissionTime::Fixed(_)) {
-        // A time that is long enough has a plan without a search for the times of waypoints.
-        let at_once = with_times(model, &times::by_their_limits(model, mission), scope, progress);
-        if is_solved(&at_once) {
-            return at_once;
-        }
-    }
-    let timed = times::with_better_times(model, mission, progress);
-    let first = with_times(model, timed.as_ref().unwrap_or(mission), scope, progress);
-    if scope != Scope::Plan || timed.is_none() || is_solved(&first) {
-        return first;
-    }
-    // The times that the steps chose may be worse than those of the legs' lengths at the time asked for.
-    better(first, with_times(model, mission, scope, progress))
-}
-
-/// Between fixed times legs take time as their own limits ask for it; where no plan is found so, by their lengths.
-fn with_either_times(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    let laid_down = Model { plan: Plan { chooses_times: false, ..model.plan.clone() }, ..model.clone() };
-    let first = with_times(&laid_down, &times::by_their_limits(model, mission), scope, progress);
-    if is_solved(&first) {
-        return first;
-    }
-    better(first, with_times(&laid_down, mission, scope, progress))
 }
 
 /// The same with the legs' shares of time as the mission has them.
@@ -407,23 +367,6 @@ impl<'a> Setting<'a> {
                 self.at(what, set, at, own.pool.clone(), &begins)
             }
         }
-    }
-}
-
-impl Found {
-    /// The same, or another set's plan where that is shorter and this set allows what that one does: steps that find and do not
-    /// prove can end with a longer plan for the larger set.
-    fn or_shorter(mut self, other: &Planned) -> Found {
-        let (own, proved) = match &self.result {
-            Ok(s) => (s.time, s.infeasible_at),
-            Err(_) => (f64::INFINITY, None),
-        };
-        let time = other.profile.total;
-        if time < own {
-            let infeasible_at = proved.filter(|&below| below < time);
-            self.result = Ok(Shortest { time, planned: other.clone(), infeasible_at, infeasible_above: Vec::new() });
-        }
-        self
     }
 }
 

@@ -1,8 +1,9 @@
 //! Every planner at its own shortest time and at T_d.
 
+use super::order::shorter;
 use super::{
-    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, Solved, hint_from, label, plan_found, planned_of,
-    time, time_below,
+    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, plan_found, planned_of, time,
+    time_below,
 };
 use crate::model::{PlanModel, PlannerKind};
 use crate::planner::pool::Pool;
@@ -192,12 +193,4 @@ impl Setting<'_> {
         }
         (self.own(&own), ending, effort)
     }
-}
-
-/// RIP's ending with RSP's plan, where that is shorter: the healthy set allows it.
-fn shorter(rip: &Ending, rsp: &Ending) -> Option<Ending> {
-    let (Ending::Solved(rip), Ending::Solved(rsp)) = (rip, rsp) else { return None };
-    let infeasible_at = rip.infeasible_at.filter(|&below| below < rsp.time);
-    let solved = || Solved { infeasible_at, infeasible_above: Vec::new(), ..(**rsp).clone() };
-    (rsp.time < rip.time).then(|| Ending::Solved(Box::new(solved())))
 }

@@ -1,8 +1,8 @@
 //! Waypoint times before any planner runs: those of the hover model, whose own search keeps the legs' shares, and a last one that
 //! is the mission's time.
 
-use super::Progress;
-use crate::model::{Leg, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use super::{Comparison, Progress, Scope, with_times};
+use crate::model::{Leg, Mission, MissionTime, Model, Plan, PlanModel, PlannerKind};
 use crate::planner::kinematics::initial;
 use crate::planner::profile::determined;
 use crate::planner::rows::Engine;
@@ -12,7 +12,7 @@ use crate::planner::wrench_model::WrenchModel;
 
 /// In the hover model waypoint times are chosen first, by steps, for the set that the planner is bounded by; the legs then
 /// keep these shares of any mission time. `None` where the steps find no plan.
-pub(super) fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Option<Mission> {
+fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Option<Mission> {
     let sets = PlanningSets::of(model);
     let is_rip =
         model.plan.planner == PlannerKind::Rip || model.plan.planner == PlannerKind::Rsp && model.plan.rounds == 0;
@@ -34,7 +34,7 @@ pub(super) fn with_better_times(model: &Model, mission: &Mission, progress: Prog
 }
 
 /// The same mission with legs that take shares of the time as their own distances, turns and limits ask for.
-pub(super) fn by_their_limits(model: &Model, mission: &Mission) -> Mission {
+fn by_their_limits(model: &Model, mission: &Mission) -> Mission {
     let legs = initial(model, mission).into_iter().map(|share| Leg { share }).collect();
     Mission { legs, ..mission.clone() }
 }
@@ -49,4 +49,43 @@ pub(super) fn with_time_of_its_end(model: &Model, mission: &Mission) -> Option<(
     model.plan.time = MissionTime::Fixed(time);
     mission.waypoints.last_mut()?.time = None;
     Some((model, mission))
+}
+
+fn is_solved(comparison: &Comparison) -> bool {
+    comparison.runs.last().is_some_and(|run| run.ending.solved().is_some())
+}
+
+/// The second where it has a plan, with what both took.
+fn better(first: Comparison, second: Comparison) -> Comparison {
+    let mut effort = first.effort;
+    effort += second.effort;
+    Comparison { effort, ..if is_solved(&second) { second } else { first } }
+}
+
+/// In the hover model, whose own search keeps the legs' shares, waypoint times are chosen before any planner runs.
+pub(super) fn with_times_before(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
+    if scope == Scope::Plan && matches!(model.plan.time, MissionTime::Fixed(_)) {
+        // A time that is long enough has a plan without a search for the times of waypoints.
+        let at_once = with_times(model, &by_their_limits(model, mission), scope, progress);
+        if is_solved(&at_once) {
+            return at_once;
+        }
+    }
+    let timed = with_better_times(model, mission, progress);
+    let first = with_times(model, timed.as_ref().unwrap_or(mission), scope, progress);
+    if scope != Scope::Plan || timed.is_none() || is_solved(&first) {
+        return first;
+    }
+    // The times that the steps chose may be worse than those of the legs' lengths at the time asked for.
+    better(first, with_times(model, mission, scope, progress))
+}
+
+/// Between fixed times legs take time as their own limits ask for it; where no plan is found so, by their lengths.
+pub(super) fn with_either_times(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
+    let laid_down = Model { plan: Plan { chooses_times: false, ..model.plan.clone() }, ..model.clone() };
+    let first = with_times(&laid_down, &by_their_limits(model, mission), scope, progress);
+    if is_solved(&first) {
+        return first;
+    }
+    better(first, with_times(&laid_down, mission, scope, progress))
 }
