@@ -115,24 +115,30 @@ pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
     (again, effort)
 }
 
-/// A point of a program and its multipliers, good enough for a step of a sequence that measures what it reaches: rows hold
-/// to [`PRIMAL_TOLERANCE`], the objective to 1e-6, and where the solver stops early its last point will do.
-pub fn approach(program: &QuadraticProgram) -> (Option<Solution>, Effort) {
-    let (raw, effort) = call(program, true, STEP_GAP);
+/// A point of a program good enough for a step of a sequence that measures what it reaches.
+#[derive(Debug, Clone)]
+pub struct Approach {
+    pub solution: Solution,
+    /// Whether the objective is the least to 1e-6; else the solver stopped early.
+    pub is_least: bool,
+}
+
+/// A point that keeps the rows of a program to [`PRIMAL_TOLERANCE`], and its multipliers; `scaled` is whether the solver scales
+/// rows and columns.
+pub fn approach(program: &QuadraticProgram, scaled: bool) -> (Option<Approach>, Effort) {
+    let (raw, effort) = call(program, scaled, STEP_GAP);
     let Some(Raw { status, x, z }) = raw else { return (None, effort) };
+    let is_least = matches!(status, SolverStatus::Solved | SolverStatus::AlmostSolved);
     let stopped = matches!(
         status,
-        SolverStatus::Solved
-            | SolverStatus::AlmostSolved
-            | SolverStatus::InsufficientProgress
-            | SolverStatus::NumericalError
-            | SolverStatus::MaxIterations
+        SolverStatus::InsufficientProgress | SolverStatus::NumericalError | SolverStatus::MaxIterations
     );
-    let holds = stopped
+    let holds = (is_least || stopped)
         && x.iter().chain(&z).all(|v| v.is_finite())
         && program.cone_violation(&program.slack(&x)) <= PRIMAL_TOLERANCE;
     let objective = program.objective(&x);
-    (holds.then_some(Solution { bound: f64::NEG_INFINITY, objective, x, z }), effort)
+    let solution = Solution { bound: f64::NEG_INFINITY, objective, x, z };
+    (holds.then_some(Approach { solution, is_least }), effort)
 }
 
 /// What the solver left.

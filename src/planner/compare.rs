@@ -256,13 +256,17 @@ impl<'a> Setting<'a> {
                 (Run::Common, self.common(time, &decision), effort)
             }
             None => {
-                let hint = match out.common_time {
-                    Some(common) => {
+                // Steps begin from RCP's plan, which RSP's set allows; the hover model's search wants to know about T_d.
+                let rcp =
+                    begins.get(1).filter(|_| self.model.plan.model == PlanModel::Exact && !out.selected.is_empty());
+                let hint = match (out.common_time, rcp) {
+                    (None, _) => Hint::default(),
+                    (Some(common), Some(rcp)) => hint_from(common, Decision::Feasible(Box::new(rcp.clone()))),
+                    (Some(common), None) => {
                         let (decision, effort) = at(common);
                         out.effort += effort;
                         hint_from(common, decision)
                     }
-                    None => Hint::default(),
                 };
                 let hint = Hint { begins: begins.clone(), ..hint };
                 let mut found = self.search(name, &set, hint, Pool::default());

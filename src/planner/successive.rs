@@ -32,7 +32,7 @@ use super::wrench_model::WrenchModel;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
 use crate::model::{Limit, Model};
-use crate::solve::{Outcome, Solution, approach, solve};
+use crate::solve::{Approach, Outcome, Solution, approach, solve};
 use lead::Lag;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -272,13 +272,19 @@ impl<'e, 'a> Successive<'e, 'a> {
         let splines = known.map(|known| self.transcription(&motion.profile, &lines.maps).in_these(known));
         let most = MOST_STIFFNESS * self.cost(motion);
         let splines = splines.filter(|form| form.stiffness() <= most);
+        // Asked in turn until one is solved: splines as the solver scales them, stages first as they are.
+        let of_splines = splines.iter().map(|form| (form, true));
+        let ways = of_splines.chain([(&stages, false), (&stages, true)]);
         let mut found = None;
-        for form in splines.iter().chain([&stages]) {
+        for (form, scaled) in ways {
             let (program, places) = form.step_program(&step, &chosen);
-            let (solution, effort) = approach(&program);
+            let (approached, effort) = approach(&program, scaled);
             self.engine.effort += effort;
-            if let Some(Solution { x, z, .. }) = solution {
+            let Some(Approach { solution: Solution { x, z, .. }, is_least }) = approached else { continue };
+            if is_least || found.is_none() {
                 found = Some((form, x, z, places));
+            }
+            if is_least {
                 break;
             }
         }

@@ -74,7 +74,7 @@ fn by_all_faces(set: &Zonotope<4>, w: &Wrench) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn zonotopes_and_their_facets_have_one_volume(set in zonotope()) {

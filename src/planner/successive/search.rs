@@ -153,7 +153,7 @@ impl Successive<'_, '_> {
     }
 
     /// A first motion inside the set, on the full grid, for the mission about as fast as `near` s of flight.
-    fn first(&mut self, near: f64) -> Option<Motion> {
+    pub(super) fn first(&mut self, near: f64) -> Option<Motion> {
         let samples = self.engine.model.plan.samples;
         let coarse_samples = self.engine.coarse_samples();
         // Where durations are the planner's, each leg begins with what its own limits ask for.
@@ -168,10 +168,10 @@ impl Successive<'_, '_> {
             motion = motion.slower(near / motion.profile.total);
         }
         motion = self.restore_slower(&motion, &mut pool)?;
-        motion = self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool);
-        if self.chooses_times() {
-            motion = self.better_times(motion, near, &mut pool);
-        }
+        motion = match self.chooses_times() {
+            true => self.better_times(motion, &times::COARSELY, near, &mut pool),
+            false => self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool),
+        };
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
         self.forget_multipliers();
@@ -189,13 +189,8 @@ impl Successive<'_, '_> {
         self.restore_slower(&timed, &mut BTreeSet::new())
     }
 
-    /// A first motion inside the set: made from other plans, or from nothing for the mission about as fast as `near` s of flight.
-    pub(super) fn first_of(&mut self, begins: &[&Planned], near: f64, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
-        self.slowed(begins, pool).or_else(|| self.first(near))
-    }
-
     /// A motion inside the set made from other plans, the first that will do flown least slower.
-    fn slowed(&mut self, begins: &[&Planned], pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+    pub(super) fn slowed(&mut self, begins: &[&Planned], pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
         let motions: Vec<Motion> = begins.iter().map(|planned| self.motion_of(planned)).collect();
         SLOWER.into_iter().find_map(|factor| motions.iter().find_map(|motion| self.restore_at(motion, factor, pool)))
     }
@@ -308,9 +303,12 @@ impl Successive<'_, '_> {
     }
 
     /// The plan of least cost at a mission time about a motion inside the set at another.
-    fn brought_to(&mut self, first: Motion, total: f64) -> Option<Planned> {
+    fn brought_to(&mut self, mut first: Motion, total: f64) -> Option<Planned> {
         let flown = total - self.held();
         let mut pool = BTreeSet::new();
+        if self.chooses_times() && first.profile.total > flown {
+            first = self.better_times(first, &times::CLOSELY, flown, &mut pool);
+        }
         let motion = match first.profile.total <= flown {
             true => self.restore(first.slower(flown / first.profile.total), &mut pool)?,
             false => self.descend(first, (FINE_STEP, LEAST_FINE), flown, &mut pool),

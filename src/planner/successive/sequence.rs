@@ -17,6 +17,11 @@ const NEARLY: f64 = 1e-2;
 /// a motion at the edge of what flies (measured).
 const HOPELESS: f64 = 1e-2;
 
+/// Where lines leave more excess than the first, and more than this share of what they left two steps before, no motion nearby
+/// is inside.
+const UNAVOIDABLE: f64 = 2e-4;
+const STEADY: f64 = 0.9;
+
 /// Proximity at which steps towards the least cost begin.
 pub(super) const SETTLING: f64 = 0.03;
 
@@ -126,6 +131,7 @@ impl Successive<'_, '_> {
         let mut trust = Trust { proximity: RESTORING };
         let mut excess = self.excess_by(&motion, pool);
         let mut history = Vec::new();
+        let mut lines: Vec<f64> = Vec::new();
         self.forget_multipliers();
         while excess > 0.0 {
             history.push(excess);
@@ -137,7 +143,9 @@ impl Successive<'_, '_> {
             pool.extend(self.rows_between(&motion));
             excess = self.excess_by(&motion, pool);
             let stepped = self.step(&motion, &durations, trust, weights, pool)?;
-            if stepped.sigma > hopeless {
+            lines.push(stepped.sigma);
+            let is_stuck = matches!(lines[..], [.., before, _, last] if last > f64::max(UNAVOIDABLE, STEADY * before));
+            if stepped.sigma > hopeless || is_stuck {
                 return None;
             }
             let mut share = 1.0;

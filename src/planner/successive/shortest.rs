@@ -32,13 +32,14 @@ impl Successive<'_, '_> {
             return self.shortest_after_fixed_times(begins);
         }
         let mut pool = BTreeSet::new();
-        let first = self.first_of(begins, 0.0, &mut pool);
+        let slowed = self.slowed(begins, &mut pool);
+        let smoothing: &[f64] = if slowed.is_some() { &times::ONCE_MORE } else { &times::CLOSELY };
         let guess = self.engine.guess();
-        let Some(mut motion) = first else { return Err(self.none_at_all(guess)) };
-        if self.chooses_times() {
-            motion = self.better_times(motion, 0.0, &mut pool);
-        }
-        motion = self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool);
+        let Some(mut motion) = slowed.or_else(|| self.first(0.0)) else { return Err(self.none_at_all(guess)) };
+        motion = match self.chooses_times() {
+            true => self.better_times(motion, smoothing, 0.0, &mut pool),
+            false => self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool),
+        };
         let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();
         // Flown a little slower a plan is one still, or nearly always.
         for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {

@@ -1,6 +1,6 @@
 //! When each waypoint is passed: durations of legs as variables of the steps.
 
-use super::sequence::ROUGHLY;
+use super::sequence::CLOSER;
 use super::*;
 
 /// Largest relative change of a leg's duration in the first step and in any, how it changes, and where that ends.
@@ -10,23 +10,24 @@ const FURTHER: f64 = 1.5;
 const SHRINK: f64 = 0.4;
 const LEAST_REACH: f64 = 0.01;
 
-/// Proximity, penalty and smoothing of steps that choose times.
+/// Proximity of steps that choose times, and their weight of the excess against the relative time: where it is cheap, time is
+/// bought with an excess that no motion of those durations can be rid of.
 const PROXIMITY: f64 = 0.1;
-const PENALTY: f64 = 2.0;
-const SMOOTHING: f64 = 0.05;
+const PENALTY: f64 = 100.0;
 
-/// A relative gain in time below this ends the search.
-const SMALL: f64 = 2e-3;
+/// Weights of the cost relative to the last motion's, one after the other. Smooth motions stay clear of attitudes at which the
+/// wrench bends most, and come far by few steps; the shortest motions cost many times what smooth ones do.
+pub(super) const CLOSELY: [f64; 3] = [0.05, 0.01, 0.002];
+/// Of another set's plan, whose times were chosen already.
+pub(super) const ONCE_MORE: [f64; 1] = [0.002];
+/// Of a coarse motion, from which a finer one is to begin.
+pub(super) const COARSELY: [f64; 2] = [0.05, 0.01];
+
+/// Where the lines promise less than this share of the time, the next weight's turn has come.
+const SMALL: f64 = 1e-3;
 
 /// A change of many durations is far from a motion at first, and worth more patience than a change of one time.
 const HOPELESS: f64 = 0.3;
-
-/// Shares of its duration by which one leg alone is shortened, from the first to the last.
-const WIDEST: f64 = 0.08;
-const FINEST: f64 = 0.005;
-
-/// What shortening a leg would give back is worth trying from this share of the flight's time on.
-const WORTH: f64 = 1e-3;
 
 /// Most steps.
 const MOST_STEPS: usize = 40;
@@ -38,76 +39,55 @@ impl Successive<'_, '_> {
     }
 
     /// Steps in which each leg has its own change of duration; each is made a motion again with those durations and kept
-    /// where the mission has become shorter, so the time never grows. They end at `target` s of flight.
-    pub(super) fn better_times(&mut self, mut motion: Motion, target: f64, pool: &mut BTreeSet<RowAt>) -> Motion {
+    /// where the mission has become shorter, so the time never grows. They end at `target` s of flight. `smoothing` is
+    /// [`CLOSELY`] or [`COARSELY`].
+    pub(super) fn better_times(
+        &mut self,
+        mut motion: Motion,
+        smoothing: &[f64],
+        target: f64,
+        pool: &mut BTreeSet<RowAt>,
+    ) -> Motion {
+        let mut left = MOST_STEPS;
+        for (nth, &weight) in smoothing.iter().enumerate() {
+            if nth > 0 {
+                motion = self.settle(motion, CLOSER, pool);
+            }
+            motion = self.shorten(motion, weight, target, &mut left, pool);
+        }
+        motion
+    }
+
+    /// These steps with one weight of the cost, `left` of them at most.
+    fn shorten(
+        &mut self,
+        mut motion: Motion,
+        smoothing: f64,
+        target: f64,
+        left: &mut usize,
+        pool: &mut BTreeSet<RowAt>,
+    ) -> Motion {
         let legs: Vec<Option<usize>> = (0..self.engine.mission.legs.len()).map(Some).collect();
-        let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing: SMOOTHING };
+        let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing };
         let trust = Trust { proximity: PROXIMITY };
         let mut reach = FIRST_REACH;
-        for _ in 0..MOST_STEPS {
-            if reach < LEAST_REACH || motion.profile.total <= target {
+        while reach >= LEAST_REACH && *left > 0 && motion.profile.total > target {
+            *left -= 1;
+            self.engine.progress(motion.profile.total + self.held());
+            let mut known = pool.clone();
+            let durations = Durations { legs: legs.clone(), range: (-reach, reach) };
+            let stepped = self.step(&motion, &durations, trust, weights, &mut known);
+            let reached = stepped.map(|stepped| motion.stepped(&stepped.states, &stepped.changes));
+            if reached.as_ref().is_some_and(|r| r.profile.total > (1.0 - SMALL) * motion.profile.total) {
                 break;
             }
-            self.engine.progress(motion.profile.total);
-            let mut known = pool.clone();
-            let shorter = self
-                .step(&motion, &Durations { legs: legs.clone(), range: (-reach, reach) }, trust, weights, &mut known)
-                .map(|stepped| motion.stepped(&stepped.states, &stepped.changes))
-                .filter(|reached| reached.profile.total < motion.profile.total)
-                .and_then(|reached| self.restore_unless(reached, HOPELESS, &mut known));
-            match shorter {
+            match reached.and_then(|reached| self.restore_unless(reached, HOPELESS, &mut known)) {
                 Some(inside) => {
-                    let gained = 1.0 - inside.profile.total / motion.profile.total;
-                    *pool = known;
-                    motion = self.settle(inside, ROUGHLY, pool);
+                    (*pool, motion) = (known, inside);
                     reach = (FURTHER * reach).min(MOST_REACH);
-                    if gained < SMALL {
-                        break;
-                    }
                 }
                 None => reach *= SHRINK,
             }
-        }
-        self.shorten_by_leg(motion, target, pool)
-    }
-
-    /// A pattern search: each leg alone is flown faster, and kept where the motion can be restored; by smaller shares where no
-    /// leg can. Where linearised steps in all durations end, because one leg's part of a step cannot be restored, those of the
-    /// others still can.
-    fn shorten_by_leg(&mut self, mut motion: Motion, target: f64, pool: &mut BTreeSet<RowAt>) -> Motion {
-        let legs = self.engine.mission.legs.len();
-        let mut share = WIDEST;
-        while share >= FINEST {
-            // Those that could be shortened by this share in every round so far.
-            let mut open: Vec<usize> = (0..legs).collect();
-            while !open.is_empty() {
-                let before = motion.profile.total;
-                for leg in std::mem::take(&mut open) {
-                    let duration = motion.profile.segments[leg].duration;
-                    if share * duration < WORTH * motion.profile.total {
-                        continue;
-                    }
-                    if motion.profile.total <= target {
-                        return motion;
-                    }
-                    self.engine.progress(motion.profile.total);
-                    let mut known = pool.clone();
-                    let mut changes = vec![0.0; legs];
-                    changes[leg] = -share;
-                    let faster = motion.stepped(&motion.states, &changes);
-                    if let Some(inside) = self.restore_unless(faster, HOPELESS, &mut known) {
-                        (*pool, motion) = (known, inside);
-                        open.push(leg);
-                    }
-                }
-                if !open.is_empty() {
-                    motion = self.settle(motion, ROUGHLY, pool);
-                }
-                if motion.profile.total > (1.0 - SMALL) * before {
-                    break;
-                }
-            }
-            share *= 0.5;
         }
         motion
     }
