@@ -13,6 +13,7 @@ use mavc::model::{FileSet, Mission, MissionTime, Model, elaborate, load, parse_o
 use mavc::planner::compare::{Ending, Scope, compare};
 use mavc::planner::profile::determined;
 use mavc::source::Span;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -223,7 +224,8 @@ static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
         let (files, model, explanation) = explained(&text);
         Case { path, text, files, model, explanation }
     };
-    corpus().into_iter().map(case).collect()
+    // Side by side, for tests that wait for it wait together.
+    corpus().into_par_iter().map(case).collect()
 });
 
 fn corpus() -> Vec<PathBuf> {

@@ -7,6 +7,7 @@ use mavc::explain::planners::Planners;
 use mavc::explain::{Answer, Explanation, MOST_ATTEMPTS, Oracle, explain};
 use mavc::model::{FileSet, Mission, Model, PlanModel};
 use mavc::planner::transcribe::UNBOUNDED;
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
@@ -26,7 +27,7 @@ static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
         let (files, model, explanation) = explained(&text);
         Case { text, files, model, explanation }
     };
-    paths.into_iter().map(case).collect()
+    paths.into_par_iter().map(case).collect()
 });
 
 #[test]

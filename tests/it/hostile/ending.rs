@@ -80,7 +80,8 @@ fn a_campaign_that_is_interrupted_says_how_to_go_on() {
 #[test]
 fn without_a_file_nothing_can_be_gone_on_with() {
     let dir = desk();
-    let mut child = spawn(dir.path(), &["campaign", "hop.mav", "--seeds", "20000", "-o", "/dev/null"]);
+    let mut child =
+        spawn(dir.path(), &["campaign", "hop.mav", "--seeds", "20000", "-o", "/dev/null", "--threads", "1"]);
     // Once flights are flown something is told of them.
     std::thread::sleep(Duration::from_secs(3));
     kill(&child, "-INT");
