@@ -7,6 +7,7 @@ pub mod diagnose;
 mod filter;
 mod grid;
 mod instruction;
+pub mod nearby;
 pub mod oracle;
 pub mod planners;
 mod question;
@@ -39,6 +40,9 @@ pub struct Conflict {
     pub proved: bool,
     /// It was proved of the facets that the RIP plan selects, by RSP.
     pub of_selection: bool,
+    /// It was proved of the spec's samples; otherwise of every motion that keeps the limits, whatever the grid
+    /// ([`crate::planner::kinematics`]). Of no meaning without a proof.
+    pub of_samples: bool,
     /// Whether a plan was found for the others whenever one of them was left out.
     pub irreducible: bool,
     /// The mission time at which they were asked for, s.

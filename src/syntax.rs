@@ -16,6 +16,7 @@ mod mistake;
 mod place;
 mod print;
 
+pub use mistake::no_choice;
 pub use place::Place;
 
 use crate::diagnostic::{Checked, Diagnostic};

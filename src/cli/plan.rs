@@ -3,7 +3,7 @@
 use super::progress::Progress;
 use super::spec::{self, Loaded, timing};
 use super::target::{Target, cannot_write, write};
-use super::why::why;
+use super::why::{nearby, why};
 use super::{FINE, INCONCLUSIVE, NO_PLAN, Options, PlanArgs, Problem, SPEC_ERRORS, files};
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify::{self, between};
@@ -42,7 +42,10 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     // Where only the required risk is not met there is a plan for every statement that could be blamed.
     // A motion that fails the check is the planner's failure, and no statement of the spec is to blame for it.
     let is_failed = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Failed { .. }));
-    let is_settled = solved || is_failed || !comparison.trade_off.is_empty();
+    let found_at: Vec<f64> = nearby(&model, &mission, &comparison, options).times().collect();
+    // Nor is one where the planner has a plan at another time.
+    let is_elsewhere = !found_at.is_empty();
+    let is_settled = solved || is_failed || is_elsewhere || !comparison.trade_off.is_empty();
     let explanation = if is_settled { None } else { why(&model, &mission, options) };
     let progress = Progress::new(options);
     let certified = proof.as_ref().map(|target| {
@@ -85,7 +88,8 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     if report.is_some() || html.is_some() {
         let told = |e: &Explanation| ConflictRecord::new(e, &model, &mission, &loaded.files.sources);
         let conflict = explanation.as_ref().map(told);
-        let mut record = Record { conflict, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
+        let found_at_s = found_at.clone();
+        let mut record = Record { conflict, found_at_s, ..Record::new(&model, &mission, &comparison, loaded.sha256()) };
         if let Some(planner) = record.planners.last_mut() {
             planner.between = between.clone();
         }
@@ -102,6 +106,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let stdout = !results.iter().any(|(target, _)| target.is_stdout());
     let color = if stdout { spec::colored(&std::io::stdout()) } else { spec::colored(&std::io::stderr()) };
     let mut text = terminal::plan(&model, &mission, &comparison, color);
+    text.push_str(&terminal::elsewhere(&model, &found_at));
     if let (Some((_, solved)), Some(found)) = (plan, &between) {
         text.push_str(&report::between::between(&model, solved, found));
     }

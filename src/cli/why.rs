@@ -3,11 +3,27 @@
 use super::progress::Progress;
 use super::spec::timing;
 use super::{Options, files};
+use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{Explanation, explain};
 use crate::model::{Mission, Model};
+use crate::planner::compare::Comparison;
 use std::cell::Cell;
 use std::time::Instant;
+
+/// Times beside the spec's at which the planner has a plan, where it found none at the time asked for.
+pub fn nearby(model: &Model, mission: &Mission, comparison: &Comparison, options: &Options) -> Nearby {
+    let begin = Instant::now();
+    let progress = Progress::new(options);
+    let tell = |time: f64| progress.say(format!("no plan was found; is there one in {time:.2} s?"));
+    let (nearby, effort) = nearby::nearby(model, mission, comparison, &tell);
+    progress.done();
+    if options.timings && effort.solves > 0 {
+        timing(options, "nearby", begin);
+        files::tell(&format!("{:<10} {} solves\n", "  solver", effort.solves));
+    }
+    nearby
+}
 
 /// Asks the planner of the spec.
 pub fn why(model: &Model, mission: &Mission, options: &Options) -> Option<Explanation> {

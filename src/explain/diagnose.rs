@@ -57,8 +57,8 @@ fn asked_for(model: &Model, mission: &Mission) -> Option<f64> {
     })
 }
 
-/// `places`: the labels; `asked_for`: the mission time of the spec, s. A proof is one for the spec's samples, and in RSP for the
-/// facets selected.
+/// `places`: the labels; `asked_for`: the mission time of the spec, s. A proof is one for the spec's samples, unless distances and
+/// limits alone show it, and in RSP for the facets selected.
 fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: Option<f64>) -> String {
     let conflict = &explanation.conflict;
     let verdict = conflict.verdict();
@@ -77,10 +77,13 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: 
         (false, _) => String::new(),
     };
     let facets = if conflict.of_selection { " and the facets that the RIP plan selects" } else { "" };
-    let grid = format!("with {} samples{facets}", model.plan.samples);
+    let grid = match conflict.of_samples {
+        true => format!(" with {} samples{facets}", model.plan.samples),
+        false => String::new(),
+    };
     match (verdict == Verdict::ProvedInfeasible, places) {
-        (true, 1) => format!("{verdict} {grid}: a statement of the spec cannot be met{time}"),
-        (true, n) => format!("{verdict} {grid}: {n} statements of the spec cannot hold together{time}"),
+        (true, 1) => format!("{verdict}{grid}: a statement of the spec cannot be met{time}"),
+        (true, n) => format!("{verdict}{grid}: {n} statements of the spec cannot hold together{time}"),
         (false, 1) => format!("{verdict}: a plan that meets a statement of the spec{time}"),
         (false, n) => format!("{verdict}: a plan that meets {n} statements of the spec together{time}"),
     }

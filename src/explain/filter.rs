@@ -4,6 +4,7 @@ use super::Conflict;
 use super::oracle::{Answer, Part};
 use super::question::Questions;
 use super::statement::Statement;
+use crate::planner::kinematics::least_time_within;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Statements that weigh less than this share of the heaviest are left out together, if they can be.
@@ -43,7 +44,9 @@ pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Opt
     let kept: Vec<Statement> = statements.iter().copied().filter(|s| !left_out.contains(s)).collect();
     let (model, mission) = questions.variant(&left_out);
     let (time, any_time) = questions.time_of(&model, &mission);
-    (!kept.is_empty()).then_some(Conflict { statements: kept, proved, of_selection, irreducible, time, any_time })
+    let of_samples = !(model.plan.chooses_times && least_time_within(&model, &mission).is_above(time));
+    let conflict = Conflict { statements: kept, proved, of_selection, of_samples, irreducible, time, any_time };
+    (!conflict.statements.is_empty()).then_some(conflict)
 }
 
 /// What each part weighs in all.

@@ -13,6 +13,8 @@ use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::{Span, Spanned, visible};
 use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
+use crate::syntax::no_choice;
+use crate::unit::parse_unit;
 use family::Families;
 
 /// Fault modes of one spec.
@@ -96,6 +98,13 @@ impl Modes {
         span: Span,
         rotors: Option<usize>,
     ) {
+        if let ExprKind::Number { unit: Some(word), .. } = &count.kind
+            && parse_unit(&word.value, cx.gravity).is_err()
+        {
+            cx.report(no_choice(word.span, &word.value));
+            (self.incomplete, cx.modes_unnamed) = (true, true);
+            return;
+        }
         let effect = Loss::read(cx, effect);
         let numbers = Numbers::read(cx, format!("`every ... as {}`", prefix.value), span, body);
         let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());

@@ -12,6 +12,8 @@ pub struct ConflictRecord {
     pub verdict: Verdict,
     /// A proof is one for the facets that the RIP plan selects, by RSP.
     pub of_selection: bool,
+    /// A proof is one for the spec's samples; otherwise for every motion that keeps the limits.
+    pub of_samples: bool,
     /// A plan was found for the others whenever one statement was left out.
     pub irreducible: bool,
     /// The mission time at which the statements were asked for, s.
@@ -85,6 +87,7 @@ impl ConflictRecord {
         ConflictRecord {
             verdict: conflict.verdict(),
             of_selection: conflict.of_selection,
+            of_samples: conflict.of_samples,
             irreducible: conflict.irreducible,
             time_s: conflict.time,
             any_time: conflict.any_time,

@@ -32,6 +32,8 @@ pub struct Record {
     /// With which the plans take thrusts to follow their commands; `None` where these follow at once.
     pub thrust_time_constant_s: Option<f64>,
     pub planners: Vec<PlannerRecord>,
+    /// Mission times, s, at which `mavc plan` has a plan where it found none at the spec's, the nearest on either side.
+    pub found_at_s: Vec<f64>,
     /// Why `mavc plan` has no plan, where it could tell.
     pub conflict: Option<ConflictRecord>,
     /// Numbers of rounds side by side, where `mavc compare --rounds` asked for them.
@@ -196,6 +198,7 @@ impl Record {
             reserve: model.plan.reserve,
             thrust_time_constant_s: model.thrust_lag(),
             planners,
+            found_at_s: Vec::new(),
             conflict: None,
             rounds: None,
             trade_off: (!comparison.trade_off.is_empty()).then(steps),
@@ -222,6 +225,7 @@ impl Record {
             reserve: model.plan.reserve,
             thrust_time_constant_s: model.thrust_lag(),
             planners: vec![planner],
+            found_at_s: Vec::new(),
             conflict: None,
             rounds: None,
             trade_off: None,

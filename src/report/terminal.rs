@@ -5,7 +5,7 @@ use super::heat;
 use super::number::{fixed, number, percent, short_seconds, significant};
 use super::record::{errors, rates};
 use super::table::Table;
-use super::verdict_text::statement;
+use super::verdict_text::{self, statement};
 use super::waypoints;
 use crate::flight::twins::listed;
 use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
@@ -103,6 +103,13 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
         }
     }
     out
+}
+
+/// Where else there are plans, under a run without one.
+pub fn elsewhere(model: &Model, found_at: &[f64]) -> String {
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    verdict_text::elsewhere(model, found_at)
+        .map_or(String::new(), |text| format!("{}\n", textwrap::fill(&text, options)))
 }
 
 /// What each addition of the greedy choice costs and brings.

@@ -2,7 +2,7 @@
 
 use super::least_time;
 use super::number::number;
-use crate::model::{Mission, Model, PlanModel, PlannerKind};
+use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::UNMET;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, THESE_TIMES, THIS_YAW, Verification};
 use crate::planner::kinematics::least_time_within;
@@ -51,6 +51,25 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             format!("{verdict} at {} s{others} with {samples} samples{more}", number(*at))
         }
         Ending::NotAttempted { why, .. } => format!("{verdict}: {why}"),
+    }
+}
+
+/// At which times the planner has plans (`found_at`, s, ascending), where it found none at the spec's.
+pub fn elsewhere(model: &Model, found_at: &[f64]) -> Option<String> {
+    let MissionTime::Fixed(asked) = model.plan.time else { return None };
+    let shorter = found_at.iter().rfind(|time| **time < asked);
+    let longer = found_at.iter().find(|time| **time > asked);
+    let asked = number(asked);
+    match (shorter.copied().map(number), longer.copied().map(number)) {
+        (Some(shorter), Some(longer)) => Some(format!(
+            "A plan exists at {shorter} s and at {longer} s; at {asked} s none was found: this is the planner's limit, not \
+             your spec's. Ask for one of these times."
+        )),
+        (None, Some(longer)) => Some(format!(
+            "A plan exists at {longer} s; at {asked} s none was found, and whether there is one is open. Ask for that time, \
+             or for `time = minimum`."
+        )),
+        _ => None,
     }
 }
 

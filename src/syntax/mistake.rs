@@ -16,6 +16,7 @@ pub(super) use block::{check_head, misplaced, unknown_block};
 pub(super) use flight::is_foreign;
 pub(super) use habit::CLAUSES;
 pub(super) use separator::{Separation, separations};
+pub use wording::no_choice;
 
 use super::cut;
 use super::place::Place;

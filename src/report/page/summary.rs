@@ -11,7 +11,7 @@ use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as fl
 use crate::report::number::{fixed, number, percent, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::terminal::{in_planes, not_looked_at};
-use crate::report::verdict_text::statement;
+use crate::report::verdict_text::{elsewhere, statement};
 use crate::report::waypoints::{WaypointRecord, waypoints, worst};
 use crate::verdict::Verdict;
 
@@ -73,7 +73,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
         _ => Found {
             headline: format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run)),
             figures: Vec::new(),
-            warnings: conflict(record),
+            warnings: elsewhere(model, &record.found_at_s).into_iter().chain(conflict(record)).collect(),
         },
     }
 }

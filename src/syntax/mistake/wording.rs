@@ -2,6 +2,7 @@
 
 use super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::source::Span;
 use crate::syntax::cut;
 use crate::syntax::place::Place;
 
@@ -23,6 +24,7 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     super::list::listed_names,
     rotor_numbers,
     motors,
+    choice,
     effect_word,
     reduced_by,
     joined_conditions,
@@ -201,6 +203,28 @@ fn motors(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
             .help(format!("write `{ours}`"))
             .fix(span, ours)
     })
+}
+
+/// `every 2 neighbours lost as W`, where any word after a number looks like a unit.
+fn choice(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
+    let (start, word) = statement.before(failure.at);
+    let is_word = word.starts_with(|c: char| c.is_ascii_alphabetic());
+    let follows_number = statement.text[..start].trim_end().ends_with(|c: char| c.is_ascii_digit());
+    let is_choice =
+        statement.word() == "every" && is_word && follows_number && failure.expects(Expected::Word("rotors"));
+    is_choice.then(|| no_choice(statement.span(start, start + word.len()), word))
+}
+
+/// What is said of a word that would choose among the rotors of an `every`.
+pub fn no_choice(span: Span, word: &str) -> Diagnostic {
+    let word = cut(word);
+    Diagnostic::error(
+        "mavc::syntax::unexpected",
+        span,
+        format!("`every` takes each choice of so many rotors, and knows no `{word}`"),
+    )
+    .here("only `rotors` follows the number")
+    .help("write those that matter as modes of their own: `mode W1 { rotors [1, 2] lost }`")
 }
 
 /// `rotor 1 fails`, where any word after a number looks like a unit.

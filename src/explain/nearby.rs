@@ -1,0 +1,61 @@
+//! Times beside one at which no plan was found, at which there is one: where the planner stops short the spec is not to blame.
+
+use crate::certify;
+use crate::model::{Mission, MissionTime, Model};
+use crate::planner::compare::{Comparison, Ending, Scope, compare};
+use crate::planner::profile::determined;
+use crate::planner::successive::NOT_FOUND;
+use crate::solve::Effort;
+
+/// Shares of the time asked for that are tried, the nearest first. Shorter ones are tried where a longer one has a plan.
+const LONGER: [f64; 5] = [1.02, 1.05, 1.1, 1.3, 2.0];
+const SHORTER: [f64; 3] = [0.98, 0.95, 0.9];
+
+/// Mission times, s, at which the spec's planner has a plan that passes the check of plans.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Nearby {
+    pub shorter: Option<f64>,
+    pub longer: Option<f64>,
+}
+
+impl Nearby {
+    /// In ascending order.
+    pub fn times(self) -> impl Iterator<Item = f64> {
+        self.shorter.into_iter().chain(self.longer)
+    }
+}
+
+/// The time asked for where none was found there and nothing was proved; `None` of all else.
+fn asked_for(model: &Model, mission: &Mission, comparison: &Comparison) -> Option<f64> {
+    let MissionTime::Fixed(time) = model.plan.time else { return None };
+    let is_open = match &comparison.runs.last()?.ending {
+        Ending::Inconclusive { status, .. } => status == NOT_FOUND,
+        Ending::Failed { .. } => true,
+        _ => false,
+    };
+    (is_open && determined(mission).is_none() && model.plan.require_risk.is_none()).then_some(time)
+}
+
+/// Looks for plans at times beside the spec's, where the planner found none there. `tell` hears each time, s.
+pub fn nearby(model: &Model, mission: &Mission, comparison: &Comparison, tell: &dyn Fn(f64)) -> (Nearby, Effort) {
+    let mut effort = Effort::default();
+    let Some(asked) = asked_for(model, mission, comparison) else { return (Nearby::default(), effort) };
+    let mut has_plan = |share: &f64| {
+        let time = rounded(share * asked);
+        tell(time);
+        let mut other = model.clone();
+        other.plan.time = MissionTime::Fixed(time);
+        let mut found = compare(&other, mission, Scope::Plan, None);
+        effort += found.effort;
+        certify::check(&other, mission, &mut found);
+        found.runs.last().is_some_and(|run| run.ending.solved().is_some()).then_some(time)
+    };
+    let longer = LONGER.iter().find_map(&mut has_plan);
+    let shorter = longer.and_then(|_| SHORTER.iter().find_map(&mut has_plan));
+    (Nearby { shorter, longer }, effort)
+}
+
+/// To four digits: a time that one would write.
+fn rounded(time: f64) -> f64 {
+    format!("{time:.3e}").parse().unwrap_or(time)
+}
