@@ -40,8 +40,7 @@ pub struct Conflict {
     pub proved: bool,
     /// It was proved of the facets that the RIP plan selects, by RSP.
     pub of_selection: bool,
-    /// It was proved of the spec's samples; otherwise of every motion that keeps the limits, whatever the grid
-    /// ([`crate::planner::kinematics`]). Of no meaning without a proof.
+    /// The proof holds on the grid of the spec's samples; false where it holds for every grid.
     pub of_samples: bool,
     /// Whether a plan was found for the others whenever one of them was left out.
     pub irreducible: bool,

@@ -119,7 +119,7 @@ pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
 #[derive(Debug, Clone)]
 pub struct Approach {
     pub solution: Solution,
-    /// Whether the objective is the least to 1e-6; else the solver stopped early.
+    /// Whether the solver met its tolerances, or its reduced ones; otherwise it stopped early.
     pub is_least: bool,
 }
 

@@ -4,7 +4,6 @@ use super::Conflict;
 use super::oracle::{Answer, Part};
 use super::question::Questions;
 use super::statement::Statement;
-use crate::planner::kinematics::least_time_within;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Statements that weigh less than this share of the heaviest are left out together, if they can be.
@@ -20,19 +19,21 @@ struct Filter<'q, 'a> {
     proved: bool,
     /// And that it was proved of the facets that the RIP plan selects only.
     of_selection: bool,
+    /// And that it was proved on the grid of the spec's samples only.
+    of_samples: bool,
     /// What the parts of what is left weigh; no part is named twice.
     weights: BTreeMap<Part, f64>,
 }
 
 /// An irreducible set of `statements` that have no plan together; `None` where all have one, or none of them is to blame.
 pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Option<Conflict> {
-    let (proved, of_selection, weights) = match questions.without(&BTreeSet::new())? {
+    let (proved, of_selection, of_samples, weights) = match questions.without(&BTreeSet::new())? {
         Answer::Feasible => return None,
-        Answer::Infeasible { weights, of_selection } => (true, of_selection, weights),
-        Answer::NotFound(weights) => (false, false, weights),
+        Answer::Infeasible { weights, of_selection, of_samples } => (true, of_selection, of_samples, weights),
+        Answer::NotFound(weights) => (false, false, true, weights),
     };
     let weights = summed(weights);
-    let mut filter = Filter { questions, left_out: BTreeSet::new(), proved, of_selection, weights };
+    let mut filter = Filter { questions, left_out: BTreeSet::new(), proved, of_selection, of_samples, weights };
     // Multipliers say nothing of these; and a conflict that does not hang on time is told as such.
     let of = |wanted: fn(&Statement) -> bool| -> Vec<Statement> { statements.iter().copied().filter(wanted).collect() };
     filter.halve(&of(|s| matches!(s, Statement::Time)));
@@ -40,11 +41,10 @@ pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Opt
     filter.halve(&of(|s| matches!(s, Statement::Arrival(_) | Statement::Hold(_))));
     filter.weigh_down(statements);
     let irreducible = filter.check(statements);
-    let Filter { questions, left_out, proved, of_selection, .. } = filter;
+    let Filter { questions, left_out, proved, of_selection, of_samples, .. } = filter;
     let kept: Vec<Statement> = statements.iter().copied().filter(|s| !left_out.contains(s)).collect();
     let (model, mission) = questions.variant(&left_out);
     let (time, any_time) = questions.time_of(&model, &mission);
-    let of_samples = !(model.plan.chooses_times && least_time_within(&model, &mission).is_above(time));
     let conflict = Conflict { statements: kept, proved, of_selection, of_samples, irreducible, time, any_time };
     (!conflict.statements.is_empty()).then_some(conflict)
 }
@@ -62,8 +62,9 @@ impl Filter<'_, '_> {
         let mut fewer = self.left_out.clone();
         fewer.extend(statements);
         match self.questions.without(&fewer) {
-            Some(Answer::Infeasible { weights, of_selection }) => {
-                (self.proved, self.of_selection, self.weights) = (true, of_selection, summed(weights));
+            Some(Answer::Infeasible { weights, of_selection, of_samples }) => {
+                (self.proved, self.of_selection, self.of_samples) = (true, of_selection, of_samples);
+                self.weights = summed(weights);
             }
             Some(Answer::NotFound(weights)) if !self.proved => self.weights = summed(weights),
             _ => return false,

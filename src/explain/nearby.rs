@@ -1,4 +1,5 @@
-//! Times beside one at which no plan was found, at which there is one: where the planner stops short the spec is not to blame.
+//! Mission times close to the one asked for at which the planner finds a plan, where it found none at that time. If there is
+//! one, the spec is not blamed.
 
 use crate::certify;
 use crate::model::{Mission, MissionTime, Model};

@@ -27,6 +27,8 @@ pub enum Answer {
         weights: Vec<(Part, f64)>,
         /// Shown only of the facets that the RIP plan selects. (Where RIP itself has no plan nothing is selected.)
         of_selection: bool,
+        /// Shown on the grid of the spec's samples; false where it holds for every grid.
+        of_samples: bool,
     },
     /// It has found no plan, and not shown that there is none; with what each part is likely to weigh, as above, where
     /// something tells.

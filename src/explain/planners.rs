@@ -72,7 +72,7 @@ impl Oracle for Planners<'_> {
         }
         // What holds for every division of the time, grid and planner needs none.
         if model.plan.chooses_times && least_time_within(model, mission).is_above(time) {
-            return Answer::Infeasible { weights: Vec::new(), of_selection: false };
+            return Answer::Infeasible { weights: Vec::new(), of_selection: false, of_samples: false };
         }
         let known = self.sets.take().filter(|sets| sets.are_of(model));
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
@@ -127,7 +127,7 @@ impl Oracle for Planners<'_> {
                     false => Answer::NotFound(Vec::new()),
                 }
             }
-            Decision::Infeasible => Answer::Infeasible { weights: parts, of_selection },
+            Decision::Infeasible => Answer::Infeasible { weights: parts, of_selection, of_samples: true },
             Decision::Inconclusive(_) => Answer::NotFound(parts),
         }
     }

@@ -12,7 +12,7 @@ pub struct ConflictRecord {
     pub verdict: Verdict,
     /// A proof is one for the facets that the RIP plan selects, by RSP.
     pub of_selection: bool,
-    /// A proof is one for the spec's samples; otherwise for every motion that keeps the limits.
+    /// A proof holds on the grid of the spec's samples; false where it holds for every grid.
     pub of_samples: bool,
     /// A plan was found for the others whenever one statement was left out.
     pub irreducible: bool,

@@ -105,7 +105,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
     out
 }
 
-/// Where else there are plans, under a run without one.
+/// Other times at which plans were found, after a run that found none.
 pub fn elsewhere(model: &Model, found_at: &[f64]) -> String {
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     verdict_text::elsewhere(model, found_at)

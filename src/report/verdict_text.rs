@@ -54,7 +54,7 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
     }
 }
 
-/// At which times the planner has plans (`found_at`, s, ascending), where it found none at the spec's.
+/// Times at which the planner found plans (`found_at`, s, ascending) after it found none at the spec's time.
 pub fn elsewhere(model: &Model, found_at: &[f64]) -> Option<String> {
     let MissionTime::Fixed(asked) = model.plan.time else { return None };
     let shorter = found_at.iter().rfind(|time| **time < asked);
@@ -62,12 +62,12 @@ pub fn elsewhere(model: &Model, found_at: &[f64]) -> Option<String> {
     let asked = number(asked);
     match (shorter.copied().map(number), longer.copied().map(number)) {
         (Some(shorter), Some(longer)) => Some(format!(
-            "A plan exists at {shorter} s and at {longer} s; at {asked} s none was found: this is the planner's limit, not \
-             your spec's. Ask for one of these times."
+            "Plans were found at {shorter} s and at {longer} s. At {asked} s none was found, and nothing in the spec was shown \
+             to rule one out: the planner may have missed it. Try one of these times."
         )),
         (None, Some(longer)) => Some(format!(
-            "A plan exists at {longer} s; at {asked} s none was found, and whether there is one is open. Ask for that time, \
-             or for `time = minimum`."
+            "A plan was found at {longer} s. At {asked} s none was found, and it is open whether one exists. Try that time, \
+             or `time = minimum`."
         )),
         _ => None,
     }

@@ -168,10 +168,13 @@ impl Successive<'_, '_> {
             motion = motion.slower(near / motion.profile.total);
         }
         motion = self.restore_slower(&motion, &mut pool)?;
-        motion = match self.chooses_times() {
-            true => self.better_times(motion, &times::COARSELY, near, &mut pool),
-            false => self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool),
-        };
+        // At a given time the motion need not be the shortest: all legs are first shortened alike.
+        if near > 0.0 || !self.chooses_times() {
+            motion = self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool);
+        }
+        if self.chooses_times() {
+            motion = self.better_times(motion, &times::COARSE_GRID, near, &mut pool);
+        }
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
         self.forget_multipliers();
@@ -302,13 +305,22 @@ impl Successive<'_, '_> {
         from_plans.or_else(|| self.first(total - self.held()).and_then(|first| self.brought_to(first, total)))
     }
 
-    /// The plan of least cost at a mission time about a motion inside the set at another.
-    fn brought_to(&mut self, mut first: Motion, total: f64) -> Option<Planned> {
+    /// The plan of least cost at a mission time, from a motion inside the set at another: with all legs changed alike, and if
+    /// that fails and durations are the planner's, with each leg shortened by itself.
+    fn brought_to(&mut self, first: Motion, total: f64) -> Option<Planned> {
+        let flown = total - self.held();
+        let alike = self.brought_alike(first.clone(), total);
+        if alike.is_some() || !self.chooses_times() || first.profile.total <= flown {
+            return alike;
+        }
+        let shorter = self.better_times(first, &times::FULL_GRID, flown, &mut BTreeSet::new());
+        self.brought_alike(shorter, total)
+    }
+
+    /// The same with the legs' shares of time as they are.
+    fn brought_alike(&mut self, first: Motion, total: f64) -> Option<Planned> {
         let flown = total - self.held();
         let mut pool = BTreeSet::new();
-        if self.chooses_times() && first.profile.total > flown {
-            first = self.better_times(first, &times::CLOSELY, flown, &mut pool);
-        }
         let motion = match first.profile.total <= flown {
             true => self.restore(first.slower(flown / first.profile.total), &mut pool)?,
             false => self.descend(first, (FINE_STEP, LEAST_FINE), flown, &mut pool),

@@ -17,8 +17,8 @@ const NEARLY: f64 = 1e-2;
 /// a motion at the edge of what flies (measured).
 const HOPELESS: f64 = 1e-2;
 
-/// Where lines leave more excess than the first, and more than this share of what they left two steps before, no motion nearby
-/// is inside.
+/// Restoration is given up where the linear model predicts more excess than the first, and more than this share of what it
+/// predicted two steps before (measured: such sequences took all their steps and failed).
 const UNAVOIDABLE: f64 = 2e-4;
 const STEADY: f64 = 0.9;
 

@@ -33,7 +33,7 @@ impl Successive<'_, '_> {
         }
         let mut pool = BTreeSet::new();
         let slowed = self.slowed(begins, &mut pool);
-        let smoothing: &[f64] = if slowed.is_some() { &times::ONCE_MORE } else { &times::CLOSELY };
+        let smoothing: &[f64] = if slowed.is_some() { &times::WARM_START } else { &times::FULL_GRID };
         let guess = self.engine.guess();
         let Some(mut motion) = slowed.or_else(|| self.first(0.0)) else { return Err(self.none_at_all(guess)) };
         motion = match self.chooses_times() {

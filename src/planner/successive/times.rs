@@ -17,11 +17,11 @@ const PENALTY: f64 = 100.0;
 
 /// Weights of the cost relative to the last motion's, one after the other. Smooth motions stay clear of attitudes at which the
 /// wrench bends most, and come far by few steps; the shortest motions cost many times what smooth ones do.
-pub(super) const CLOSELY: [f64; 3] = [0.05, 0.01, 0.002];
-/// Of another set's plan, whose times were chosen already.
-pub(super) const ONCE_MORE: [f64; 1] = [0.002];
-/// Of a coarse motion, from which a finer one is to begin.
-pub(super) const COARSELY: [f64; 2] = [0.05, 0.01];
+pub(super) const FULL_GRID: [f64; 3] = [0.05, 0.01, 0.002];
+/// On the coarse grid, whose result is the initial guess on the full one.
+pub(super) const COARSE_GRID: [f64; 2] = [0.05, 0.01];
+/// From another set's plan, whose waypoint times are optimised already.
+pub(super) const WARM_START: [f64; 1] = [0.002];
 
 /// Where the lines promise less than this share of the time, the next weight's turn has come.
 const SMALL: f64 = 1e-3;
@@ -39,8 +39,8 @@ impl Successive<'_, '_> {
     }
 
     /// Steps in which each leg has its own change of duration; each is made a motion again with those durations and kept
-    /// where the mission has become shorter, so the time never grows. They end at `target` s of flight. `smoothing` is
-    /// [`CLOSELY`] or [`COARSELY`].
+    /// where the mission has become shorter, so the time never grows. They end at `target` s of flight. `smoothing` holds the
+    /// weights of the cost: [`FULL_GRID`], [`COARSE_GRID`] or [`WARM_START`].
     pub(super) fn better_times(
         &mut self,
         mut motion: Motion,

@@ -215,16 +215,16 @@ fn choice(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     is_choice.then(|| no_choice(statement.span(start, start + word.len()), word))
 }
 
-/// What is said of a word that would choose among the rotors of an `every`.
+/// The error for a word that would restrict which rotors an `every` covers.
 pub fn no_choice(span: Span, word: &str) -> Diagnostic {
     let word = cut(word);
     Diagnostic::error(
         "mavc::syntax::unexpected",
         span,
-        format!("`every` takes each choice of so many rotors, and knows no `{word}`"),
+        format!("`every` cannot select rotors by `{word}`"),
     )
-    .here("only `rotors` follows the number")
-    .help("write those that matter as modes of their own: `mode W1 { rotors [1, 2] lost }`")
+    .here("expected `rotors`")
+    .help("`every 2 rotors` covers every pair; to cover only some, write a mode for each: `mode W1 { rotors [1, 2] lost }`")
 }
 
 /// `rotor 1 fails`, where any word after a number looks like a unit.

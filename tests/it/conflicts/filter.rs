@@ -54,10 +54,12 @@ impl Oracle for Asked<'_> {
         match met {
             None => Answer::Feasible,
             Some(_) if !self.known.proves => Answer::NotFound(Vec::new()),
-            Some(conflict) if self.known.weighs => {
-                Answer::Infeasible { weights: conflict.iter().filter_map(part).collect(), of_selection: false }
-            }
-            Some(_) => Answer::Infeasible { weights: Vec::new(), of_selection: false },
+            Some(conflict) if self.known.weighs => Answer::Infeasible {
+                weights: conflict.iter().filter_map(part).collect(),
+                of_selection: false,
+                of_samples: true,
+            },
+            Some(_) => Answer::Infeasible { weights: Vec::new(), of_selection: false, of_samples: true },
         }
     }
 }
