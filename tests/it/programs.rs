@@ -309,7 +309,10 @@ proptest! {
         let shared: usize = above.iter().map(|s| s.intervals).sum();
         for s in &above {
             let fair = s.duration / time * shared as f64;
-            prop_assert!((s.intervals as f64 - fair).abs() < 1.0 + 1e-6 * fair, "{} for {fair}", s.intervals);
+            // A leg with just its least may have been due up to one more by its duration, which went to these.
+            let passed_on = (legs.len() - above.len()) as f64 * s.duration / time;
+            let off = (s.intervals as f64 - fair).abs();
+            prop_assert!(off < 1.0 + passed_on + 1e-6 * fair, "{} for {fair}", s.intervals);
         }
         prop_assert_eq!(p.waypoint_nodes.len(), points.len());
         let arrival = |i: usize| p.node_times[p.waypoint_nodes[i]];
