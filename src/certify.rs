@@ -11,6 +11,7 @@ use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim
 use crate::model::{Mission, MissionTime, Model, PlanModel};
 use crate::planner::compare::{Comparison, Ending, Verification};
 use crate::planner::kinematics::{ROUNDING, least_time_within};
+use crate::planner::profile::determined;
 use crate::verify::{self, Settings};
 
 pub use check::{check, check_rounds, is_plan};
@@ -29,7 +30,9 @@ pub fn of(
         Some((_, Ending::Solved(solved))) => {
             let mut certificate = plan::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
             if let Claim::Plan(claim) = &mut certificate.claim {
-                claim.least_time_s = Some(least_time_within(model, mission).seconds);
+                // A time that the spec lays down needs no bound.
+                let is_open = determined(mission).is_none();
+                claim.least_time_s = is_open.then(|| least_time_within(model, mission).seconds);
             }
             // What the check of plans has passed is not decided again.
             if solved.verification == Verification::Passed {

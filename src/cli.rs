@@ -65,7 +65,7 @@ struct Cli {
     #[command(subcommand)]
     command: Command,
     /// Keep results and errors only: no warnings or advice (but of `check`), no progress, no notes such as where a file went
-    #[arg(long, global = true)]
+    #[arg(short, long, global = true)]
     quiet: bool,
     /// Print what each stage took, on standard error
     #[arg(long, global = true)]

@@ -298,7 +298,11 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
                     least_time::bound(model, mission, least)?;
                 }
                 let least = down(least, 4);
-                let statement = format!("no motion within the limits takes less than {least} s");
+                let within = match mission.waypoints.iter().skip(1).any(|w| w.time.is_some()) {
+                    true => "within the limits and at the fixed times",
+                    false => "within the limits",
+                };
+                let statement = format!("no motion {within} takes less than {least} s");
                 found.shown.push(Shown { statement, reach: None });
             }
             let headline = plan_headline(model, mission, found.total, &claim.selected_by);

@@ -1,6 +1,6 @@
 //! What reports say of a plan between its nodes: proved for every instant by the checker's intervals, or checked on a grid.
 
-use super::plan::{limit_excess, model_of, motion};
+use super::plan::{model_of, motion};
 use crate::actuation::Wrench;
 use crate::model::{Limit, Mission, Model};
 use crate::planner::compare::{PlannerRun, Solved};
@@ -8,6 +8,7 @@ use crate::planner::select::SetRow;
 use crate::planner::transcribe::NodeState;
 use crate::report::caveats::limit_words;
 use crate::trajectory::Trajectory;
+use crate::trajectory::checks::past_as_checked;
 use crate::verify::Premises;
 use crate::verify::cost::Purse;
 use crate::verify::interval::Interval;
@@ -125,7 +126,7 @@ fn kept_facets(
 fn kept_limit(motion: &Motion, limit: &Limit, trajectory: &Trajectory, gravity: f64) -> Between {
     let rows = limit_words(limit.kind).0;
     let family = limits::family(limit, gravity);
-    let seen = seen(trajectory, |_, state| limit_excess(limit, state, gravity));
+    let seen = seen(trajectory, |_, state| past_as_checked(limit, state, gravity));
     // What is seen to be false is not tried.
     let proved = PAST
         .map(|share| share * limit.size())

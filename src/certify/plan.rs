@@ -1,12 +1,10 @@
 //! A certificate for a plan, from what the planner found.
 
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord, PlanClaim, SCHEMA, Vertical};
-use crate::model::{Limit, LimitKind};
 use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::planner::transcribe::NodeState;
 use crate::planner::wrench_model::WrenchModel;
 use crate::trajectory::Trajectory;
-use crate::trajectory::checks::past;
 
 /// The certificate of a plan; `selected_by` are the plans that RSP selected facets by, in order.
 pub(super) fn certificate(trajectory: &Trajectory, selected_by: &[Trajectory], sha256: String) -> Certificate {
@@ -36,16 +34,5 @@ pub(super) fn motion(trajectory: &Trajectory) -> MotionRecord {
         z: nodes.iter().map(vertical).collect(),
         yaw: nodes.iter().map(|s| [s[YAW][0], s[YAW][1], s[YAW][2]]).collect(),
         waypoint_nodes: trajectory.waypoint_nodes.clone(),
-    }
-}
-
-/// How far a state exceeds a limit, as the checker measures it.
-pub(super) fn limit_excess(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
-    match (limit.kind, limit.upper) {
-        (LimitKind::Tilt, Some(upper)) => {
-            let out = state[X][2].hypot(state[Y][2]) * upper.cos() - (state[Z][2] + gravity) * upper.sin();
-            out / gravity
-        }
-        _ => past(limit, state, gravity),
     }
 }

@@ -8,6 +8,9 @@ use crate::source::Span;
 use crate::syntax::Place;
 use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, Statement};
 
+/// Units that show a number to be a time.
+const TIMES: [&str; 4] = ["s", "ms", "min", "h"];
+
 /// Fields that belong elsewhere, and the word people use for what belongs there.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("gravity", "stands at the top level, outside all blocks"),
@@ -138,6 +141,15 @@ impl<'a> Fields<'a> {
         if !known.contains(&name.value.as_str()) {
             self.unknown(cx, name, known);
         } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
+            // Between `at` a place and `at` a time a reader sees no mistake.
+            let is_time =
+                matches!(&value.kind, ExprKind::Number { unit: Some(unit), .. } if TIMES.contains(&unit.value.trim()));
+            if name.value == "at" && is_time && known.contains(&"time") {
+                let message = format!("{} takes a place after `at`, not a time", self.owner);
+                let error = Diagnostic::error("mavc::name::duplicate", name.span, message).here("`at` for a time");
+                cx.report(error.help("write `time` for when it is reached").fix(name.span, "time"));
+                return;
+            }
             let message = format!("`{}` is given twice in {}", name.value, self.owner);
             let again = mend::removal(cx.sources.get(span.file), name.span.to(span));
             cx.report(

@@ -36,36 +36,63 @@ pub fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
 /// The number of pieces of each leg, for leg durations in s: one piece for each hold, where nothing changes, and the
 /// other `samples` for the legs, each at least one ([`Mission::least_intervals`] where there are enough).
 pub fn pieces(mission: &Mission, durations: &[f64], samples: usize) -> Vec<usize> {
-    let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
-    let left = samples.saturating_sub(holds).max(durations.len());
-    let needs = (0..durations.len()).map(|leg| mission.least_intervals(leg)).collect();
-    shared(durations, needs, left)
+    Shares::of(mission, durations, samples).rounded()
 }
 
-/// Whole numbers that sum to `left`, in proportion to durations (largest remainders), but none below what its leg
-/// needs; where there are too few for that, none below one.
-fn shared(durations: &[f64], mut needs: Vec<usize>, left: usize) -> Vec<usize> {
-    if needs.iter().sum::<usize>() > left {
-        needs.fill(1);
-    }
-    let mut intervals = needs.clone();
-    let mut free: Vec<usize> = (0..durations.len()).collect();
-    let mut spare = left;
-    loop {
-        let total: f64 = free.iter().map(|&i| durations[i]).sum();
-        let ideal = |i: usize| durations[i] / total * spare as f64;
-        let (more, enough): (Vec<usize>, Vec<usize>) = free.iter().partition(|&&i| ideal(i) >= needs[i] as f64);
-        if enough.is_empty() {
-            more.iter().for_each(|&i| intervals[i] = (ideal(i) + ROUNDING).floor() as usize);
-            let used: usize = more.iter().map(|&i| intervals[i]).sum();
-            let remainder = |i: usize| ideal(i) - intervals[i] as f64;
-            let mut order = more.clone();
-            order.sort_by(|&a, &b| remainder(b).total_cmp(&remainder(a)));
-            order.iter().take(spare - used).for_each(|&i| intervals[i] += 1);
-            return intervals;
+/// The least number of pieces of each leg that counts as what `samples` ask for: the whole part of its share. Durations that
+/// change a little move the rounding of [`pieces`] from one leg to another, which makes no grid coarser.
+pub fn fewest_pieces(mission: &Mission, durations: &[f64], samples: usize) -> Vec<usize> {
+    Shares::of(mission, durations, samples).whole_parts()
+}
+
+/// Pieces in proportion to durations, but none below what its leg needs; where there are too few for that, none below one.
+struct Shares {
+    /// What each leg needs, where that is more than its share.
+    needed: Vec<Option<usize>>,
+    /// In proportion to durations, not rounded; of the other legs.
+    ideal: Vec<f64>,
+    /// Pieces for the legs that `ideal` is about.
+    spare: usize,
+}
+
+impl Shares {
+    fn of(mission: &Mission, durations: &[f64], samples: usize) -> Shares {
+        let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+        let left = samples.saturating_sub(holds).max(durations.len());
+        let mut needs: Vec<usize> = (0..durations.len()).map(|leg| mission.least_intervals(leg)).collect();
+        if needs.iter().sum::<usize>() > left {
+            needs.fill(1);
         }
-        // These take what they need; what that costs the others may leave some of them short, too.
-        spare -= enough.iter().map(|&i| needs[i]).sum::<usize>();
-        free = more;
+        let mut needed: Vec<Option<usize>> = vec![None; durations.len()];
+        let mut spare = left;
+        loop {
+            let free = durations.iter().zip(&needed).filter(|(_, needed)| needed.is_none());
+            let total: f64 = free.map(|(duration, _)| duration).sum();
+            let ideal: Vec<f64> = durations.iter().map(|d| d / total * spare as f64).collect();
+            let is_short = |leg: usize| needed[leg].is_none() && ideal[leg] < needs[leg] as f64;
+            let short: Vec<usize> = (0..durations.len()).filter(|&leg| is_short(leg)).collect();
+            if short.is_empty() {
+                return Shares { needed, ideal, spare };
+            }
+            // These take what they need; what that costs the others may leave some of them short, too.
+            spare -= short.iter().map(|&leg| needs[leg]).sum::<usize>();
+            short.into_iter().for_each(|leg| needed[leg] = Some(needs[leg]));
+        }
+    }
+
+    fn whole_parts(&self) -> Vec<usize> {
+        let whole = |ideal: f64| (ideal + ROUNDING).floor() as usize;
+        self.needed.iter().zip(&self.ideal).map(|(needed, ideal)| needed.unwrap_or_else(|| whole(*ideal))).collect()
+    }
+
+    /// The largest remainders are rounded up.
+    fn rounded(&self) -> Vec<usize> {
+        let mut pieces = self.whole_parts();
+        let mut free: Vec<usize> = (0..pieces.len()).filter(|&leg| self.needed[leg].is_none()).collect();
+        let used: usize = free.iter().map(|&leg| pieces[leg]).sum();
+        let remainders: Vec<f64> = self.ideal.iter().zip(&pieces).map(|(ideal, whole)| ideal - *whole as f64).collect();
+        free.sort_by(|&a, &b| remainders[b].total_cmp(&remainders[a]));
+        free.iter().take(self.spare - used).for_each(|&leg| pieces[leg] += 1);
+        pieces
     }
 }

@@ -45,6 +45,7 @@ pub(super) fn names() -> impl Iterator<Item = &'static str> {
 }
 
 const FORM: &str = "mavc::mission::limit_form";
+const ORDER: &str = "mavc::mission::limit_order";
 const VALUE: &str = "mavc::mission::limit_value";
 
 /// Reads the block: the limits without an error, and whether these are all.
@@ -94,7 +95,28 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, b
         whole &= limit.is_some();
         limits.extend(limit);
     }
+    if let Some(kind) = crossed(cx, &limits) {
+        limits.retain(|limit| limit.kind != kind);
+        whole = false;
+    }
     (limits, whole)
+}
+
+/// What statements of their own for the two sides leave nothing between.
+fn crossed(cx: &mut Context, limits: &[Limit]) -> Option<LimitKind> {
+    let crossed = limits.iter().enumerate().find_map(|(i, limit)| {
+        let other = limits[..i].iter().find(|other| {
+            let is_above = |low: Option<f64>, high: Option<f64>| low.zip(high).is_some_and(|(low, high)| low > high);
+            other.kind == limit.kind && (is_above(other.lower, limit.upper) || is_above(limit.lower, other.upper))
+        });
+        other.map(|other| (limit, other))
+    });
+    let (limit, other) = crossed?;
+    let name = cx.sources.snippet(limit.span).split_whitespace().next().unwrap_or_default().to_string();
+    let message = format!("the lower bound of `{name}` exceeds the upper");
+    let error = Diagnostic::error(ORDER, limit.span, message).here("nothing lies between this");
+    cx.report(error.also(other.span, "and this").help("lower the lower bound, or raise the upper one"));
+    Some(limit.kind)
 }
 
 fn unknown(cx: &mut Context, name: &str, span: Span) {
@@ -159,7 +181,7 @@ fn one<'a>(
         && written == "in"
     {
         let message = format!("the lower bound of `{name}` exceeds the upper");
-        let error = Diagnostic::error("mavc::mission::limit_order", at.span, message);
+        let error = Diagnostic::error(ORDER, at.span, message);
         let error = error.here("nothing lies between").help("swap the two ends");
         cx.report(match swapped(cx, at) {
             Some(mended) => error.fix(at.span, mended),
@@ -225,17 +247,22 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
         let Some((index, waypoint, (axis, value, unit, scale))) = outside.next() else {
             continue;
         };
-        // The first is the start, so that the number of one without a name needs a word.
-        let (which, counted) = match &waypoint.name {
-            Some(name) => (format!("waypoint `{name}`"), ""),
-            None if index == 0 => ("the first waypoint".to_string(), ""),
-            None => (format!("waypoint {}", index + 1), "; the first waypoint is the start"),
+        let called = |index: usize, waypoint: &Waypoint| match &waypoint.name {
+            Some(name) => format!("waypoint `{name}`"),
+            None if index == 0 => "the first waypoint".to_string(),
+            None => format!("waypoint {}", index + 1),
         };
+        let which = called(index, waypoint);
         let side = if is_below(value) { "below" } else { "above" };
-        let others = match outside.count() {
-            0 => String::new(),
-            1 => ", and one more leaves it".to_string(),
-            n => format!(", and {n} more leave it"),
+        let others: Vec<(usize, &Waypoint)> = outside.map(|(i, waypoint, _)| (i, waypoint)).collect();
+        // The first is the start, so that the number of one without a name needs a word.
+        let is_numbered = |index: usize, waypoint: &Waypoint| index > 0 && waypoint.name.is_none();
+        let numbered = is_numbered(index, waypoint) || matches!(others[..], [(i, w)] if is_numbered(i, w));
+        let counted = if numbered { "; the first waypoint is the start" } else { "" };
+        let others = match others[..] {
+            [] => String::new(),
+            [(i, waypoint)] => format!("; {} leaves it too", called(i, waypoint)),
+            _ => format!("; {} more waypoints leave it", others.len()),
         };
         let message = format!("{which} has {axis} = {} {unit}, {side} the limit{others}", number(value * scale));
         let error = Diagnostic::error("mavc::mission::outside_limits", waypoint.span, message);

@@ -8,6 +8,7 @@ use crate::model::Model;
 use crate::planner::compare::Solved;
 use crate::planner::select::VIOLATED;
 use crate::planner::wrench_model::WrenchModel;
+use crate::tolerance::MOST_PAST_LIMIT;
 
 /// Proved for every instant, or checked on a grid; `found` is of the wrench, of each limit in the mission's order, and of what
 /// lagging rotors are commanded. Limits that the plan passes are left to the caveats, which say by how much and when.
@@ -36,7 +37,7 @@ pub fn between(model: &Model, solved: &Solved, found: &[Between]) -> String {
     proved.extend(kept(Shown::Proved));
     checked.extend(kept(Shown::Checked));
     let heads = [
-        ("Proved for every instant:".to_string(), proved),
+        (format!("Proved for every instant, to within {} of each limit and set:", percent(MOST_PAST_LIMIT)), proved),
         (format!("Checked on a grid of {GRID} points an interval:"), checked),
     ];
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");

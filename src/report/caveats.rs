@@ -4,7 +4,8 @@ use super::number::{fixed, percent, significant};
 use crate::model::{LimitKind, Model};
 use crate::planner::compare::Solved;
 use crate::planner::wrench_model::WrenchModel;
-use crate::trajectory::checks::{Excess, limit_excesses, stretch};
+use crate::tolerance::MOST_PAST_LIMIT;
+use crate::trajectory::checks::{Excess, coarser_legs, limit_excesses, past_as_checked, peak, stretch};
 use serde::Serialize;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -12,7 +13,7 @@ pub struct Caveat {
     pub kind: CaveatKind,
     /// The limit passed, in words.
     pub limit: Option<&'static str>,
-    /// SI: by how much a limit is passed, the tilt (rad), the thrust (N).
+    /// SI: by how much a limit is passed, the number of legs with fewer pieces, the tilt (rad), the thrust (N).
     pub value: f64,
     /// When it is worst, s since the start.
     pub at_s: f64,
@@ -24,15 +25,38 @@ pub struct Caveat {
 pub enum CaveatKind {
     /// A limit holds at the nodes and is passed between them.
     LimitBetweenSamples,
+    /// Some leg has fewer pieces than the spec's samples make.
+    FewerPieces,
     /// Small angles no longer hold.
     Tilt,
     /// Thrust nearly vanishes, or would have to pull.
     Thrust,
 }
 
-/// The limits that a plan passes between its samples by more than rounding, in the spec's order.
+/// The limits that a plan passes between its samples by more than the check of plans lets pass, in the spec's order.
 pub fn passed(model: &Model, solved: &Solved) -> Vec<Excess> {
-    limit_excesses(&solved.trajectory, model, 1e-6)
+    let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
+    let mut passed = limit_excesses(&solved.trajectory, model, 0.0);
+    passed.retain(|excess| {
+        let limit = &limits[excess.limit];
+        let worst = peak(&solved.trajectory, |state| past_as_checked(limit, state, model.gravity));
+        worst.value > MOST_PAST_LIMIT * limit.size()
+    });
+    passed
+}
+
+/// A grid of fewer pieces than the spec's samples make.
+fn coarser(model: &Model, solved: &Solved) -> Option<Caveat> {
+    let mission = model.mission.as_ref()?;
+    let (legs, samples) = (coarser_legs(&solved.trajectory, mission, model.plan.samples), model.plan.samples);
+    let message = format!(
+        "On {} of {} legs the plan has fewer pieces than {samples} samples make for its waypoint times; `mavc verify` \
+         reports it as weaker for this.",
+        legs,
+        mission.legs.len()
+    );
+    let caveat = Caveat { kind: CaveatKind::FewerPieces, limit: None, value: legs as f64, at_s: 0.0, message };
+    (legs > 0).then_some(caveat)
 }
 
 /// Passed limits first, in the spec's order.
@@ -52,6 +76,7 @@ pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
             ),
         }
     });
+    let passed = passed.chain(coarser(model, solved));
     if solved.trajectory.model == WrenchModel::Exact {
         return passed.collect();
     }

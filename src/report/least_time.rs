@@ -1,10 +1,11 @@
 //! The lower bound beside every time: which no motion within the spec's limits stays below.
 
-use super::number::{down, percent};
+use super::caveats::passed;
+use super::number::{down, down_but_above, percent};
 use crate::model::{Mission, Model};
 use crate::planner::compare::{Ending, PlannerRun};
 use crate::planner::kinematics::{LeastTime, least_time, least_time_within};
-use crate::trajectory::checks::limit_excesses;
+use crate::planner::profile::has_fixed_times;
 
 /// Of the bound itself, which is rounded down.
 const DIGITS: usize = 4;
@@ -14,20 +15,25 @@ const DIGITS: usize = 4;
 pub fn beside(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
     let mut past = vec![0.0; mission.limits.len()];
     if let Ending::Solved(solved) = &run.ending {
-        for excess in limit_excesses(&solved.trajectory, model, 0.0) {
+        for excess in passed(model, solved) {
             past[excess.limit] = excess.by;
         }
     }
     least_time(model, mission, &past)
 }
 
-/// What no motion stays below.
-pub fn sentence(mission: &Mission, least: &LeastTime) -> String {
+/// What no motion stays below, where a mission of `total` s has no plan for it.
+pub fn sentence(mission: &Mission, least: &LeastTime, total: f64) -> String {
     match least.too_early {
         Some((waypoint, soonest)) if waypoint + 1 < mission.waypoints.len() => {
-            format!("no motion within the limits reaches waypoint {} before {} s", waypoint + 1, down(soonest, DIGITS))
+            let due = mission.waypoints[waypoint].time.unwrap_or(0.0);
+            let seconds = down_but_above(soonest, DIGITS, due);
+            format!("no motion within the limits reaches waypoint {} before {seconds} s", waypoint + 1)
         }
-        _ => format!("no motion within the limits takes less than {} s", down(least.seconds, DIGITS)),
+        _ => {
+            let seconds = down_but_above(least.seconds, DIGITS, total);
+            format!("no motion {} takes less than {seconds} s", within(mission))
+        }
     }
 }
 
@@ -43,5 +49,13 @@ pub fn gap(model: &Model, mission: &Mission, run: &PlannerRun) -> Option<String>
         false => "",
     };
     let (seconds, gap) = (down(least.seconds, DIGITS), percent(solved.time / least.seconds - 1.0));
-    Some(format!("no motion within the limits{widened} takes less than {seconds} s (gap {gap})"))
+    Some(format!("no motion {}{widened} takes less than {seconds} s (gap {gap})", within(mission)))
+}
+
+/// What motions keep to that the bound is about.
+fn within(mission: &Mission) -> &'static str {
+    match has_fixed_times(mission) {
+        true => "within the limits and at the fixed times",
+        false => "within the limits",
+    }
 }

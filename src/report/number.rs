@@ -38,11 +38,21 @@ pub fn down(x: f64, digits: usize) -> String {
     significant(x - 0.5 * unit, digits)
 }
 
+/// The same with as many more digits as show that it is above `other`, which is below it.
+pub fn down_but_above(x: f64, digits: usize, other: f64) -> String {
+    let is_above = |text: &String| text.parse::<f64>().is_ok_and(|value| value > other);
+    let written = (digits..=MOST_DIGITS).map(|digits| down(x, digits)).find(is_above);
+    written.unwrap_or_else(|| down(x, digits))
+}
+
 /// The same of a bound that must be reached: the next above.
 pub fn up(x: f64, digits: usize) -> String {
     let text = down(-x, digits);
     text.strip_prefix('-').map_or_else(|| if text == "0" { text.clone() } else { format!("-{text}") }, str::to_string)
 }
+
+/// Digits beyond which a double says nothing more.
+const MOST_DIGITS: usize = 15;
 
 /// Numbers that differ by less than this share of themselves are one.
 const SAME: f64 = 1e-9;
@@ -117,6 +127,8 @@ mod tests {
             ["3.993", "2.466", "2.4", "2.4", "0"]
         );
         assert_eq!([3.99312, 2.4, 2.4 + 1e-12, 0.0, 999.91].map(|x| up(x, 4)), ["3.994", "2.4", "2.4", "0", "1000"]);
+        let above = [(13.4853, 13.48), (13.4853, 13.4), (13.48000012, 13.48), (2.0, 3.0)];
+        assert_eq!(above.map(|(x, other)| down_but_above(x, 4, other)), ["13.485", "13.48", "13.4800001", "2"]);
         let shares = [0.0, 0.146378, 0.995, 0.9995, 0.99951, 0.9996, 0.99999, 1.0 - 1.0 / 3e6, 1.0].map(part_of_all);
         assert_eq!(shares, ["0", "14.6", "99.5", "99.95", "99.95", "99.96", "99.999", "99.99996", "100"]);
         assert_eq!([0.0, 0.0049, 0.005, 1.2].map(short_seconds), ["< 0.01", "< 0.01", "0.01", "1.20"]);

@@ -31,7 +31,7 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             format!(
                 "{verdict} at {} s: {}",
                 number(*at),
-                least_time::sentence(mission, &least_time_within(model, mission))
+                least_time::sentence(mission, &least_time_within(model, mission), *at)
             )
         }
         Ending::Infeasible { proved, .. } => {

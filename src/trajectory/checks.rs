@@ -2,7 +2,8 @@
 //! its range.
 
 use super::{Trajectory, tilt};
-use crate::model::{Limit, LimitKind, Model};
+use crate::model::grid::fewest_pieces;
+use crate::model::{Limit, LimitKind, Mission, Model};
 use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::planner::transcribe::NodeState;
 
@@ -83,6 +84,18 @@ pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
     over.max(under)
 }
 
+/// How far `state` is past a limit as the checker of plans measures it, which differs for tilt alone: by how much the
+/// acceleration leaves its cone, over gravity.
+pub fn past_as_checked(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
+    match (limit.kind, limit.upper) {
+        (LimitKind::Tilt, Some(upper)) => {
+            let out = state[X][2].hypot(state[Y][2]) * upper.cos() - (state[Z][2] + gravity) * upper.sin();
+            out / gravity
+        }
+        _ => past(limit, state, gravity),
+    }
+}
+
 /// The limits that the polynomials pass by more than `tolerance` (in the limit's SI unit), with the worst instant.
 pub fn limit_excesses(trajectory: &Trajectory, model: &Model, tolerance: f64) -> Vec<Excess> {
     let limits = model.mission.iter().flat_map(|m| &m.limits).enumerate();
@@ -92,6 +105,19 @@ pub fn limit_excesses(trajectory: &Trajectory, model: &Model, tolerance: f64) ->
             (worst.value > tolerance).then_some(Excess { limit, by: worst.value, at: worst.at })
         })
         .collect()
+}
+
+/// Legs with fewer pieces than `samples` make for the legs' durations ([`fewest_pieces`]).
+pub fn coarser_legs(trajectory: &Trajectory, mission: &Mission, samples: usize) -> usize {
+    let (times, nodes) = (&trajectory.times, &trajectory.waypoint_nodes);
+    let legs = nodes.windows(2).zip(&mission.waypoints).map(|(ends, from)| {
+        // A hold is one piece.
+        let first = ends[0] + usize::from(from.hold > 0.0);
+        (times[ends[1]] - times[first], ends[1] - first)
+    });
+    let (durations, intervals): (Vec<f64>, Vec<usize>) = legs.unzip();
+    let fewest = fewest_pieces(mission, &durations, samples);
+    intervals.iter().zip(&fewest).filter(|(has, fewest)| has < fewest).count()
 }
 
 /// How far the plan stretches the linear model.

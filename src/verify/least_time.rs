@@ -12,7 +12,7 @@ use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::TooEarlyClaim;
 use crate::model::{LimitKind, Mission, Model, PlanModel, Waypoint};
-use crate::report::number::number;
+use crate::report::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
 
@@ -199,6 +199,6 @@ pub(super) fn too_early(model: &Model, mission: &Mission, claim: &TooEarlyClaim)
         mission.name,
         claim.waypoint,
         number(due),
-        crate::report::number::down(claim.soonest_s, 4)
+        down_but_above(claim.soonest_s, 4, due)
     ))
 }

@@ -5,7 +5,7 @@ use super::Rejection;
 use super::interval::exceeds;
 use super::motion::Motion;
 use super::premise::{Premise, Premises};
-use crate::model::grid::{leg_durations, pieces};
+use crate::model::grid::{fewest_pieces, leg_durations, pieces};
 use crate::model::{Mission, MissionTime, Model};
 use crate::report::number::number;
 use crate::source::Span;
@@ -79,7 +79,7 @@ pub(super) fn grid(model: &Model, mission: &Mission) -> Result<Grid, Rejection> 
 /// What a plan's times leave to be said: how far the motion has fewer pieces than the spec asks for.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Coarser {
-    /// Legs with longer pieces.
+    /// Legs with longer pieces than [`fewest_pieces`] make.
     pub legs: usize,
 }
 
@@ -187,17 +187,18 @@ fn dense(model: &Model, mission: &Mission, motion: &mut Motion) -> Coarser {
     // the last digit can give one to another leg.
     let end = motion.times[motion.times.len() - 1];
     let laid_down = leg_durations(mission, end).filter(|_| !model.plan.chooses_times);
-    let asked = pieces(mission, laid_down.as_ref().unwrap_or(&durations), model.plan.samples);
+    let due = laid_down.as_ref().unwrap_or(&durations);
+    let (asked, fewest) = (pieces(mission, due, model.plan.samples), fewest_pieces(mission, due, model.plan.samples));
     let mut coarser = Coarser::default();
-    for ((&(first, last), &duration), &count) in legs.iter().zip(&durations).zip(&asked) {
-        let longest = duration / count as f64;
+    for (leg, (&(first, last), &duration)) in legs.iter().zip(&durations).enumerate() {
+        let longest = duration / asked[leg] as f64;
         let mut some = false;
         for piece in first..last {
             let shares = (motion.times[piece + 1] - motion.times[piece]) / longest;
             if exceeds(shares, 1.0 + SAME_DURATION) {
                 // At least one point between; a float cast saturates.
                 motion.ask(piece, ((shares - SAME_DURATION).ceil() as usize).saturating_sub(1));
-                some = true;
+                some |= exceeds(shares * fewest[leg] as f64, (1.0 + SAME_DURATION) * asked[leg] as f64);
             }
         }
         coarser.legs += usize::from(some);

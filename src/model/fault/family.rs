@@ -1,5 +1,6 @@
 //! Families: the modes of `every ... as NAME`, which share the name that theirs begin with.
 
+use super::FaultMode;
 use crate::diagnostic::Diagnostic;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::Name;
@@ -57,6 +58,21 @@ impl Families {
     /// Whether two modes come from one `every`.
     pub fn have_run(&self, one: usize, other: usize) -> bool {
         self.all.iter().flat_map(|family| &family.runs).any(|run| run.contains(&one) && run.contains(&other))
+    }
+
+    /// What names the modes at `chosen` in few words: families that are chosen whole by their name.
+    pub fn named<'m>(&'m self, chosen: &[usize], modes: &'m [FaultMode]) -> Vec<&'m str> {
+        let is_whole = |family: &&Family| family.runs.iter().cloned().flatten().all(|mode| chosen.contains(&mode));
+        let whole: Vec<&Family> = self.all.iter().filter(is_whole).collect();
+        let mut names: Vec<&str> = Vec::new();
+        for &mode in chosen {
+            let family = whole.iter().find(|family| family.runs.iter().any(|run| run.contains(&mode)));
+            let name = family.map_or(modes[mode].name.as_str(), |family| family.name.as_str());
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
     }
 
     pub fn names(&self) -> Vec<&str> {

@@ -138,8 +138,8 @@ pub(in crate::model) fn warn_unused(
         };
         let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not planned against");
         // What is chosen stays: a list of this mode alone would leave the others out.
-        let chosen = against.iter().map(|&k| modes.modes[k].name.as_str());
-        let all: Vec<&str> = chosen.chain([mode.name.as_str()]).collect();
+        let mut all = modes.families.named(against, &modes.modes);
+        all.push(mode.name.as_str());
         // Which modes leave control the sets say, and here there are none.
         let list = format!("as in `[{}]`", all.join(", "));
         cx.report(warning.help(match count {

@@ -56,14 +56,17 @@ pub fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
     const CODE: &str = "mavc::plan::time";
     let mut free_at = 0.0;
     let mut reason = mission.span;
+    let mut fixed_by = "the mission";
     for waypoint in &mission.waypoints {
         if let Some(fixed) = waypoint.time {
             free_at = fixed;
             reason = waypoint.time_span.unwrap_or(waypoint.span);
+            fixed_by = "the waypoint's time";
         }
         if waypoint.hold > 0.0 {
             free_at += waypoint.hold;
             reason = waypoint.hold_span.unwrap_or(waypoint.span);
+            fixed_by = "the hold";
         }
     }
     let last = mission.waypoints.last();
@@ -74,8 +77,7 @@ pub fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
         let message =
             format!("the mission {ends} {} s, which a total of {} s does not fit", number(free_at), number(time));
         let error = Diagnostic::error(CODE, span, message).here("the total");
-        cx.report(
-            error.also(reason, "fixed here").help("change the total or the waypoint's time, or write `time = minimum`"),
-        );
+        let help = format!("change the total or {fixed_by}, or write `time = minimum`");
+        cx.report(error.also(reason, "fixed here").help(help));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::sequence::CLOSER;
 use super::*;
+use crate::model::grid::{fewest_pieces, pieces};
 
 /// Largest relative change of a leg's duration in the first step and in any, how it changes, and where that ends.
 const FIRST_REACH: f64 = 0.1;
@@ -29,6 +30,9 @@ const SMALL: f64 = 1e-3;
 /// A change of many durations is far from a motion at first, and worth more patience than a change of one time.
 const HOPELESS: f64 = 0.3;
 
+/// On another grid a motion is flown slower by the first of these factors that lets it be restored.
+const SLOWER: [f64; 4] = [1.0, 1.002, 1.005, 1.01];
+
 /// Most steps.
 const MOST_STEPS: usize = 40;
 
@@ -54,6 +58,38 @@ impl Successive<'_, '_> {
                 motion = self.settle(motion, CLOSER, pool);
             }
             motion = self.shorten(motion, weight, target, &mut left, pool);
+            motion = self.on_its_own_grid(motion, pool);
+        }
+        motion
+    }
+
+    /// The motion on the grid that its durations ask for, where some leg has kept fewer pieces than that ([`fewest_pieces`]);
+    /// as it is where it cannot be restored there.
+    fn on_its_own_grid(&mut self, motion: Motion, pool: &mut BTreeSet<RowAt>) -> Motion {
+        let mission = self.engine.mission;
+        let legs: Vec<(f64, usize)> = motion.profile.segments.iter().map(|s| (s.duration, s.intervals)).collect();
+        let durations: Vec<f64> = legs.iter().map(|leg| leg.0).collect();
+        let samples = motion.profile.intervals() + mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+        let fewest = fewest_pieces(mission, &durations, samples);
+        if legs.iter().zip(fewest).all(|(leg, fewest)| leg.1 >= fewest) {
+            return motion;
+        }
+        let due: Vec<(f64, usize)> = durations.iter().copied().zip(pieces(mission, &durations, samples)).collect();
+        let own = Profile::with_legs(mission, &due, motion.profile.total + self.held()).flown();
+        let there = motion.on(&own);
+        for factor in SLOWER {
+            // Rows are known by the instants of a grid.
+            let mut known = BTreeSet::new();
+            if let Some(inside) = self.restore_unless(there.slower(factor), HOPELESS, &mut known) {
+                if std::env::var("DBG").is_ok() {
+                    eprintln!("regrid at {} factor {factor}", there.profile.total);
+                }
+                *pool = known;
+                return inside;
+            }
+        }
+        if std::env::var("DBG").is_ok() {
+            eprintln!("regrid failed at {}", there.profile.total);
         }
         motion
     }

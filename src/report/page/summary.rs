@@ -8,11 +8,13 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
 use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
+use crate::report::least_time;
 use crate::report::number::{fixed, number, percent, short_seconds, significant};
 use crate::report::record::{PlannerRecord, Record};
 use crate::report::terminal::{in_planes, not_looked_at};
 use crate::report::verdict_text::{elsewhere, statement};
 use crate::report::waypoints::{WaypointRecord, waypoints, worst};
+use crate::tolerance::MOST_PAST_LIMIT;
 use crate::verdict::Verdict;
 
 /// The headline of the page with what supports it.
@@ -58,7 +60,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
                 meets(&told.waypoints),
                 outside(comparison, solved)
             );
-            let mut figures = vec![time(model, run, solved)];
+            let mut figures = vec![time(model, mission, run, solved)];
             figures.extend(margin(comparison, solved));
             figures.extend(stays(comparison, solved));
             figures.extend(waypoint_error(told));
@@ -191,12 +193,14 @@ fn outside(comparison: &Comparison, solved: &Solved) -> String {
     }
 }
 
-fn time(model: &Model, run: &PlannerRun, solved: &Solved) -> Figure {
+fn time(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> Figure {
+    let gap = least_time::gap(model, mission, run).filter(|_| model.plan.chooses_times);
+    let gap = gap.map_or(String::new(), |gap| format!("; {gap}"));
     let note = match (run.run, solved.infeasible_at) {
         (Run::Own, Some(t)) => {
-            format!("shortest found; {} s is proved infeasible with {} samples", number(t), model.plan.samples)
+            format!("shortest found; {} s is proved infeasible with {} samples{gap}", number(t), model.plan.samples)
         }
-        (Run::Own, None) => "shortest found".into(),
+        (Run::Own, None) => format!("shortest found{gap}"),
         (Run::Common, _) => "as the spec asks".into(),
     };
     Figure::new("Mission time", format!("{} s", number(solved.time)), note)
@@ -257,7 +261,7 @@ fn shown_between(told: &PlannerRecord) -> Option<Figure> {
     let between = told.between.as_ref()?;
     let checked = between.iter().filter(|b| b.shown == Shown::Checked).count();
     let (value, note) = match checked {
-        0 => ("proved", "what was imposed holds at every instant".to_string()),
+        0 => ("proved", format!("what was imposed holds at every instant, to within {}", percent(MOST_PAST_LIMIT))),
         n if n == between.len() => ("checked", "on a grid between the nodes".to_string()),
         n => ("partly proved", format!("{n} of {} kinds of rows are checked on a grid", between.len())),
     };
