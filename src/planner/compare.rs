@@ -1,5 +1,6 @@
 //! Steps (a) to (f) of section 5.3: which planners are run at which time, and how each plan stands to each mode.
 
+mod candidates;
 mod committed;
 mod common;
 mod everything;
@@ -245,20 +246,25 @@ impl<'a> Setting<'a> {
         };
         let against: &[String] = if kind == PlannerKind::Rip { &[] } else { &self.sets.names };
         let begun: Vec<&Planned> = begins.iter().collect();
+        let nothing_selected = out.selected.is_empty();
         let at = |time: f64| match begun.first() {
             // Where nothing is selected RSP's plan is RIP's.
-            Some(&rip) if out.selected.is_empty() => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
-            _ => self.at(name, &set, time, Pool::default(), &begun),
+            Some(&rip) if nothing_selected => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
+            Some(_) => self.rsp_at(name, &set, time, &begun, None),
+            None => self.at(name, &set, time, Pool::default(), &begun),
         };
         let (run, ending, effort) = match self.fixed_time() {
             Some(time) => {
                 let (decision, effort) = at(time);
                 (Run::Common, self.common(time, &decision), effort)
             }
+            None if kind == PlannerKind::Rip || nothing_selected && kind == PlannerKind::Rsp => {
+                let found = self.rip_own(begins.get(1));
+                (Run::Own, self.own(&found), found.effort)
+            }
             None => {
                 // Steps begin from RCP's plan, which RSP's set allows; the hover model's search wants to know about T_d.
-                let rcp =
-                    begins.get(1).filter(|_| self.model.plan.model == PlanModel::Exact && !out.selected.is_empty());
+                let rcp = begins.get(1).filter(|_| self.model.plan.model == PlanModel::Exact);
                 let hint = match (out.common_time, rcp) {
                     (None, _) => Hint::default(),
                     (Some(common), Some(rcp)) => hint_from(common, Decision::Feasible(Box::new(rcp.clone()))),
@@ -268,12 +274,7 @@ impl<'a> Setting<'a> {
                         hint_from(common, decision)
                     }
                 };
-                let hint = Hint { begins: begins.clone(), ..hint };
-                let mut found = self.search(name, &set, hint, Pool::default());
-                // RSP's set allows every plan it begins from except RIP's, which selects.
-                for rcp in begins.iter().skip(1) {
-                    found = found.or_shorter(rcp);
-                }
+                let found = self.rsp_own(name, &set, Hint { begins: begins.clone(), ..hint }, Pool::default());
                 (Run::Own, self.own(&found), found.effort)
             }
         };

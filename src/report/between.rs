@@ -37,7 +37,7 @@ pub fn between(model: &Model, solved: &Solved, found: &[Between]) -> String {
     proved.extend(kept(Shown::Proved));
     checked.extend(kept(Shown::Checked));
     let heads = [
-        (format!("Proved for every instant, to within {} of each limit and set:", percent(MOST_PAST_LIMIT)), proved),
+        (format!("Proved for every instant, to within {}:", percent(MOST_PAST_LIMIT)), proved),
         (format!("Checked on a grid of {GRID} points an interval:"), checked),
     ];
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");

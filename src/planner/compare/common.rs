@@ -33,8 +33,9 @@ impl Setting<'_> {
             (Decision::Infeasible | Decision::Inconclusive(_), _) => self.without_rip(time, &rip_decision),
             (Decision::Feasible(_), false) => {
                 let rcp_plan = rcp.as_ref().and_then(|r| planned_of(&r.0));
-                let begins: Vec<&Planned> = planned_of(&rip_decision).into_iter().chain(rcp_plan).collect();
-                let (decision, effort) = self.at("RSP", &rsp_set, time, Pool::default(), &begins);
+                let first: Vec<&Planned> =
+                    planned_of(&rip_decision).into_iter().chain(self.at_its_time(joint_plan)).collect();
+                let (decision, effort) = self.rsp_at("RSP", &rsp_set, time, &first, rcp_plan);
                 out.effort += effort;
                 self.common(time, &decision)
             }

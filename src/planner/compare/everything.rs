@@ -12,7 +12,6 @@ use crate::planner::search::{Hint, RESOLUTION};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
 use rayon::prelude::*;
-use std::cmp::Ordering::Equal;
 
 impl Setting<'_> {
     /// How many runs [`Self::everything`] makes where there is a T_d.
@@ -40,7 +39,7 @@ impl Setting<'_> {
                 })
             },
         );
-        let mut effort = rip.effort;
+        let mut effort = Effort::default();
         effort += tightest.as_ref().map_or(Effort::default(), |f| f.effort);
         let above_rip = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
         let mut singles: Vec<Found> = Vec::new();
@@ -54,7 +53,10 @@ impl Setting<'_> {
         }
         let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
         let joint = tightest.as_ref().filter(|_| several);
-        let rip = self.at_most(rip, singles.iter().copied().chain(joint), &mut effort);
+        let others = singles.iter().copied().chain(joint).filter_map(plan_found);
+        let shortest = others.min_by(|a, b| a.profile.total.total_cmp(&b.profile.total));
+        let rip = self.at_most(rip, shortest);
+        effort += rip.effort;
 
         let longest_single = singles.iter().filter_map(|f| time(f)).max_by(f64::total_cmp);
         let common_time = self.fixed_time().or(joint.and_then(time)).or(longest_single);
@@ -70,15 +72,23 @@ impl Setting<'_> {
         for (against, set, found) in &conservative {
             runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
         }
-        let known = [Some(&rip), tightest.as_ref()].into_iter().flatten().filter_map(plan_found).cloned().collect();
+        let of_exact = self.model.plan.model == PlanModel::Exact;
+        let own = [Some(&rip).filter(|_| !of_exact || self.fixed_time().is_some()), tightest.as_ref()];
+        let known = own.into_iter().flatten().filter_map(plan_found).cloned().collect();
         let mut out = Comparison { runs, common_time, known, effort, ..self.begun() };
         if let Some(at) = common_time {
             let binding = tightest.as_ref().and_then(plan_found);
-            let (decision, spent) = self.at_or_own("RIP", &self.sets.rip, at, &rip, binding);
+            let (decision, spent) = match self.model.plan.model {
+                PlanModel::Exact => {
+                    let further: Vec<&Planned> = out.known.iter().collect();
+                    self.at_from("RIP", &self.sets.rip, at, self.at_its_time(binding).as_slice(), &further)
+                }
+                PlanModel::Hover => self.at_or_own("RIP", &self.sets.rip, at, &rip, binding),
+            };
             out.effort += spent;
             self.ended(1);
             let rsp_set = match &decision {
-                Decision::Feasible(planned) => self.select(at, planned, binding, &mut out),
+                Decision::Feasible(planned) => self.select(at, planned, self.at_its_time(binding), &mut out),
                 _ => self.sets.rip.clone(),
             };
             let selected = &out.selected;
@@ -91,15 +101,8 @@ impl Setting<'_> {
                         None => (&rip, &self.sets.rip),
                     };
                     let pool = known.pool.translated(of, &rsp_set);
-                    let begins = planned_of(&decision).into_iter().chain(out.known.iter().rev()).cloned().collect();
-                    self.rsp_own_and_common(
-                        &rsp_set,
-                        at,
-                        (&rip, binding),
-                        Hint { begins, ..above_rip.clone() },
-                        Some(&decision).filter(|_| selected.is_empty()),
-                        pool,
-                    )
+                    let at_once = Some(&decision).filter(|_| selected.is_empty());
+                    self.rsp_own_and_common(&rsp_set, at, (&rip, &decision, binding), above_rip.clone(), at_once, pool)
                 },
                 || {
                     let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
@@ -127,35 +130,20 @@ impl Setting<'_> {
         out
     }
 
-    /// RIP's search, or a further one where another set's plan is shorter: no set is larger than the healthy one, so
-    /// that plan is RIP's too. Only steps that find and do not prove can leave RIP longer.
-    fn at_most<'f>(&self, rip: Found, others: impl Iterator<Item = &'f Found>, effort: &mut Effort) -> Found {
-        let shortest =
-            others.filter(|f| f.result.is_ok()).min_by(|a, b| time(a).partial_cmp(&time(b)).unwrap_or(Equal));
-        let Some(better) = shortest.filter(|f| time(&rip).is_none_or(|t| time(f).is_some_and(|o| o < t))) else {
-            return rip;
-        };
-        let begins = plan_found(better).cloned().into_iter().collect();
-        let again = self.search("RIP", &self.sets.rip, Hint { begins, ..Hint::default() }, Pool::default());
-        *effort += again.effort;
-        let found = if again.result.is_ok() { again } else { rip };
-        plan_found(better).cloned().into_iter().fold(found, |found, plan| found.or_shorter(&plan))
-    }
-
-    /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there. Where nothing is
-    /// selected it is RIP, whose decision at T_d is `rip_at`; `rcp` is the joint RCP's plan at its own time, which RSP's set allows; without a plan of RIP there is nothing to select by, and RSP's own
-    /// time is not searched for. The own time's ending, then that at T_d.
+    /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there. `rip_at` is RIP's
+    /// decision at T_d, which RSP's is where `nothing_selected` is that decision too; `rcp` is the joint RCP's plan at its own time,
+    /// which RSP's set allows. Without a plan of RIP there is nothing to select by, and RSP's own time is not searched for. The
+    /// own time's ending, then that at T_d.
     fn rsp_own_and_common(
         &self,
         set: &PlanningSet,
         at: f64,
-        (rip, rcp): (&Found, Option<&Planned>),
+        (rip, rip_at, rcp): (&Found, &Decision, Option<&Planned>),
         above_rip: Hint,
-        rip_at: Option<&Decision>,
+        nothing_selected: Option<&Decision>,
         pool: Pool,
     ) -> (Ending, Ending, Effort) {
-        let begins: Vec<&Planned> = above_rip.begins.iter().collect();
-        if let Some(same) = rip_at {
+        if let Some(same) = nothing_selected {
             self.ended(2);
             let (own, common) = match same {
                 Decision::Feasible(_) => (self.own(rip), self.common(at, same)),
@@ -163,14 +151,26 @@ impl Setting<'_> {
             };
             return (own, common, Effort::default());
         }
+        if self.model.plan.model == PlanModel::Exact {
+            let first: Vec<&Planned> = planned_of(rip_at).into_iter().chain(self.at_its_time(rcp)).collect();
+            let (decision, mut effort) = self.rsp_at("RSP", set, at, &first, None);
+            self.ended(1);
+            let ending = self.common(at, &decision);
+            let begins = planned_of(rip_at).into_iter().chain(rcp).cloned().collect();
+            let hint = match self.at_its_time(rcp) {
+                Some(rcp) => hint_from(at, Decision::Feasible(Box::new(rcp.clone()))),
+                None => hint_from(at, decision),
+            };
+            let own = self.rsp_own("RSP", set, Hint { begins, ..hint }, pool);
+            self.ended(1);
+            effort += own.effort;
+            return (self.own(&own), ending, effort);
+        }
         // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
         let below = at - RESOLUTION;
         let ((decision, mut effort), shorter) = rayon::join(
-            || self.at("RSP", set, at, pool.clone(), &begins),
-            || {
-                (self.fixed_time().is_none() && self.model.plan.model == PlanModel::Hover)
-                    .then(|| self.at("RSP", set, below, pool.clone(), &begins))
-            },
+            || self.at("RSP", set, at, pool.clone(), &[]),
+            || self.fixed_time().is_none().then(|| self.at("RSP", set, below, pool.clone(), &[])),
         );
         let ending = self.common(at, &decision);
         self.ended(1);
@@ -184,7 +184,6 @@ impl Setting<'_> {
             }
         }
         hint.infeasible = hint.infeasible.or(above_rip.infeasible);
-        hint.begins = above_rip.begins;
         let mut own = self.search("RSP", set, hint, pool);
         self.ended(1);
         effort += own.effort;

@@ -189,12 +189,18 @@ impl Setting<'_> {
         for _ in 0..=last {
             let set = self.sets.rip.with(selected.clone());
             let name = format!("round {}", chain.len());
-            // In the order of `everything`, so that both have one plan.
-            let begins: Vec<&Planned> = match &before {
-                None => known.iter().collect(),
-                Some(before) => iter::once(before).chain(known.iter().rev()).collect(),
+            // As `everything` does, so that both have one plan.
+            let rcp = self.at_its_time(known.last());
+            let (decision, spent) = match &before {
+                None => {
+                    let further: Vec<&Planned> = known.iter().collect();
+                    self.at_from(&name, &set, time, rcp.as_slice(), &further)
+                }
+                Some(before) => {
+                    let first: Vec<&Planned> = iter::once(before).chain(rcp).collect();
+                    self.rsp_at(&name, &set, time, &first, None)
+                }
             };
-            let (decision, spent) = self.at(&name, &set, time, Pool::default(), &begins);
             *effort += spent;
             before = super::planned_of(&decision).cloned();
             chain.push((selected.clone(), decision));
