@@ -15,6 +15,9 @@ use crate::trajectory::risk::rated_risk;
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
 
+/// Objectives are told apart from this share on.
+const CHEAPER: f64 = 1e-3;
+
 /// The tables of section 5.4 for any spec.
 ///
 /// `color`: whether strips are coloured.
@@ -34,6 +37,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
     });
     out.push_str(&run_table(mission, comparison, Run::Common).render(2));
     out.push_str(&notes(comparison, Run::Common));
+    out.push_str(&local_optima(comparison));
     if !comparison.modes.is_empty() {
         let holds = holds(model);
         let own =
@@ -160,6 +164,40 @@ fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String
     }
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     format!("{}\n", textwrap::fill(&text.join(" "), options))
+}
+
+/// The plan at T_d that costs most above one whose set lies inside its own: both are local optima.
+fn local_optima(comparison: &Comparison) -> String {
+    let all = comparison.modes.len();
+    let solved: Vec<(&PlannerRun, f64)> = comparison
+        .runs
+        .iter()
+        .filter(|run| run.run == Run::Common)
+        .filter_map(|run| Some((run, run.ending.solved()?.objective)))
+        .collect();
+    let is_joint = |run: &PlannerRun| run.planner == PlannerKind::Rcp && run.against.len() == all;
+    let lies_inside = |inner: &PlannerRun, outer: &PlannerRun| match outer.planner {
+        PlannerKind::Rip => inner.planner != PlannerKind::Rip,
+        PlannerKind::Rsp => is_joint(inner),
+        PlannerKind::Rcp => is_joint(inner) && !is_joint(outer),
+    };
+    let pairs = solved.iter().flat_map(|outer| solved.iter().map(move |inner| (outer, inner)));
+    let dearer =
+        pairs.filter(|((outer, dear), (inner, cheap))| lies_inside(inner, outer) && *cheap < (1.0 - CHEAPER) * dear);
+    let ratio = |((_, dear), (_, cheap)): &(&(&PlannerRun, f64), &(&PlannerRun, f64))| dear / cheap;
+    let Some(((outer, dear), (inner, cheap))) = dearer.max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else {
+        return String::new();
+    };
+    let text = format!(
+        "At T_d {} ({}) costs more than {} ({}), whose plan its set allows too: each plan is a local optimum, the cheapest that \
+         its own search found.",
+        name_of(outer),
+        number(*dear),
+        name_of(inner),
+        number(*cheap)
+    );
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    format!("{}\n", textwrap::fill(&text, options))
 }
 
 /// Where T_d comes from.

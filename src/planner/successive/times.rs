@@ -81,15 +81,9 @@ impl Successive<'_, '_> {
             // Rows are known by the instants of a grid.
             let mut known = BTreeSet::new();
             if let Some(inside) = self.restore_unless(there.slower(factor), HOPELESS, &mut known) {
-                if std::env::var("DBG").is_ok() {
-                    eprintln!("regrid at {} factor {factor}", there.profile.total);
-                }
                 *pool = known;
                 return inside;
             }
-        }
-        if std::env::var("DBG").is_ok() {
-            eprintln!("regrid failed at {}", there.profile.total);
         }
         motion
     }

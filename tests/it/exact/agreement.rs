@@ -17,7 +17,7 @@ fn random_mission(seed: u64) -> Mission {
     let (mut at, mut yaw) = ([0.0, 0.0, 5.0], 0.0);
     let mut points = vec![waypoint(at, yaw)];
     for _ in 0..between(2.0, 5.0) as usize {
-        let (length, heading): (f64, f64) = (between(2.0, 20.0), between(0.0, 6.28));
+        let (length, heading): (f64, f64) = (between(2.0, 20.0), between(0.0, std::f64::consts::TAU));
         at = [
             at[0] + length * heading.cos(),
             at[1] + length * heading.sin(),
