@@ -2,6 +2,7 @@
 
 pub mod analysis_text;
 pub mod between;
+pub mod binding;
 pub mod campaign_record;
 pub mod campaign_text;
 pub mod caveats;

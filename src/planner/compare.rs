@@ -175,6 +175,7 @@ impl<'a> Setting<'a> {
             rows: planned.rows,
             outside,
             verification: Verification::None,
+            binding: Vec::new(),
             infeasible_at: None,
             infeasible_above: Vec::new(),
         }
@@ -190,6 +191,16 @@ impl<'a> Setting<'a> {
             Err(NoTime::Infeasible { times }) => Ending::proved_infeasible(times),
             Err(NoTime::Inconclusive { at, status }) => Ending::Inconclusive { at: *at, status: status.clone() },
         }
+    }
+
+    /// The same with what limits the time found.
+    fn own_with_binding(&self, found: &Found, set: &PlanningSet) -> Ending {
+        let mut ending = self.own(found);
+        if let (Ending::Solved(solved), Some(planned)) = (&mut ending, plan_found(found)) {
+            let (binding, _) = self.with_engine("", |e| Successive::new(e, planned.model, set).binding(planned));
+            solved.binding = binding.unwrap_or_default();
+        }
+        ending
     }
 
     fn common(&self, time: f64, decision: &Decision) -> Ending {
@@ -260,7 +271,7 @@ impl<'a> Setting<'a> {
             }
             None if kind == PlannerKind::Rip || nothing_selected && kind == PlannerKind::Rsp => {
                 let found = self.rip_own(begins.get(1));
-                (Run::Own, self.own(&found), found.effort)
+                (Run::Own, self.own_with_binding(&found, &set), found.effort)
             }
             None => {
                 // Steps begin from RCP's plan, which RSP's set allows; the hover model's search wants to know about T_d.
@@ -275,7 +286,7 @@ impl<'a> Setting<'a> {
                     }
                 };
                 let found = self.rsp_own(name, &set, Hint { begins: begins.clone(), ..hint }, Pool::default());
-                (Run::Own, self.own(&found), found.effort)
+                (Run::Own, self.own_with_binding(&found, &set), found.effort)
             }
         };
         out.effort += effort;

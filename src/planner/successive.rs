@@ -5,6 +5,7 @@
 //! *Numerical Optimization*, chapter 18; for trajectories Mao, Szmuk and Acikmese, CDC 2016). Steps restore feasibility
 //! at one mission time, then lower the cost there; shorter times are tried from the smooth plan of the last.
 
+pub mod binding;
 mod evaluation;
 mod lead;
 mod motion;
@@ -24,7 +25,7 @@ pub use search::NOT_FOUND;
 use super::hover_model::{WrenchMap, X, Y, YAW, Z};
 use super::limits::place;
 use super::profile::Profile;
-use super::rows::{ACCEPTED, Engine};
+use super::rows::{ACCEPTED, Engine, Planned};
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
 use super::transcribe::{NodeState, Row, RowAt, Transcription, splines};

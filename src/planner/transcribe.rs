@@ -139,6 +139,11 @@ impl<'a> Transcription<'a> {
         Transcription { struck, ..self }
     }
 
+    /// The same program of other statements: limits and tolerances of `mission`, planes of `set`, each as many as before.
+    pub(super) fn of_statements(self, mission: &'a Mission, set: &'a PlanningSet) -> Self {
+        Transcription { mission, set, ..self }
+    }
+
     /// The same program in spline coefficients.
     pub fn in_splines(self) -> Self {
         let splines = splines(self.profile);

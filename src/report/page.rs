@@ -4,6 +4,7 @@
 //! Words and numbers are made here, once, for the page and for the files of `--svg`; the script only draws. The page
 //! says all that matters with its script switched off.
 
+mod binding_table;
 mod chart;
 mod content;
 mod document;
@@ -63,6 +64,7 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
     if kind == Kind::Plan {
         sections.extend(record.planners.last().and_then(waypoint_table::section));
+        sections.extend(record.planners.last().and_then(binding_table::section));
     } else {
         sections.insert(0, Section::new("planners", "Planners", planners::section(comparison, record)));
     }

@@ -1,5 +1,6 @@
 //! The machine-readable report (`--report`), schema in `docs/schema/report.schema.json`.
 
+use super::binding::{self, BindingRecord};
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::least_time;
@@ -144,6 +145,8 @@ pub struct PlannerRecord {
     pub warnings: Vec<Caveat>,
     /// What the check of finished plans says: `checked`, or why something could not be decided; `None` where there is no plan.
     pub check: Option<CheckRecord>,
+    /// What limits the time of each leg, where `mavc plan` searched for it; empty otherwise.
+    pub limited_by: Vec<BindingRecord>,
     /// How far the plan's rows are shown to hold between nodes, where `mavc plan` wrote the report.
     pub between: Option<Vec<Between>>,
 }
@@ -286,6 +289,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             record.max_waypoint_error_m = Some(e.largest);
             record.risk = rated_risk(&rates(model), &solved.committed);
             record.warnings = caveats(model, solved);
+            record.limited_by = binding::records(model, mission, solved);
             record.modes = comparison
                 .modes
                 .iter()

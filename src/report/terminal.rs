@@ -1,5 +1,6 @@
 //! Reports for people.
 
+use super::binding;
 use super::caveats::caveats;
 use super::heat;
 use super::number::{fixed, number, percent, short_seconds, significant};
@@ -147,6 +148,7 @@ fn solved_run(
     let [position, yaw] = [significant(e.position, 4), significant(e.yaw, 3)];
     out.push_str(&format!("  sum of errors {position} m, of yaw {yaw} rad\n"));
     out.push_str(&format!("  objective {}\n", number(solved.objective)));
+    out.push_str(&binding::text(model, mission, solved));
     if !comparison.modes.is_empty() {
         out.push_str("\n  If a fault strikes, when is the plan outside what is left?\n");
         out.push_str(&mode_table(model, comparison, solved).render(2));

@@ -1,6 +1,7 @@
 //! The exact model: flatness against the rigid body, plans against what was asked for, and what is said where there is none.
 
 mod agreement;
+mod binding;
 mod costs;
 mod flatness;
 mod plans;

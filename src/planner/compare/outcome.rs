@@ -5,6 +5,7 @@ use crate::model::{Mission, Model, PlanModel, PlannerKind};
 use crate::planner::profile::has_fixed_times;
 use crate::planner::rows::Planned;
 use crate::planner::select::{PlanningSet, SetRow};
+use crate::planner::successive::binding::LegBinding;
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
 use crate::trajectory::outside::Outside;
@@ -114,6 +115,8 @@ pub struct Solved {
     pub committed: Vec<f64>,
     /// What the check of plans said of it ([`crate::certify::check`]).
     pub verification: Verification,
+    /// What limits the time of each leg, in the order of flight: of `mavc plan` with a time that is searched for.
+    pub binding: Vec<LegBinding>,
     /// For an own shortest time: the shorter time shown infeasible.
     pub infeasible_at: Option<f64>,
     /// Longer times that were tried and found infeasible.

@@ -2,7 +2,7 @@
 
 use super::super::kinematics;
 use super::super::profile::{has_fixed_times, profile};
-use super::super::rows::{Decision, Planned};
+use super::super::rows::Decision;
 use super::relaxation::Verdict;
 use super::sequence::{CLOSELY, CLOSER, Care, NOT_AT_ALL, ROUGHLY, Shorter};
 use super::*;
@@ -147,7 +147,7 @@ impl Successive<'_, '_> {
     }
 
     /// A plan of the mission as a motion to begin from.
-    fn motion_of(&self, planned: &Planned) -> Motion {
+    pub(super) fn motion_of(&self, planned: &Planned) -> Motion {
         let profile = planned.profile.flown();
         Motion { states: planned.profile.without_holds(&planned.states), profile, model: self.wrench }
     }

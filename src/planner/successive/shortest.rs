@@ -1,7 +1,7 @@
 //! The shortest mission time of a plan, and what is said where there is none.
 
 use super::super::profile::{determined, earliest, has_fixed_times};
-use super::super::rows::{Decision, Planned};
+use super::super::rows::Decision;
 use super::super::search::{GRID, NoTime, Shortest};
 use super::relaxation::Verdict;
 use super::search::{FINE_STEP, LEAST_FINE, NOT_FOUND};

@@ -1,0 +1,136 @@
+//! What limits the time of a plan, leg by leg.
+
+use super::caveats::limit_words;
+use super::number::{fixed, number, significant};
+use super::table::Table;
+use crate::model::{Limit, LimitKind, Mission, Model};
+use crate::planner::compare::Solved;
+use crate::planner::successive::binding::Statement;
+use serde::Serialize;
+
+/// What would give back less than this is left out, s.
+const LEAST: f64 = 1e-3;
+
+/// Statements of one leg that a line has room for.
+const MOST_LISTED: usize = 3;
+
+/// What limits one leg.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BindingRecord {
+    /// From 1; leg k arrives at waypoint k + 1.
+    pub leg: usize,
+    pub to: Option<String>,
+    pub duration_s: f64,
+    pub statements: Vec<StatementRecord>,
+}
+
+/// One statement that binds on a leg.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct StatementRecord {
+    pub kind: &'static str,
+    /// In the words of the spec.
+    pub statement: String,
+    /// Of a set: the fault mode, absent for the healthy vehicle.
+    pub mode: Option<String>,
+    /// What it is relaxed by.
+    pub per: &'static str,
+    /// What the mission's time loses for that, to first order.
+    pub gives_back_s: f64,
+}
+
+pub fn records(model: &Model, mission: &Mission, solved: &Solved) -> Vec<BindingRecord> {
+    let legs = solved.binding.iter().enumerate().map(|(leg, binding)| {
+        let counted = binding.statements.iter().filter(|(_, seconds)| *seconds >= LEAST);
+        BindingRecord {
+            leg: leg + 1,
+            to: mission.waypoints[leg + 1].name.clone(),
+            duration_s: binding.duration,
+            statements: counted.map(|&(statement, seconds)| record(model, mission, statement, seconds)).collect(),
+        }
+    });
+    legs.collect()
+}
+
+fn record(model: &Model, mission: &Mission, statement: Statement, gives_back_s: f64) -> StatementRecord {
+    let at = |waypoint: usize| match &mission.waypoints[waypoint].name {
+        Some(name) => format!("at {name}"),
+        None => format!("at waypoint {}", waypoint + 1),
+    };
+    let mode = |set: usize| set.checked_sub(1).and_then(|mode| model.modes.get(mode)).map(|mode| mode.name.clone());
+    let of = |set: usize| mode(set).unwrap_or_else(|| "the healthy vehicle".into());
+    let (kind, text, per) = match statement {
+        Statement::Limit(limit) => {
+            let limit = &mission.limits[limit];
+            let per = match limit.kind {
+                LimitKind::X | LimitKind::Y | LimitKind::Z => "10 cm",
+                LimitKind::Yaw => "1 deg",
+                _ => "1 %",
+            };
+            ("limit", bound(limit), per)
+        }
+        Statement::Set(set) => ("set", format!("set of {}", of(set)), "1 %"),
+        Statement::Commands(set) => ("commands", format!("commands in the set of {}", of(set)), "1 %"),
+        Statement::Upright => ("upright", "thrust that points up".to_string(), "1 %"),
+        Statement::Within(waypoint) => ("within", format!("tolerance {}", at(waypoint)), "1 %"),
+        Statement::YawWithin(waypoint) => ("yaw_within", format!("yaw tolerance {}", at(waypoint)), "1 %"),
+        Statement::Rest(waypoint) => ("rest", format!("rest {}", at(waypoint)), "0.1 m/s"),
+    };
+    let mode = match statement {
+        Statement::Set(set) | Statement::Commands(set) => mode(set),
+        _ => None,
+    };
+    StatementRecord { kind, statement: text, mode, per, gives_back_s }
+}
+
+/// `climb <= 4 m/s`
+fn bound(limit: &Limit) -> String {
+    let (name, unit, factor) = limit_words(limit.kind);
+    let value = |bound: f64| number(bound * factor);
+    match (limit.lower, limit.upper) {
+        (Some(low), Some(high)) if low == -high => format!("{name} <= {} {unit}", value(high)),
+        (Some(low), Some(high)) => format!("{name} in {} .. {} {unit}", value(low), value(high)),
+        (Some(low), None) => format!("{name} >= {} {unit}", value(low)),
+        (None, Some(high)) => format!("{name} <= {} {unit}", value(high)),
+        (None, None) => name.to_string(),
+    }
+}
+
+/// One line for each leg that something limits; nothing where no time was searched for.
+pub fn text(model: &Model, mission: &Mission, solved: &Solved) -> String {
+    let records = records(model, mission, solved);
+    let mut table = Table::new(&["leg", "takes", "limited by"]);
+    let (limited, others): (Vec<_>, Vec<_>) = records.iter().partition(|record| !record.statements.is_empty());
+    if limited.is_empty() {
+        return String::new();
+    }
+    for record in limited {
+        let listed: Vec<String> = record.statements.iter().take(MOST_LISTED).map(StatementRecord::words).collect();
+        table.row(vec![record.label(), format!("{} s", fixed(record.duration_s, 2)), listed.join("; ")]);
+    }
+    let others = match others.len() {
+        0 => String::new(),
+        1 => "  On the other leg nothing gives back 1 ms.\n".to_string(),
+        n => format!("  On the other {n} legs nothing gives back 1 ms.\n"),
+    };
+    format!("\n  {HEADLINE}\n{}{others}", table.render_left(2))
+}
+
+/// What the figures are.
+pub const HEADLINE: &str =
+    "What limits the time, and what 1 % more of it would give back, to first order (of a set: 1 % of its width)";
+
+impl BindingRecord {
+    /// `1 to climb`
+    pub fn label(&self) -> String {
+        let to = self.to.as_ref().map_or(String::new(), |name| format!(" to {name}"));
+        format!("{}{to}", self.leg)
+    }
+}
+
+impl StatementRecord {
+    /// `climb <= 4 m/s: 0.096 s`
+    pub fn words(&self) -> String {
+        let per = if self.per == "1 %" { String::new() } else { format!(" for {}", self.per) };
+        format!("{}: {} s{per}", self.statement, significant(self.gives_back_s, 2))
+    }
+}

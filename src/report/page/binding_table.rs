@@ -1,0 +1,49 @@
+//! The table of what limits the time of each leg.
+
+use super::document::Section;
+use super::prose::unbroken;
+use crate::report::binding::{BindingRecord, HEADLINE, StatementRecord};
+use crate::report::number::fixed;
+use crate::report::record::PlannerRecord;
+use maud::html;
+
+/// Rows at most; the report has all.
+const MOST_ROWS: usize = 200;
+
+/// Of a plan whose time was searched for; nothing where nothing limits it.
+pub fn section(planner: &PlannerRecord) -> Option<Section> {
+    let limited: Vec<&BindingRecord> = planner.limited_by.iter().filter(|leg| !leg.statements.is_empty()).collect();
+    let left_out = limited.len().saturating_sub(MOST_ROWS);
+    let most = limited.iter().flat_map(|leg| leg.statements.iter().map(move |statement| (leg, statement)));
+    let (leg, first) = most.max_by(|a, b| a.1.gives_back_s.total_cmp(&b.1.gives_back_s))?;
+    let body = html! {
+        h2 { (unbroken(&format!("Most of the time hangs on {}, on leg {}", first.statement, leg.label()))) }
+        div.scroll tabindex="0" role="region" aria-label="Table of what limits the time" {
+            table {
+                caption { span { (unbroken(HEADLINE)) } }
+                thead {
+                    tr {
+                        th scope="col" { "Leg" }
+                        th.n scope="col" { "Takes" br; span.unit { "s" } }
+                        th scope="col" { "Limited by" }
+                    }
+                }
+                tbody {
+                    @for leg in limited.iter().take(MOST_ROWS) {
+                        tr {
+                            th scope="row" { (leg.label()) }
+                            td.n { (fixed(leg.duration_s, 2)) }
+                            td { (unbroken(&words(leg))) }
+                        }
+                    }
+                }
+            }
+        }
+        @if left_out > 0 { p.note { (left_out) " more legs are left out here; " code { "--report" } " lists all." } }
+    };
+    Some(Section::new("limits", "What limits the time", body))
+}
+
+fn words(leg: &BindingRecord) -> String {
+    leg.statements.iter().map(StatementRecord::words).collect::<Vec<_>>().join("; ")
+}
