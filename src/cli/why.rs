@@ -15,7 +15,7 @@ use std::time::Instant;
 pub fn nearby(model: &Model, mission: &Mission, comparison: &Comparison, options: &Options) -> Nearby {
     let begin = Instant::now();
     let progress = Progress::new(options);
-    let tell = |time: f64| progress.say(format!("no plan was found; is there one in {time:.2} s?"));
+    let tell = |time: f64| progress.say(format!("no plan was found; looking for times with one, near {time:.2} s"));
     let (nearby, effort) = nearby::nearby(model, mission, comparison, &tell);
     progress.done();
     if options.timings && effort.solves > 0 {

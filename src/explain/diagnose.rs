@@ -3,6 +3,7 @@
 use super::{Explanation, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Mission, MissionTime, Model, is_override};
+use crate::planner::kinematics::least_time_within;
 use crate::planner::profile::determined;
 use crate::report::number::number;
 use crate::source::{SourceMap, Span};
@@ -42,7 +43,7 @@ pub fn diagnose(explanation: &Explanation, model: &Model, mission: &Mission, sou
     }
     // The spec's own text first, so that its labels stand in one excerpt.
     labels.sort_by_key(|(span, _)| is_override(sources, *span));
-    let headline = headline(explanation, labels.len(), model, asked_for(model, mission));
+    let headline = headline(explanation, labels.len(), model, mission);
     let mut labels = labels.into_iter();
     let (span, label) = labels.next().unwrap_or((mission.span, String::new()));
     let error = Diagnostic::error(CONFLICT, span, headline).here(label);
@@ -57,9 +58,10 @@ fn asked_for(model: &Model, mission: &Mission) -> Option<f64> {
     })
 }
 
-/// `places`: the labels; `asked_for`: the mission time of the spec, s. A proof is one for the spec's samples, unless distances and
+/// `places`: the labels. A proof is one for the spec's samples, unless distances and
 /// limits alone show it, and in RSP for the facets selected.
-fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: Option<f64>) -> String {
+fn headline(explanation: &Explanation, places: usize, model: &Model, mission: &Mission) -> String {
+    let asked_for = asked_for(model, mission);
     let conflict = &explanation.conflict;
     let verdict = conflict.verdict();
     // Where a waypoint has its time, the mission's is another one.
@@ -67,7 +69,8 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: 
         true => ("a mission of ", "it"),
         false => ("", "this mission"),
     };
-    let time = match (conflict.any_time, asked_for.filter(|asked| *asked < conflict.time)) {
+    let is_of_all = !conflict.of_samples && least_time_within(model, mission).too_early.is_some();
+    let time = match (conflict.any_time && !is_of_all, asked_for.filter(|asked| *asked < conflict.time)) {
         // Shown, or tried, of this time alone: at another one the same samples are other instants.
         (true, Some(asked)) => {
             let [tried, asked] = [conflict.time, asked].map(number);
@@ -92,6 +95,9 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, asked_for: 
 fn help(explanation: &Explanation, model: &Model, mission: &Mission, sources: &SourceMap) -> String {
     let mut fixes = explanation.fixes.iter().map(|fix| fix.change.instruction(model, mission, sources));
     let changes = match (fixes.next(), fixes.next()) {
+        (None, _) if explanation.conflict.statements.len() == 1 => {
+            "change this statement; none of the changes that were tried is enough".into()
+        }
         (None, _) => "change one of these statements; none of the single changes that were tried is enough".into(),
         (Some(one), None) => format!("{one}; this was tried and gives a plan"),
         (Some(one), Some(two)) => {

@@ -3,14 +3,14 @@
 
 use crate::certify;
 use crate::model::{Mission, MissionTime, Model};
-use crate::planner::compare::{Comparison, Ending, Scope, compare};
+use crate::planner::compare::{Comparison, Ending, NOTHING_TO_SELECT_BY, Scope, compare};
 use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
 use crate::solve::Effort;
 
-/// Shares of the time asked for that are tried, the nearest first. Shorter ones are tried where a longer one has a plan.
+/// Shares of the time asked for that are tried, the nearest first, where the shortest time found is no longer than that, or where
+/// none was found.
 const LONGER: [f64; 5] = [1.02, 1.05, 1.1, 1.3, 2.0];
-const SHORTER: [f64; 3] = [0.98, 0.95, 0.9];
 
 /// Mission times, s, at which the spec's planner has a plan that passes the check of plans.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -31,6 +31,7 @@ fn asked_for(model: &Model, mission: &Mission, comparison: &Comparison) -> Optio
     let MissionTime::Fixed(time) = model.plan.time else { return None };
     let is_open = match &comparison.runs.last()?.ending {
         Ending::Inconclusive { status, .. } => status == NOT_FOUND,
+        Ending::NotAttempted { why, .. } => why == NOTHING_TO_SELECT_BY,
         Ending::Failed { .. } => true,
         _ => false,
     };
@@ -41,19 +42,25 @@ fn asked_for(model: &Model, mission: &Mission, comparison: &Comparison) -> Optio
 pub fn nearby(model: &Model, mission: &Mission, comparison: &Comparison, tell: &dyn Fn(f64)) -> (Nearby, Effort) {
     let mut effort = Effort::default();
     let Some(asked) = asked_for(model, mission, comparison) else { return (Nearby::default(), effort) };
-    let mut has_plan = |share: &f64| {
-        let time = rounded(share * asked);
-        tell(time);
+    let mut plan_at = |time: MissionTime| {
         let mut other = model.clone();
-        other.plan.time = MissionTime::Fixed(time);
+        other.plan.time = time;
         let mut found = compare(&other, mission, Scope::Plan, None);
         effort += found.effort;
         certify::check(&other, mission, &mut found);
-        found.runs.last().is_some_and(|run| run.ending.solved().is_some()).then_some(time)
+        found.runs.last().and_then(|run| run.ending.solved()).map(|solved| solved.time)
     };
-    let longer = LONGER.iter().find_map(&mut has_plan);
-    let shorter = longer.and_then(|_| SHORTER.iter().find_map(&mut has_plan));
-    (Nearby { shorter, longer }, effort)
+    tell(asked);
+    let shortest = plan_at(MissionTime::Minimum);
+    if let Some(longer) = shortest.filter(|&time| time > asked) {
+        return (Nearby { shorter: None, longer: Some(longer) }, effort);
+    }
+    let longer = LONGER.iter().find_map(|share| {
+        let time = rounded(share * asked);
+        tell(time);
+        plan_at(MissionTime::Fixed(time))
+    });
+    (Nearby { shorter: shortest.filter(|&time| time < asked), longer }, effort)
 }
 
 /// To four digits: a time that one would write.

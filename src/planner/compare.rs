@@ -36,7 +36,7 @@ use std::sync::{Mutex, PoisonError};
 pub type Progress<'a> = Option<&'a (dyn Fn(&str, f64) + Sync)>;
 
 /// Why RSP is not attempted.
-const NOTHING_TO_SELECT_BY: &str = "no RIP plan was found to select facets by";
+pub const NOTHING_TO_SELECT_BY: &str = "no RIP plan was found to select facets by";
 const NO_COMMON_TIME: &str = "no plan was found for any fault mode alone, so there is no time T_d to select facets at";
 
 struct Setting<'a> {
@@ -54,6 +54,7 @@ struct Setting<'a> {
 }
 
 /// A search's result with what later searches can use.
+#[derive(Clone)]
 struct Found {
     result: Result<Shortest, NoTime>,
     pool: Pool,
@@ -262,6 +263,7 @@ impl<'a> Setting<'a> {
             // Where nothing is selected RSP's plan is RIP's.
             Some(&rip) if nothing_selected => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
             Some(_) => self.rsp_at(name, &set, time, &begun, None),
+            None if kind == PlannerKind::Rip => self.rip_at(name, time, None, None),
             None => self.at(name, &set, time, Pool::default(), &begun),
         };
         let (run, ending, effort) = match self.fixed_time() {
@@ -269,8 +271,12 @@ impl<'a> Setting<'a> {
                 let (decision, effort) = at(time);
                 (Run::Common, self.common(time, &decision), effort)
             }
-            None if kind == PlannerKind::Rip || nothing_selected && kind == PlannerKind::Rsp => {
-                let found = self.rip_own(begins.get(1));
+            None if kind == PlannerKind::Rip => {
+                let found = self.rip_own();
+                (Run::Own, self.own_with_binding(&found, &set), found.effort)
+            }
+            None if nothing_selected && !begins.is_empty() => {
+                let found = nothing_selected_at(&begins[0]);
                 (Run::Own, self.own_with_binding(&found, &set), found.effort)
             }
             None => {
@@ -331,7 +337,7 @@ impl<'a> Setting<'a> {
                 ending => ending,
             });
         };
-        let (decision, effort) = self.at("RIP", &self.sets.rip, time, Pool::default(), rcp.as_slice());
+        let (decision, effort) = self.rip_at("RIP", time, rcp, None);
         out.effort += effort;
         match decision {
             Decision::Feasible(planned) => {
@@ -399,6 +405,14 @@ fn planned_of(decision: &Decision) -> Option<&Planned> {
         Decision::Feasible(planned) => Some(planned),
         _ => None,
     }
+}
+
+/// RSP's shortest time where nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one would be
+/// RIP's alone, without anything that guards against faults.
+fn nothing_selected_at(rip: &Planned) -> Found {
+    let shortest =
+        Shortest { time: rip.profile.total, planned: rip.clone(), infeasible_at: None, infeasible_above: Vec::new() };
+    Found { result: Ok(shortest), pool: Pool::default(), effort: Effort::default() }
 }
 
 /// The plan at the shortest time.

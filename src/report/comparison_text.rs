@@ -80,7 +80,7 @@ fn words(comparison: &Comparison) -> String {
     let meanings = [
         (
             Verdict::ProvedInfeasible,
-            "with these samples there is no plan, proved by itself for each time that `--report` lists.",
+            "there is no plan, proved by itself for each time that `--report` lists, with the samples given or for all motions.",
         ),
         (Verdict::NotFound, "no plan was found; one may exist."),
         (Verdict::NotAttempted, "no plan was searched for, for no RIP plan was found to select facets by."),

@@ -4,6 +4,7 @@ use super::binding::{self, BindingRecord};
 use super::caveats::{Caveat, caveats};
 use super::conflict_record::ConflictRecord;
 use super::least_time;
+use super::terminal::counted;
 use super::verdict_text::statement;
 use super::waypoints::{WaypointRecord, waypoints};
 use crate::certify::between::Between;
@@ -297,7 +298,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
                 .zip(model.plan.against.iter().zip(&solved.committed))
                 .map(|((name, out), (&mode, &committed_s))| ModeRecord {
                     name: name.clone(),
-                    violated_facets: out.facets.len(),
+                    violated_facets: counted(solved, out),
                     violated_rows: out.rows,
                     positions: out.positions,
                     max_violation: out.max_violation,

@@ -13,6 +13,7 @@ use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
 use crate::planner::compare::protect::Protection;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Solved, label};
 use crate::planner::select::{PlanningSet, VIOLATED};
+use crate::planner::wrench_model::WrenchModel;
 use crate::trajectory::outside::Outside;
 use crate::trajectory::risk::rated_risk;
 
@@ -70,6 +71,9 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
         let planes = in_planes(comparison);
         out.push_str(&match comparison.selected.len() {
             0 if model.plan.rounds == 0 => "RSP guards nothing more than RIP: `rounds = 0` selects no facet\n".into(),
+            0 if comparison.modes.is_empty() => {
+                "RSP guards nothing more than RIP: the plan is against no fault mode\n".into()
+            }
             0 => format!(
                 "RSP guards nothing more than RIP: the RIP plan at {} s {} the sets of all modes planned against\n",
                 number(time),
@@ -175,7 +179,7 @@ fn solved_run(
 
 /// RSP guards facets, and its plan may leave a set elsewhere.
 fn unguarded(model: &Model, comparison: &Comparison, solved: &Solved) -> String {
-    if model.plan.planner != PlannerKind::Rsp || comparison.selected.is_empty() || model.plan.require_risk.is_some() {
+    if model.plan.planner != PlannerKind::Rsp || model.plan.require_risk.is_some() {
         return String::new();
     }
     let out: Vec<(&str, f64)> = comparison
@@ -186,10 +190,11 @@ fn unguarded(model: &Model, comparison: &Comparison, solved: &Solved) -> String 
         .map(|(name, out)| (name.as_str(), out.max_violation))
         .collect();
     let most = out.iter().map(|(_, violation)| *violation).fold(0.0, f64::max);
-    let sets = match out[..] {
+    let names: Vec<&str> = out.iter().map(|(name, _)| *name).collect();
+    let sets = match names[..] {
         [] => return String::new(),
-        [(one, _)] => format!("the set of {one}"),
-        [(first, _), .., (last, _)] => format!("the sets of {} modes, {first} to {last}", out.len()),
+        [one] => format!("the set of {one}"),
+        _ => format!("the sets of {}", listed(&names)),
     };
     let text = format!(
         "RSP guards the facets selected, not whole sets: this plan leaves {sets}, by up to {}. A larger `rounds` selects more \
@@ -255,9 +260,9 @@ pub(super) fn not_looked_at(model: &Model) -> String {
     match names[..] {
         [] => String::new(),
         [one] => format!(" This is about the modes planned against; {one} has a rate too and is not among them."),
-        [first, .., last] => format!(
-            " This is about the modes planned against; {} others have rates and are not among them ({first} to {last}).",
-            names.len()
+        _ => format!(
+            " This is about the modes planned against; others have rates and are not among them: {}.",
+            listed(&names)
         ),
     }
 }
@@ -282,6 +287,11 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
     )
 }
 
+/// The facets of a mode that the plan violates, as RSP selects them: in the exact model at any instant, else at nodes.
+pub(super) fn counted(solved: &Solved, out: &Outside) -> usize {
+    if solved.trajectory.model == WrenchModel::Exact { out.passed.len() } else { out.facets.len() }
+}
+
 fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table {
     let mut headings = vec!["mode", "facets", "positions", "worst", "outside", "last outside"];
     let holds = holds(model);
@@ -297,7 +307,7 @@ fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table 
             }
             Some(last) => vec![
                 name.clone(),
-                out.facets.len().to_string(),
+                counted(solved, out).to_string(),
                 out.positions.to_string(),
                 percent(out.max_violation),
                 format!("{} s", short_seconds(out.seconds)),

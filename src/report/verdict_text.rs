@@ -28,11 +28,10 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
         Ending::Infeasible { at, .. }
             if model.plan.chooses_times && least_time_within(model, mission).is_above(*at) =>
         {
-            format!(
-                "{verdict} at {} s: {}",
-                number(*at),
-                least_time::sentence(mission, &least_time_within(model, mission), *at)
-            )
+            let least = least_time_within(model, mission);
+            let is_of_all = least.too_early.is_some_and(|(waypoint, _)| waypoint + 1 < mission.waypoints.len());
+            let which = if is_of_all { "any mission time".to_string() } else { format!("{} s", number(*at)) };
+            format!("{verdict} at {which}: {}", least_time::sentence(mission, &least, *at))
         }
         Ending::Infeasible { proved, .. } => {
             format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))

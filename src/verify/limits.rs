@@ -36,7 +36,7 @@ pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
 /// How messages say an excess.
 fn measure(kind: LimitKind) -> Measure {
     match limit_words(kind) {
-        _ if kind == LimitKind::Tilt => Measure { factor: 1.0, unit: "g", whole: None },
+        _ if kind == LimitKind::Tilt => Measure { factor: 100.0, unit: "%", whole: Some("of gravity") },
         (_, unit, factor) => Measure { factor, unit, whole: None },
     }
 }

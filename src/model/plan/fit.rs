@@ -57,16 +57,18 @@ pub fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
     let mut free_at = 0.0;
     let mut reason = mission.span;
     let mut fixed_by = "the mission";
+    let mut fixed_time = None;
     for waypoint in &mission.waypoints {
         if let Some(fixed) = waypoint.time {
             free_at = fixed;
             reason = waypoint.time_span.unwrap_or(waypoint.span);
             fixed_by = "the waypoint's time";
+            fixed_time = Some(reason);
         }
         if waypoint.hold > 0.0 {
             free_at += waypoint.hold;
             reason = waypoint.hold_span.unwrap_or(waypoint.span);
-            fixed_by = "the hold";
+            fixed_by = if fixed_time.is_some() { "the waypoint's time or the hold" } else { "the hold" };
         }
     }
     let last = mission.waypoints.last();
@@ -77,7 +79,12 @@ pub fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
         let message =
             format!("the mission {ends} {} s, which a total of {} s does not fit", number(free_at), number(time));
         let error = Diagnostic::error(CODE, span, message).here("the total");
-        let help = format!("change the total or {fixed_by}, or write `time = minimum`");
-        cx.report(error.also(reason, "fixed here").help(help));
+        let either = if fixed_by.contains(" or ") { "," } else { " or" };
+        let help = format!("change the total{either} {fixed_by}, or write `time = minimum`");
+        let error = match fixed_time.filter(|at| *at != reason) {
+            Some(at) => error.also(at, "fixed here"),
+            None => error,
+        };
+        cx.report(error.also(reason, if fixed_by.ends_with("hold") { "held here" } else { "fixed here" }).help(help));
     }
 }

@@ -4,28 +4,51 @@
 use super::{Found, Setting, plan_found, planned_of, time};
 use crate::model::PlanModel;
 use crate::planner::pool::Pool;
+use crate::planner::rows::ACCEPTED;
 use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::Hint;
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
+use crate::trajectory::Trajectory;
+use crate::trajectory::outside::outside;
 
 impl Setting<'_> {
-    /// The plan at one time from the initial guesses `first`, and if that finds none from `further`.
-    pub(super) fn at_from(
+    /// RIP's plan at one time: from `rcp` if that is a plan at this time, else from nothing. Where that finds none and waypoint
+    /// times are searched for, from the joint RCP's plan at that time, whose set lies inside RIP's, and then from the plan at
+    /// RIP's shortest time (`own`, or a new search) if that is no longer.
+    pub(super) fn rip_at(
         &self,
-        what: &str,
-        set: &PlanningSet,
+        name: &str,
         time: f64,
-        first: &[&Planned],
-        further: &[&Planned],
+        rcp: Option<&Planned>,
+        own: Option<&Planned>,
     ) -> (Decision, Effort) {
-        let (decision, mut effort) = self.at(what, set, time, Pool::default(), first);
-        if !matches!(decision, Decision::Inconclusive(_)) || further.is_empty() {
+        let set = &self.sets.rip;
+        let (decision, mut effort) = self.at(name, set, time, Pool::default(), rcp.as_slice());
+        let is_settled = |decision: &Decision| !matches!(decision, Decision::Inconclusive(_));
+        if is_settled(&decision) || self.model.plan.model == PlanModel::Hover || !self.model.plan.chooses_times {
             return (decision, effort);
         }
-        let (again, spent) = self.at(what, set, time, Pool::default(), further);
+        if !self.sets.names.is_empty() {
+            let (joint, spent) = self.at("RCP", &self.sets.joint, time, Pool::default(), &[]);
+            effort += spent;
+            if let Some(rcp) = planned_of(&joint) {
+                let (again, spent) = self.at(name, set, time, Pool::default(), &[rcp]);
+                effort += spent;
+                if is_settled(&again) {
+                    return (again, effort);
+                }
+            }
+        }
+        let searched = own.is_none().then(|| self.search(name, set, Hint::default(), Pool::default()));
+        let own = own.or(searched.as_ref().and_then(plan_found)).filter(|plan| plan.profile.total <= time);
+        let (found, spent) = match own {
+            Some(own) => self.at(name, set, time, Pool::default(), &[own]),
+            None => (decision, Effort::default()),
+        };
         effort += spent;
-        (again, effort)
+        effort += searched.map_or(Effort::default(), |found| found.effort);
+        (found, effort)
     }
 
     /// The joint RCP's plan as an initial guess at T_d: only if T_d is its own time, and not one that the spec fixes.
@@ -34,8 +57,8 @@ impl Setting<'_> {
     }
 
     /// RIP's shortest time. A search for waypoint times proves nothing and may end longer than RCP's, which RIP never needs to be:
-    /// the joint RCP is searched for in parallel, unless `rcp` is its plan already.
-    pub(super) fn rip_own(&self, rcp: Option<&Planned>) -> Found {
+    /// the joint RCP is searched for in parallel.
+    pub(super) fn rip_own(&self) -> Found {
         let rip = || self.search("RIP", &self.sets.rip, Hint::default(), Pool::default());
         if self.model.plan.model == PlanModel::Hover || !self.model.plan.chooses_times {
             return rip();
@@ -44,12 +67,30 @@ impl Setting<'_> {
             (!self.sets.names.is_empty())
                 .then(|| self.search("RCP", &self.sets.joint, Hint::default(), Pool::default()))
         };
-        let (mut rip, joint) = match rcp {
-            Some(_) => (rip(), None),
-            None => rayon::join(rip, joint),
-        };
+        let (mut rip, joint) = rayon::join(rip, joint);
         rip.effort += joint.as_ref().map_or(Effort::default(), |found| found.effort);
-        self.at_most(rip, rcp.or(joint.as_ref().and_then(plan_found)))
+        self.at_most(rip, joint.as_ref().and_then(plan_found))
+    }
+
+    /// Plans against single modes that stay inside another mode's set as well, and are shorter than its own, are that mode's too.
+    pub(super) fn share(&self, singles: &mut [Found]) {
+        // With rotors that lag a wrench inside is not enough.
+        if self.model.thrust_lag().is_some() {
+            return;
+        }
+        let plans: Vec<Planned> = singles.iter().filter_map(plan_found).cloned().collect();
+        for (found, set) in singles.iter_mut().zip(&self.sets.singles) {
+            let own = time(found).unwrap_or(f64::INFINITY);
+            let stays_inside = |plan: &&Planned| {
+                let trajectory = Trajectory::of(plan);
+                let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
+                out.max_violation <= ACCEPTED
+            };
+            let shorter = plans.iter().filter(|plan| plan.profile.total < own).filter(stays_inside);
+            if let Some(plan) = shorter.min_by(|a, b| a.profile.total.total_cmp(&b.profile.total)) {
+                *found = found.clone().or_shorter(plan);
+            }
+        }
     }
 
     /// RSP's shortest time; `hint.begins` holds the RIP plan that selects, then plans that RSP's set allows.

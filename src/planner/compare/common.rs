@@ -13,7 +13,7 @@ impl Setting<'_> {
         let Some(time) = out.common_time else { return out };
         let joint_plan = joint.as_ref().and_then(plan_found);
         let (rip, rcp) = rayon::join(
-            || self.at("RIP", &self.sets.rip, time, Pool::default(), joint_plan.as_slice()),
+            || self.rip_at("RIP", time, joint_plan, None),
             || {
                 (!self.sets.names.is_empty()).then(|| match &joint {
                     Some(found) => self.at_or_own("RCP", &self.sets.joint, time, found, None),

@@ -1,9 +1,9 @@
 //! Every planner at its own shortest time and at T_d.
 
-use super::order::shorter;
+use super::order::put_in_order;
 use super::{
-    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, plan_found, planned_of, time,
-    time_below,
+    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, nothing_selected_at, plan_found,
+    planned_of, time, time_below,
 };
 use crate::model::{PlanModel, PlannerKind};
 use crate::planner::pool::Pool;
@@ -50,6 +50,7 @@ impl Setting<'_> {
             if let Some(plan) = plan_found(joint) {
                 singles = singles.into_iter().map(|single| single.or_shorter(plan)).collect();
             }
+            self.share(&mut singles);
         }
         let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
         let joint = tightest.as_ref().filter(|_| several);
@@ -79,10 +80,7 @@ impl Setting<'_> {
         if let Some(at) = common_time {
             let binding = tightest.as_ref().and_then(plan_found);
             let (decision, spent) = match self.model.plan.model {
-                PlanModel::Exact => {
-                    let further: Vec<&Planned> = out.known.iter().collect();
-                    self.at_from("RIP", &self.sets.rip, at, self.at_its_time(binding).as_slice(), &further)
-                }
+                PlanModel::Exact => self.rip_at("RIP", at, self.at_its_time(binding), plan_found(&rip)),
                 PlanModel::Hover => self.at_or_own("RIP", &self.sets.rip, at, &rip, binding),
             };
             out.effort += spent;
@@ -120,13 +118,11 @@ impl Setting<'_> {
                 common.push(run);
                 out.effort += spent;
             }
-            if let Some(shorter) = shorter(&out.runs[0].ending, &rsp) {
-                out.runs[0].ending = shorter;
-            }
             out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, rsp, &rsp_set));
             common.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp_common, &rsp_set));
             out.runs.extend(common);
         }
+        put_in_order(&mut out.runs, self.sets.names.len());
         out
     }
 
@@ -146,6 +142,9 @@ impl Setting<'_> {
         if let Some(same) = nothing_selected {
             self.ended(2);
             let (own, common) = match same {
+                Decision::Feasible(planned) if self.fixed_time().is_none() => {
+                    (self.own(&nothing_selected_at(planned)), self.common(at, same))
+                }
                 Decision::Feasible(_) => (self.own(rip), self.common(at, same)),
                 _ => (Ending::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() }, self.without_rip(at, same)),
             };

@@ -68,6 +68,12 @@ impl Ending {
 
     /// A proof that is not about all that the spec leaves open is none, unless there is one for its longest time by itself.
     pub(super) fn weaken(&mut self, about: &'static str, is_hopeless: impl Fn(f64) -> bool) {
+        if let Ending::Solved(solved) = self
+            && about == THESE_TIMES
+        {
+            solved.infeasible_at = solved.infeasible_at.filter(|&at| is_hopeless(at));
+            solved.infeasible_above.retain(|&at| is_hopeless(at));
+        }
         if let Ending::Infeasible { at, .. } = *self
             && !is_hopeless(at)
         {

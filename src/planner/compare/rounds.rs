@@ -192,10 +192,7 @@ impl Setting<'_> {
             // As `everything` does, so that both have one plan.
             let rcp = self.at_its_time(known.last());
             let (decision, spent) = match &before {
-                None => {
-                    let further: Vec<&Planned> = known.iter().collect();
-                    self.at_from(&name, &set, time, rcp.as_slice(), &further)
-                }
+                None => self.rip_at(&name, time, rcp, known.first()),
                 Some(before) => {
                     let first: Vec<&Planned> = iter::once(before).chain(rcp).collect();
                     self.rsp_at(&name, &set, time, &first, None)

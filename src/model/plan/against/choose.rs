@@ -9,6 +9,9 @@ use crate::syntax::ast::{Expr, ExprKind, Operator};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+/// Modes that a help lists at most.
+const MOST_LISTED: usize = 12;
+
 /// Indices of the modes that an element stands for, ascending: one run for each `every`, however many modes it has.
 pub(super) type Runs = Vec<Range<usize>>;
 
@@ -118,7 +121,9 @@ impl<'a> Choice<'a> {
         if !self.modes.families.have_run(first, last) {
             let message = format!("`{from}` and `{to}` are not modes of one `every`");
             let error = Diagnostic::error(CHOICE, element.span, message).here("not a range");
-            cx.report(error.help(format!("list the modes, as in `[{from}, {to}]`")));
+            let between = self.names.get(first..=last).filter(|names| names.len() <= MOST_LISTED);
+            let list = between.map_or(format!("{from}, ..., {to}"), |names| names.join(", "));
+            cx.report(error.help(format!("list the modes, as in `[{list}]`")));
             return None;
         }
         if first > last {
