@@ -45,6 +45,8 @@ pub enum Outcome {
 pub struct Effort {
     pub solves: usize,
     pub iterations: usize,
+    /// Initial guesses that searches for a time began with.
+    pub starts: usize,
     /// Time inside the solver's calls.
     pub time: Duration,
 }
@@ -53,6 +55,7 @@ impl std::ops::AddAssign for Effort {
     fn add_assign(&mut self, other: Effort) {
         self.solves += other.solves;
         self.iterations += other.iterations;
+        self.starts += other.starts;
         self.time += other.time;
     }
 }
@@ -188,7 +191,8 @@ fn call(program: &QuadraticProgram, scaled: bool, gap: f64) -> (Option<Raw>, Eff
     let solver = DefaultSolver::new(&matrix(&program.p), &program.q, &matrix(&program.a), &program.b, &cones, settings);
     let Ok(mut solver) = solver else { return (None, Effort::default()) };
     solver.solve();
-    let effort = Effort { solves: 1, iterations: solver.solution.iterations as usize, time: begin.elapsed() };
+    let iterations = solver.solution.iterations as usize;
+    let effort = Effort { solves: 1, iterations, starts: 0, time: begin.elapsed() };
     let found = solver.solution;
     (Some(Raw { status: found.status, x: found.x, z: found.z }), effort)
 }

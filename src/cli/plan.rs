@@ -283,11 +283,16 @@ pub(super) fn plan_for(
     if options.timings {
         let e = comparison.effort;
         files::tell(&format!(
-            "{:<10} {:>9.2} ms in {} solves, {} iterations\n",
+            "{:<10} {:>9.2} ms in {} solves, {} iterations{}\n",
             "  solver",
             e.time.as_secs_f64() * 1e3,
             e.solves,
-            e.iterations
+            e.iterations,
+            match e.starts {
+                0 => String::new(),
+                1 => ", 1 start".into(),
+                starts => format!(", {starts} starts"),
+            }
         ));
     }
     Some(comparison)

@@ -155,26 +155,10 @@ impl Successive<'_, '_> {
     /// A first motion inside the set, on the full grid, for the mission about as fast as `near` s of flight.
     pub(super) fn first(&mut self, near: f64) -> Option<Motion> {
         let samples = self.engine.model.plan.samples;
-        let coarse_samples = self.engine.coarse_samples();
-        // Where durations are the planner's, each leg begins with what its own limits ask for.
+        // Where durations are the planner's, each leg begins with what its own limits ask for. (A second start with shares by
+        // length took 1.6 times the solves and found times at most 0.4 % shorter on 15 missions.)
         let initial = self.chooses_times().then(|| kinematics::initial(self.engine.model, self.engine.mission));
-        let longest = initial.as_ref().map_or(0.0, |legs| legs.iter().sum());
-        let guess = self.engine.guess().max(near + self.held()).max(longest + self.held());
-        let coarse = self.lay_out(initial.as_deref(), guess, coarse_samples)?;
-        let smooth = self.smooth(&coarse.flown())?;
-        let mut motion = self.timed(&smooth)?;
-        let mut pool = BTreeSet::new();
-        if near > motion.profile.total {
-            motion = motion.slower(near / motion.profile.total);
-        }
-        motion = self.restore_slower(&motion, &mut pool)?;
-        // At a given time the motion need not be the shortest: all legs are first shortened alike.
-        if near > 0.0 || !self.chooses_times() {
-            motion = self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool);
-        }
-        if self.chooses_times() {
-            motion = self.better_times(motion, &times::COARSE_GRID, near, &mut pool);
-        }
+        let motion = self.coarse(initial.as_deref(), near)?;
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
         self.forget_multipliers();
@@ -192,8 +176,33 @@ impl Successive<'_, '_> {
         self.restore_slower(&timed, &mut BTreeSet::new())
     }
 
+    /// A motion inside the set on the coarse grid, about as fast as `near` s of flight, from legs with these shares of the time, or
+    /// with shares by length.
+    fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Motion> {
+        self.engine.effort.starts += 1;
+        let longest: f64 = shares.map_or(0.0, |legs| legs.iter().sum());
+        let guess = self.engine.guess().max(near + self.held()).max(longest + self.held());
+        let coarse = self.lay_out(shares, guess, self.engine.coarse_samples())?;
+        let smooth = self.smooth(&coarse.flown())?;
+        let mut motion = self.timed(&smooth)?;
+        let mut pool = BTreeSet::new();
+        if near > motion.profile.total {
+            motion = motion.slower(near / motion.profile.total);
+        }
+        motion = self.restore_slower(&motion, &mut pool)?;
+        // At a given time the motion need not be the shortest: all legs are first shortened alike.
+        if near > 0.0 || !self.chooses_times() {
+            motion = self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool);
+        }
+        match self.chooses_times() {
+            true => Some(self.better_times(motion, &times::COARSE_GRID, near, &mut pool)),
+            false => Some(motion),
+        }
+    }
+
     /// A motion inside the set made from other plans, the first that will do flown least slower.
     pub(super) fn slowed(&mut self, begins: &[&Planned], pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+        self.engine.effort.starts += begins.len();
         let motions: Vec<Motion> = begins.iter().map(|planned| self.motion_of(planned)).collect();
         SLOWER.into_iter().find_map(|factor| motions.iter().find_map(|motion| self.restore_at(motion, factor, pool)))
     }
