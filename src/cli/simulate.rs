@@ -33,7 +33,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         // Where nothing is flown the report is that of the plan.
         if ![&report, &html].into_iter().flatten().any(Target::is_stdout) {
             files::print_painted(&terminal::plan(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;
-            files::print("\nNothing was flown, for there is no plan to fly. `mavc plan` looks for the reason.\n")?;
+            files::print("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n")?;
         }
         let record = Record::new(&model, &mission, &comparison, loaded.sha256());
         let mut results = Vec::new();

@@ -96,3 +96,15 @@ impl Shares {
         pieces
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Shares;
+
+    #[test]
+    fn rounding_gives_a_leg_at_most_one_piece_more() {
+        let shares = Shares { needed: vec![None, Some(5), None], ideal: vec![26.7, 0.0, 29.3], spare: 56 };
+        assert_eq!(shares.whole_parts(), [26, 5, 29]);
+        assert_eq!(shares.rounded(), [27, 5, 29]);
+    }
+}

@@ -27,6 +27,7 @@ use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
 use crate::trajectory::outside::{Outside, outside};
+use candidates::nothing_selected_at;
 use rayon::prelude::*;
 use std::iter;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -212,15 +213,6 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// RSP where RIP was not planned at T_d = `time`: every plan of RSP is one of RIP, so a proof for RIP is one for RSP; without
-    /// a proof there is nothing to select facets by, and RSP is not searched for.
-    fn without_rip(&self, time: f64, rip: &Decision) -> Ending {
-        match rip {
-            Decision::Infeasible => Ending::proved_infeasible(&[time]),
-            _ => Ending::NotAttempted { at: time, why: NOTHING_TO_SELECT_BY.into() },
-        }
-    }
-
     fn run(&self, planner: PlannerKind, against: &[String], run: Run, ending: Ending, set: &PlanningSet) -> PlannerRun {
         PlannerRun { planner, against: against.to_vec(), run, ending, set: set.clone() }
     }
@@ -298,28 +290,6 @@ impl<'a> Setting<'a> {
         out.effort += effort;
         out.runs.push(self.run(kind, against, run, ending, &set));
         out
-    }
-
-    /// Steps (b) and (c): T_d where the spec does not fix it, the joint RCP's shortest time or the largest
-    /// single-mode one; it stays `None` where no mode has a plan at any time. The joint RCP's search, if there was one.
-    fn seek_common_time(&self, out: &mut Comparison) -> Option<Found> {
-        if out.common_time.is_some() {
-            return None;
-        }
-        let joint = self.search("RCP", &self.sets.joint, Hint::default(), Pool::default());
-        out.effort += joint.effort;
-        out.common_time = match &joint.result {
-            Ok(s) => Some(s.time),
-            Err(_) => {
-                let rip = self.search("RIP", &self.sets.rip, Hint::default(), Pool::default());
-                out.effort += rip.effort;
-                let hint = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
-                let singles: Vec<Found> = self.singles_own(&rip, hint);
-                singles.iter().for_each(|f| out.effort += f.effort);
-                singles.iter().filter_map(|f| Some(f.result.as_ref().ok()?.time)).max_by(f64::total_cmp)
-            }
-        };
-        Some(joint)
     }
 
     /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates; and plans to
@@ -405,14 +375,6 @@ fn planned_of(decision: &Decision) -> Option<&Planned> {
         Decision::Feasible(planned) => Some(planned),
         _ => None,
     }
-}
-
-/// RSP's shortest time where nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one would be
-/// RIP's alone, without anything that guards against faults.
-fn nothing_selected_at(rip: &Planned) -> Found {
-    let shortest =
-        Shortest { time: rip.profile.total, planned: rip.clone(), infeasible_at: None, infeasible_above: Vec::new() };
-    Found { result: Ok(shortest), pool: Pool::default(), effort: Effort::default() }
 }
 
 /// The plan at the shortest time.

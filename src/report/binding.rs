@@ -109,15 +109,15 @@ pub fn text(model: &Model, mission: &Mission, solved: &Solved) -> String {
     }
     let others = match others.len() {
         0 => String::new(),
-        1 => "  On the other leg nothing gives back 1 ms.\n".to_string(),
-        n => format!("  On the other {n} legs nothing gives back 1 ms.\n"),
+        1 => "  On the other leg no statement would save 1 ms.\n".to_string(),
+        n => format!("  On the other {n} legs no statement would save 1 ms.\n"),
     };
     format!("\n  {HEADLINE}\n{}{others}", table.render_left(2))
 }
 
-/// What the figures are.
+/// The caption of the figures, in text and on the page.
 pub const HEADLINE: &str =
-    "What limits the time, and what 1 % more of it would give back, to first order (of a set: 1 % of its width)";
+    "What limits the time, and the time saved, to first order, by relaxing each by 1 % (a set by 1 % of its width)";
 
 impl BindingRecord {
     /// `1 to climb`

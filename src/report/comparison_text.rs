@@ -15,7 +15,7 @@ use crate::trajectory::risk::rated_risk;
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
 
-/// Objectives are told apart from this share on.
+/// The relative difference from which one objective counts as lower than another.
 const CHEAPER: f64 = 1e-3;
 
 /// The tables of section 5.4 for any spec.
@@ -80,7 +80,7 @@ fn words(comparison: &Comparison) -> String {
     let meanings = [
         (
             Verdict::ProvedInfeasible,
-            "there is no plan, proved by itself for each time that `--report` lists, with the samples given or for all motions.",
+            "no plan exists at any of the times that `--report` lists. Each is proved on its own.",
         ),
         (Verdict::NotFound, "no plan was found; one may exist."),
         (Verdict::NotAttempted, "no plan was searched for, for no RIP plan was found to select facets by."),
@@ -166,7 +166,7 @@ fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String
     format!("{}\n", textwrap::fill(&text.join(" "), options))
 }
 
-/// The plan at T_d that costs most above one whose set lies inside its own: both are local optima.
+/// The plan at T_d that costs most more than one whose set lies inside its own, which no search is proved to avoid.
 fn local_optima(comparison: &Comparison) -> String {
     let all = comparison.modes.len();
     let solved: Vec<(&PlannerRun, f64)> = comparison
@@ -189,8 +189,8 @@ fn local_optima(comparison: &Comparison) -> String {
         return String::new();
     };
     let text = format!(
-        "At T_d {} ({}) costs more than {} ({}), whose plan its set allows too: each plan is a local optimum, the cheapest that \
-         its own search found.",
+        "At T_d {} ({}) costs more than {} ({}), although its set allows that plan too. Each plan is the cheapest that its own \
+         search found, and none is proved to be the cheapest.",
         name_of(outer),
         number(*dear),
         name_of(inner),

@@ -6,7 +6,7 @@ use crate::model::PlanModel;
 use crate::planner::pool::Pool;
 use crate::planner::rows::ACCEPTED;
 use crate::planner::rows::{Decision, Planned};
-use crate::planner::search::Hint;
+use crate::planner::search::{Hint, Shortest};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
 use crate::trajectory::Trajectory;
@@ -141,4 +141,12 @@ impl Setting<'_> {
         let found = if again.result.is_ok() { again } else { rip };
         Found { effort, ..found.or_shorter(better) }
     }
+}
+
+/// RSP's shortest time where nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one would be
+/// RIP's alone, without anything that guards against faults.
+pub(super) fn nothing_selected_at(rip: &Planned) -> Found {
+    let shortest =
+        Shortest { time: rip.profile.total, planned: rip.clone(), infeasible_at: None, infeasible_above: Vec::new() };
+    Found { result: Ok(shortest), pool: Pool::default(), effort: Effort::default() }
 }

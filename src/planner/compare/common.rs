@@ -1,9 +1,10 @@
-//! All planners at one mission time: what a campaign flies.
+//! T_d, the mission time at which planners are compared, and all planners at it: what a campaign flies.
 
-use super::{Comparison, Run, Setting, plan_found, planned_of};
+use super::{Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, plan_found, planned_of, time, time_below};
 use crate::model::PlannerKind;
 use crate::planner::pool::Pool;
 use crate::planner::rows::{Decision, Planned};
+use crate::planner::search::Hint;
 
 impl Setting<'_> {
     /// RIP, RCP jointly and RSP at T_d; no runs where there is no such time, and no RCP without modes.
@@ -49,5 +50,36 @@ impl Setting<'_> {
         }
         out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp, &rsp_set));
         out
+    }
+
+    /// Steps (b) and (c): T_d where the spec does not fix it, the joint RCP's shortest time or the largest
+    /// single-mode one; it stays `None` where no mode has a plan at any time. The joint RCP's search, if there was one.
+    pub(super) fn seek_common_time(&self, out: &mut Comparison) -> Option<Found> {
+        if out.common_time.is_some() {
+            return None;
+        }
+        let joint = self.search("RCP", &self.sets.joint, Hint::default(), Pool::default());
+        out.effort += joint.effort;
+        out.common_time = match &joint.result {
+            Ok(s) => Some(s.time),
+            Err(_) => {
+                let rip = self.search("RIP", &self.sets.rip, Hint::default(), Pool::default());
+                out.effort += rip.effort;
+                let hint = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
+                let singles: Vec<Found> = self.singles_own(&rip, hint);
+                singles.iter().for_each(|f| out.effort += f.effort);
+                singles.iter().filter_map(|f| Some(f.result.as_ref().ok()?.time)).max_by(f64::total_cmp)
+            }
+        };
+        Some(joint)
+    }
+
+    /// RSP where RIP was not planned at T_d = `time`: every plan of RSP is one of RIP, so a proof for RIP is one for RSP; without
+    /// a proof there is nothing to select facets by, and RSP is not searched for.
+    pub(super) fn without_rip(&self, time: f64, rip: &Decision) -> Ending {
+        match rip {
+            Decision::Infeasible => Ending::proved_infeasible(&[time]),
+            _ => Ending::NotAttempted { at: time, why: NOTHING_TO_SELECT_BY.into() },
+        }
     }
 }

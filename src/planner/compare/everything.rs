@@ -1,9 +1,10 @@
 //! Every planner at its own shortest time and at T_d.
 
+use super::candidates::nothing_selected_at;
 use super::order::put_in_order;
 use super::{
-    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, nothing_selected_at, plan_found,
-    planned_of, time, time_below,
+    Comparison, Ending, Found, NOTHING_TO_SELECT_BY, Run, Setting, hint_from, label, plan_found, planned_of, time,
+    time_below,
 };
 use crate::model::{PlanModel, PlannerKind};
 use crate::planner::pool::Pool;

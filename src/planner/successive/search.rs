@@ -156,7 +156,7 @@ impl Successive<'_, '_> {
     pub(super) fn first(&mut self, near: f64) -> Option<Motion> {
         let samples = self.engine.model.plan.samples;
         // Where durations are the planner's, each leg begins with what its own limits ask for. (A second start with shares by
-        // length took 1.6 times the solves and found times at most 0.4 % shorter on 15 missions.)
+        // length took up to twice the solves and found times at most 0.5 % shorter: docs/performance.md.)
         let initial = self.chooses_times().then(|| kinematics::initial(self.engine.model, self.engine.mission));
         let motion = self.coarse(initial.as_deref(), near)?;
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();

@@ -3,7 +3,7 @@
 use super::document::Section;
 use super::prose::unbroken;
 use crate::report::binding::{BindingRecord, HEADLINE, StatementRecord};
-use crate::report::number::fixed;
+use crate::report::number::{fixed, significant};
 use crate::report::record::PlannerRecord;
 use maud::html;
 
@@ -17,7 +17,7 @@ pub fn section(planner: &PlannerRecord) -> Option<Section> {
     let most = limited.iter().flat_map(|leg| leg.statements.iter().map(move |statement| (leg, statement)));
     let (leg, first) = most.max_by(|a, b| a.1.gives_back_s.total_cmp(&b.1.gives_back_s))?;
     let body = html! {
-        h2 { (unbroken(&format!("Most of the time hangs on {}, on leg {}", first.statement, leg.label()))) }
+        h2 { (unbroken(&format!("Leg {}: relaxing {} by {} would save the most, {} s", leg.label(), first.statement, first.per, significant(first.gives_back_s, 2)))) }
         div.scroll tabindex="0" role="region" aria-label="Table of what limits the time" {
             table {
                 caption { span { (unbroken(HEADLINE)) } }
