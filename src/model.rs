@@ -55,6 +55,7 @@ pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
 
 use crate::source::Span;
+use grid::Spacing;
 
 /// A checked spec.
 #[derive(Debug, Clone, PartialEq)]
@@ -184,6 +185,7 @@ pub struct Mission {
     pub waypoints: Vec<Waypoint>,
     /// `legs[i]` leads from `waypoints[i]` to `waypoints[i + 1]`.
     pub legs: Vec<Leg>,
+    pub spacing: Spacing,
     /// At rest unless `start moving` / `end moving`.
     pub start_at_rest: bool,
     pub end_at_rest: bool,

@@ -38,8 +38,8 @@ const NEGLIGIBLE: [f64; 4] = [1e-6, 1e-8, 1e-10, 0.0];
 /// The program whose multipliers are wanted.
 struct Asked {
     program: QuadraticProgram,
-    /// Unit of time of its variables, s.
-    tau: f64,
+    /// Unit of time of its variables at each node, s.
+    taus: Vec<f64>,
     /// In the exact model: of the set's rows, see `MostThrust::weights`.
     thrust: Vec<f64>,
 }
@@ -71,7 +71,7 @@ pub fn certificate(
         DynamicModel::Hover => (named(model, run.set.rows.iter())?, Vec::new()),
         DynamicModel::Exact => weighed(model, run, &asked.thrust)?,
     };
-    let every = multipliers(&asked.program, &z, asked.tau, mission).ok_or("a row of the program has no name")?;
+    let every = multipliers(&asked.program, &z, &asked.taus, mission).ok_or("a row of the program has no name")?;
     if facets.len() > MAX_FACETS || every.len() > MAX_MULTIPLIERS {
         return Err("it has more rows than a certificate may hold".into());
     }
@@ -114,15 +114,15 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
     let leads = layout.leads(model);
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes())
         .with_leads(leads.as_ref());
-    Ok(Asked { program: form.full_program(Purpose::Overshoot { epsilon: COST }), tau: form.tau(), thrust: Vec::new() })
+    Ok(Asked { program: form.full_program(Purpose::Overshoot { epsilon: COST }), taus: form.taus(), thrust: Vec::new() })
 }
 
 /// The exact model's relaxation, asked the same.
 fn relaxed(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Asked, String> {
     let flown = profile(engine.mission, total, engine.model.plan.samples).ok_or(NO_TIME)?.flown();
-    let Relaxed { program, tau, thrust } =
+    let Relaxed { program, taus, thrust } =
         Successive::new(engine, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
-    Ok(Asked { program, tau, thrust: thrust.weights })
+    Ok(Asked { program, taus, thrust: thrust.weights })
 }
 
 fn named<'r>(model: &Model, rows: impl Iterator<Item = &'r SetRow>) -> Result<Vec<FacetRecord>, String> {
@@ -164,7 +164,7 @@ impl Part {
 
 /// The multipliers of all rows but the dynamics'. Rows of one origin follow each other in the program: the sides of a
 /// limit, the parts of a cone.
-fn multipliers(program: &QuadraticProgram, z: &[f64], tau: f64, mission: &Mission) -> Option<Vec<Multiplier>> {
+fn multipliers(program: &QuadraticProgram, z: &[f64], taus: &[f64], mission: &Mission) -> Option<Vec<Multiplier>> {
     let mut found: Vec<Multiplier> = Vec::new();
     let mut at = 0;
     let mut seen: std::collections::BTreeMap<(usize, usize), usize> = Default::default();
@@ -183,7 +183,7 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], tau: f64, mission: &Missio
                 }
                 RowOrigin::Thrust { node } => RowRecord::Thrust { node },
                 RowOrigin::Rest { node, axis, derivative } => {
-                    values[0] *= tau.powi(derivative as i32);
+                    values[0] *= taus[node].powi(derivative as i32);
                     RowRecord::Rest { node, axis, derivative }
                 }
                 RowOrigin::Facet { facet, node } => RowRecord::Facet { facet, node },

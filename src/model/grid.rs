@@ -3,6 +3,61 @@
 
 use super::Mission;
 
+/// How the pieces of a leg share its duration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spacing {
+    /// All pieces last equally long: the paper's grid.
+    Even,
+    /// Pieces are short near both ends of a leg, where a vehicle starts, turns and stops, and long in a cruise: at t s from
+    /// the nearer end their length is proportional to `1 + t/`[`TRANSIENT`].
+    Graded,
+}
+
+/// The length of pieces doubles within this time from an end of a leg, s: about what a multirotor takes to start or stop.
+pub const TRANSIENT: f64 = 2.0;
+
+impl Spacing {
+    /// By how many pieces of the length at its ends a leg counts, times that length, s: the integral of the density of nodes,
+    /// which is 1 at the ends.
+    fn measure(self, duration: f64) -> f64 {
+        match self {
+            Spacing::Even => duration,
+            Spacing::Graded => 2.0 * TRANSIENT * (0.5 * duration / TRANSIENT).ln_1p(),
+        }
+    }
+
+    /// The start of piece `nth` of the `count` pieces of a leg, s after the start of the leg.
+    pub fn start_of(self, duration: f64, nth: usize, count: usize) -> f64 {
+        match self {
+            Spacing::Even => duration * nth as f64 / count as f64,
+            Spacing::Graded => duration * self.instant(duration, nth as f64 / count as f64),
+        }
+    }
+
+    /// When the first `share` (0 to 1) of the pieces of a leg that takes `duration` s ends, as a share of its duration.
+    fn instant(self, duration: f64, share: f64) -> f64 {
+        match self {
+            Spacing::Even => share,
+            Spacing::Graded if share <= 0.5 => {
+                (2.0 * share * (0.5 * duration / TRANSIENT).ln_1p()).exp_m1() * TRANSIENT / duration
+            }
+            Spacing::Graded => 1.0 - self.instant(duration, 1.0 - share),
+        }
+    }
+
+    /// The share of the pieces of a leg of `duration` s that have ended after the share `instant` of its duration: the
+    /// inverse of [`Spacing::instant`].
+    pub fn share(self, duration: f64, instant: f64) -> f64 {
+        match self {
+            Spacing::Even => instant,
+            Spacing::Graded if instant <= 0.5 => {
+                0.5 * (instant * duration / TRANSIENT).ln_1p() / (0.5 * duration / TRANSIENT).ln_1p()
+            }
+            Spacing::Graded => 1.0 - self.share(duration, 1.0 - instant),
+        }
+    }
+}
+
 /// Slack when a whole number of pieces is taken from a quotient, so that rounding does not lose one.
 const ROUNDING: f64 = 1e-9;
 
@@ -45,6 +100,18 @@ pub fn fewest_pieces(mission: &Mission, durations: &[f64], samples: usize) -> Ve
     Shares::of(mission, durations, samples).whole_parts()
 }
 
+/// A piece counts as no longer than the spec's up to this factor: durations change a little after nodes are spaced.
+const MOST_LONGER: f64 = 1.1;
+
+/// Whether a leg has pieces longer than those of which there are `fewest` ([`fewest_pieces`]), by more than a tenth;
+/// `nodes` are the instants of its nodes, s, from start to end.
+pub fn is_coarser(mission: &Mission, nodes: &[f64], fewest: usize) -> bool {
+    let (Some(start), Some(end)) = (nodes.first(), nodes.last()) else { return false };
+    let duration = end - start;
+    let share = |t: f64| mission.spacing.share(duration, (t - start) / duration);
+    nodes.windows(2).any(|piece| (share(piece[1]) - share(piece[0])) * fewest as f64 > MOST_LONGER)
+}
+
 /// Pieces in proportion to durations, but none below what its leg needs; where there are too few for that, none below one.
 struct Shares {
     /// What each leg needs, where that is more than its share.
@@ -63,12 +130,13 @@ impl Shares {
         if needs.iter().sum::<usize>() > left {
             needs.fill(1);
         }
+        let measures: Vec<f64> = durations.iter().map(|&d| mission.spacing.measure(d)).collect();
         let mut needed: Vec<Option<usize>> = vec![None; durations.len()];
         let mut spare = left;
         loop {
-            let free = durations.iter().zip(&needed).filter(|(_, needed)| needed.is_none());
-            let total: f64 = free.map(|(duration, _)| duration).sum();
-            let ideal: Vec<f64> = durations.iter().map(|d| d / total * spare as f64).collect();
+            let free = measures.iter().zip(&needed).filter(|(_, needed)| needed.is_none());
+            let total: f64 = free.map(|(measure, _)| measure).sum();
+            let ideal: Vec<f64> = measures.iter().map(|m| m / total * spare as f64).collect();
             let is_short = |leg: usize| needed[leg].is_none() && ideal[leg] < needs[leg] as f64;
             let short: Vec<usize> = (0..durations.len()).filter(|&leg| is_short(leg)).collect();
             if short.is_empty() {

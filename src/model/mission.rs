@@ -220,6 +220,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         doc: block.doc.clone(),
         waypoints: route.waypoints,
         legs,
+        spacing: manner.timing.spacing(),
         start_at_rest,
         end_at_rest,
         limits,

@@ -1,9 +1,9 @@
 //! When each waypoint is reached, and which node that is.
 
 use crate::model::Mission;
-use crate::model::grid::{leg_durations, pieces};
+use crate::model::grid::{Spacing, leg_durations, pieces};
 
-/// A stretch of the mission with one step length: a leg, or a hold at a waypoint.
+/// A leg, or a hold at a waypoint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
     /// The waypoint it starts from; for a hold also the one it ends at.
@@ -13,12 +13,48 @@ pub struct Segment {
     pub intervals: usize,
     /// s
     pub duration: f64,
+    pub spacing: Spacing,
+    /// The duration for which the nodes were spaced, s. Where the duration changes the nodes keep their shares of it.
+    pub spaced_for: f64,
 }
 
 impl Segment {
-    /// Length of one interval, s.
-    pub fn step(&self) -> f64 {
-        self.duration / self.intervals as f64
+    pub fn grid(&self) -> LegGrid {
+        LegGrid { duration: self.duration, intervals: self.intervals, spaced_for: self.spaced_for }
+    }
+
+    /// The start of an interval, s after the start of the segment.
+    fn start_of(&self, nth: usize) -> f64 {
+        match self.spacing {
+            Spacing::Even => Spacing::Even.start_of(self.duration, nth, self.intervals),
+            Spacing::Graded => {
+                self.duration / self.spaced_for * Spacing::Graded.start_of(self.spaced_for, nth, self.intervals)
+            }
+        }
+    }
+
+    /// Length of each interval, s.
+    fn steps(&self) -> impl Iterator<Item = f64> {
+        (0..self.intervals).map(|i| match self.spacing {
+            Spacing::Even => self.duration / self.intervals as f64,
+            Spacing::Graded => self.start_of(i + 1) - self.start_of(i),
+        })
+    }
+}
+
+/// How one leg is cut into pieces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LegGrid {
+    /// s
+    pub duration: f64,
+    pub intervals: usize,
+    /// [`Segment::spaced_for`], s
+    pub spaced_for: f64,
+}
+
+impl LegGrid {
+    pub fn new(duration: f64, intervals: usize) -> Self {
+        LegGrid { duration, intervals, spaced_for: duration }
     }
 }
 
@@ -45,7 +81,7 @@ impl Profile {
 
     /// Length of each interval, s.
     pub fn steps(&self) -> impl Iterator<Item = f64> {
-        self.segments.iter().flat_map(|s| std::iter::repeat_n(s.step(), s.intervals))
+        self.segments.iter().flat_map(Segment::steps)
     }
 
     /// The same mission without its holds: each shrinks to one node, at which all derivatives vanish. Nothing changes in
@@ -85,7 +121,7 @@ impl Profile {
             }
             let begin = changed.node_times[s.first_node];
             for i in 1..=s.intervals {
-                changed.node_times[old.first_node + i] = begin + s.duration * i as f64 / s.intervals as f64;
+                changed.node_times[old.first_node + i] = begin + s.start_of(i);
             }
         }
         changed.total = changed.node_times[changed.node_times.len() - 1];
@@ -103,16 +139,18 @@ impl Profile {
 }
 
 impl Profile {
-    /// The mission with given durations (s) and numbers of intervals of its legs, in order, and the mission's holds; `total` is
-    /// their sum, to the last digit.
-    pub fn with_legs(mission: &Mission, legs: &[(f64, usize)], total: f64) -> Profile {
+    /// The mission with the grids of its legs, in order, and the mission's holds; `total` is the sum of durations, s, to the
+    /// last digit.
+    pub fn with_legs(mission: &Mission, legs: &[LegGrid], total: f64) -> Profile {
         let mut segments = Vec::new();
+        let spacing = mission.spacing;
         for (i, w) in mission.waypoints.iter().enumerate() {
             if w.hold > 0.0 {
-                segments.push(Segment { from: i, hold: true, first_node: 0, intervals: 1, duration: w.hold });
+                let (duration, spaced_for) = (w.hold, w.hold);
+                segments.push(Segment { from: i, hold: true, first_node: 0, intervals: 1, duration, spacing, spaced_for });
             }
-            if let Some(&(duration, intervals)) = legs.get(i) {
-                segments.push(Segment { from: i, hold: false, first_node: 0, intervals, duration });
+            if let Some(&LegGrid { duration, intervals, spaced_for }) = legs.get(i) {
+                segments.push(Segment { from: i, hold: false, first_node: 0, intervals, duration, spacing, spaced_for });
             }
         }
         Profile::of_segments(mission, segments, total)
@@ -125,7 +163,7 @@ impl Profile {
         let mut begin = 0.0;
         for s in &mut segments {
             s.first_node = node_times.len() - 1;
-            node_times.extend((1..=s.intervals).map(|i| begin + s.duration * i as f64 / s.intervals as f64));
+            node_times.extend((1..=s.intervals).map(|i| begin + s.start_of(i)));
             begin += s.duration;
             if !s.hold {
                 // A time that the spec fixes is met to the last digit.
@@ -169,6 +207,6 @@ pub fn has_fixed_times(mission: &Mission) -> bool {
 pub fn profile(mission: &Mission, total: f64, samples: usize) -> Option<Profile> {
     let durations = leg_durations(mission, total)?;
     let intervals = pieces(mission, &durations, samples);
-    let legs: Vec<(f64, usize)> = durations.into_iter().zip(intervals).collect();
+    let legs: Vec<LegGrid> = durations.into_iter().zip(intervals).map(|(d, n)| LegGrid::new(d, n)).collect();
     Some(Profile::with_legs(mission, &legs, total))
 }

@@ -8,13 +8,14 @@
 
 mod ends;
 
-use super::profile::Profile;
+use super::profile::{LegGrid, Profile};
 use super::select::PlanningSet;
 use super::successive::{Motion, Successive};
 use super::transcribe::{NodeState, UNBOUNDED};
 use super::wrench_model::WrenchModel;
 use super::{limits::place, rows::Engine};
 use crate::admissible::AdmissibleSet;
+use crate::model::grid::Spacing;
 use crate::model::{Leg, Limit, Mission, Model, Waypoint};
 use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::solve::Effort;
@@ -92,7 +93,7 @@ fn durations(struck: &NodeState, gravity: f64, near: Option<f64>) -> Vec<f64> {
 
 fn profile(mission: &Mission, duration: f64) -> Profile {
     let all: f64 = SHARES.iter().sum();
-    let legs = SHARES.map(|share| (duration * share / all, INTERVALS));
+    let legs = SHARES.map(|share| LegGrid::new(duration * share / all, INTERVALS));
     Profile::with_legs(mission, &legs, duration)
 }
 
@@ -114,6 +115,7 @@ fn stop_mission(flown: &Mission, struck: &NodeState) -> Mission {
     Mission {
         waypoints: vec![waypoint; SHARES.len() + 1],
         legs: SHARES.map(|share| Leg { share }).to_vec(),
+        spacing: Spacing::Even,
         start_at_rest: false,
         end_at_rest: false,
         limits: flown.limits.iter().map(with_leeway).collect(),

@@ -24,7 +24,7 @@ pub use search::NOT_FOUND;
 
 use super::hover_model::{WrenchMap, X, Y, YAW, Z};
 use super::limits::place;
-use super::profile::Profile;
+use super::profile::{LegGrid, Profile, Segment};
 use super::rows::{ACCEPTED, Engine, Planned};
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
@@ -207,7 +207,7 @@ impl<'e, 'a> Successive<'e, 'a> {
 
     /// The convex part of the Lagrangian's curvature about a motion, by the last multipliers.
     fn curvature(&self, motion: &Motion) -> Vec<(usize, NodeState, Vec<FlatState>)> {
-        let tau = self.transcription(&motion.profile, &[]).tau();
+        let tau = self.transcription(&motion.profile, &[]).mean_tau();
         let at = |(&instant, n): (&usize, &Wrench)| {
             let state = motion.at(instant);
             let (vehicle, gravity) = (&self.engine.model.vehicle, self.engine.model.gravity);

@@ -2,8 +2,8 @@
 //!
 //! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input
 //! (4 for x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is
-//! exact. A derivative of order i is stored times tau^i, tau four mean steps, which brings all variables to like
-//! size. With splines the states are eliminated: fewer variables and no joining rows, but each row couples more of
+//! exact. A derivative of order i is stored times tau^i, tau four of the steps beside its node, which brings all variables
+//! and the entries of the rows that join them to like size. With splines the states are eliminated: fewer variables and no joining rows, but each row couples more of
 //! them.
 
 mod mission;
@@ -189,9 +189,20 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    /// Unit of time of the scaled variables, s.
-    pub(crate) fn tau(&self) -> f64 {
+    /// Unit of time of the scaled variables at a node, s: by the mean of the steps beside it.
+    pub(crate) fn tau_at(&self, node: usize) -> f64 {
+        let times = &self.profile.node_times;
+        let (before, after) = (node.saturating_sub(1), (node + 1).min(times.len() - 1));
+        TAU_STEPS * (times[after] - times[before]) / (after - before) as f64
+    }
+
+    /// The same of a mean step, s.
+    pub(super) fn mean_tau(&self) -> f64 {
         self.profile.total / self.profile.intervals() as f64 * TAU_STEPS
+    }
+
+    pub(crate) fn taus(&self) -> Vec<f64> {
+        (0..self.nodes()).map(|node| self.tau_at(node)).collect()
     }
 
     pub(super) fn var(&self, node: usize, axis: usize, order: usize) -> usize {
@@ -228,7 +239,7 @@ impl<'a> Transcription<'a> {
     /// The derivative at a node.
     pub(super) fn at_node(&self, node: usize, axis: usize, order: usize) -> Affine {
         match &self.form {
-            Form::Stages => Affine::term(self.var(node, axis, order), self.tau().powi(-(order as i32))),
+            Form::Stages => Affine::term(self.var(node, axis, order), self.tau_at(node).powi(-(order as i32))),
             Form::Splines(splines) => {
                 let before = self.axes.iter().take_while(|&&a| a != axis);
                 let first: usize = before.map(|&a| self.spline(splines, a).coefficients()).sum();

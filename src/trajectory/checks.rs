@@ -2,7 +2,7 @@
 //! its range.
 
 use super::{Trajectory, tilt};
-use crate::model::grid::fewest_pieces;
+use crate::model::grid::{fewest_pieces, is_coarser};
 use crate::model::{Limit, LimitKind, Mission, Model};
 use crate::planner::hover_model::{X, Y, YAW, Z};
 use crate::planner::transcribe::NodeState;
@@ -107,17 +107,18 @@ pub fn limit_excesses(trajectory: &Trajectory, model: &Model, tolerance: f64) ->
         .collect()
 }
 
-/// Legs with fewer pieces than `samples` make for the legs' durations ([`fewest_pieces`]).
+/// Legs with longer pieces than `samples` make for the legs' durations ([`is_coarser`]).
 pub fn coarser_legs(trajectory: &Trajectory, mission: &Mission, samples: usize) -> usize {
     let (times, nodes) = (&trajectory.times, &trajectory.waypoint_nodes);
     let legs = nodes.windows(2).zip(&mission.waypoints).map(|(ends, from)| {
         // A hold is one piece.
         let first = ends[0] + usize::from(from.hold > 0.0);
-        (times[ends[1]] - times[first], ends[1] - first)
+        &times[first..=ends[1]]
     });
-    let (durations, intervals): (Vec<f64>, Vec<usize>) = legs.unzip();
+    let legs: Vec<&[f64]> = legs.collect();
+    let durations: Vec<f64> = legs.iter().map(|nodes| nodes[nodes.len() - 1] - nodes[0]).collect();
     let fewest = fewest_pieces(mission, &durations, samples);
-    intervals.iter().zip(&fewest).filter(|(has, fewest)| has < fewest).count()
+    legs.iter().zip(fewest).filter(|(nodes, fewest)| is_coarser(mission, nodes, *fewest)).count()
 }
 
 /// How far the plan stretches the linear model.

@@ -5,7 +5,7 @@ use super::Rejection;
 use super::interval::exceeds;
 use super::motion::Motion;
 use super::premise::{Premise, Premises};
-use crate::model::grid::{fewest_pieces, leg_durations, pieces};
+use crate::model::grid::{fewest_pieces, is_coarser, leg_durations, pieces};
 use crate::model::{Mission, MissionTime, Model};
 use crate::report::number::number;
 use crate::source::Span;
@@ -66,7 +66,7 @@ pub(super) fn grid(model: &Model, mission: &Mission) -> Result<Grid, Rejection> 
     let (mut times, mut waypoint_nodes) = (vec![0.0], vec![0]);
     let mut begin = 0.0;
     for (&duration, count) in durations.iter().zip(pieces(mission, &durations, model.plan.samples)) {
-        times.extend((1..=count).map(|i| begin + duration * i as f64 / count as f64));
+        times.extend((1..=count).map(|i| begin + mission.spacing.start_of(duration, i, count)));
         begin += duration;
         waypoint_nodes.push(times.len() - 1);
     }
@@ -79,7 +79,7 @@ pub(super) fn grid(model: &Model, mission: &Mission) -> Result<Grid, Rejection> 
 /// What a plan's times leave to be said: how far the motion has fewer pieces than the spec asks for.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Coarser {
-    /// Legs with longer pieces than [`fewest_pieces`] make.
+    /// Legs with longer pieces than the spec's ([`is_coarser`]).
     pub legs: usize,
 }
 
@@ -174,8 +174,8 @@ pub(super) fn held_until(mission: &Mission, motion: &Motion, waypoint: usize) ->
     (node + 1..until).find(|&n| !apart(motion.times[n], ends, total))
 }
 
-/// Where a leg has pieces longer than an even share of its time among the spec's samples, rows are looked at within them
-/// as often as those samples would.
+/// Where a leg has pieces longer than the spec's samples make them there, rows are looked at within them as often as those
+/// samples would.
 fn dense(model: &Model, mission: &Mission, motion: &mut Motion) -> Coarser {
     let mut legs = Vec::new();
     for leg in 0..mission.legs.len() {
@@ -191,17 +191,16 @@ fn dense(model: &Model, mission: &Mission, motion: &mut Motion) -> Coarser {
     let (asked, fewest) = (pieces(mission, due, model.plan.samples), fewest_pieces(mission, due, model.plan.samples));
     let mut coarser = Coarser::default();
     for (leg, (&(first, last), &duration)) in legs.iter().zip(&durations).enumerate() {
-        let longest = duration / asked[leg] as f64;
-        let mut some = false;
+        let begin = motion.times[first];
+        let share = |t: f64| mission.spacing.share(duration, (t - begin) / duration);
+        coarser.legs += usize::from(is_coarser(mission, &motion.times[first..=last], fewest[leg]));
         for piece in first..last {
-            let shares = (motion.times[piece + 1] - motion.times[piece]) / longest;
-            if exceeds(shares, 1.0 + SAME_DURATION) {
+            let pieces = (share(motion.times[piece + 1]) - share(motion.times[piece])) * asked[leg] as f64;
+            if exceeds(pieces, 1.0 + SAME_DURATION) {
                 // At least one point between; a float cast saturates.
-                motion.ask(piece, ((shares - SAME_DURATION).ceil() as usize).saturating_sub(1));
-                some |= exceeds(shares * fewest[leg] as f64, (1.0 + SAME_DURATION) * asked[leg] as f64);
+                motion.ask(piece, ((pieces - SAME_DURATION).ceil() as usize).saturating_sub(1));
             }
         }
-        coarser.legs += usize::from(some);
     }
     coarser
 }

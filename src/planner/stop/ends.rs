@@ -24,7 +24,7 @@ impl Transcription<'_> {
         let last = self.nodes() - 1;
         for (axis, highest) in [(X, 3), (Y, 3), (Z, 1), (YAW, 1)] {
             for order in 1..=highest {
-                let row = self.at_node(last, axis, order).times(self.tau().powi(order as i32));
+                let row = self.at_node(last, axis, order).times(self.tau_at(last).powi(order as i32));
                 builder.zero(row, RowOrigin::Stop { node: last, axis, derivative: order });
             }
         }
@@ -34,7 +34,7 @@ impl Transcription<'_> {
     fn remains(&self, builder: &mut Builder, struck: &NodeState, axis: usize, order: usize) {
         let row = self.at_node(0, axis, order).plus_constant(-struck[axis][order]);
         let origin = RowOrigin::Stop { node: 0, axis, derivative: order };
-        builder.zero(row.times(self.tau().powi(order as i32)), origin);
+        builder.zero(row.times(self.tau_at(0).powi(order as i32)), origin);
     }
 
     /// With A, J the acceleration with gravity and the jerk of the plan, a, j those of the stop, and e any direction across
@@ -56,11 +56,11 @@ impl Transcription<'_> {
             sum
         };
         for (e, axis) in [(e1, X), (n.cross(&e1), Y)] {
-            let row = along(&e, 2).times(self.tau().powi(2));
+            let row = along(&e, 2).times(self.tau_at(0).powi(2));
             builder.zero(row, RowOrigin::Stop { node: 0, axis, derivative: 2 });
             let mut row = along(&e, 3);
             row.add(&along(&n, 2), -e.dot(&jerk) / length);
-            builder.zero(row.times(self.tau().powi(3)), RowOrigin::Stop { node: 0, axis, derivative: 3 });
+            builder.zero(row.times(self.tau_at(0).powi(3)), RowOrigin::Stop { node: 0, axis, derivative: 3 });
         }
     }
 }

@@ -119,7 +119,7 @@ impl Successive<'_, '_> {
             if let RowOrigin::Rest { node, axis, derivative: 1 } = *origin
                 && axis != YAW
             {
-                *rests.entry(node).or_default() += (SPEED * form.tau() * z).powi(2);
+                *rests.entry(node).or_default() += (SPEED * form.tau_at(node) * z).powi(2);
             } else if let Some((leg, statement)) = self.statement(&form, origin) {
                 *found.entry((leg, statement)).or_default() += given * z;
             }

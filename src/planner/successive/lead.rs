@@ -145,7 +145,7 @@ impl Successive<'_, '_> {
             let stretch = map.terms.iter().fold(Wrench::zeros(), change);
             lines.insert(at, LeadLine { wrench: map.at(&state), stretch, map });
         }
-        let unit = self.transcription(&motion.profile, &[]).tau();
+        let unit = self.transcription(&motion.profile, &[]).mean_tau();
         let curvature = lag.multipliers.iter().filter_map(|(&at, n)| {
             let state = self.lead_state(motion, at)?;
             Some((at, state, self.wrench.lead_curvature(vehicle, *gravity, lag.tau, &state, n, unit)))

@@ -94,10 +94,11 @@ impl Motion {
         let mut states = Vec::with_capacity(profile.nodes());
         for (mine, other) in self.profile.segments.iter().zip(&profile.segments) {
             let begin = self.profile.node_times[mine.first_node];
+            let there = profile.node_times[other.first_node];
             let factor = other.duration / mine.duration;
             let first = if states.is_empty() { 0 } else { 1 };
             for i in first..=other.intervals {
-                let t = begin + mine.duration * i as f64 / other.intervals as f64;
+                let t = begin + (profile.node_times[other.first_node + i] - there) / factor;
                 states.push(slower(&trajectory.at(t), factor));
             }
         }

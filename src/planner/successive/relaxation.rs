@@ -21,8 +21,8 @@ pub struct MostThrust {
 /// The relaxation as a program that is always feasible.
 pub struct Relaxed {
     pub program: QuadraticProgram,
-    /// Unit of time of its variables, s.
-    pub tau: f64,
+    /// Unit of time of its variables at each node, s.
+    pub taus: Vec<f64>,
     pub thrust: MostThrust,
 }
 
@@ -69,7 +69,7 @@ impl Successive<'_, '_> {
         let form = self.transcription(profile, &[]);
         let rows: Vec<RowAt> = self.limits_at_nodes(profile, |_| true).collect();
         let program = form.relaxed_program(Purpose::Overshoot { epsilon }, &rows, thrust.newtons);
-        Relaxed { program, tau: form.tau(), thrust }
+        Relaxed { program, taus: form.taus(), thrust }
     }
 
     /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the vehicle

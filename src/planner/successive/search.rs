@@ -364,8 +364,8 @@ impl Successive<'_, '_> {
         for (node, axis, order) in self.transcription(&settled.profile, &[]).at_rest() {
             settled.states[node][axis][order] = 0.0;
         }
-        let intervals = settled.profile.segments.iter().map(|s| (s.duration, s.intervals)).collect::<Vec<_>>();
-        let profile = Profile::with_legs(self.engine.mission, &intervals, total);
+        let legs: Vec<LegGrid> = settled.profile.segments.iter().map(Segment::grid).collect();
+        let profile = Profile::with_legs(self.engine.mission, &legs, total);
         Some(Planned {
             states: profile.with_holds(&settled.states),
             profile,

@@ -2,7 +2,7 @@
 
 use super::sequence::CLOSER;
 use super::*;
-use crate::model::grid::{fewest_pieces, pieces};
+use crate::model::grid::{fewest_pieces, is_coarser, pieces};
 
 /// Largest relative change of a leg's duration in the first step and in any, how it changes, and where that ends.
 const FIRST_REACH: f64 = 0.1;
@@ -63,18 +63,20 @@ impl Successive<'_, '_> {
         motion
     }
 
-    /// The motion on the grid that its durations ask for, where some leg has kept fewer pieces than that ([`fewest_pieces`]);
-    /// as it is where it cannot be restored there.
+    /// The motion on the grid that its durations ask for, where some leg has longer pieces than that ([`is_coarser`]); as it
+    /// is where it cannot be restored there.
     fn on_its_own_grid(&mut self, motion: Motion, pool: &mut BTreeSet<RowAt>) -> Motion {
         let mission = self.engine.mission;
-        let legs: Vec<(f64, usize)> = motion.profile.segments.iter().map(|s| (s.duration, s.intervals)).collect();
-        let durations: Vec<f64> = legs.iter().map(|leg| leg.0).collect();
+        let segments = &motion.profile.segments;
+        let durations: Vec<f64> = segments.iter().map(|s| s.duration).collect();
         let samples = motion.profile.intervals() + mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
         let fewest = fewest_pieces(mission, &durations, samples);
-        if legs.iter().zip(fewest).all(|(leg, fewest)| leg.1 >= fewest) {
+        let nodes = |s: &Segment| &motion.profile.node_times[s.first_node..=s.first_node + s.intervals];
+        if segments.iter().zip(fewest).all(|(s, fewest)| !is_coarser(mission, nodes(s), fewest)) {
             return motion;
         }
-        let due: Vec<(f64, usize)> = durations.iter().copied().zip(pieces(mission, &durations, samples)).collect();
+        let due = durations.iter().zip(pieces(mission, &durations, samples)).map(|(&d, n)| LegGrid::new(d, n));
+        let due: Vec<LegGrid> = due.collect();
         let own = Profile::with_legs(mission, &due, motion.profile.total + self.held()).flown();
         let there = motion.on(&own);
         for factor in SLOWER {

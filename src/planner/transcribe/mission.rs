@@ -16,12 +16,13 @@ impl Transcription<'_> {
             return; // the splines are the motions that keep these rows
         }
         const FACTORIAL: [f64; 6] = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0];
-        let tau = self.tau();
-        for (interval, step) in self.profile.steps().enumerate() {
-            let h = step / tau;
+        for (interval, h) in self.profile.steps().enumerate() {
+            let (tau, next) = (self.tau_at(interval), self.tau_at(interval + 1));
             for &axis in self.axes {
                 let r = self.orders[axis];
                 for i in 0..r {
+                    // In units of the derivative at the later node.
+                    let unit = next.powi(i as i32);
                     let mut row = Affine::term(self.var(interval + 1, axis, i), -1.0);
                     let m = r - i;
                     let power = h.powi(m as i32);
@@ -31,10 +32,10 @@ impl Transcription<'_> {
                             j if j < r => h.powi((j - i) as i32) / FACTORIAL[j - i],
                             _ => power * (1.0 / FACTORIAL[m] - late),
                         };
-                        row = row.plus(self.var(interval, axis, j), factor);
-                        row.add(&bend(interval, axis, j), factor * tau.powi(j as i32));
+                        row = row.plus(self.var(interval, axis, j), unit * factor * tau.powi(-(j as i32)));
+                        row.add(&bend(interval, axis, j), unit * factor);
                     }
-                    row = row.plus(self.var(interval + 1, axis, r), power * late);
+                    row = row.plus(self.var(interval + 1, axis, r), unit * power * late * next.powi(-(r as i32)));
                     builder.zero(row, RowOrigin::Dynamics { interval, axis, derivative: i });
                 }
             }
@@ -63,7 +64,7 @@ impl Transcription<'_> {
 
     pub(in crate::planner) fn rest(&self, builder: &mut Builder) {
         for (node, axis, derivative) in self.at_rest() {
-            let row = self.at_node(node, axis, derivative).times(self.tau().powi(derivative as i32));
+            let row = self.at_node(node, axis, derivative).times(self.tau_at(node).powi(derivative as i32));
             builder.zero(row, RowOrigin::Rest { node, axis, derivative });
         }
         if let Some(struck) = &self.struck {
