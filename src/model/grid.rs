@@ -14,7 +14,7 @@ pub enum Spacing {
 }
 
 /// The length of pieces doubles within this time from an end of a leg, s: about what a multirotor takes to start or stop.
-pub const TRANSIENT: f64 = 2.0;
+pub const TRANSIENT: f64 = 0.5;
 
 impl Spacing {
     /// By how many pieces of the length at its ends a leg counts, times that length, s: the integral of the density of nodes,

@@ -50,7 +50,7 @@ const NEAR: f64 = 0.1;
 
 /// Where [`Transcription::stiffness`] is larger than this times the motion's cost, steps in spline coefficients end anywhere,
 /// and the solver does not tell (measured: 1e7 is fine, 4e8 mostly, 5e9 not).
-const MOST_STIFFNESS: f64 = 1e8;
+const MOST_STIFFNESS: f64 = 1e10;
 
 /// Multipliers below this do not count.
 const NEGLIGIBLE: f64 = 1e-4;
@@ -245,7 +245,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         pool: &mut BTreeSet<RowAt>,
     ) -> Option<Stepped> {
         pool.extend(self.rows_at_nodes(motion, -NEAR));
-        pool.extend(self.places(&motion.profile));
+        pool.extend(self.rows_everywhere(&motion.profile));
         // Splines cannot bend where legs change by different shares, and stiff ones leave the solver no digits.
         let together = legs.iter().all(|leg| *leg == legs[0]);
         let known = together.then(|| self.splines(&motion.profile));
@@ -282,6 +282,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             let (approached, effort) = approach(&program, scaled);
             self.engine.effort += effort;
             let Some(Approach { solution: Solution { x, z, .. }, is_least }) = approached else { continue };
+            if !is_least || effort.iterations > 40 { eprintln!("TR      step least {is_least} scaled {scaled} iterations {} vars {}", effort.iterations, program.q.len()); }
             if is_least || found.is_none() {
                 found = Some((form, x, z, places));
             }

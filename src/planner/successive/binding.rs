@@ -78,7 +78,7 @@ impl Successive<'_, '_> {
         let motion = self.motion_of(planned);
         let mut pool = self.rows_at_nodes(&motion, -NEAR);
         pool.extend(self.rows_between(&motion));
-        pool.extend(self.places(&motion.profile));
+        pool.extend(self.rows_everywhere(&motion.profile));
         let chosen: Vec<RowAt> = pool.iter().copied().collect();
         let lines = self.lines(&motion, &pool);
         let curvature = self.curvature(&motion);

@@ -1,6 +1,7 @@
 //! How far a motion passes facets and limits, and which rows the next step needs for it.
 
 use super::*;
+use crate::model::LimitKind;
 
 impl<'e, 'a> Successive<'e, 'a> {
     pub(super) fn wrench_at(&self, state: &NodeState) -> Wrench {
@@ -131,6 +132,25 @@ impl<'e, 'a> Successive<'e, 'a> {
         found
     }
 
+    /// Each row that a motion passes, on each leg at the instant where it is passed most.
+    pub(super) fn rows_passed_most(&self, motion: &Motion) -> BTreeSet<RowAt> {
+        let form = self.transcription(&motion.profile, &[]);
+        let mut worst: BTreeMap<(usize, usize), (f64, usize)> = BTreeMap::new();
+        for instant in 0..form.instants() {
+            let leg = form.leg_of(instant);
+            for (place, excess) in self.excesses_at(&form, &motion.at(instant), instant).filter(|(_, e)| *e > 0.0) {
+                let entry = worst.entry((place, leg)).or_insert((excess, instant));
+                if excess > entry.0 {
+                    *entry = (excess, instant);
+                }
+            }
+        }
+        let mut found: BTreeSet<RowAt> =
+            worst.into_iter().map(|((place, _), (_, instant))| RowAt { row: self.row(place), instant }).collect();
+        found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
+        found
+    }
+
     /// The rows of some limits at every node.
     pub(super) fn limits_at_nodes(
         &self,
@@ -144,8 +164,15 @@ impl<'e, 'a> Successive<'e, 'a> {
         })
     }
 
-    /// The rows of limits on places, at every node: they do not depend on time, and each program has them all.
+    /// The rows of limits on places, at every node.
     pub(super) fn places(&self, profile: &Profile) -> BTreeSet<RowAt> {
         self.limits_at_nodes(profile, |limit| place(limit.kind)).collect()
+    }
+
+    /// The rows that each step has at every node: of limits on places, which do not depend on time, and on yaw. Yaw costs
+    /// little, and its acceleration would swing from one bound past the other wherever rows leave it free.
+    pub(super) fn rows_everywhere(&self, profile: &Profile) -> BTreeSet<RowAt> {
+        let is_yaw = |kind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration);
+        self.limits_at_nodes(profile, |limit| place(limit.kind) || is_yaw(limit.kind)).collect()
     }
 }

@@ -144,10 +144,14 @@ impl Successive<'_, '_> {
             excess = self.excess_by(&motion, pool);
             let stepped = self.step(&motion, &durations, trust, weights, pool)?;
             lines.push(stepped.sigma);
+            eprintln!("TR     restore excess {excess:.4} sigma {:.5} prox {:.3} rows {}", stepped.sigma, trust.proximity, pool.len());
             let is_stuck = matches!(lines[..], [.., before, _, last] if last > f64::max(UNAVOIDABLE, STEADY * before));
             if stepped.sigma > hopeless || is_stuck {
                 return None;
             }
+            // A step that is taken only in part leaves the motion where it was: the rows that it passed stand in the next one.
+            pool.extend(self.rows_passed_most(&motion.with_states(stepped.states.clone())));
+            excess = self.excess_by(&motion, pool);
             let mut share = 1.0;
             let (reached, now) = loop {
                 let reached = motion.with_states(motion.towards(&stepped.states, share));
@@ -232,6 +236,7 @@ impl Successive<'_, '_> {
                 (cost, now, reached) = towards(self, pool, share);
             }
             let gained = was - merit(cost, now);
+            eprintln!("TR     lower here {here:.4} excess {excess:.4} -> cost {cost:.4} excess {now:.4} share {share} expected {expected:.4} gained {gained:.4} prox {:.3} sigma {sigma:.5} penalty {penalty}", trust.proximity);
             if now <= 0.0 && cost < best.0 {
                 *best = (cost, reached.clone());
             }

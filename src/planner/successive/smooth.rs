@@ -29,7 +29,10 @@ impl Successive<'_, '_> {
     /// A smooth motion through the waypoints that knows no set: the least cost with positions in their limits, and gentle
     /// where it begins or ends as it likes.
     pub(super) fn smooth(&mut self, profile: &Profile) -> Option<Motion> {
-        let form = self.transcription(profile, &[]);
+        // Over long legs snap is so small that the solver's tolerance would leave noise: planned as if legs took a second.
+        let slower = (profile.total / profile.segments.len() as f64).max(1.0);
+        let quick = profile.with_durations_times(|_| 1.0 / slower);
+        let form = self.transcription(&quick, &[]);
         let places: Vec<RowAt> = self.places(profile).into_iter().collect();
         let program = match form.free_ends().next().is_some() {
             true => form.smooth_program(&places),
@@ -40,6 +43,7 @@ impl Successive<'_, '_> {
         let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = outcome else {
             return None;
         };
-        Some(Motion { profile: profile.clone(), states: form.states(&x), model: self.wrench })
+        let motion = Motion { profile: quick.clone(), states: form.states(&x), model: self.wrench }.slower(slower);
+        Some(Motion { profile: profile.clone(), ..motion })
     }
 }

@@ -20,7 +20,7 @@ const PENALTY: f64 = 100.0;
 /// wrench bends most, and come far by few steps; the shortest motions cost many times what smooth ones do.
 pub(super) const FULL_GRID: [f64; 3] = [0.05, 0.01, 0.002];
 /// On the coarse grid, whose result is the initial guess on the full one.
-pub(super) const COARSE_GRID: [f64; 2] = [0.05, 0.01];
+pub(super) const COARSE_GRID: [f64; 1] = [0.05];
 /// From another set's plan, whose waypoint times are optimised already.
 pub(super) const WARM_START: [f64; 1] = [0.002];
 
@@ -33,6 +33,8 @@ const HOPELESS: f64 = 0.3;
 /// On another grid a motion is flown slower by the first of these factors that lets it be restored.
 const SLOWER: [f64; 4] = [1.0, 1.002, 1.005, 1.01];
 
+const FARTHER: f64 = 10.0;
+const WILD: f64 = 1e9;
 /// Most steps.
 const MOST_STEPS: usize = 40;
 
@@ -54,6 +56,7 @@ impl Successive<'_, '_> {
     ) -> Motion {
         let mut left = MOST_STEPS;
         for (nth, &weight) in smoothing.iter().enumerate() {
+            eprintln!("TR weight {weight} T {:.3} cost {:.3}", motion.profile.total, self.cost(&motion));
             if nth > 0 {
                 motion = self.settle(motion, CLOSER, pool);
             }
@@ -80,6 +83,7 @@ impl Successive<'_, '_> {
         let own = Profile::with_legs(mission, &due, motion.profile.total + self.held()).flown();
         let there = motion.on(&own);
         for factor in SLOWER {
+            eprintln!("TR regrid {factor}");
             // Rows are known by the instants of a grid.
             let mut known = BTreeSet::new();
             if let Some(inside) = self.restore_unless(there.slower(factor), HOPELESS, &mut known) {
@@ -101,7 +105,7 @@ impl Successive<'_, '_> {
     ) -> Motion {
         let legs: Vec<Option<usize>> = (0..self.engine.mission.legs.len()).map(Some).collect();
         let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing };
-        let trust = Trust { proximity: PROXIMITY };
+        let mut trust = Trust { proximity: PROXIMITY };
         let mut reach = FIRST_REACH;
         while reach >= LEAST_REACH && *left > 0 && motion.profile.total > target {
             *left -= 1;
@@ -113,12 +117,28 @@ impl Successive<'_, '_> {
             if reached.as_ref().is_some_and(|r| r.profile.total > (1.0 - SMALL) * motion.profile.total) {
                 break;
             }
-            match reached.and_then(|reached| self.restore_unless(reached, HOPELESS, &mut known)) {
+            eprintln!("TR step T {:.3} reach {reach:.3} smoothing {smoothing} -> {:?}", motion.profile.total, reached.as_ref().map(|r| (r.profile.total, self.excess(r))));
+            if let Some(r) = &reached {
+                let form = self.transcription(&r.profile, &[]);
+                let mut w: Vec<(f64, usize, Row)> = (0..form.instants()).flat_map(|i| { let st = r.at(i); self.excesses_at(&form, &st, i).map(|(p, e)| (e, i, self.row(p))).collect::<Vec<_>>() }).collect();
+                w.sort_by(|a, b| b.0.total_cmp(&a.0));
+                for (e, i, row) in w.iter().take(3) { let t = r.profile.node_times[i / PARTS]; let st = r.at(*i); let was = motion.at(*i); eprintln!("TRW {e:.3} at {t:.3} instant {i} {row:?} z'' {:.2} was {:.2} x'' {:.2} was {:.2} psi' {:.2} was {:.2} y'' {:.2} was {:.2} j {:.1} {:.1} {:.1} was {:.1} {:.1} {:.1}  s {:.0} {:.0} {:.0} was {:.0} {:.0} {:.0}", st[2][2], was[2][2], st[0][2], was[0][2], st[3][1], was[3][1], st[1][2], was[1][2], st[0][3], st[1][3], st[2][3], was[0][3], was[1][3], was[2][3],st[0][4], st[1][4], st[2][4], was[0][4], was[1][4], was[2][4]); }
+            }
+            if let Some(reached) = &reached { let rows = self.rows_passed_most(reached); pool.extend(rows.iter().copied()); known.extend(rows); }
+            let halfway = reached.as_ref().map(|r| r.slower(0.5 * (1.0 + motion.profile.total / r.profile.total)));
+            let restored = reached.and_then(|reached| self.restore_unless(reached, HOPELESS, &mut known)).or_else(|| {
+                let r = self.restore_unless(halfway?, HOPELESS, &mut known);
+                eprintln!("TR halfway {}", r.is_some());
+                r
+            });
+            match restored {
                 Some(inside) => {
                     (*pool, motion) = (known, inside);
+                    eprintln!("TR   ok {:.3}", motion.profile.total);
+                    trust.proximity = (trust.proximity / FARTHER).max(PROXIMITY);
                     reach = (FURTHER * reach).min(MOST_REACH);
                 }
-                None => reach *= SHRINK,
+                None => {eprintln!("TR   failed"); reach *= SHRINK; trust.proximity *= FARTHER;},
             }
         }
         motion
