@@ -114,7 +114,11 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
     let leads = layout.leads(model);
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes())
         .with_leads(leads.as_ref());
-    Ok(Asked { program: form.full_program(Purpose::Overshoot { epsilon: COST }), taus: form.taus(), thrust: Vec::new() })
+    Ok(Asked {
+        program: form.full_program(Purpose::Overshoot { epsilon: COST }),
+        taus: form.taus(),
+        thrust: Vec::new(),
+    })
 }
 
 /// The exact model's relaxation, asked the same.

@@ -8,12 +8,13 @@ use super::Mission;
 pub enum Spacing {
     /// All pieces last equally long: the paper's grid.
     Even,
-    /// Pieces are short near both ends of a leg, where a vehicle starts, turns and stops, and long in a cruise: at t s from
+    /// Pieces are short near both ends of a leg, where a vehicle starts, turns or stops, and long in a cruise: at t s from
     /// the nearer end their length is proportional to `1 + t/`[`TRANSIENT`].
     Graded,
 }
 
-/// The length of pieces doubles within this time from an end of a leg, s: about what a multirotor takes to start or stop.
+/// The length of pieces doubles within this time from an end of a leg, s: about what a multirotor takes to tilt. (Of 2, 1 and
+/// 0.5 s the last gives the times that depend least on the samples: docs/performance.md.)
 pub const TRANSIENT: f64 = 0.5;
 
 impl Spacing {

@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use super::grid::Spacing;
 use super::{Leg, Waypoint};
 
 /// `timing = optimal | proportional | uniform | distance`
@@ -16,16 +15,6 @@ pub enum Timing {
     Proportional,
     /// As the planner finds best. Shares as under [`Timing::Proportional`] stand where it does not choose.
     Optimal,
-}
-
-impl Timing {
-    /// The paper's grid belongs to its rules; other plans have theirs.
-    pub(super) fn spacing(self) -> Spacing {
-        match self {
-            Timing::Optimal => Spacing::Graded,
-            Timing::Uniform | Timing::Distance | Timing::Proportional => Spacing::Even,
-        }
-    }
 }
 
 /// Below this length, m, a leg's turn counts too.

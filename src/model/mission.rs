@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use super::context::Context;
 use super::due::Due;
 use super::fields::Fields;
+use super::grid::Spacing;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
 use super::{Mission, Waypoint, limits, mend, sense, survey};
@@ -42,6 +43,7 @@ pub(super) struct Manner {
     pub yaw_within: f64,
     pub weight: f64,
     pub timing: Timing,
+    pub spacing: Spacing,
 }
 
 pub(super) struct Outline {
@@ -220,7 +222,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         doc: block.doc.clone(),
         waypoints: route.waypoints,
         legs,
-        spacing: manner.timing.spacing(),
+        spacing: manner.spacing,
         start_at_rest,
         end_at_rest,
         limits,

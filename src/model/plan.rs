@@ -8,6 +8,7 @@ use super::context::Context;
 use super::due::Due;
 use super::fault::Modes;
 use super::fields::Fields;
+use super::grid::Spacing;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
 use super::{
@@ -178,7 +179,10 @@ impl<'a> Draft<'a> {
             None => self.default("timing", (Timing::Optimal, "optimal", "the planner finds when waypoints are passed")),
         };
         self.chooses_times = timing == Timing::Optimal;
-        (Manner { within, yaw_within, weight, timing }, fine)
+        // The hover model keeps the paper's grid.
+        let about_hover = matches!(self.get("model").map(|e| &e.kind), Some(ExprKind::Name(name)) if name == "hover");
+        let spacing = if timing == Timing::Optimal && !about_hover { Spacing::Graded } else { Spacing::Even };
+        (Manner { within, yaw_within, weight, timing, spacing }, fine)
     }
 
     /// A field that takes one of a few words; `Some(None)` where something else stands there.

@@ -147,10 +147,26 @@ impl Profile {
         for (i, w) in mission.waypoints.iter().enumerate() {
             if w.hold > 0.0 {
                 let (duration, spaced_for) = (w.hold, w.hold);
-                segments.push(Segment { from: i, hold: true, first_node: 0, intervals: 1, duration, spacing, spaced_for });
+                segments.push(Segment {
+                    from: i,
+                    hold: true,
+                    first_node: 0,
+                    intervals: 1,
+                    duration,
+                    spacing,
+                    spaced_for,
+                });
             }
             if let Some(&LegGrid { duration, intervals, spaced_for }) = legs.get(i) {
-                segments.push(Segment { from: i, hold: false, first_node: 0, intervals, duration, spacing, spaced_for });
+                segments.push(Segment {
+                    from: i,
+                    hold: false,
+                    first_node: 0,
+                    intervals,
+                    duration,
+                    spacing,
+                    spaced_for,
+                });
             }
         }
         Profile::of_segments(mission, segments, total)

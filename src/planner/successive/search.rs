@@ -176,15 +176,6 @@ impl Successive<'_, '_> {
         self.restore_slower(&timed, &mut BTreeSet::new())
     }
 
-    /// A smooth motion inside the set on the full grid, in the same shares of time as another.
-    pub(super) fn smooth_like(&mut self, motion: &Motion) -> Option<Motion> {
-        self.engine.effort.starts += 1;
-        self.forget_multipliers();
-        let smooth = self.smooth(&motion.profile)?;
-        let timed = self.timed(&smooth)?;
-        self.restore_slower(&timed, &mut BTreeSet::new())
-    }
-
     /// A motion inside the set on the coarse grid, about as fast as `near` s of flight, from legs with these shares of the time, or
     /// with shares by length.
     fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Motion> {

@@ -141,10 +141,8 @@ impl Successive<'_, '_> {
                 return None;
             }
             pool.extend(self.rows_between(&motion));
-            excess = self.excess_by(&motion, pool);
             let stepped = self.step(&motion, &durations, trust, weights, pool)?;
             lines.push(stepped.sigma);
-            eprintln!("TR     restore excess {excess:.4} sigma {:.5} prox {:.3} rows {}", stepped.sigma, trust.proximity, pool.len());
             let is_stuck = matches!(lines[..], [.., before, _, last] if last > f64::max(UNAVOIDABLE, STEADY * before));
             if stepped.sigma > hopeless || is_stuck {
                 return None;
@@ -236,7 +234,6 @@ impl Successive<'_, '_> {
                 (cost, now, reached) = towards(self, pool, share);
             }
             let gained = was - merit(cost, now);
-            eprintln!("TR     lower here {here:.4} excess {excess:.4} -> cost {cost:.4} excess {now:.4} share {share} expected {expected:.4} gained {gained:.4} prox {:.3} sigma {sigma:.5} penalty {penalty}", trust.proximity);
             if now <= 0.0 && cost < best.0 {
                 *best = (cost, reached.clone());
             }

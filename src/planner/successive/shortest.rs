@@ -8,8 +8,6 @@ use super::search::{FINE_STEP, LEAST_FINE, NOT_FOUND};
 use super::sequence::CLOSELY;
 use super::*;
 
-const STUCK: f64 = 0.01;
-
 /// Times without a plan are not tried beyond this many times the first guess.
 const SLOWEST: f64 = 20.0;
 
@@ -38,23 +36,10 @@ impl Successive<'_, '_> {
         let smoothing: &[f64] = if slowed.is_some() { &times::WARM_START } else { &times::FULL_GRID };
         let guess = self.engine.guess();
         let Some(mut motion) = slowed.or_else(|| self.first(0.0)) else { return Err(self.none_at_all(guess)) };
-        let (begun, from_nothing) = (motion.profile.total, smoothing.len() > 1);
         motion = match self.chooses_times() {
             true => self.better_times(motion, smoothing, 0.0, &mut pool),
             false => self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool),
         };
-        eprintln!("TRB begun {begun:.3} ended {:.3} ratio {:.4}", motion.profile.total, motion.profile.total / begun);
-        if from_nothing && self.chooses_times() && motion.profile.total > (1.0 - STUCK) * begun
-            && let Some(smooth) = self.smooth_like(&motion)
-        {
-            eprintln!("TRB smooth {:.3}", smooth.profile.total);
-            let mut its_pool = BTreeSet::new();
-            let other = self.better_times(smooth, smoothing, 0.0, &mut its_pool);
-            eprintln!("TRB other {:.3}", other.profile.total);
-            if other.profile.total < motion.profile.total {
-                (motion, pool) = (other, its_pool);
-            }
-        }
         let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();
         // Flown a little slower a plan is one still, or nearly always.
         for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {

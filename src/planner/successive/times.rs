@@ -14,6 +14,8 @@ const LEAST_REACH: f64 = 0.01;
 /// Proximity of steps that choose times, and their weight of the excess against the relative time: where it is cheap, time is
 /// bought with an excess that no motion of those durations can be rid of.
 const PROXIMITY: f64 = 0.1;
+/// The growth of the proximity after a step that failed; it falls alike after others.
+const FURTHER_OFF: f64 = 10.0;
 const PENALTY: f64 = 100.0;
 
 /// Weights of the cost relative to the last motion's, one after the other. Smooth motions stay clear of attitudes at which the
@@ -33,8 +35,6 @@ const HOPELESS: f64 = 0.3;
 /// On another grid a motion is flown slower by the first of these factors that lets it be restored.
 const SLOWER: [f64; 4] = [1.0, 1.002, 1.005, 1.01];
 
-const FARTHER: f64 = 10.0;
-const WILD: f64 = 1e9;
 /// Most steps.
 const MOST_STEPS: usize = 40;
 
@@ -56,7 +56,6 @@ impl Successive<'_, '_> {
     ) -> Motion {
         let mut left = MOST_STEPS;
         for (nth, &weight) in smoothing.iter().enumerate() {
-            eprintln!("TR weight {weight} T {:.3} cost {:.3}", motion.profile.total, self.cost(&motion));
             if nth > 0 {
                 motion = self.settle(motion, CLOSER, pool);
             }
@@ -83,7 +82,6 @@ impl Successive<'_, '_> {
         let own = Profile::with_legs(mission, &due, motion.profile.total + self.held()).flown();
         let there = motion.on(&own);
         for factor in SLOWER {
-            eprintln!("TR regrid {factor}");
             // Rows are known by the instants of a grid.
             let mut known = BTreeSet::new();
             if let Some(inside) = self.restore_unless(there.slower(factor), HOPELESS, &mut known) {
@@ -117,28 +115,27 @@ impl Successive<'_, '_> {
             if reached.as_ref().is_some_and(|r| r.profile.total > (1.0 - SMALL) * motion.profile.total) {
                 break;
             }
-            eprintln!("TR step T {:.3} reach {reach:.3} smoothing {smoothing} -> {:?}", motion.profile.total, reached.as_ref().map(|r| (r.profile.total, self.excess(r))));
-            if let Some(r) = &reached {
-                let form = self.transcription(&r.profile, &[]);
-                let mut w: Vec<(f64, usize, Row)> = (0..form.instants()).flat_map(|i| { let st = r.at(i); self.excesses_at(&form, &st, i).map(|(p, e)| (e, i, self.row(p))).collect::<Vec<_>>() }).collect();
-                w.sort_by(|a, b| b.0.total_cmp(&a.0));
-                for (e, i, row) in w.iter().take(3) { let t = r.profile.node_times[i / PARTS]; let st = r.at(*i); let was = motion.at(*i); eprintln!("TRW {e:.3} at {t:.3} instant {i} {row:?} z'' {:.2} was {:.2} x'' {:.2} was {:.2} psi' {:.2} was {:.2} y'' {:.2} was {:.2} j {:.1} {:.1} {:.1} was {:.1} {:.1} {:.1}  s {:.0} {:.0} {:.0} was {:.0} {:.0} {:.0}", st[2][2], was[2][2], st[0][2], was[0][2], st[3][1], was[3][1], st[1][2], was[1][2], st[0][3], st[1][3], st[2][3], was[0][3], was[1][3], was[2][3],st[0][4], st[1][4], st[2][4], was[0][4], was[1][4], was[2][4]); }
-            }
-            if let Some(reached) = &reached { let rows = self.rows_passed_most(reached); pool.extend(rows.iter().copied()); known.extend(rows); }
-            let halfway = reached.as_ref().map(|r| r.slower(0.5 * (1.0 + motion.profile.total / r.profile.total)));
-            let restored = reached.and_then(|reached| self.restore_unless(reached, HOPELESS, &mut known)).or_else(|| {
-                let r = self.restore_unless(halfway?, HOPELESS, &mut known);
-                eprintln!("TR halfway {}", r.is_some());
-                r
-            });
-            match restored {
+            let Some(reached) = reached else {
+                reach *= SHRINK;
+                continue;
+            };
+            // What this step leaves outside, the next one must keep inside.
+            let passed = self.rows_passed_most(&reached);
+            pool.extend(passed.iter().copied());
+            known.extend(passed);
+            // A little more time is often all that a motion wants that nearly fits.
+            let halfway = reached.slower(0.5 * (1.0 + motion.profile.total / reached.profile.total));
+            let restored = self.restore_unless(reached, HOPELESS, &mut known);
+            match restored.or_else(|| self.restore_unless(halfway, HOPELESS, &mut known)) {
                 Some(inside) => {
                     (*pool, motion) = (known, inside);
-                    eprintln!("TR   ok {:.3}", motion.profile.total);
-                    trust.proximity = (trust.proximity / FARTHER).max(PROXIMITY);
+                    trust.proximity = (trust.proximity / FURTHER_OFF).max(PROXIMITY);
                     reach = (FURTHER * reach).min(MOST_REACH);
                 }
-                None => {eprintln!("TR   failed"); reach *= SHRINK; trust.proximity *= FARTHER;},
+                None => {
+                    trust.proximity *= FURTHER_OFF;
+                    reach *= SHRINK;
+                }
             }
         }
         motion
