@@ -250,8 +250,8 @@ fn a_missed_waypoint_is_called_missed() {
         assert_eq!(last.share(), last.position_share.max(last.yaw_share));
         assert!(table(&records, 0).contains(&last.label()));
     }
-    let told = headline(&moved(0.95, -0.04));
-    assert!(told.ends_with("largest error 1 m of 5 cm allowed (2000 %), at waypoint 2"), "{told}");
+    let told = headline(&moved(0.96, -0.04));
+    assert!(told.ends_with("largest error 1.01 m of 5 cm allowed (2020 %), at waypoint 2"), "{told}");
     let told = headline(&moved(-0.04, -1e-9));
     assert!(told.contains(" deg of ") && told.contains(" of yaw allowed (100 %), at waypoint 2"), "{told}");
 }
