@@ -162,8 +162,8 @@ fn is_written(model: &Model, field: &str) -> bool {
 #[derive(Clone, Copy)]
 enum Possible {
     UpTo(f64),
-    /// Rotors that may not stop, or are stuck, lift more than the weight.
-    From(f64),
+    /// Rotors that may not stop, or are stuck, lift at least the first, and all together the second.
+    Between(f64, f64),
     Never,
 }
 
@@ -212,12 +212,26 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             );
             error.map(|error| Answer { reserve: true, ..error })
         }
+        // Forces and torques that span two dimensions or fewer steer nothing, whatever the tolerance.
+        (Verdict::Controllable, _) if mode.rank < 3 => answer(
+            Severity::Warning,
+            HOVER_ON_EDGE,
+            "the vehicle cannot be steered, though forces and torques balance in hover",
+            format!(
+                "what is left of thrust and torques has {} of 4 dimensions, and nearly every disturbance lies outside",
+                mode.rank
+            ),
+            match is_healthy {
+                true => "change the vehicle's layout",
+                false => "leave the mode out of `against`, or change the vehicle's layout",
+            },
+        ),
         (Verdict::Controllable, _) => answer(
             Severity::Warning,
             HOVER_ON_EDGE,
             "hover lies on the edge of what the vehicle can do",
             "the smallest disturbance in one direction cannot be countered".into(),
-            match at_heaviest {
+            match at_heaviest && mode.facets.is_some() {
                 true => "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
                 false => "another layout moves hover inside; `mavc analyze` shows by how much",
             },
@@ -225,28 +239,41 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
         (verdict, _) => {
             let mass = model.vehicle.mass;
             let possible = match (mode.critical_mass_kg, mode.least_mass_kg) {
-                (_, Some(least)) if least > mass => Possible::From(least),
+                (Some(most), Some(least)) if least > 0.0 => Possible::Between(least, most),
                 (Some(most), _) if most > 0.0 => Possible::UpTo(most),
                 _ => Possible::Never,
             };
             let says = format!("; the spec says {} kg", number(mass));
             let label = match possible {
                 Possible::UpTo(most) => format!("it could at {} kg or less{says}", down(most, 4)),
-                Possible::From(least) => format!("it could from {} kg on{says}", up(least, 4)),
+                Possible::Between(least, most) if up(least, 4) != down(most, 4) && least < most * (1.0 - 1e-3) => {
+                    format!("it could between {} and {} kg{says}", up(least, 4), down(most, 4))
+                }
+                Possible::Between(least, most) => {
+                    format!("it could at {} kg alone{says}", significant(0.5 * (least + most), 6))
+                }
                 Possible::Never => "no mass makes it possible".to_string(),
             };
             let what = match verdict {
                 Verdict::Stabilizable => "the vehicle cannot hold its yaw",
                 _ => "the vehicle cannot hover",
             };
-            let idles = model.vehicle.rotors.iter().any(|r| r.min_speed > 0.0);
+            let is_stuck = mode.stuck.iter().any(Option::is_some);
+            let idles = model.vehicle.rotors.iter().any(|r| r.min_speed > 0.0) && !is_stuck;
+            let too_light = matches!(possible, Possible::Between(least, _) if mass < least);
             let help = match (possible, is_healthy) {
                 (Possible::UpTo(_), true) => "make the vehicle lighter or change its layout",
                 (Possible::UpTo(_), false) => {
                     "leave the mode out of `against`, make the vehicle lighter or change its layout"
                 }
-                (Possible::From(_), true) if idles => "lower `min_speed` or change the layout",
-                (Possible::From(_), false) if idles => "leave the mode out of `against`, or lower `min_speed`",
+                (Possible::Between(..), true) if too_light && idles => "lower `min_speed` or change the layout",
+                (Possible::Between(..), false) if too_light && idles => {
+                    "leave the mode out of `against`, or lower `min_speed`"
+                }
+                (Possible::Between(..), true) if !too_light => "make the vehicle lighter or change its layout",
+                (Possible::Between(..), false) if !too_light => {
+                    "leave the mode out of `against`, make the vehicle lighter or change its layout"
+                }
                 (_, true) => "change the vehicle's layout",
                 (_, false) => "leave the mode out of `against`, or change the vehicle's layout",
             };

@@ -4,6 +4,7 @@ use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::flight::twins;
 use crate::model::FlightBlocks;
+use crate::report::number::plural;
 use crate::report::table::Table;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -147,10 +148,6 @@ fn one(
 fn count(diagnostics: &[Diagnostic]) -> (usize, usize) {
     let of = |severity: Severity| diagnostics.iter().filter(|d| d.severity == severity).count();
     (of(Severity::Error), of(Severity::Warning))
-}
-
-fn plural(n: usize, word: &str) -> String {
-    format!("{n} {word}{}", if n == 1 { "" } else { "s" })
 }
 
 fn verdict(errors: usize, warnings: usize) -> String {

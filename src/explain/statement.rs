@@ -3,7 +3,7 @@
 use super::oracle::Part;
 use crate::model::{Limit, Mission, MissionTime, Model, PlannerKind};
 use crate::planner::transcribe::UNBOUNDED;
-use crate::report::number::{number, percent};
+use crate::report::number::{number, part_of_all};
 use crate::source::Span;
 
 /// One statement, or one default that stands for it. Places are those in [`Mission`] and [`Model`].
@@ -147,7 +147,7 @@ impl Statement {
             Statement::Reserve => {
                 let default = model.defaults.iter().any(|d| d.field == "plan.reserve");
                 let of = if default { " (the default)" } else { "" };
-                format!("a reserve of {}{of}", percent(model.plan.reserve))
+                format!("a reserve of {}{of}", format!("{} %", part_of_all(model.plan.reserve)))
             }
             Statement::Time => match model.plan.time {
                 MissionTime::Fixed(time) => format!("in {} s", number(time)),

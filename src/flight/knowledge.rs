@@ -234,7 +234,7 @@ impl<'a> Knowledge<'a> {
             if found.detected_after.is_none() && (0..n).any(|k| touches(strike, k) && is_seen(k)) {
                 found.detected_after = Some((t - strike.at).max(0.0));
             }
-            if found.isolated_after.is_none() && all_close {
+            if found.isolated_after.is_none() && found.detected_after.is_some() && all_close {
                 found.isolated_after = Some((t - strike.at).max(0.0));
             }
         }

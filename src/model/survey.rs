@@ -9,6 +9,7 @@ use super::due::Due;
 use super::load::Table;
 use super::mission::{Manner, Route, Stop};
 use crate::diagnostic::Diagnostic;
+use crate::report::number::plural;
 use crate::source::{Span, Spanned, visible};
 use crate::unit::{Quantity, Unit, parse_unit};
 use std::collections::BTreeMap;
@@ -133,7 +134,7 @@ fn trimmed(table: &Table, start: usize, end: usize) -> Span {
 fn broken_row(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            format!("this row has {len} cells, the header {expected_len}")
+            format!("this row has {}, the header {expected_len}", plural(*len as usize, "cell"))
         }
         _ => "this row cannot be read".into(),
     }

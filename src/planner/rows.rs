@@ -195,7 +195,8 @@ impl<'a> Engine<'a> {
                 states: layout.profile.with_holds(&attempt.states),
                 model: layout.yaw.model(),
                 profile: layout.profile,
-                objective: solution.objective,
+                // A sum of squares, to the solver's digits.
+                objective: solution.objective.max(0.0),
                 rows: attempt.rows,
             })),
             Outcome::Infeasible { .. } => Decision::Infeasible,

@@ -109,10 +109,12 @@ pub fn text(model: &Model, mission: &Mission, solved: &Solved) -> String {
     }
     let others = match others.len() {
         0 => String::new(),
-        1 => "  On the other leg no statement would save 1 ms.\n".to_string(),
-        n => format!("  On the other {n} legs no statement would save 1 ms.\n"),
+        1 => "  On the other leg no limit, set, tolerance or rest would save 1 ms.\n".to_string(),
+        n => format!("  On the other {n} legs no limit, set, tolerance or rest would save 1 ms.\n"),
     };
-    format!("\n  {HEADLINE}\n{}{others}", table.render_left(2))
+    let fixes = mission.waypoints.iter().skip(1).any(|w| w.time.is_some() || w.hold > 0.0);
+    let unasked = if fixes { "  Fixed times and holds are not among what is relaxed here.\n" } else { "" };
+    format!("\n  {HEADLINE}\n{}{others}{unasked}", table.render_left(2))
 }
 
 /// The caption of the figures, in text and on the page.

@@ -65,6 +65,11 @@ pub fn percent(x: f64) -> String {
     format!("{} %", significant(100.0 * x, DIGITS))
 }
 
+/// `1 row`, `2 rows`
+pub fn plural(n: usize, word: &str) -> String {
+    format!("{n} {word}{}", if n == 1 { "" } else { "s" })
+}
+
 /// A share of a whole, in percent: as [`percent`], but `100` only for all of it. What three digits would round up to that has
 /// as many as tell it apart, cut off: `99.96`.
 pub fn part_of_all(x: f64) -> String {

@@ -3,7 +3,7 @@
 use super::binding;
 use super::caveats::caveats;
 use super::heat;
-use super::number::{fixed, number, percent, short_seconds, significant};
+use super::number::{fixed, number, part_of_all, percent, short_seconds, significant};
 use super::record::{errors, rates};
 use super::table::Table;
 use super::verdict_text::{self, statement};
@@ -38,7 +38,7 @@ pub(super) fn head(model: &Model, mission: &Mission, comparison: &Comparison) ->
         mission.name,
         vehicle_line(model),
         model.plan.model.name(),
-        percent(model.plan.reserve),
+        format!("{} %", part_of_all(model.plan.reserve)),
         model.plan.samples
     );
     if model.vehicle.is_uncertain() {

@@ -33,6 +33,23 @@ pub fn json(text: String) -> String {
     }
 }
 
+/// A text in which every disguise is as many question marks as it has bytes: for texts so large that escapes would take many
+/// times their memory.
+pub fn blanked(text: &str) -> Cow<'_, str> {
+    let is_bad = |c: char| is_disguise(c) && !matches!(c, '\n' | '\t' | '\r');
+    if !text.chars().any(is_bad) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match is_bad(c) {
+            true => out.extend(std::iter::repeat_n('?', c.len_utf8())),
+            false => out.push(c),
+        }
+    }
+    Cow::Owned(out)
+}
+
 fn escaped<'a>(text: &'a str, stays: impl Fn(usize, char) -> bool, escape: impl Fn(&mut String, char)) -> Cow<'a, str> {
     let is_bad = |at: usize, c: char| is_disguise(c) && !stays(at, c);
     let Some((first, _)) = text.char_indices().find(|&(at, c)| is_bad(at, c)) else { return Cow::Borrowed(text) };
@@ -50,6 +67,12 @@ fn escaped<'a>(text: &'a str, stays: impl Fn(usize, char) -> bool, escape: impl 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn blanked_texts_keep_their_places() {
+        assert_eq!(blanked("a\x1bk\n\u{202e}z"), "a?k\n???z");
+        assert!(matches!(blanked("a\tb\r\n"), Cow::Borrowed(_)));
+    }
 
     #[test]
     fn control_and_bidirectional_characters_become_escapes() {

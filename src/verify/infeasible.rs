@@ -24,7 +24,7 @@ use super::sets::Plane;
 use super::{Refusal, Rejection, Shown, Verdict, lag, required};
 use crate::certificate::{DynamicModel, FacetRecord, InfeasibleClaim};
 use crate::model::{Mission, Model};
-use crate::report::number::number;
+use crate::report::number::{number, plural};
 
 struct Rows<'a> {
     model: &'a Model,
@@ -80,7 +80,8 @@ pub(super) fn decide(
         return Err(Rejection { span: Some(mission.span), ..Rejection::new("that there is no plan", why) }.into());
     }
     let selection = if claim.selected_by.is_empty() { "" } else { " and the facets that the plans carried select" };
-    let keeping = format!("{} rows on {} facets{selection}", claim.multipliers.len(), claim.facets.len());
+    let weighed = claim.multipliers.iter().filter(|m| m.z.iter().any(|z| *z != 0.0)).count();
+    let keeping = format!("{} with multipliers{selection}", plural(weighed, "row"));
     let planner = model.plan.planner.name().to_uppercase();
     let headline = format!(
         "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the nodes of \

@@ -7,6 +7,7 @@ mod many;
 mod reports;
 mod results;
 mod shell;
+mod stuck;
 mod sweeps;
 mod watching;
 

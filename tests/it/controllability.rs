@@ -110,7 +110,7 @@ fn a_lighter_vehicle_is_asked_for_only_where_it_helps() {
     idle.vehicle.rotors.iter_mut().for_each(|rotor| rotor.min_speed = 500.0);
     idle.vehicle.mass = 1.2;
     let (label, help) = told(idle, &[1], 0.0);
-    assert!(label.starts_with("it could from ") && help.contains("`min_speed`"), "{label}: {help}");
+    assert!(label.starts_with("it could between ") && help.contains("`min_speed`"), "{label}: {help}");
 }
 
 #[test]

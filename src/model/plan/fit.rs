@@ -3,7 +3,7 @@
 use super::super::Mission;
 use super::super::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::report::number::number;
+use crate::report::number::{number, plural};
 use crate::source::Span;
 use crate::syntax::ast::Expr;
 
@@ -30,7 +30,10 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
     }
     let needed = holds + (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>();
     if samples < needed {
-        let message = format!("{samples} samples are few for a mission with {} legs", mission.legs.len());
+        let message = {
+            let (samples, legs) = (plural(samples, "sample"), plural(mission.legs.len(), "leg"));
+            format!("{samples} are few for a mission with {legs}")
+        };
         let warning = Diagnostic::warning("mavc::plan::few_samples", span, message).here("few");
         let warning = warning.also(mission.span, "this mission").help(format!(
             "write `samples = {needed}` or more, so that legs from rest to rest get ten and others beside a rest five"

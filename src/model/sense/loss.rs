@@ -19,7 +19,7 @@ pub(in crate::model) fn check(cx: &mut Context, simulation: &Simulation, fields:
         ("lost_yaw_after", simulation.lost_yaw_after, SECONDS, "s"),
     ];
     for (name, limit, usual, unit) in limits.into_iter().filter(|(_, limit, usual, _)| !usual.has(*limit)) {
-        let message = format!("a {name} of {} {unit}, where {} is usual", short(limit), usual.text(unit));
+        let message = format!("`{name}` is {} {unit}, where {} is usual", short(limit), usual.text(unit));
         let here =
             if limit > usual.high { "hardly any flight is lost by this" } else { "hardly any flight keeps to this" };
         let span = fields.span_of(name).unwrap_or(block);

@@ -24,7 +24,7 @@ pub(in crate::model) fn check(cx: &mut Context, simulation: &Simulation, fields:
         ("gyroscope_noise", simulation.gyroscope_noise, RATE, "rad/s", "a small gyroscope has 0.001 to 0.1 rad/s"),
     ];
     for (name, noise, most, unit, here) in sensors.into_iter().filter(|(_, noise, most, ..)| noise > most) {
-        let message = format!("a {name} of {} {unit}, where 0 to {} {unit} is usual", short(noise), short(most));
+        let message = format!("`{name}` is {} {unit}, where 0 to {} {unit} is usual", short(noise), short(most));
         let span = fields.span_of(name).unwrap_or(block);
         cx.report(warning("mavc::sense::noise", span, message, "check the number and its unit").here(here));
     }

@@ -117,10 +117,12 @@ fn manner(model: &Model) -> String {
 /// `; gusts of 2 m/s; the ground is at z = -1 m; 1000 Hz, seed 1`
 fn air_and_rate(model: &Model) -> String {
     let s = &model.simulation;
+    let speed = s.wind.iter().map(|w| w * w).sum::<f64>().sqrt();
     let air = match (s.wind.iter().any(|w| *w != 0.0), s.gusts > 0.0) {
         (false, false) => String::new(),
-        (true, false) => "; steady wind".to_string(),
-        (_, true) => format!("; gusts of {} m/s", number(s.gusts)),
+        (true, false) => format!("; steady wind of {} m/s", significant(speed, 3)),
+        (true, true) => format!("; wind of {} m/s with gusts of {} m/s", significant(speed, 3), number(s.gusts)),
+        (false, true) => format!("; gusts of {} m/s", number(s.gusts)),
     };
     let ground = if s.ground == 0.0 { String::new() } else { format!("; the ground is at z = {} m", number(s.ground)) };
     format!("{air}{ground}; {} Hz, seed {}", number(s.rate), s.seed)

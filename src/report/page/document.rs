@@ -5,7 +5,7 @@ use super::prose::{prose, unbroken};
 use super::summary::Found;
 use super::{Subject, embed};
 use crate::planner::compare::Comparison;
-use crate::report::number::percent;
+use crate::report::number::part_of_all;
 use crate::report::terminal::vehicle_line;
 use crate::source::visible;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -106,7 +106,7 @@ impl Document<'_> {
         format!(
             "{against}{} model, reserve {} of each set, {} samples",
             plan.model.name(),
-            percent(plan.reserve),
+            format!("{} %", part_of_all(plan.reserve)),
             plan.samples
         )
     }
