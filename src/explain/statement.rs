@@ -147,7 +147,7 @@ impl Statement {
             Statement::Reserve => {
                 let default = model.defaults.iter().any(|d| d.field == "plan.reserve");
                 let of = if default { " (the default)" } else { "" };
-                format!("a reserve of {}{of}", format!("{} %", part_of_all(model.plan.reserve)))
+                format!("a reserve of {} %{of}", part_of_all(model.plan.reserve))
             }
             Statement::Time => match model.plan.time {
                 MissionTime::Fixed(time) => format!("in {} s", number(time)),

@@ -47,7 +47,7 @@ impl Spacing {
     }
 
     /// The share of the pieces of a leg of `duration` s that have ended after the share `instant` of its duration: the
-    /// inverse of [`Spacing::instant`].
+    /// inverse of `instant`.
     pub fn share(self, duration: f64, instant: f64) -> f64 {
         match self {
             Spacing::Even => instant,

@@ -34,11 +34,11 @@ pub(super) fn head(model: &Model, mission: &Mission, comparison: &Comparison) ->
         modes => format!("fault modes {}", modes.join(", ")),
     };
     let mut out = format!(
-        "Mission {} with {}\nagainst {against}; {} model; reserve {} of each set; {} samples\n",
+        "Mission {} with {}\nagainst {against}; {} model; reserve {} % of each set; {} samples\n",
         mission.name,
         vehicle_line(model),
         model.plan.model.name(),
-        format!("{} %", part_of_all(model.plan.reserve)),
+        part_of_all(model.plan.reserve),
         model.plan.samples
     );
     if model.vehicle.is_uncertain() {

@@ -104,9 +104,9 @@ impl Document<'_> {
             _ => format!("against {}, ", modes.join(", ")),
         };
         format!(
-            "{against}{} model, reserve {} of each set, {} samples",
+            "{against}{} model, reserve {} % of each set, {} samples",
             plan.model.name(),
-            format!("{} %", part_of_all(plan.reserve)),
+            part_of_all(plan.reserve),
             plan.samples
         )
     }

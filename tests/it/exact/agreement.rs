@@ -3,6 +3,7 @@
 
 use super::{last, planning, solved};
 use crate::vehicles::{limit, mission, waypoint};
+use mavc::model::grid::Spacing;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, compare};
 use rand_distr::{Distribution, Uniform};
@@ -35,7 +36,7 @@ fn random_mission(seed: u64) -> Mission {
 }
 
 fn free(mission: Mission, planner: PlannerKind) -> Model {
-    let mut model = planning(mission, planner, &[0, 1], MissionTime::Minimum);
+    let mut model = planning(Mission { spacing: Spacing::Graded, ..mission }, planner, &[0, 1], MissionTime::Minimum);
     model.plan.samples = 24;
     model.plan.chooses_times = true;
     model
