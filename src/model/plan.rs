@@ -271,6 +271,9 @@ impl<'a> Draft<'a> {
             {
                 fit::too_many_for_a_search(cx, samples, given.span);
             }
+            if let Some(samples) = samples.filter(|_| self.chooses_times && time == Some(MissionTime::Minimum)) {
+                fit::warn_of_dependence(cx, samples, self.get("samples"), samples_span, mission);
+            }
             if let Some(MissionTime::Fixed(time)) = time {
                 fit::check_time(cx, time, time_span, mission);
             }

@@ -28,7 +28,7 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
         });
         return;
     }
-    let needed = holds + (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>();
+    let needed = needed(mission);
     if samples < needed {
         let message = {
             let (samples, legs) = (plural(samples, "sample"), plural(mission.legs.len(), "leg"));
@@ -43,6 +43,31 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
             None => warning,
         });
     }
+}
+
+/// Samples that holds and legs need ([`Mission::least_intervals`]).
+fn needed(mission: &Mission) -> usize {
+    let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+    holds + (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>()
+}
+
+/// Where legs need more than this share of the samples, the times found depend on their number (docs/performance.md).
+const MOST_NEEDED: f64 = 0.6;
+
+/// A time that is searched for wants samples to spare.
+pub fn warn_of_dependence(cx: &mut Context, samples: usize, given: Option<&Expr>, span: Span, mission: &Mission) {
+    let needed = needed(mission);
+    if samples < needed || needed as f64 <= MOST_NEEDED * samples as f64 {
+        return;
+    }
+    let enough = (needed as f64 / MOST_NEEDED).ceil() as usize;
+    let message = format!("the shortest time depends on `samples`: legs and holds need {needed} of {samples} at least");
+    let warning = Diagnostic::warning("mavc::plan::coarse_grid", span, message).here("few for a search of times");
+    let warning = warning.also(mission.span, "this mission").help(format!("write `samples = {enough}` or more"));
+    cx.report(match given {
+        Some(expr) => warning.fix(expr.span, enough.to_string()),
+        None => warning,
+    });
 }
 
 /// A search plans many times, so that it can have fewer samples than one plan.
