@@ -162,7 +162,7 @@ fn is_written(model: &Model, field: &str) -> bool {
 #[derive(Clone, Copy)]
 enum Possible {
     UpTo(f64),
-    /// Rotors that may not stop, or are stuck, lift at least the first, and all together the second.
+    /// At least the first, because rotors that cannot stop or are stuck lift that much, and at most the second.
     Between(f64, f64),
     Never,
 }
@@ -212,15 +212,12 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             );
             error.map(|error| Answer { reserve: true, ..error })
         }
-        // Forces and torques that span two dimensions or fewer steer nothing, whatever the tolerance.
+        // Roll, pitch and thrust cannot be controlled independently with fewer than three dimensions.
         (Verdict::Controllable, _) if mode.rank < 3 => answer(
             Severity::Warning,
             HOVER_ON_EDGE,
-            "the vehicle cannot be steered, though forces and torques balance in hover",
-            format!(
-                "what is left of thrust and torques has {} of 4 dimensions, and nearly every disturbance lies outside",
-                mode.rank
-            ),
+            "the vehicle cannot be steered, although thrust and torques balance in hover",
+            format!("the admissible set has {} of 4 dimensions, so almost no disturbance can be countered", mode.rank),
             match is_healthy {
                 true => "change the vehicle's layout",
                 false => "leave the mode out of `against`, or change the vehicle's layout",
@@ -250,7 +247,7 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                     format!("it could between {} and {} kg{says}", up(least, 4), down(most, 4))
                 }
                 Possible::Between(least, most) => {
-                    format!("it could at {} kg alone{says}", significant(0.5 * (least + most), 6))
+                    format!("it could only at {} kg{says}", significant(0.5 * (least + most), 6))
                 }
                 Possible::Never => "no mass makes it possible".to_string(),
             };

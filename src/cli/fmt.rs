@@ -41,14 +41,14 @@ fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
         return Ok(if is_same { FINE } else { SPEC_ERRORS });
     }
     if name == "-" || !is_same {
-        // What came through a descriptor of this process goes out as what came through standard input does.
+        // The file behind a descriptor may be open for reading only, so its text goes to standard output.
         let target = if is_descriptor(name) { "-" } else { name };
         write(&[(&Target::new(Path::new(target))?, text)])?;
     }
     Ok(FINE)
 }
 
-/// Whether a name is that of an open descriptor: what is behind it may have been opened for reading alone.
+/// Whether a name refers to an open descriptor of this process.
 fn is_descriptor(name: &str) -> bool {
     name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/")
 }

@@ -13,13 +13,12 @@ pub enum Spacing {
     Graded,
 }
 
-/// The length of pieces doubles within this time from an end of a leg, s: about what a multirotor takes to tilt. (Of 2, 1 and
-/// 0.5 s the last gives the times that depend least on the samples: docs/performance.md.)
+/// The length of pieces doubles within this time from an end of a leg, s (chosen by measurement among 2, 1 and 0.5 s:
+/// docs/performance.md).
 pub const TRANSIENT: f64 = 0.5;
 
 impl Spacing {
-    /// By how many pieces of the length at its ends a leg counts, times that length, s: the integral of the density of nodes,
-    /// which is 1 at the ends.
+    /// The weight of a leg when pieces are shared, s: the integral over it of a density of nodes that is 1 at its ends.
     fn measure(self, duration: f64) -> f64 {
         match self {
             Spacing::Even => duration,
@@ -101,16 +100,23 @@ pub fn fewest_pieces(mission: &Mission, durations: &[f64], samples: usize) -> Ve
     Shares::of(mission, durations, samples).whole_parts()
 }
 
-/// A piece counts as no longer than the spec's up to this factor: durations change a little after nodes are spaced.
-const MOST_LONGER: f64 = 1.1;
+/// A piece counts as no longer than the spec's up to these factors: to rounding on an even grid; on a graded one, whose shares
+/// depend on the duration, durations change a little after nodes are spaced.
+const MOST_LONGER_EVEN: f64 = 1.0 + 1e-6;
+const MOST_LONGER_GRADED: f64 = 1.1;
 
-/// Whether a leg has pieces longer than those of which there are `fewest` ([`fewest_pieces`]), by more than a tenth;
-/// `nodes` are the instants of its nodes, s, from start to end.
+/// Whether a leg has pieces longer than the spec's would be if there were `fewest` of them ([`fewest_pieces`]); `nodes` are
+/// the instants of its nodes, s, from start to end. What is not a number is longer.
 pub fn is_coarser(mission: &Mission, nodes: &[f64], fewest: usize) -> bool {
     let (Some(start), Some(end)) = (nodes.first(), nodes.last()) else { return false };
     let duration = end - start;
     let share = |t: f64| mission.spacing.share(duration, (t - start) / duration);
-    nodes.windows(2).any(|piece| (share(piece[1]) - share(piece[0])) * fewest as f64 > MOST_LONGER)
+    let most = match mission.spacing {
+        Spacing::Even => MOST_LONGER_EVEN,
+        Spacing::Graded => MOST_LONGER_GRADED,
+    };
+    let pieces = |piece: &[f64]| (share(piece[1]) - share(piece[0])) * fewest as f64;
+    nodes.windows(2).any(|piece| pieces(piece).partial_cmp(&most).is_none_or(|order| order.is_gt()))
 }
 
 /// Pieces in proportion to durations, but none below what its leg needs; where there are too few for that, none below one.
@@ -168,7 +174,24 @@ impl Shares {
 
 #[cfg(test)]
 mod tests {
-    use super::Shares;
+    use super::{Shares, Spacing, TRANSIENT};
+
+    /// `share` undoes `instant`, and a short piece at t s from the nearer end is proportional to `1 + t/TRANSIENT`.
+    #[test]
+    fn graded_pieces_grow_with_the_distance_from_the_ends() {
+        let (duration, count) = (25.0, 20_000);
+        let start = |nth: usize| Spacing::Graded.start_of(duration, nth, count);
+        assert!(start(0) == 0.0 && (start(count) - duration).abs() < 1e-12);
+        for nth in [0, 100, 5_000, 9_999, 10_000, 15_000, 19_999] {
+            let share = Spacing::Graded.share(duration, start(nth) / duration);
+            assert!((share - nth as f64 / count as f64).abs() < 1e-12, "{nth}: {share}");
+            let from_end = start(nth).min(duration - start(nth));
+            let length = (start(nth + 1) - start(nth)) / start(1);
+            assert!((length / (1.0 + from_end / TRANSIENT) - 1.0).abs() < 1e-3, "{nth}: {length}");
+        }
+        // Every piece counts the same in the measure.
+        assert!((Spacing::Graded.measure(duration) / count as f64 / start(1) - 1.0).abs() < 1e-3);
+    }
 
     #[test]
     fn rounding_gives_a_leg_at_most_one_piece_more() {

@@ -2,9 +2,9 @@
 //!
 //! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input
 //! (4 for x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is
-//! exact. A derivative of order i is stored times tau^i, tau four of the steps beside its node, which brings all variables
-//! and the entries of the rows that join them to like size. With splines the states are eliminated: fewer variables and no joining rows, but each row couples more of
-//! them.
+//! exact. A derivative of order i is multiplied by tau^i, tau four of the steps beside its node, which brings all variables
+//! and the entries of the rows that join them to like size. With splines the states are eliminated: fewer variables and no
+//! joining rows, but each row couples more of them.
 
 mod mission;
 

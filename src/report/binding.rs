@@ -113,7 +113,7 @@ pub fn text(model: &Model, mission: &Mission, solved: &Solved) -> String {
         n => format!("  On the other {n} legs no limit, set, tolerance or rest would save 1 ms.\n"),
     };
     let fixes = mission.waypoints.iter().skip(1).any(|w| w.time.is_some() || w.hold > 0.0);
-    let unasked = if fixes { "  Fixed times and holds are not among what is relaxed here.\n" } else { "" };
+    let unasked = if fixes { "  Fixed times and holds are not relaxed in this table.\n" } else { "" };
     format!("\n  {HEADLINE}\n{}{others}{unasked}", table.render_left(2))
 }
 

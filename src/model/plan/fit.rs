@@ -54,14 +54,15 @@ fn needed(mission: &Mission) -> usize {
 /// Where legs need more than this share of the samples, the times found depend on their number (docs/performance.md).
 const MOST_NEEDED: f64 = 0.6;
 
-/// A time that is searched for wants samples to spare.
+/// Warns where the planner searches for times and few samples are left for the longest legs.
 pub fn warn_of_dependence(cx: &mut Context, samples: usize, given: Option<&Expr>, span: Span, mission: &Mission) {
     let needed = needed(mission);
     if samples < needed || needed as f64 <= MOST_NEEDED * samples as f64 {
         return;
     }
     let enough = (needed as f64 / MOST_NEEDED).ceil() as usize;
-    let message = format!("the shortest time depends on `samples`: legs and holds need {needed} of {samples} at least");
+    let message =
+        format!("the shortest time may depend on `samples`: legs and holds need at least {needed} of {samples}");
     let warning = Diagnostic::warning("mavc::plan::coarse_grid", span, message).here("few for a search of times");
     let warning = warning.also(mission.span, "this mission").help(format!("write `samples = {enough}` or more"));
     cx.report(match given {

@@ -132,8 +132,8 @@ impl<'e, 'a> Successive<'e, 'a> {
         found
     }
 
-    /// Each row that a motion passes, on each leg at the instant where it is passed most.
-    pub(super) fn rows_passed_most(&self, motion: &Motion) -> BTreeSet<RowAt> {
+    /// Each row that a motion violates, on each leg at the instant of its largest violation.
+    pub(super) fn rows_violated_most(&self, motion: &Motion) -> BTreeSet<RowAt> {
         let form = self.transcription(&motion.profile, &[]);
         let mut worst: BTreeMap<(usize, usize), (f64, usize)> = BTreeMap::new();
         for instant in 0..form.instants() {
@@ -170,7 +170,7 @@ impl<'e, 'a> Successive<'e, 'a> {
     }
 
     /// The rows that each step has at every node: of limits on places, which do not depend on time, and on yaw. Yaw costs
-    /// little, and its acceleration would swing from one bound past the other wherever rows leave it free.
+    /// little, and its acceleration would oscillate beyond its bounds wherever no row limits it.
     pub(super) fn rows_everywhere(&self, profile: &Profile) -> BTreeSet<RowAt> {
         let is_yaw = |kind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration);
         self.limits_at_nodes(profile, |limit| place(limit.kind) || is_yaw(limit.kind)).collect()

@@ -147,8 +147,8 @@ impl Successive<'_, '_> {
             if stepped.sigma > hopeless || is_stuck {
                 return None;
             }
-            // A step that is taken only in part leaves the motion where it was: the rows that it passed stand in the next one.
-            pool.extend(self.rows_passed_most(&motion.with_states(stepped.states.clone())));
+            // If only a share of this step is taken, the next program still needs the rows that the full step violates.
+            pool.extend(self.rows_violated_most(&motion.with_states(stepped.states.clone())));
             excess = self.excess_by(&motion, pool);
             let mut share = 1.0;
             let (reached, now) = loop {

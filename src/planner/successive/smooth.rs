@@ -29,7 +29,7 @@ impl Successive<'_, '_> {
     /// A smooth motion through the waypoints that knows no set: the least cost with positions in their limits, and gentle
     /// where it begins or ends as it likes.
     pub(super) fn smooth(&mut self, profile: &Profile) -> Option<Motion> {
-        // Over long legs snap is so small that the solver's tolerance would leave noise: planned as if legs took a second.
+        // On long legs snap is so small that the solver's tolerance leaves noise in it: solved as if a leg took a second.
         let slower = (profile.total / profile.segments.len() as f64).max(1.0);
         let quick = profile.with_durations_times(|_| 1.0 / slower);
         let form = self.transcription(&quick, &[]);

@@ -14,7 +14,7 @@ const LEAST_REACH: f64 = 0.01;
 /// Proximity of steps that choose times, and their weight of the excess against the relative time: where it is cheap, time is
 /// bought with an excess that no motion of those durations can be rid of.
 const PROXIMITY: f64 = 0.1;
-/// The growth of the proximity after a step that failed; it falls alike after others.
+/// Factor by which the proximal weight grows after a step that fails and falls after one that succeeds.
 const FURTHER_OFF: f64 = 10.0;
 const PENALTY: f64 = 100.0;
 
@@ -119,11 +119,11 @@ impl Successive<'_, '_> {
                 reach *= SHRINK;
                 continue;
             };
-            // What this step leaves outside, the next one must keep inside.
-            let passed = self.rows_passed_most(&reached);
+            // The next program imposes the rows that this step violates, even if the step fails.
+            let passed = self.rows_violated_most(&reached);
             pool.extend(passed.iter().copied());
             known.extend(passed);
-            // A little more time is often all that a motion wants that nearly fits.
+            // If restoration fails, half of the gained time is often enough.
             let halfway = reached.slower(0.5 * (1.0 + motion.profile.total / reached.profile.total));
             let restored = self.restore_unless(reached, HOPELESS, &mut known);
             match restored.or_else(|| self.restore_unless(halfway, HOPELESS, &mut known)) {

@@ -39,7 +39,7 @@ pub fn section(planner: &PlannerRecord) -> Option<Section> {
                 }
             }
         }
-        p.note { "Fixed times and holds are not among what is relaxed here." }
+        p.note { "Fixed times and holds are not relaxed in this table." }
         @if left_out > 0 { p.note { (left_out) " more legs are left out here; " code { "--report" } " lists all." } }
     };
     Some(Section::new("limits", "What limits the time", body))
