@@ -16,7 +16,7 @@ pub use outcome::{
 
 use super::kinematics::least_time_within;
 use super::pool::Pool;
-use super::profile::{determined, has_fixed_times};
+use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned};
 use super::search::{Hint, NoTime, Shortest};
 use super::select::PlanningSet;
@@ -69,7 +69,6 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
     let ended = times::with_time_of_its_end(model, mission);
     let (model, mission) = ended.as_ref().map_or((model, mission), |(model, mission)| (model, mission));
     let mut comparison = match model.plan.chooses_times {
-        true if has_fixed_times(mission) => times::with_either_times(model, mission, scope, progress),
         true if model.plan.model == PlanModel::Hover => times::with_times_before(model, mission, scope, progress),
         _ => with_times(model, mission, scope, progress),
     };

@@ -14,6 +14,7 @@ mod search;
 mod sequence;
 mod shortest;
 mod smooth;
+mod spans;
 mod step;
 mod stopping;
 mod times;
@@ -36,6 +37,7 @@ use crate::model::{Limit, Model};
 use crate::solve::{Approach, Outcome, Solution, approach, solve};
 use lead::Lag;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 use step::{Objective, Step, change};
 
@@ -108,6 +110,8 @@ struct Durations {
     legs: Vec<Option<usize>>,
     /// Least and largest relative change of a duration.
     range: (f64, f64),
+    /// Legs between fixed times: they may share what is between these anew, but keep the sum of their durations.
+    spans: Vec<Range<usize>>,
 }
 
 /// Plans one mission against one set.
@@ -239,7 +243,7 @@ impl<'e, 'a> Successive<'e, 'a> {
     fn step(
         &mut self,
         motion: &Motion,
-        Durations { legs, range }: &Durations,
+        Durations { legs, range, spans }: &Durations,
         trust: Trust,
         weights: Weights,
         pool: &mut BTreeSet<RowAt>,
@@ -265,6 +269,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             penalty: weights.penalty,
             smoothing: weights.smoothing,
             range: *range,
+            spans,
             back_off: &self.back_off,
             bends: &bends,
             leads: leads.as_ref(),
@@ -310,7 +315,7 @@ impl<'e, 'a> Successive<'e, 'a> {
         Some(Stepped {
             states: form.states(&x),
             sigma: x[variables].max(0.0),
-            changes: legs.iter().map(of_leg).collect(),
+            changes: spans::keep_sums(&motion.profile, legs.iter().map(of_leg).collect(), spans),
         })
     }
 }

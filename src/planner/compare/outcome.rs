@@ -2,7 +2,6 @@
 
 use super::protect::Addition;
 use crate::model::{Mission, Model, PlanModel, PlannerKind};
-use crate::planner::profile::has_fixed_times;
 use crate::planner::rows::Planned;
 use crate::planner::select::{PlanningSet, SetRow};
 use crate::planner::successive::binding::LegBinding;
@@ -98,7 +97,6 @@ pub const THIS_YAW: &str = "with the yaw that is planned first";
 /// The part of the spec's freedom that a proof of no plan is confined to, if there is one.
 pub fn proofs_are_about(model: &Model, mission: &Mission) -> Option<&'static str> {
     match model.plan.model {
-        PlanModel::Exact if model.plan.chooses_times && has_fixed_times(mission) => Some(THESE_TIMES),
         PlanModel::Hover if model.plan.chooses_times && mission.legs.len() > 1 => Some(THESE_TIMES),
         PlanModel::Hover if !mission.has_one_yaw() => Some(THIS_YAW),
         _ => None,

@@ -2,7 +2,7 @@
 //! is the mission's time.
 
 use super::{Comparison, Progress, Scope, with_times};
-use crate::model::{Leg, Mission, MissionTime, Model, Plan, PlanModel, PlannerKind};
+use crate::model::{Leg, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::planner::kinematics::initial;
 use crate::planner::profile::determined;
 use crate::planner::rows::Engine;
@@ -64,7 +64,8 @@ fn better(first: Comparison, second: Comparison) -> Comparison {
 
 /// In the hover model, whose own search keeps the legs' shares, waypoint times are chosen before any planner runs.
 pub(super) fn with_times_before(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    if scope == Scope::Plan && matches!(model.plan.time, MissionTime::Fixed(_)) {
+    let is_given = matches!(model.plan.time, MissionTime::Fixed(_)) || determined(mission).is_some();
+    if scope == Scope::Plan && is_given {
         // A time that is long enough has a plan without a search for the times of waypoints.
         let at_once = with_times(model, &by_their_limits(model, mission), scope, progress);
         if is_solved(&at_once) {
@@ -78,14 +79,4 @@ pub(super) fn with_times_before(model: &Model, mission: &Mission, scope: Scope, 
     }
     // The times that the steps chose may be worse than those of the legs' lengths at the time asked for.
     better(first, with_times(model, mission, scope, progress))
-}
-
-/// Between fixed times legs take time as their own limits ask for it; where no plan is found so, by their lengths.
-pub(super) fn with_either_times(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    let laid_down = Model { plan: Plan { chooses_times: false, ..model.plan.clone() }, ..model.clone() };
-    let first = with_times(&laid_down, &by_their_limits(model, mission), scope, progress);
-    if is_solved(&first) {
-        return first;
-    }
-    better(first, with_times(&laid_down, mission, scope, progress))
 }

@@ -95,6 +95,7 @@ impl Successive<'_, '_> {
             penalty: PENALTY,
             smoothing: SMOOTHING,
             range: (-REACH, REACH),
+            spans: &[],
             back_off: &self.back_off,
             bends: &vec![0.0; chosen.len()],
             leads: leads.as_ref(),

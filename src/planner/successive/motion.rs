@@ -6,6 +6,9 @@ use super::super::wrench_model::WrenchModel;
 use super::PARTS;
 use crate::trajectory::{Trajectory, between};
 
+/// Derivatives within this of each other are the same, SI units: the solver leaves less, a step of durations more.
+const JOINED: f64 = 1e-5;
+
 /// Derivatives at the nodes of a profile without holds.
 #[derive(Debug, Clone)]
 pub struct Motion {
@@ -73,6 +76,18 @@ impl Motion {
             states: changed,
             model: self.model,
         }
+    }
+
+    /// Whether each interval ends with the position, the velocity and so on at which the next begins, to [`JOINED`]: a motion of
+    /// [`Self::stepped`] whose legs changed by different shares does not.
+    pub fn is_joined(&self) -> bool {
+        let times = &self.profile.node_times;
+        self.states.windows(2).zip(times.windows(2)).all(|(pair, t)| {
+            let h = t[1] - t[0];
+            let reached = between(&pair[0], &pair[1], h, h, self.model);
+            let same = |axis: usize, order: usize| (reached[axis][order] - pair[1][axis][order]).abs() <= JOINED;
+            self.model.orders().iter().enumerate().all(|(axis, &input)| (0..input).all(|order| same(axis, order)))
+        })
     }
 
     /// The same profile with other states.

@@ -35,6 +35,11 @@ const SLOWER: [f64; 10] = [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5
 /// A motion of the coarse grid is worth more patience on the full one, as long as the lines leave no more excess than this.
 const NEARLY_THERE: f64 = 0.3;
 
+/// Where a grid is this many times finer than one of so many intervals, times are chosen on that one first: from the coarse grid
+/// to a fine one motions are not always restored, and steps on a fine grid are dear.
+const FINER: f64 = 1.6;
+const MEDIUM: usize = 150;
+
 /// What is said where no plan is found and none is shown impossible.
 pub const NOT_FOUND: &str = "no plan found";
 
@@ -154,11 +159,20 @@ impl Successive<'_, '_> {
 
     /// A first motion inside the set, on the full grid, for the mission about as fast as `near` s of flight.
     pub(super) fn first(&mut self, near: f64) -> Option<Motion> {
-        let samples = self.engine.model.plan.samples;
         // Where durations are the planner's, each leg begins with what its own limits ask for. (A second start with shares by
         // length took up to twice the solves and found times at most 0.5 % shorter: docs/performance.md.)
         let initial = self.chooses_times().then(|| kinematics::initial(self.engine.model, self.engine.mission));
-        let motion = self.coarse(initial.as_deref(), near)?;
+        let mut motion = self.coarse(initial.as_deref(), near)?;
+        let samples = self.engine.model.plan.samples;
+        if self.chooses_times() && samples as f64 > FINER * MEDIUM.max(self.engine.coarse_samples()) as f64 {
+            motion = self.refined(motion, MEDIUM)?;
+            motion = self.better_times(motion, &times::FULL_GRID, near, &mut BTreeSet::new());
+        }
+        self.refined(motion, samples)
+    }
+
+    /// A motion inside the set on a grid with `samples` intervals, near one on another grid.
+    fn refined(&mut self, motion: Motion, samples: usize) -> Option<Motion> {
         let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
         self.forget_multipliers();
@@ -174,6 +188,12 @@ impl Successive<'_, '_> {
         let smooth = self.smooth(&fine)?;
         let timed = self.timed(&smooth)?;
         self.restore_slower(&timed, &mut BTreeSet::new())
+    }
+
+    /// A short motion on the coarse grid, begun from what each leg's own limits ask for.
+    pub(super) fn first_coarse(&mut self) -> Option<Motion> {
+        let initial = kinematics::initial(self.engine.model, self.engine.mission);
+        self.coarse(Some(&initial), 0.0)
     }
 
     /// A motion inside the set on the coarse grid, about as fast as `near` s of flight, from legs with these shares of the time, or
@@ -225,11 +245,9 @@ impl Successive<'_, '_> {
         if let Some(planned) = self.at_once(&full, begins) {
             return Decision::Feasible(Box::new(planned));
         }
-        if self.chooses_times() {
-            let by_length = self.lay_out(None, total, samples);
-            if let Some(planned) = by_length.and_then(|full| self.at_once(&full, &[])) {
-                return Decision::Feasible(Box::new(planned));
-            }
+        let by_length = self.chooses_times().then(|| self.lay_out(None, total, samples)).flatten();
+        if let Some(planned) = by_length.as_ref().and_then(|full| self.at_once(full, &[])) {
+            return Decision::Feasible(Box::new(planned));
         }
         // What is shown of one division of the time is not shown of all. A proof is cheaper than a plan from further away, and
         // where there is none the relaxation's own motion, which keeps every limit, may be made to fit.
@@ -242,7 +260,11 @@ impl Successive<'_, '_> {
             }
             _ => {}
         }
-        match self.begun_further_away(total, begins) {
+        let further_away = match self.divides_spans() {
+            true => self.divided_anew(total, &[[full].as_slice(), by_length.as_slice()].concat()),
+            false => self.begun_further_away(total, begins),
+        };
+        match further_away {
             Some(planned) => Decision::Feasible(Box::new(planned)),
             None => Decision::Inconclusive(NOT_FOUND.into()),
         }
@@ -277,23 +299,29 @@ impl Successive<'_, '_> {
 
     /// A plan over a profile about the smooth motion there, or about another plan flown in the same time: the first that is
     /// found, or one about a cheaper plan that is inside as it is, so that plans of smaller sets are seldom cheaper.
-    fn at_once(&mut self, full: &Profile, begins: &[&Planned]) -> Option<Planned> {
+    pub(super) fn at_once(&mut self, full: &Profile, begins: &[&Planned]) -> Option<Planned> {
         let flown = full.total - self.held();
         let fixed = has_fixed_times(self.engine.mission);
         let mut pool = BTreeSet::new();
         let smooth = self.smooth(&full.flown());
         let mut found = smooth.and_then(|motion| self.kept_near(motion, full.total, CLOSELY, &mut pool));
-        // Where waypoints have times of their own another plan serves only if it has the same.
+        // Where waypoints have times of their own another plan serves only if it has the same: the mission's time, where the legs
+        // divide the rest as they like.
+        let same = |a: f64, b: f64| (a - b).abs() <= 1e-9 * full.total;
+        let divides = self.chooses_times();
         let as_long = |other: &Motion| {
             let pairs = other.profile.segments.iter().zip(full.segments.iter().filter(|s| !s.hold));
-            !fixed || pairs.into_iter().all(|(a, b)| (a.duration - b.duration).abs() <= 1e-9 * full.total)
+            match divides {
+                true => same(other.profile.total, flown),
+                false => pairs.into_iter().all(|(a, b)| same(a.duration, b.duration)),
+            }
         };
         for planned in begins {
             let other = self.motion_of(planned);
-            if !as_long(&other) {
+            if fixed && !as_long(&other) {
                 continue;
             }
-            let scaled = other.slower(flown / other.profile.total);
+            let scaled = if fixed { other } else { other.slower(flown / other.profile.total) };
             let worth = |found: &Planned| self.cost(&scaled) < found.objective && self.excess(&scaled) <= 0.0;
             if found.as_ref().is_none_or(worth) {
                 let kept = self.kept_near(scaled, full.total, CLOSELY, &mut pool);

@@ -3,7 +3,7 @@
 use super::*;
 
 /// Proximity of steps that restore feasibility: they seek nearly the nearest motion that does.
-const RESTORING: f64 = 0.1;
+pub(super) const RESTORING: f64 = 0.1;
 
 /// Most steps to restore feasibility; over each [`PATIENCE`] of them the excess has to fall to this share of what it was.
 const MOST_RESTORING: usize = 12;
@@ -92,7 +92,7 @@ struct Descent {
 
 impl Successive<'_, '_> {
     pub(super) fn durations_stand(&self) -> Durations {
-        Durations { legs: vec![None; self.engine.mission.legs.len()], range: (0.0, 0.0) }
+        Durations { legs: vec![None; self.engine.mission.legs.len()], range: (0.0, 0.0), spans: Vec::new() }
     }
 
     /// A motion made to fit in a shorter time: the lines about the motion as it was tell how, for the motion merely flown
@@ -102,7 +102,8 @@ impl Successive<'_, '_> {
             Shorter::UpTo(share, least) => ((-share, 0.0), Objective::Time, CHOOSING, least),
             Shorter::By(share) => ((-share, -share), Objective::Cost, HASTENING, 0.0),
         };
-        let durations = Durations { legs: vec![Some(0); self.engine.mission.legs.len()], range };
+        let durations =
+            Durations { legs: vec![Some(0); self.engine.mission.legs.len()], range, spans: Vec::new() };
         let weights = Weights { objective, penalty: HASTENED, smoothing };
         let stepped = self.step(motion, &durations, Trust { proximity }, weights, pool)?;
         if stepped.changes[0] > -least {
@@ -165,6 +166,11 @@ impl Successive<'_, '_> {
             if now < excess {
                 (motion, excess) = (reached, now);
             }
+        }
+        // Steps of which only a share was taken, or none, leave gaps at waypoints where durations have changed.
+        if !motion.is_joined() {
+            let joined = self.joined(&motion, pool).filter(Motion::is_joined)?;
+            return self.restore_unless(joined, hopeless, pool);
         }
         self.prune(&motion, pool);
         Some(motion)

@@ -1,5 +1,6 @@
 //! The shortest mission time of a plan, and what is said where there is none.
 
+use super::super::kinematics;
 use super::super::profile::{determined, earliest, has_fixed_times};
 use super::super::rows::Decision;
 use super::super::search::{GRID, NoTime, Shortest};
@@ -11,6 +12,13 @@ use super::*;
 /// Times without a plan are not tried beyond this many times the first guess.
 const SLOWEST: f64 = 20.0;
 
+/// Times after the last fixed time that a first plan is sought with, in initial durations of the legs there.
+const AMPLE: [f64; 2] = [1.0, 2.5];
+
+fn shortest(time: f64, planned: Planned) -> Shortest {
+    Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() }
+}
+
 fn not_found(at: f64) -> NoTime {
     NoTime::Inconclusive { at, status: NOT_FOUND.into() }
 }
@@ -19,8 +27,6 @@ impl Successive<'_, '_> {
     /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from plans of
     /// other sets where there are some.
     pub fn shortest(&mut self, begins: &[&Planned]) -> Result<Shortest, NoTime> {
-        let shortest =
-            |time: f64, planned: Planned| Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() };
         if let Some(total) = determined(self.engine.mission) {
             return match self.decide(total, begins) {
                 Decision::Feasible(planned) => Ok(shortest(total, *planned)),
@@ -29,7 +35,10 @@ impl Successive<'_, '_> {
             };
         }
         if has_fixed_times(self.engine.mission) {
-            return self.shortest_after_fixed_times(begins);
+            return match self.chooses_times() {
+                true => self.shortest_about_fixed_times(begins),
+                false => self.shortest_after_fixed_times(begins),
+            };
         }
         let mut pool = BTreeSet::new();
         let slowed = self.slowed(begins, &mut pool);
@@ -40,16 +49,49 @@ impl Successive<'_, '_> {
             true => self.better_times(motion, smoothing, 0.0, &mut pool),
             false => self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool),
         };
+        self.rounded_up(&motion, &mut pool)
+    }
+
+    /// The plan of least cost about a motion, at its time rounded up to [`GRID`]: flown a little slower a plan is one still, or
+    /// nearly always.
+    fn rounded_up(&mut self, motion: &Motion, pool: &mut BTreeSet<RowAt>) -> Result<Shortest, NoTime> {
         let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();
-        // Flown a little slower a plan is one still, or nearly always.
         for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
             let time = (ticks + late) / (1.0 / GRID).round();
-            let slower = motion.slower((time - self.held()) / motion.profile.total);
-            if let Some(planned) = self.kept_near(slower, time, CLOSELY, &mut pool) {
+            let slower = self.lasting(motion, time - self.held());
+            if let Some(planned) = self.kept_near(slower, time, CLOSELY, pool) {
                 return Ok(shortest(time, planned));
             }
         }
-        Err(not_found(motion.profile.total))
+        Err(not_found(motion.profile.total + self.held()))
+    }
+
+    /// Where waypoints have fixed times and the others' are the planner's: the plan of another set, or one with ample time after
+    /// the last fixed time, and steps towards shorter times from there.
+    fn shortest_about_fixed_times(&mut self, begins: &[&Planned]) -> Result<Shortest, NoTime> {
+        let mission = self.engine.mission;
+        let after = self.spans().last().map_or(0, |span| span.end);
+        let unhurried: f64 = kinematics::initial(self.engine.model, mission)[after..].iter().sum();
+        let mut times: Vec<f64> = begins.iter().map(|planned| planned.profile.total).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let begun = times.len();
+        times.extend(AMPLE.map(|factor| ((earliest(mission) + factor * unhurried) / GRID).ceil() / (1.0 / GRID).round()));
+        let mut found = None;
+        for (nth, &time) in times.iter().enumerate() {
+            if let Decision::Feasible(planned) = self.decide(time, begins) {
+                found = Some((planned, if nth < begun { &times::WARM_START[..] } else { &times::FULL_GRID[..] }));
+                break;
+            }
+        }
+        let Some((planned, smoothing)) = found else { return Err(not_found(times[times.len() - 1])) };
+        let mut pool = BTreeSet::new();
+        let motion = self.better_times(self.motion_of(&planned), smoothing, 0.0, &mut pool);
+        let shorter = self.rounded_up(&motion, &mut pool);
+        match &shorter {
+            Ok(found) if found.time < planned.profile.total => shorter,
+            _ => Ok(shortest(planned.profile.total, *planned)),
+        }
     }
 
     /// Why no plan was found about a time, nor slower: none was found, or there is none from a quarter of that flight on, at
@@ -118,6 +160,6 @@ impl Successive<'_, '_> {
             }
         }
         let (time, planned) = best.ok_or_else(|| not_found(low))?;
-        Ok(Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() })
+        Ok(shortest(time, planned))
     }
 }

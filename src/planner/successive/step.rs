@@ -19,6 +19,7 @@ use crate::flatness::FlatState;
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// What a step seeks; all objectives are relative and of order one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,6 +52,8 @@ pub struct Step<'s> {
     pub smoothing: f64,
     /// Least and largest relative change of a duration.
     pub range: (f64, f64),
+    /// Legs whose durations keep their sum; see [`super::Durations::spans`].
+    pub spans: &'s [Range<usize>],
     /// What each row of the set keeps free, in widths of the healthy set.
     pub back_off: &'s [f64],
     /// What each chosen row keeps free beyond that.
@@ -200,6 +203,13 @@ impl Transcription<'_> {
                 builder.nonnegative(change.clone().plus_constant(-least), RowOrigin::Duration { leg });
                 builder.nonnegative(change.times(-1.0).plus_constant(most), RowOrigin::Duration { leg });
             }
+        }
+        let duration = |leg: usize| self.profile.segments[leg].duration;
+        for span in step.spans.iter().filter(|span| step.legs[(*span).clone()].iter().any(Option::is_some)) {
+            let whole: f64 = span.clone().map(duration).sum();
+            let mut sum = Affine::constant(0.0);
+            span.clone().for_each(|leg| sum.add(&self.stretch(step, leg), duration(leg) / whole));
+            builder.zero(sum, RowOrigin::Duration { leg: span.end - 1 });
         }
         if step.objective == Objective::Time {
             for segment in &self.profile.segments {

@@ -67,7 +67,7 @@ impl Successive<'_, '_> {
 
     /// The motion on the grid that its durations ask for, where some leg has longer pieces than that ([`is_coarser`]); as it
     /// is where it cannot be restored there.
-    fn on_its_own_grid(&mut self, motion: Motion, pool: &mut BTreeSet<RowAt>) -> Motion {
+    pub(super) fn on_its_own_grid(&mut self, motion: Motion, pool: &mut BTreeSet<RowAt>) -> Motion {
         let mission = self.engine.mission;
         let segments = &motion.profile.segments;
         let durations: Vec<f64> = segments.iter().map(|s| s.duration).collect();
@@ -84,7 +84,7 @@ impl Successive<'_, '_> {
         for factor in SLOWER {
             // Rows are known by the instants of a grid.
             let mut known = BTreeSet::new();
-            if let Some(inside) = self.restore_unless(there.slower(factor), HOPELESS, &mut known) {
+            if let Some(inside) = self.restore_unless(self.lasting(&there, factor * own.total), HOPELESS, &mut known) {
                 *pool = known;
                 return inside;
             }
@@ -101,7 +101,8 @@ impl Successive<'_, '_> {
         left: &mut usize,
         pool: &mut BTreeSet<RowAt>,
     ) -> Motion {
-        let legs: Vec<Option<usize>> = (0..self.engine.mission.legs.len()).map(Some).collect();
+        let spans = self.spans();
+        let legs = self.changing(&spans);
         let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing };
         let mut trust = Trust { proximity: PROXIMITY };
         let mut reach = FIRST_REACH;
@@ -109,7 +110,7 @@ impl Successive<'_, '_> {
             *left -= 1;
             self.engine.progress(motion.profile.total + self.held());
             let mut known = pool.clone();
-            let durations = Durations { legs: legs.clone(), range: (-reach, reach) };
+            let durations = Durations { legs: legs.clone(), range: (-reach, reach), spans: spans.clone() };
             let stepped = self.step(&motion, &durations, trust, weights, &mut known);
             let reached = stepped.map(|stepped| motion.stepped(&stepped.states, &stepped.changes));
             if reached.as_ref().is_some_and(|r| r.profile.total > (1.0 - SMALL) * motion.profile.total) {
@@ -124,7 +125,7 @@ impl Successive<'_, '_> {
             pool.extend(passed.iter().copied());
             known.extend(passed);
             // If restoration fails, half of the gained time is often enough.
-            let halfway = reached.slower(0.5 * (1.0 + motion.profile.total / reached.profile.total));
+            let halfway = self.lasting(&reached, 0.5 * (motion.profile.total + reached.profile.total));
             let restored = self.restore_unless(reached, HOPELESS, &mut known);
             match restored.or_else(|| self.restore_unless(halfway, HOPELESS, &mut known)) {
                 Some(inside) => {
