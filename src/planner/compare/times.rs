@@ -4,7 +4,7 @@
 use super::{Comparison, Progress, Scope, with_times};
 use crate::model::{Leg, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::planner::kinematics::initial;
-use crate::planner::profile::determined;
+use crate::planner::profile::{determined, has_fixed_times};
 use crate::planner::rows::Engine;
 use crate::planner::sets::PlanningSets;
 use crate::planner::successive::Successive;
@@ -64,8 +64,10 @@ fn better(first: Comparison, second: Comparison) -> Comparison {
 
 /// In the hover model, whose own search keeps the legs' shares, waypoint times are chosen before any planner runs.
 pub(super) fn with_times_before(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
-    let is_given = matches!(model.plan.time, MissionTime::Fixed(_)) || determined(mission).is_some();
-    if scope == Scope::Plan && is_given {
+    if has_fixed_times(mission) {
+        return about_fixed_times(model, mission, scope, progress);
+    }
+    if scope == Scope::Plan && matches!(model.plan.time, MissionTime::Fixed(_)) {
         // A time that is long enough has a plan without a search for the times of waypoints.
         let at_once = with_times(model, &by_their_limits(model, mission), scope, progress);
         if is_solved(&at_once) {
@@ -79,4 +81,21 @@ pub(super) fn with_times_before(model: &Model, mission: &Mission, scope: Scope, 
     }
     // The times that the steps chose may be worse than those of the legs' lengths at the time asked for.
     better(first, with_times(model, mission, scope, progress))
+}
+
+/// Between fixed times legs take time as their own limits ask for it; where no plan is found so, by their lengths, and then as the
+/// steps choose.
+fn about_fixed_times(model: &Model, mission: &Mission, scope: Scope, progress: Progress) -> Comparison {
+    let first = with_times(model, &by_their_limits(model, mission), scope, progress);
+    if is_solved(&first) {
+        return first;
+    }
+    let second = better(first, with_times(model, mission, scope, progress));
+    if is_solved(&second) {
+        return second;
+    }
+    match with_better_times(model, mission, progress) {
+        Some(timed) => better(second, with_times(model, &timed, scope, progress)),
+        None => second,
+    }
 }

@@ -38,7 +38,7 @@ const NEARLY_THERE: f64 = 0.3;
 /// Where a grid is this many times finer than one of so many intervals, times are chosen on that one first: from the coarse grid
 /// to a fine one motions are not always restored, and steps on a fine grid are dear.
 const FINER: f64 = 1.6;
-const MEDIUM: usize = 150;
+const MEDIUM: usize = 100;
 
 /// What is said where no plan is found and none is shown impossible.
 pub const NOT_FOUND: &str = "no plan found";
@@ -164,11 +164,17 @@ impl Successive<'_, '_> {
         let initial = self.chooses_times().then(|| kinematics::initial(self.engine.model, self.engine.mission));
         let mut motion = self.coarse(initial.as_deref(), near)?;
         let samples = self.engine.model.plan.samples;
-        if self.chooses_times() && samples as f64 > FINER * MEDIUM.max(self.engine.coarse_samples()) as f64 {
-            motion = self.refined(motion, MEDIUM)?;
+        if let Some(medium) = self.medium_grid() {
+            motion = self.refined(motion, medium)?;
             motion = self.better_times(motion, &times::FULL_GRID, near, &mut BTreeSet::new());
         }
         self.refined(motion, samples)
+    }
+
+    /// The number of intervals of a grid between the coarse and the full one on which times are chosen first, where there is one.
+    pub(super) fn medium_grid(&self) -> Option<usize> {
+        let medium = MEDIUM.max(self.engine.coarse_samples());
+        (self.chooses_times() && self.engine.model.plan.samples as f64 > FINER * medium as f64).then_some(medium)
     }
 
     /// A motion inside the set on a grid with `samples` intervals, near one on another grid.
@@ -234,19 +240,36 @@ impl Successive<'_, '_> {
         self.chooses_times() && kinematics::least_time_within(model, mission).is_above(total)
     }
 
+    /// The divisions of a mission time that are tried as they are: the one that [`Self::begun`] gives and, where durations are the
+    /// planner's, the one by lengths. None where some leg has no time.
+    fn divisions(&self, total: f64) -> Vec<Profile> {
+        let samples = self.engine.model.plan.samples;
+        let by_length = self.chooses_times().then(|| self.lay_out(None, total, samples)).flatten();
+        self.begun(total, samples).into_iter().chain(by_length).collect()
+    }
+
+    /// A plan over the first of these profiles that has one; other plans are begun from on the first.
+    fn at_one_of(&mut self, divisions: &[Profile], begins: &[&Planned]) -> Option<Planned> {
+        divisions.iter().enumerate().find_map(|(nth, full)| {
+            self.engine.progress(full.total);
+            self.at_once(full, if nth == 0 { begins } else { &[] })
+        })
+    }
+
+    /// The same at one mission time.
+    pub(super) fn soon_decided(&mut self, total: f64, begins: &[&Planned]) -> Option<Planned> {
+        let divisions = self.divisions(total);
+        self.at_one_of(&divisions, begins)
+    }
+
     /// A plan at one mission time, begun from other plans where there are some, the first that will do.
     pub fn decide(&mut self, total: f64, begins: &[&Planned]) -> Decision {
         if self.is_too_short(total) {
             return Decision::Infeasible;
         }
-        let samples = self.engine.model.plan.samples;
-        let Some(full) = self.begun(total, samples) else { return Decision::Infeasible };
-        self.engine.progress(total);
-        if let Some(planned) = self.at_once(&full, begins) {
-            return Decision::Feasible(Box::new(planned));
-        }
-        let by_length = self.chooses_times().then(|| self.lay_out(None, total, samples)).flatten();
-        if let Some(planned) = by_length.as_ref().and_then(|full| self.at_once(full, &[])) {
+        let divisions = self.divisions(total);
+        let Some(full) = divisions.first() else { return Decision::Infeasible };
+        if let Some(planned) = self.at_one_of(&divisions, begins) {
             return Decision::Feasible(Box::new(planned));
         }
         // What is shown of one division of the time is not shown of all. A proof is cheaper than a plan from further away, and
@@ -261,7 +284,7 @@ impl Successive<'_, '_> {
             _ => {}
         }
         let further_away = match self.divides_spans() {
-            true => self.divided_anew(total, &[[full].as_slice(), by_length.as_slice()].concat()),
+            true => self.divided_anew(total, &divisions),
             false => self.begun_further_away(total, begins),
         };
         match further_away {

@@ -8,6 +8,7 @@ pub(super) const RESTORING: f64 = 0.1;
 /// Most steps to restore feasibility; over each [`PATIENCE`] of them the excess has to fall to this share of what it was.
 const MOST_RESTORING: usize = 12;
 const PATIENCE: usize = 2;
+const MOST_REJECTED: usize = 3;
 const FALL: f64 = 0.4;
 
 /// Below this excess rows at other instants take turns, and each step that adds them is worth its while.
@@ -133,6 +134,7 @@ impl Successive<'_, '_> {
         let mut excess = self.excess_by(&motion, pool);
         let mut history = Vec::new();
         let mut lines: Vec<f64> = Vec::new();
+        let mut rejected = 0;
         self.forget_multipliers();
         while excess > 0.0 {
             history.push(excess);
@@ -149,7 +151,8 @@ impl Successive<'_, '_> {
                 return None;
             }
             // If only a share of this step is taken, the next program still needs the rows that the full step violates.
-            pool.extend(self.rows_violated_most(&motion.with_states(stepped.states.clone())));
+            let whole = motion.with_states(stepped.states.clone());
+            pool.extend(self.rows_violated_most(&whole));
             excess = self.excess_by(&motion, pool);
             let mut share = 1.0;
             let (reached, now) = loop {
@@ -165,6 +168,15 @@ impl Successive<'_, '_> {
             }
             if now < excess {
                 (motion, excess) = (reached, now);
+            } else {
+                // Too many rows were unknown to the program for any share of its step: it gets all of them.
+                pool.extend(self.rows_at_nodes(&whole, 0.0));
+                pool.extend(self.rows_between(&whole));
+                history.pop();
+                rejected += 1;
+                if rejected > MOST_REJECTED {
+                    return None;
+                }
             }
         }
         // Steps of which only a share was taken, or none, leave gaps at waypoints where durations have changed.

@@ -13,7 +13,7 @@ use super::*;
 const SLOWEST: f64 = 20.0;
 
 /// Times after the last fixed time that a first plan is sought with, in initial durations of the legs there.
-const AMPLE: [f64; 2] = [1.0, 2.5];
+const AMPLE: [f64; 4] = [1.0, 1.5, 2.5, 5.0];
 
 fn shortest(time: f64, planned: Planned) -> Shortest {
     Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() }
@@ -42,7 +42,8 @@ impl Successive<'_, '_> {
         }
         let mut pool = BTreeSet::new();
         let slowed = self.slowed(begins, &mut pool);
-        let smoothing: &[f64] = if slowed.is_some() { &times::WARM_START } else { &times::FULL_GRID };
+        let has_good_times = slowed.is_some() || self.medium_grid().is_some();
+        let smoothing: &[f64] = if has_good_times { &times::WARM_START } else { &times::FULL_GRID };
         let guess = self.engine.guess();
         let Some(mut motion) = slowed.or_else(|| self.first(0.0)) else { return Err(self.none_at_all(guess)) };
         motion = match self.chooses_times() {
@@ -72,25 +73,26 @@ impl Successive<'_, '_> {
         let mission = self.engine.mission;
         let after = self.spans().last().map_or(0, |span| span.end);
         let unhurried: f64 = kinematics::initial(self.engine.model, mission)[after..].iter().sum();
-        let mut times: Vec<f64> = begins.iter().map(|planned| planned.profile.total).collect();
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        let begun = times.len();
-        times.extend(AMPLE.map(|factor| ((earliest(mission) + factor * unhurried) / GRID).ceil() / (1.0 / GRID).round()));
-        let mut found = None;
-        for (nth, &time) in times.iter().enumerate() {
-            if let Decision::Feasible(planned) = self.decide(time, begins) {
-                found = Some((planned, if nth < begun { &times::WARM_START[..] } else { &times::FULL_GRID[..] }));
-                break;
-            }
+        let mut tried: Vec<f64> = begins.iter().map(|planned| planned.profile.total).collect();
+        tried.sort_by(f64::total_cmp);
+        tried.dedup();
+        let begun = tried.len();
+        tried.extend(AMPLE.map(|factor| ((earliest(mission) + factor * unhurried) / GRID).ceil() / (1.0 / GRID).round()));
+        let mut found = (0..tried.len()).find_map(|nth| Some((nth, self.soon_decided(tried[nth], begins)?)));
+        let ample = tried.len() - 1;
+        if found.is_none()
+            && let Decision::Feasible(planned) = self.decide(tried[ample], &[])
+        {
+            found = Some((ample, *planned));
         }
-        let Some((planned, smoothing)) = found else { return Err(not_found(times[times.len() - 1])) };
+        let Some((nth, planned)) = found else { return Err(not_found(tried[ample])) };
+        let smoothing: &[f64] = if nth < begun { &times::WARM_START } else { &times::FULL_GRID };
         let mut pool = BTreeSet::new();
         let motion = self.better_times(self.motion_of(&planned), smoothing, 0.0, &mut pool);
         let shorter = self.rounded_up(&motion, &mut pool);
         match &shorter {
             Ok(found) if found.time < planned.profile.total => shorter,
-            _ => Ok(shortest(planned.profile.total, *planned)),
+            _ => Ok(shortest(planned.profile.total, planned)),
         }
     }
 

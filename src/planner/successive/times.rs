@@ -41,7 +41,7 @@ const MOST_STEPS: usize = 40;
 impl Successive<'_, '_> {
     /// Whether waypoint times are the planner's to choose.
     pub(super) fn chooses_times(&self) -> bool {
-        self.engine.model.plan.chooses_times
+        self.engine.model.plan.chooses_times && self.engine.mission.leaves_times_free()
     }
 
     /// Steps in which each leg has its own change of duration; each is made a motion again with those durations and kept

@@ -32,6 +32,7 @@ fn past(kind: LimitKind, upper: f64, state: &NodeState, gravity: f64) -> f64 {
         LimitKind::Speed => norm(state, &[X, Y, Z], 1) / upper - 1.0,
         LimitKind::Tilt => norm(state, &[X, Y], 2).atan2(state[Z][2] + gravity) - upper,
         LimitKind::YawRate => state[YAW][1].abs() / upper - 1.0,
+        LimitKind::Climb => state[Z][1] / upper - 1.0,
         LimitKind::Z => state[Z][0] - upper,
         LimitKind::Jerk => norm(state, &[X, Y, Z], 3) / upper - 1.0,
         LimitKind::Acceleration => norm(state, &[X, Y, Z], 2) / upper - 1.0,

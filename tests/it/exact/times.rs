@@ -3,6 +3,7 @@
 use super::plans::planned;
 use super::{last, planning, solved, turning};
 use crate::vehicles::{limit, mission, waypoint};
+use mavc::model::grid::Spacing;
 use mavc::model::{Leg, LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::Ending;
 use std::sync::LazyLock;
@@ -86,6 +87,36 @@ fn fixed_times_and_holds_stand() {
     let mut model = quick(met, true);
     model.plan.time = MissionTime::Fixed(7.0);
     planned(&model);
+}
+
+/// A short way, up at 1 m/s, and along at 4 m/s to a waypoint with a fixed time: what lengths and limits ask for by themselves leaves
+/// no plan, other divisions of that time do, whether the mission's time is free or given.
+#[test]
+fn legs_between_fixed_times_divide_their_time_anew() {
+    let at = |x: f64, y: f64, z: f64| waypoint([x, y, z], 0.0);
+    let mut points = vec![at(0.0, 0.0, 2.0), at(0.5, 0.0, 2.0), at(0.5, 0.0, 6.0), at(12.5, 0.0, 6.0), at(12.5, 3.0, 6.0)];
+    points[3].time = Some(8.5);
+    let limits = vec![limit(LimitKind::Climb, 1.0), limit(LimitKind::Speed, 4.0), limit(LimitKind::Tilt, 0.5)];
+    let mission = Mission { limits, spacing: Spacing::Graded, ..mission(points) };
+    let mut model = quick(mission.clone(), true);
+    let shortest = |model: &Model| {
+        let found = planned(model);
+        let plan = &solved(last(&found)).trajectory;
+        let arrivals: Vec<f64> = plan.waypoint_nodes.iter().map(|&node| plan.times[node]).collect();
+        assert_eq!(arrivals[3], 8.5);
+        (arrivals, plan.duration())
+    };
+    let (arrivals, time) = shortest(&model);
+    assert!(time < 10.0, "{time}");
+    let (up, along) = (arrivals[2] - arrivals[1], arrivals[3] - arrivals[2]);
+    assert!(up > 1.2 * along, "{arrivals:?}");
+    model.plan.time = MissionTime::Fixed(11.0);
+    assert_eq!(shortest(&model).1, 11.0);
+    // The same divisions for the planner to keep.
+    for legs in [[1.0; 4].map(|share| Leg { share }), [0.5, 4.0, 12.0, 3.0].map(|share| Leg { share })] {
+        let kept = quick(Mission { legs: legs.to_vec(), ..mission.clone() }, false);
+        assert!(!matches!(last(&super::compared(&kept)).ending, Ending::Solved(_)), "{legs:?}");
+    }
 }
 
 /// Who chooses times can choose these, so what is proved of all times is proved of these.
