@@ -101,6 +101,8 @@ struct Weights {
     penalty: f64,
     /// See [`Step::smoothing`].
     smoothing: f64,
+    /// See [`Step::calming`].
+    calming: f64,
 }
 
 /// How durations may change in a step.
@@ -268,6 +270,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             objective: weights.objective,
             penalty: weights.penalty,
             smoothing: weights.smoothing,
+            calming: weights.calming,
             range: *range,
             spans,
             back_off: &self.back_off,

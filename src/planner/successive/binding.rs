@@ -94,6 +94,7 @@ impl Successive<'_, '_> {
             objective: Objective::Time,
             penalty: PENALTY,
             smoothing: SMOOTHING,
+            calming: 0.0,
             range: (-REACH, REACH),
             spans: &[],
             back_off: &self.back_off,

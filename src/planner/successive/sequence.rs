@@ -8,6 +8,8 @@ pub(super) const RESTORING: f64 = 0.1;
 /// Most steps to restore feasibility; over each [`PATIENCE`] of them the excess has to fall to this share of what it was.
 const MOST_RESTORING: usize = 12;
 const PATIENCE: usize = 2;
+/// See [`Step::calming`].
+pub(super) const CALMING: f64 = 1e-3;
 const MOST_REJECTED: usize = 3;
 const FALL: f64 = 0.4;
 
@@ -103,9 +105,8 @@ impl Successive<'_, '_> {
             Shorter::UpTo(share, least) => ((-share, 0.0), Objective::Time, CHOOSING, least),
             Shorter::By(share) => ((-share, -share), Objective::Cost, HASTENING, 0.0),
         };
-        let durations =
-            Durations { legs: vec![Some(0); self.engine.mission.legs.len()], range, spans: Vec::new() };
-        let weights = Weights { objective, penalty: HASTENED, smoothing };
+        let durations = Durations { legs: vec![Some(0); self.engine.mission.legs.len()], range, spans: Vec::new() };
+        let weights = Weights { objective, penalty: HASTENED, smoothing, calming: 0.0 };
         let stepped = self.step(motion, &durations, Trust { proximity }, weights, pool)?;
         if stepped.changes[0] > -least {
             return None;
@@ -129,9 +130,11 @@ impl Successive<'_, '_> {
         pool: &mut BTreeSet<RowAt>,
     ) -> Option<Motion> {
         let durations = self.durations_stand();
-        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0 };
         let mut trust = Trust { proximity: RESTORING };
         let mut excess = self.excess_by(&motion, pool);
+        // A motion that nearly fits has no need of other inputs.
+        let calming = if excess < NEARLY { CALMING } else { 0.0 };
+        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0, calming };
         let mut history = Vec::new();
         let mut lines: Vec<f64> = Vec::new();
         let mut rejected = 0;
@@ -191,7 +194,7 @@ impl Successive<'_, '_> {
     /// Steps towards the least cost. Both the motion given and the one returned are inside at every instant; in between
     /// merit is the cost and a penalty on the excess.
     pub(super) fn settle(&mut self, motion: Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Motion {
-        let weights = Weights { objective: Objective::Cost, penalty: PENALTY, smoothing: 1.0 };
+        let weights = Weights { objective: Objective::Cost, penalty: PENALTY, smoothing: 1.0, calming: 0.0 };
         let mut descent = Descent { left: care.steps, trust: Trust { proximity: self.settling }, weights };
         let mut best = (self.cost(&motion), motion);
         loop {

@@ -77,7 +77,9 @@ impl Successive<'_, '_> {
         tried.sort_by(f64::total_cmp);
         tried.dedup();
         let begun = tried.len();
-        tried.extend(AMPLE.map(|factor| ((earliest(mission) + factor * unhurried) / GRID).ceil() / (1.0 / GRID).round()));
+        tried.extend(
+            AMPLE.map(|factor| ((earliest(mission) + factor * unhurried) / GRID).ceil() / (1.0 / GRID).round()),
+        );
         let mut found = (0..tried.len()).find_map(|nth| Some((nth, self.soon_decided(tried[nth], begins)?)));
         let ample = tried.len() - 1;
         if found.is_none()

@@ -2,7 +2,7 @@
 //! legs after the last fixed time can take longer together.
 
 use super::super::profile::has_fixed_times;
-use super::sequence::{CLOSELY, RESTORING};
+use super::sequence::{CALMING, CLOSELY, RESTORING};
 use super::*;
 use crate::model::Mission;
 
@@ -82,7 +82,7 @@ impl Successive<'_, '_> {
 
     /// A motion whose legs have just changed by different shares, joined at its waypoints by one step towards the least excess.
     pub(super) fn joined(&mut self, motion: &Motion, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
-        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0 };
+        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0, calming: CALMING };
         let stepped = self.step(motion, &self.durations_stand(), Trust { proximity: RESTORING }, weights, pool)?;
         Some(motion.with_states(stepped.states))
     }
@@ -121,7 +121,7 @@ impl Successive<'_, '_> {
     fn restore_anew(&mut self, mut motion: Motion, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
         let spans = self.spans_of_all();
         let legs = self.changing(&spans);
-        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0 };
+        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0, calming: CALMING };
         let mut excess = self.excess_by(&motion, pool);
         let mut reach = FIRST_REACH;
         for _ in 0..MOST_STEPS {

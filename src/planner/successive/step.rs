@@ -46,6 +46,9 @@ pub struct Step<'s> {
     pub curvature: &'s [(usize, NodeState, Vec<FlatState>)],
     /// Weight of the squared relative change of accelerations, which keeps the step where the lines are true.
     pub proximity: f64,
+    /// Weight of the squared relative change of inputs. On a fine grid accelerations that change by less than the solver can see
+    /// still hide inputs that change by much.
+    pub calming: f64,
     /// Weight of the excess.
     pub penalty: f64,
     /// Weight of the cost (48), relative to that of the last motion.
@@ -235,6 +238,36 @@ impl Transcription<'_> {
         factors.iter().map(change).collect()
     }
 
+    /// Keeps the inputs near those of the last motion; each is compared to its mean square, those of the coordinates together.
+    fn stay_calm(&self, builder: &mut Builder, step: &Step) {
+        let steps: Vec<f64> = self.profile.steps().collect();
+        let square = |axis: usize, k: usize| {
+            let [u0, u1] = [k, k + 1].map(|node| step.from[node][axis][self.orders[axis]]);
+            (u0 * u0 + u0 * u1 + u1 * u1) / 3.0
+        };
+        for group in [&[X, Y, Z][..], &[YAW]] {
+            let sum: f64 = group
+                .iter()
+                .flat_map(|&axis| steps.iter().enumerate().map(move |(k, h)| (axis, k, h)))
+                .map(|(axis, k, h)| h * square(axis, k))
+                .sum();
+            if sum == 0.0 {
+                continue;
+            }
+            for (k, h) in steps.iter().enumerate() {
+                for &axis in group {
+                    let order = self.orders[axis];
+                    let [d0, d1] = [k, k + 1]
+                        .map(|node| self.at_node(node, axis, order).plus_constant(-step.from[node][axis][order]));
+                    let c = 0.5 * step.calming * h / 3.0 / sum;
+                    builder.inner_product(&d0, &d0, c);
+                    builder.inner_product(&d0, &d1, c);
+                    builder.inner_product(&d1, &d1, c);
+                }
+            }
+        }
+    }
+
     /// Keeps accelerations, and psi, near those of the last motion: there the wrench's curvature lies.
     fn stay_near(&self, builder: &mut Builder, step: &Step) {
         let g = self.model.gravity;
@@ -248,6 +281,9 @@ impl Transcription<'_> {
         }
         if let Some(leads) = step.leads {
             self.curve_leads(builder, leads);
+        }
+        if step.calming > 0.0 {
+            self.stay_calm(builder, step);
         }
         let free: Vec<usize> = self.free_ends().collect();
         for (node, from) in step.from.iter().enumerate() {

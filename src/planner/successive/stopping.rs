@@ -31,7 +31,7 @@ impl Successive<'_, '_> {
         let durations = self.durations_stand();
         let linear = matches!(self.wrench, WrenchModel::HoverAt(_));
         let mut trust = Trust { proximity: if linear { LINEAR } else { CURVED } };
-        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0 };
+        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0, calming: 0.0 };
         let mut pool = BTreeSet::new();
         let mut history: Vec<f64> = Vec::new();
         self.multipliers.clear();

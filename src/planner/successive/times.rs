@@ -103,7 +103,7 @@ impl Successive<'_, '_> {
     ) -> Motion {
         let spans = self.spans();
         let legs = self.changing(&spans);
-        let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing };
+        let weights = Weights { objective: Objective::Time, penalty: PENALTY, smoothing, calming: 0.0 };
         let mut trust = Trust { proximity: PROXIMITY };
         let mut reach = FIRST_REACH;
         while reach >= LEAST_REACH && *left > 0 && motion.profile.total > target {

@@ -94,7 +94,8 @@ fn fixed_times_and_holds_stand() {
 #[test]
 fn legs_between_fixed_times_divide_their_time_anew() {
     let at = |x: f64, y: f64, z: f64| waypoint([x, y, z], 0.0);
-    let mut points = vec![at(0.0, 0.0, 2.0), at(0.5, 0.0, 2.0), at(0.5, 0.0, 6.0), at(12.5, 0.0, 6.0), at(12.5, 3.0, 6.0)];
+    let mut points =
+        vec![at(0.0, 0.0, 2.0), at(0.5, 0.0, 2.0), at(0.5, 0.0, 6.0), at(12.5, 0.0, 6.0), at(12.5, 3.0, 6.0)];
     points[3].time = Some(8.5);
     let limits = vec![limit(LimitKind::Climb, 1.0), limit(LimitKind::Speed, 4.0), limit(LimitKind::Tilt, 0.5)];
     let mission = Mission { limits, spacing: Spacing::Graded, ..mission(points) };
