@@ -23,7 +23,7 @@ fn squares(allocator: &Allocator, wrench: &Wrench) -> Vec<f64> {
     allocator.speeds(wrench).iter().map(|w| w * w).collect()
 }
 
-/// Groups of modes (0 is healthy, i + 1 is `Model::modes[i]`) whose torques at the instants do not tell them apart;
+/// Groups of modes (0 is healthy, i + 1 is `Model::modes[i]`) whose torques differ too little at the instants for one sample of the estimator;
 /// only groups of two or more. `instants` holds squared rotor speeds.
 ///
 /// A fault is like the healthy vehicle where at every instant the difference of their torques is below the threshold at
@@ -72,7 +72,7 @@ pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
 /// Instants of a plan at which modes are compared: with thousands of modes every node would be too many.
 const INSTANTS: usize = 200;
 
-/// Groups of modes that no estimate tells apart at nodes spread over a plan; none where nothing is estimated.
+/// Groups of modes that look alike to the estimator at nodes spread over a plan; none where nothing is estimated.
 pub fn along(model: &Model, trajectory: &Trajectory) -> Vec<Vec<usize>> {
     if model.simulation.detection != Detection::Estimator {
         return Vec::new();
@@ -115,15 +115,20 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     }
     let groups = twins(model, &[squares(&Allocator::new(&model.vehicle), &hover(model))]);
     let matters = |group: &&Vec<usize>| model.campaign.written || group.iter().any(|m| struck.contains(m));
-    let told: Vec<String> = groups.iter().filter(matters).map(|group| listed(&names(model, group))).collect();
+    let told = |group: &Vec<usize>| {
+        let names = names(model, group);
+        format!("{} from {}", listed(&names[1..]), names[0])
+    };
+    let told: Vec<String> = groups.iter().filter(matters).map(told).collect();
     if told.is_empty() {
         return found;
     }
     let some = if told.len() > SHOWN { format!("; and {} more groups", told.len() - SHOWN) } else { String::new() };
-    let message = format!("in hover no estimate tells apart {}{some}", told[..told.len().min(SHOWN)].join("; nor "));
+    let message = format!("in hover the estimator may not tell {}{some}", told[..told.len().min(SHOWN)].join("; nor "));
     found
         .push(warning(ALIKE, message).help(
-            "their torques there differ by less than noise: write `detection = 50 ms` for faults told otherwise",
+            "their torques there differ by less than the threshold for one sample: write `detection = 50 ms` for faults that \
+             something else reports",
         ));
     found
 }

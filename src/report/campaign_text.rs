@@ -66,7 +66,7 @@ fn flown_how(design: &Design) -> String {
     };
     format!(
         "controller {}, allocation {}; {detection}; after_fault = {}\n\
-         lost: {} m from its place, tilted past 90 degrees for {} s, {}or struck the ground; {}\n",
+         lost: {} m from its place, tilted past 90 degrees for {} s or at the end, {}or struck the ground; {}\n",
         s.controller.name(),
         model.vehicle.allocation.name(),
         s.after_fault.name(),
@@ -86,10 +86,10 @@ fn aftermath(design: &Design) -> String {
     }
 }
 
-/// `heading 90 degrees off for 1 s, `, where heading is judged.
+/// `heading 90 degrees off for 1 s or at the end, `, where heading is judged.
 fn off_heading(s: &Simulation) -> String {
     s.lost_yaw.map_or(String::new(), |limit| {
-        format!("heading {} degrees off for {} s, ", number(limit.to_degrees()), number(s.lost_yaw_after))
+        format!("heading {} degrees off for {} s or at the end, ", number(limit.to_degrees()), number(s.lost_yaw_after))
     })
 }
 

@@ -151,7 +151,7 @@ fn check_warns_of_modes_that_look_alike_in_hover() {
         String::from_utf8(ran.unwrap().stdout).unwrap()
     };
     let told = check("simulate { fault opposite at 1 s }");
-    assert!(told.contains("mavc::simulate::alike") && told.contains("healthy and opposite"), "{told}");
+    assert!(told.contains("mavc::simulate::alike") && told.contains("opposite from healthy"), "{told}");
     assert!(!check("simulate { fault M3 at 1 s }").contains("alike"));
     assert!(!check("simulate { detection = 50 ms; fault opposite at 1 s }").contains("alike"));
 }

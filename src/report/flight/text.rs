@@ -74,15 +74,15 @@ pub fn text(told: &Told) -> String {
     };
     match told.alike {
         [] => {}
-        [one] => out.push_str(&fill(&format!(
-            "The torques of {} are alike all along the plan: no estimate tells them apart.",
-            listed(one)
-        ))),
         groups => {
-            let groups: Vec<String> = groups.iter().map(|group| listed(group)).collect();
+            // Each mode of a group was compared with its first.
+            let told = |group: &Vec<&str>| {
+                format!("the torques of {} differ little from those of {}", listed(&group[1..]), group[0])
+            };
+            let told: Vec<String> = groups.iter().map(told).collect();
             out.push_str(&fill(&format!(
-                "Modes whose torques are alike all along the plan, so that no estimate tells them apart: {}.",
-                groups.join("; ")
+                "All along the plan {}: less than the threshold for one sample of the estimator, which may take long to tell them apart.",
+                told.join("; ")
             )));
         }
     }

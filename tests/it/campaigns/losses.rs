@@ -42,7 +42,11 @@ fn vehicles_that_spin_are_lost_and_the_table_says_to_what() {
         let line = |mode: &str| printed.lines().find(|l| l.trim_start().starts_with(mode)).unwrap().to_string();
         assert_eq!(line("spin ").ends_with("  2 heading"), !survives, "{printed}");
         assert!(line("healthy").ends_with("  -") && !line("dead").ends_with("  -"), "{printed}");
-        assert_eq!(printed.contains("heading 90 degrees off for 1 s, or struck the ground"), !survives, "{printed}");
+        assert_eq!(
+            printed.contains("heading 90 degrees off for 1 s or at the end, or struck the ground"),
+            !survives,
+            "{printed}"
+        );
         assert!(of(0)["max_heading_error_rad"].is_null() != survives);
     }
 }
