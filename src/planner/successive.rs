@@ -7,6 +7,7 @@
 
 pub mod binding;
 mod evaluation;
+mod guess;
 mod lead;
 mod motion;
 mod relaxation;

@@ -78,7 +78,7 @@ impl Motion {
         }
     }
 
-    /// Whether each interval ends with the position, the velocity and so on at which the next begins, to [`JOINED`]: a motion of
+    /// Whether each interval ends with the position, the velocity and so on at which the next begins, to 1e-5 (SI units): a motion of
     /// [`Self::stepped`] whose legs changed by different shares does not.
     pub fn is_joined(&self) -> bool {
         let times = &self.profile.node_times;

@@ -16,11 +16,11 @@ const PRECISION: f64 = 1e-4;
 
 /// Relative steps towards shorter times: the first on the coarse and on the full grid, by how much one shrinks where no
 /// plan is found, and the least.
-const COARSE_STEP: f64 = 0.1;
+pub(super) const COARSE_STEP: f64 = 0.1;
 pub(super) const FINE_STEP: f64 = 0.04;
 const SHRINK: f64 = 0.3;
 const GROW: f64 = 1.5;
-const LEAST_COARSE: f64 = 0.02;
+pub(super) const LEAST_COARSE: f64 = 0.02;
 pub(super) const LEAST_FINE: f64 = 0.0025;
 
 /// Where lines allow less than this share of the least step, it is not worth its while.
@@ -31,14 +31,6 @@ const ROUNDING: f64 = 1e-12;
 
 /// Where a motion found elsewhere cannot be restored at its own time, it is flown slower by these factors.
 const SLOWER: [f64; 10] = [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5];
-
-/// A motion of the coarse grid is worth more patience on the full one, as long as the lines leave no more excess than this.
-const NEARLY_THERE: f64 = 0.3;
-
-/// Where a grid is this many times finer than one of so many intervals, times are chosen on that one first: from the coarse grid
-/// to a fine one motions are not always restored, and steps on a fine grid are dear.
-const FINER: f64 = 1.6;
-const MEDIUM: usize = 100;
 
 /// What is said where no plan is found and none is shown impossible.
 pub const NOT_FOUND: &str = "no plan found";
@@ -68,7 +60,7 @@ impl Successive<'_, '_> {
 
     /// The motion's path in its own shares of time, about as fast as stays inside at the nodes. `None` where no slowing
     /// down helps.
-    fn timed(&self, motion: &Motion) -> Option<Motion> {
+    pub(super) fn timed(&self, motion: &Motion) -> Option<Motion> {
         let form = self.transcription(&motion.profile, &[]);
         let inside = |factor: f64| {
             let slow = motion.slower(factor);
@@ -97,7 +89,7 @@ impl Successive<'_, '_> {
     }
 
     /// The motion at the first of [`SLOWER`] times at which it can be restored.
-    fn restore_slower(&mut self, motion: &Motion, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
+    pub(super) fn restore_slower(&mut self, motion: &Motion, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
         SLOWER.into_iter().find_map(|factor| self.restore_at(motion, factor, pool))
     }
 
@@ -157,75 +149,6 @@ impl Successive<'_, '_> {
         Motion { states: planned.profile.without_holds(&planned.states), profile, model: self.wrench }
     }
 
-    /// A first motion inside the set, on the full grid, for the mission about as fast as `near` s of flight.
-    pub(super) fn first(&mut self, near: f64) -> Option<Motion> {
-        // Where durations are the planner's, each leg begins with what its own limits ask for. (A second start with shares by
-        // length took up to twice the solves and found times at most 0.5 % shorter: docs/performance.md.)
-        let initial = self.chooses_times().then(|| kinematics::initial(self.engine.model, self.engine.mission));
-        let mut motion = self.coarse(initial.as_deref(), near)?;
-        let samples = self.engine.model.plan.samples;
-        if let Some(medium) = self.medium_grid() {
-            motion = self.refined(motion, medium)?;
-            motion = self.better_times(motion, &times::FULL_GRID, near, &mut BTreeSet::new());
-        }
-        self.refined(motion, samples)
-    }
-
-    /// The number of intervals of a grid between the coarse and the full one on which times are chosen first, where there is one.
-    pub(super) fn medium_grid(&self) -> Option<usize> {
-        let medium = MEDIUM.max(self.engine.coarse_samples());
-        (self.chooses_times() && self.engine.model.plan.samples as f64 > FINER * medium as f64).then_some(medium)
-    }
-
-    /// A motion inside the set on a grid with `samples` intervals, near one on another grid.
-    fn refined(&mut self, motion: Motion, samples: usize) -> Option<Motion> {
-        let durations: Vec<f64> = motion.profile.segments.iter().map(|s| s.duration).collect();
-        let fine = self.lay_out(Some(&durations), motion.profile.total + self.held(), samples)?;
-        self.forget_multipliers();
-        let fine = fine.flown();
-        let same = motion.on(&fine);
-        if let Some(restored) = self.restore_unless(same.clone(), NEARLY_THERE, &mut BTreeSet::new()) {
-            return Some(restored);
-        }
-        if let Some(restored) = self.restore_slower(&same, &mut BTreeSet::new()) {
-            return Some(restored);
-        }
-        // Flown slower a motion near its limits need not come nearer to the set; a smooth one in the same shares of time does.
-        let smooth = self.smooth(&fine)?;
-        let timed = self.timed(&smooth)?;
-        self.restore_slower(&timed, &mut BTreeSet::new())
-    }
-
-    /// A short motion on the coarse grid, begun from what each leg's own limits ask for.
-    pub(super) fn first_coarse(&mut self) -> Option<Motion> {
-        let initial = kinematics::initial(self.engine.model, self.engine.mission);
-        self.coarse(Some(&initial), 0.0)
-    }
-
-    /// A motion inside the set on the coarse grid, about as fast as `near` s of flight, from legs with these shares of the time, or
-    /// with shares by length.
-    fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Motion> {
-        self.engine.effort.starts += 1;
-        let longest: f64 = shares.map_or(0.0, |legs| legs.iter().sum());
-        let guess = self.engine.guess().max(near + self.held()).max(longest + self.held());
-        let coarse = self.lay_out(shares, guess, self.engine.coarse_samples())?;
-        let smooth = self.smooth(&coarse.flown())?;
-        let mut motion = self.timed(&smooth)?;
-        let mut pool = BTreeSet::new();
-        if near > motion.profile.total {
-            motion = motion.slower(near / motion.profile.total);
-        }
-        motion = self.restore_slower(&motion, &mut pool)?;
-        // At a given time the motion need not be the shortest: all legs are first shortened alike.
-        if near > 0.0 || !self.chooses_times() {
-            motion = self.descend(motion, (COARSE_STEP, LEAST_COARSE), near, &mut pool);
-        }
-        match self.chooses_times() {
-            true => Some(self.better_times(motion, &times::COARSE_GRID, near, &mut pool)),
-            false => Some(motion),
-        }
-    }
-
     /// A motion inside the set made from other plans, the first that will do flown least slower.
     pub(super) fn slowed(&mut self, begins: &[&Planned], pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
         self.engine.effort.starts += begins.len();
@@ -248,7 +171,7 @@ impl Successive<'_, '_> {
         self.begun(total, samples).into_iter().chain(by_length).collect()
     }
 
-    /// A plan over the first of these profiles that has one; other plans are begun from on the first.
+    /// The first plan found on these time grids. The plans in `begins` are initial guesses on the first grid only.
     fn at_one_of(&mut self, divisions: &[Profile], begins: &[&Planned]) -> Option<Planned> {
         divisions.iter().enumerate().find_map(|(nth, full)| {
             self.engine.progress(full.total);
@@ -256,7 +179,7 @@ impl Successive<'_, '_> {
         })
     }
 
-    /// The same at one mission time.
+    /// A plan on one of the divisions of a mission time, without any other initial guess.
     pub(super) fn soon_decided(&mut self, total: f64, begins: &[&Planned]) -> Option<Planned> {
         let divisions = self.divisions(total);
         self.at_one_of(&divisions, begins)
