@@ -26,12 +26,12 @@ pub struct Agreement {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scope {
     pub modes: usize,
-    /// Over all planners, and each.
+    /// Over all plans, and each. Planners of one motion fly it alike: the first of them stands for it.
     pub total: Contingency,
     pub planners: Vec<(PlannerKind, Contingency)>,
-    /// Of seconds outside with the share lost, over planners and modes.
+    /// Of seconds outside with the share lost, over plans and modes.
     pub rank_correlation: Option<f64>,
-    /// Pairs of planner and mode with struck flights.
+    /// Pairs of plan and mode with struck flights.
     pub pairs: usize,
 }
 
@@ -77,6 +77,7 @@ impl Scope {
         let mut scope = Scope { modes: modes.len(), ..Scope::default() };
         let mut pairs = Vec::new();
         for (p, plan) in design.plans.iter().enumerate() {
+            let is_told = design.plans[..p].iter().any(|earlier| earlier.trajectory.is_that_of(&plan.trajectory));
             let mut table = Contingency::default();
             for &m in &modes {
                 let outside = &plan.outside[m];
@@ -84,11 +85,13 @@ impl Scope {
                 for (k, cell) in tally.cells(p, m).iter().enumerate() {
                     let predicted = outside.last.is_some_and(|last| design.fault_time(k) < last);
                     table.add(predicted, cell.lost, cell.struck);
-                    scope.total.add(predicted, cell.lost, cell.struck);
+                    if !is_told {
+                        scope.total.add(predicted, cell.lost, cell.struck);
+                    }
                     struck += cell.struck;
                     lost += cell.lost;
                 }
-                if struck > 0 {
+                if struck > 0 && !is_told {
                     pairs.push((outside.seconds, lost as f64 / struck as f64));
                 }
             }

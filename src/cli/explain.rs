@@ -2,31 +2,37 @@ use super::{FINE, Problem, USAGE, files};
 use crate::diagnostic::{codes, nearest};
 use crate::source::visible;
 
-/// Codes that are named instead of one that there is not.
-const MOST_OFFERED: usize = 20;
-
 /// `mavc explain`
 pub fn run(code: Option<&str>) -> Result<u8, Problem> {
     let Some(code) = code else {
         files::print(&listed(codes::all()))?;
         return Ok(FINE);
     };
-    match codes::lookup(code) {
-        Some(page) => {
-            files::print(&format!("{}\n\n{}\n", page.code, page.page.trim()))?;
-            Ok(FINE)
-        }
-        // The codes of one kind, as in `mavc explain sense`.
-        None if of_kind(code).next().is_some() => {
-            files::print(&listed(of_kind(code)))?;
-            Ok(FINE)
-        }
-        None => {
-            // Several lines, which a problem is not.
+    if let Some(page) = codes::lookup(code) {
+        files::print(&whole(page))?;
+        return Ok(FINE);
+    }
+    let kind: Vec<_> = of_kind(code).collect();
+    let found = if kind.is_empty() { by_part(code) } else { kind };
+    match found[..] {
+        [] => {
             files::tell(&format!("mavc: {}\n", unknown(&visible::line(code))));
             Ok(USAGE)
         }
+        [only] => files::print(&whole(only)).map(|()| FINE),
+        _ => files::print(&listed(found)).map(|()| FINE),
     }
+}
+
+/// A page under its code.
+fn whole(page: &codes::CodePage) -> String {
+    format!("{}\n\n{}\n", page.code, page.page.trim())
+}
+
+/// The codes that have this in them.
+fn by_part(part: &str) -> Vec<&'static codes::CodePage> {
+    let part = part.trim().trim_matches(':').to_lowercase().replace(['-', ' '], "_");
+    codes::all().iter().filter(|page| !part.is_empty() && page.code.contains(&part)).collect()
 }
 
 /// The codes whose middle word this is, with or without the first.
@@ -43,16 +49,9 @@ fn listed<'p>(pages: impl IntoIterator<Item = &'p codes::CodePage>) -> String {
     pages.iter().map(|page| format!("{:<width$}  {}\n", page.code, page.title)).collect()
 }
 
-/// What to ask for instead of `code`: the codes that have it in them, or else the nearest, by the whole or by its last word.
+/// What to ask for instead of `code`: the nearest, by the whole or by its last word.
 fn unknown(code: &str) -> String {
     let word = code.to_lowercase().replace(['-', ' '], "_");
-    let within: Vec<_> = codes::all().iter().filter(|page| !word.is_empty() && page.code.contains(&word)).collect();
-    if let [only] = within[..] {
-        return format!("there is no code {code}; did you mean {}?", only.code);
-    }
-    if (2..=MOST_OFFERED).contains(&within.len()) {
-        return format!("there is no code {code}; these have it in them:\n{}", listed(within).trim_end());
-    }
     let written = if word.starts_with("mavc::") { word.clone() } else { format!("mavc::{word}") };
     let whole = || nearest(&written, codes::all().iter().map(|page| page.code));
     let by_last_word = || {

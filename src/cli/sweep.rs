@@ -223,7 +223,7 @@ impl Sweep {
         for (mode, verdict) in &self.start {
             out.push_str(&format!("  {mode}: {}", verdict.words()));
             for f in self.flips.iter().filter(|f| f.mode == *mode) {
-                out.push_str(&format!("; {} above {} {}", f.above().words(), significant(f.at, 6), self.unit));
+                out.push_str(&format!("; {} above {} {}", f.above().words(), significant(f.at, 5), self.unit));
             }
             out.push('\n');
         }

@@ -2,10 +2,10 @@
 
 use super::context::{CONSTANTS, Context};
 use super::due::joined_unit;
-use super::expression::Value;
+use super::expression::{Value, trailing_unit};
 use crate::diagnostic::Diagnostic;
 use crate::source::{Span, Spanned};
-use crate::syntax::ast::{Expr, Operator};
+use crate::syntax::ast::{Expr, ExprKind, Operator};
 use crate::unit::{Quantity, compare, parse_unit};
 
 impl<'a> Context<'a> {
@@ -119,7 +119,11 @@ impl<'a> Context<'a> {
         let message = format!("`{}` joins {} and {}", symbol(operator), x.describe(), y.describe());
         let table = compare(["left", "right"], x, y).table;
         let (bare, other) = if x.is_plain() { (left, y) } else { (right, x) };
-        let bare_side = (x.is_plain() || y.is_plain()).then(|| other.named()).flatten();
+        // `3 %` and `3 deg` are plain numbers that have their unit already.
+        let unit_of_bare = trailing_unit(bare).map(|unit| unit.value.as_str());
+        let is_share = operator.span.start < bare.span.start && unit_of_bare == Some("%");
+        let bare_side =
+            (x.is_plain() || y.is_plain()).then(|| other.named()).flatten().filter(|_| unit_of_bare.is_none());
         let error = Diagnostic::error("mavc::unit::mismatch", operator.span, message)
             .here("both sides must measure the same")
             .also(left.span, format!("this is {}", x.describe()))
@@ -131,6 +135,10 @@ impl<'a> Context<'a> {
         let slip = match bare_side.and_then(|(_, unit)| self.with_unit(bare, unit)) {
             _ if error.help.is_some() => error.help.as_ref().map(|help| format!("a unit is missing: {help}")),
             Some(mended) => Some(format!("a unit is missing: write `{mended}`")),
+            None if is_share && matches!(left.kind, ExprKind::Number { .. } | ExprKind::Name(_)) => {
+                let [whole, share] = [left, right].map(|side| self.sources.snippet(side.span));
+                Some(format!("a share is taken of a quantity: write `{whole}*(1 {} {share})`", symbol(operator)))
+            }
             None => self.likely_slip(y, left).or_else(|| self.likely_slip(x, right)),
         };
         let error = error.help(match slip {

@@ -213,7 +213,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    fn attach_one(&mut self, q: Quantity, unit: Unit, text: &UnitText, span: Span) -> Option<Quantity> {
+    pub(super) fn attach_one(&mut self, q: Quantity, unit: Unit, text: &UnitText, span: Span) -> Option<Quantity> {
         if q.dimension.is_plain() {
             return Some(Quantity::with_unit(q.value, unit));
         }

@@ -8,7 +8,7 @@ use super::context::{Context, duplicate};
 use super::due::Due;
 use super::expression::Value;
 use super::fields::Fields;
-use super::{AfterFault, FaultMode, after_fault};
+use super::{AfterFault, FaultMode, after_fault, sense};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::{Span, Spanned, visible};
@@ -204,7 +204,11 @@ impl Loss {
         const CODE: &str = "mavc::fault::percent";
         match effect {
             Effect::Lost(_) => Some(Loss::Capacity(0.0)),
-            Effect::Reduced(to) => cx.share("what is left of a rotor", to, CODE).map(Loss::Capacity),
+            Effect::Reduced(to) => {
+                let left = cx.share("what is left of a rotor", to, CODE)?;
+                sense::effect(cx, left, to.span);
+                Some(Loss::Capacity(left))
+            }
             Effect::Stuck(at) => cx.share("the thrust a rotor is stuck at", at, CODE).map(Loss::Stuck),
         }
     }

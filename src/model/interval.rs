@@ -7,7 +7,7 @@ use super::expression::{Value, is_bare, trailing_unit};
 use crate::diagnostic::Diagnostic;
 use crate::report::number::number;
 use crate::source::Span;
-use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::ast::{Expr, ExprKind, UnitText};
 use crate::unit::Quantity;
 
 const INTERVAL: &str = "mavc::unit::interval";
@@ -55,6 +55,26 @@ pub struct RotorSpread {
     pub torque_per_thrust: Spread,
 }
 
+/// An interval as it is written: `value +- by`, or `(value +- by) unit`.
+struct Written<'a> {
+    value: &'a Expr,
+    by: &'a Expr,
+    unit: Option<&'a UnitText>,
+}
+
+/// The interval that an expression is, in brackets or not.
+fn written(expr: &Expr) -> Option<Written<'_>> {
+    match &expr.kind {
+        ExprKind::Interval { value, by } => Some(Written { value, by, unit: None }),
+        ExprKind::Paren { inner, unit } => {
+            let inside = written(inner)?;
+            // Of two units the inner one stands; the outer one has nothing to go with.
+            (inside.unit.is_none() || unit.is_none()).then(|| Written { unit: unit.as_ref().or(inside.unit), ..inside })
+        }
+        _ => None,
+    }
+}
+
 impl Vehicle {
     /// Whether any number of it is known only to within bounds.
     pub fn is_uncertain(&self) -> bool {
@@ -70,11 +90,18 @@ impl Vehicle {
 impl<'a> Context<'a> {
     /// As [`Context::positive`], with the interval about it if one is written; all of it above zero.
     pub(super) fn interval(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<(f64, Spread)> {
-        let ExprKind::Interval { value, by } = &expr.kind else {
+        let Some(Written { value, by, unit }) = written(expr) else {
             return self.positive(due, expr, code).map(|value| (value, Spread::NONE));
         };
         let (middle, width) = (self.evaluate_quantity(value), self.evaluate_quantity(by));
-        let (mut middle, width) = (middle?, width?);
+        let (mut middle, mut width) = (middle?, width?);
+        if let Some(text) = unit {
+            let unit = self.unit(text)?;
+            middle = self.attach_one(middle, unit, text, value.span)?;
+            if is_bare(width, by) {
+                width = Quantity::with_unit(width.value, unit);
+            }
+        }
         // A unit at the end applies to a bare middle: `1.8 +- 0.05 kg`.
         if is_bare(middle, value)
             && let Some(text) = trailing_unit(by)
@@ -83,6 +110,17 @@ impl<'a> Context<'a> {
             if unit.dimension == width.dimension && !width.dimension.is_plain() {
                 middle = Quantity::with_unit(middle.value, unit);
             }
+        }
+        if let (ExprKind::Number { text, unit: None, .. }, false) = (&by.kind, middle.dimension.is_plain())
+            && width.dimension.is_plain()
+        {
+            let percent = number(100.0 * width.value);
+            let error =
+                Diagnostic::error(INTERVAL, by.span, format!("`+- {text}` says neither a share nor {}", due.unit))
+                    .here("a unit is missing")
+                    .help(format!("write `{text} {}`, or `{percent} %`", due.unit));
+            self.report(error);
+            return None;
         }
         let middle = self.lower(due, middle, value)?;
         let share = match width.dimension.is_plain() {
@@ -113,11 +151,11 @@ impl<'a> Context<'a> {
 
     /// An interval where one number is due.
     pub(super) fn no_interval(&mut self, value: &'a Expr, by: &'a Expr, span: Span) -> Option<Value> {
-        let [value, by] = [value, by].map(|e| self.sources.snippet(e.span).to_string());
         let error = Diagnostic::error(INTERVAL, span, "an interval cannot stand here").here("one number is due");
+        let [value, by] = [value, by].map(|e| self.sources.snippet(e.span).to_string());
         self.report(error.help(format!(
-            "intervals stand in `mass` and in a rotor's coefficients, `max_thrust`, `torque_per_thrust` and `max_speed`; \
-             for a difference, write `{value} - {by}`"
+            "intervals stand in `mass` and in a rotor's coefficients, `max_thrust`, `torque_per_thrust` and `max_speed`, \
+             directly in the field; here write one number, `{value}` without `+- {by}`"
         )));
         None
     }

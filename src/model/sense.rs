@@ -3,6 +3,7 @@
 //! from is written in `docs/diagnostics/sense.md`.
 
 mod air;
+mod estimator;
 mod flight;
 mod gains;
 mod loss;
@@ -10,6 +11,7 @@ mod noise;
 mod vehicle;
 
 pub(super) use air::check as check_air;
+pub(super) use estimator::check as check_estimator;
 pub(super) use flight::{limits as check_limits, mission as check_mission, pace as check_pace};
 pub(super) use gains::check as check_gains;
 pub(super) use loss::check as check_loss;
@@ -54,6 +56,16 @@ fn warning(code: &'static str, span: Span, message: String, slip: &str) -> Diagn
     let word = code.rsplit("::").next().unwrap_or(code);
     let help = format!("{slip}; if it is meant, write `allow = [{word}]` outside all blocks");
     Diagnostic::warning(code, span, message).help(help)
+}
+
+/// Warns of a fault that takes nothing: `share` of its thrust is left to a rotor.
+pub(super) fn effect(cx: &mut Context, share: f64, span: Span) {
+    if share < 1.0 {
+        return;
+    }
+    let message = "a rotor is reduced to 100 %, where 0 to 99 % is usual".to_string();
+    let slip = "write the share that is left, not the one that is lost";
+    cx.report(warning("mavc::sense::effect", span, message, slip).here("this takes nothing from it"));
 }
 
 /// Acceleration of gravity, m/s^2: from small moons to heavy planets.

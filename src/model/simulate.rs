@@ -213,6 +213,7 @@ impl<'a> Reader<'a> {
         } else if self.fine {
             sense::check_air(cx, &simulation, around.vehicle, &self.fields, span);
             sense::check_noise(cx, &simulation, &self.fields, span);
+            sense::check_estimator(cx, &simulation, &self.fields, span);
             sense::check_loss(cx, &simulation, &self.fields, span);
         }
         if let Some(vehicle) = around.vehicle.filter(|_| self.fine) {

@@ -12,7 +12,7 @@ use crate::model::{Allocation, Model};
 /// What the columns after the verdict mean.
 const LEGEND: &str = "
 yaw free  what counts once yaw is given up: the vehicle may spin
-margin    from hover to the edge of what the mode can do [N, N m]; below 0 outside, flat where that has no volume
+margin    from hover to the nearest facet [N, N m]; outside, below 0, to the one passed most; flat: no volume
 heaviest  the largest mass that hovers
 facets    the inequalities that bound what the mode can do
 rank      its dimension: 4 where thrust and each torque can be moved by themselves

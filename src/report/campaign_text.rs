@@ -285,7 +285,7 @@ fn agreement(agreement: &Agreement) -> String {
     let mut out = String::from("\nDo the plans tell which flights are lost?\n");
     out.push_str(&filled(
         "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. Counted are \
-         flights that lived to the fault.",
+         flights that lived to the fault. Planners that found one plan count once together.",
     ));
     let Agreement { all, inside } = agreement;
     if inside.modes == all.modes {
@@ -373,7 +373,7 @@ fn by_mode(scope: &Scope) -> String {
         Worth::Strong => "more seconds outside go strongly with more losses",
     };
     let rho = rho.map_or(String::new(), |rho| fixed(rho, 2));
-    format!("Over {} of planner and mode, {what} (Spearman's rank correlation {rho}).", counted(scope.pairs, "pair"))
+    format!("Over {} of plan and mode, {what} (Spearman's rank correlation {rho}).", counted(scope.pairs, "pair"))
 }
 
 fn filled(text: &str) -> String {

@@ -4,7 +4,7 @@ use super::number::{fixed, percent, significant};
 use crate::model::{LimitKind, Model};
 use crate::planner::compare::Solved;
 use crate::planner::wrench_model::WrenchModel;
-use crate::tolerance::MOST_PAST_LIMIT;
+use crate::tolerance::{MOST_PAST_LIMIT, USUAL_SPEED};
 use crate::trajectory::checks::{Excess, coarser_legs, limit_excesses, past_as_checked, peak, stretch};
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ pub struct Caveat {
     pub kind: CaveatKind,
     /// The limit passed, in words.
     pub limit: Option<&'static str>,
-    /// SI: by how much a limit is passed, the number of legs with fewer pieces, the tilt (rad), the thrust (N).
+    /// SI: by how much a limit is passed, the number of legs with fewer pieces, the speed, the tilt (rad), the thrust (N).
     pub value: f64,
     /// When it is worst, s since the start.
     pub at_s: f64,
@@ -27,6 +27,8 @@ pub enum CaveatKind {
     LimitBetweenSamples,
     /// Some leg has fewer pieces than the spec's samples make.
     FewerPieces,
+    /// Faster than multirotors fly, and no limit in the way.
+    Speed,
     /// Small angles no longer hold.
     Tilt,
     /// Thrust nearly vanishes, or would have to pull.
@@ -59,6 +61,24 @@ fn coarser(model: &Model, solved: &Solved) -> Option<Caveat> {
     (legs > 0).then_some(caveat)
 }
 
+/// A speed that no multirotor reaches, in a mission that does not limit it. Air resistance is no part of a plan.
+fn too_fast(model: &Model, solved: &Solved) -> Option<Caveat> {
+    let mut limits = model.mission.as_ref()?.limits.iter();
+    if limits.any(|limit| limit.kind == LimitKind::Speed) {
+        return None;
+    }
+    let speed = peak(&solved.trajectory, |state| (0..3).map(|axis| state[axis][1].powi(2)).sum::<f64>().sqrt());
+    let message = format!(
+        "The plan reaches {} m/s at {} s, where {} m/s is the most that is usual, and nothing limits its speed; write \
+         `limits {{ speed <= ... }}`.",
+        significant(speed.value, 3),
+        fixed(speed.at, 2),
+        significant(USUAL_SPEED, 3)
+    );
+    let caveat = Caveat { kind: CaveatKind::Speed, limit: None, value: speed.value, at_s: speed.at, message };
+    (speed.value > USUAL_SPEED).then_some(caveat)
+}
+
 /// Passed limits first, in the spec's order.
 pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
@@ -70,13 +90,13 @@ pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
             value: e.by,
             at_s: e.at,
             message: format!(
-                "Between samples the {name} limit is passed by {} {unit} at {} s; more samples make it less.",
+                "Between samples the {name} limit is passed by {} {unit} at {} s; try more samples.",
                 significant(e.by * factor, 3),
                 fixed(e.at, 2)
             ),
         }
     });
-    let passed = passed.chain(coarser(model, solved));
+    let passed = passed.chain(coarser(model, solved)).chain(too_fast(model, solved));
     if solved.trajectory.model == WrenchModel::Exact {
         return passed.collect();
     }

@@ -283,7 +283,7 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
         " For {} it counts only what lies between samples, at most {} of the width{}.",
         listed(&names),
         percent(most),
-        if model.plan.planner == PlannerKind::Rcp { "; more samples make it less" } else { "" }
+        if model.plan.planner == PlannerKind::Rcp { "; try more samples" } else { "" }
     )
 }
 

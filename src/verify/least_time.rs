@@ -160,6 +160,10 @@ fn met_within(from: f64, to: f64) -> Interval {
 
 /// Decides that no motion within the spec's limits takes less than `claimed` s.
 pub(super) fn bound(model: &Model, mission: &Mission, claimed: f64) -> Result<(), Rejection> {
+    if claimed < 0.0 {
+        let why = format!("{} s is claimed, which is no time", number(claimed));
+        return Err(Rejection::new("the least time", why));
+    }
     let end = mission.waypoints.last();
     let (own, hold) = (soonest(model, mission).last().copied().unwrap_or(0.0), end.map_or(0.0, |w| w.hold));
     // A last waypoint with a time of its own is reached then.

@@ -6,6 +6,7 @@ use crate::model::legs::distance;
 use crate::model::mission::MAX_DURATION;
 use crate::model::{Limit, LimitKind, Waypoint};
 use crate::source::Span;
+use crate::tolerance::USUAL_SPEED;
 
 /// Length of the whole path, m: below it nothing is seen to move, beyond it no battery lasts.
 const PATH: Usual = Usual::new(0.05, 100_000.0);
@@ -22,7 +23,7 @@ const YAW_WITHIN: Usual = Usual::new(0.001, 180.0);
 fn usual(kind: LimitKind) -> Option<(&'static str, Usual, &'static str, f64)> {
     let degree = std::f64::consts::PI / 180.0;
     Some(match kind {
-        LimitKind::Speed | LimitKind::SpeedHorizontal => ("speed", Usual::new(0.05, 60.0), "m/s", 1.0),
+        LimitKind::Speed | LimitKind::SpeedHorizontal => ("speed", Usual::new(0.05, USUAL_SPEED), "m/s", 1.0),
         LimitKind::Climb => ("climb", Usual::new(0.02, 40.0), "m/s", 1.0),
         LimitKind::Descent => ("descent", Usual::new(0.02, 40.0), "m/s", 1.0),
         LimitKind::Acceleration | LimitKind::AccelerationHorizontal => {

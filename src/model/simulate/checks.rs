@@ -185,11 +185,12 @@ pub(super) fn rates<'a>(
         told = report(cx, coarse_for(rate, control_rate, place("rate"), given, vehicle));
     }
     if let (Some(rate), Some(control_rate), false) = (rate, control_rate, told) {
-        let error = undivided(cx, fields, ("rate", rate), ("control_rate", control_rate), block);
+        let error = undivided(cx, fields, ("rate", rate), ("control_rate", control_rate), estimator_rate, block);
         undecided = report(cx, error);
     }
     if let (Some(control_rate), Some(estimator_rate), false) = (control_rate, estimator_rate, undecided) {
-        let error = undivided(cx, fields, ("control_rate", control_rate), ("estimator_rate", estimator_rate), block);
+        let error =
+            undivided(cx, fields, ("control_rate", control_rate), ("estimator_rate", estimator_rate), None, block);
         report(cx, error);
     }
     fine
@@ -203,8 +204,15 @@ fn written(fields: &Fields, name: &str, error: Diagnostic, mended: String) -> Di
     }
 }
 
-/// The error of a rate that does not divide the faster one it runs in.
-fn undivided(cx: &Context, fields: &Fields, whole: (&str, f64), part: (&str, f64), block: Span) -> Option<Diagnostic> {
+/// The error of a rate that does not divide the faster one it runs in. `slower` is a rate that has to divide `part`.
+fn undivided(
+    cx: &Context,
+    fields: &Fields,
+    whole: (&str, f64),
+    part: (&str, f64),
+    slower: Option<f64>,
+    block: Span,
+) -> Option<Diagnostic> {
     if divides(part.1, whole.1) {
         return None;
     }
@@ -223,7 +231,13 @@ fn undivided(cx: &Context, fields: &Fields, whole: (&str, f64), part: (&str, f64
         (Some(_), Some(whole_given)) => error.also(whole_given.span, "to be divided"),
         _ => error,
     };
-    let mended = format!("{} Hz", number(nearest_part(part.1, whole.1)));
+    // A part that nobody has written is a round number: the whole is the odd one.
+    if let (None, Some(given), true) = (part_given, whole_given, whole.1 > part.1) {
+        let mended = format!("{} Hz", number((whole.1 / part.1).round() * part.1));
+        let help = format!("write `{} = {mended}`; `{}` is {} Hz by default", whole.0, part.0, number(part.1));
+        return Some(error.help(help).fix(given.span, mended));
+    }
+    let mended = format!("{} Hz", number(nearest_part(part.1, whole.1, slower)));
     Some(match part_given {
         Some(expr) => error.help(format!("write `{} = {mended}`", part.0)).fix(expr.span, mended),
         None => {
@@ -239,10 +253,13 @@ fn divides(part: f64, whole: f64) -> bool {
     times > 0.5 && (times - times.round()).abs() <= 1e-9 * times
 }
 
-/// The rate nearest to `part` that divides `whole` and can be written in a few digits.
-fn nearest_part(part: f64, whole: f64) -> f64 {
+/// The rate nearest to `part` that divides `whole` and can be written in a few digits; one that `slower` divides, if
+/// there is any near.
+fn nearest_part(part: f64, whole: f64, slower: Option<f64>) -> f64 {
     let times = (whole / part).round().max(1.0);
     let written = |times: f64| number(whole / times).parse::<f64>().is_ok_and(|rate| divides(rate, whole));
-    let near = (0..100).flat_map(|d| [times + f64::from(d), times - f64::from(d)]);
-    near.filter(|times| *times >= 1.0).find(|times| written(*times)).map_or(whole, |times| whole / times)
+    let holds = |times: f64| slower.is_none_or(|slower| divides(slower, whole / times));
+    let near = || (0..100).flat_map(|d| [times + f64::from(d), times - f64::from(d)]).filter(|times| *times >= 1.0);
+    let found = near().find(|times| written(*times) && holds(*times)).or_else(|| near().find(|times| written(*times)));
+    found.map_or(whole, |times| whole / times)
 }

@@ -3,16 +3,13 @@
 use super::name_of;
 use crate::model::PlannerKind;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
-use crate::planner::hover_model::{X, Y, YAW, Z};
-use crate::planner::transcribe::NodeState;
 use crate::report::terminal::WIDTH;
 use crate::trajectory::outside::Outside;
 
 /// Names in the first column take no more room than this; where they need more, a note below the table has them.
 const LONGEST_NAME: usize = 36;
 
-/// Plans count as one that differ by no more than this: m and rad at the nodes; shares of the healthy set's width; s.
-const PLACE: f64 = 1e-5;
+/// Plans of one motion count as one that differ by no more than this: shares of the healthy set's width; s.
 const MARGIN: f64 = 1e-5;
 const SECONDS: f64 = 1e-3;
 
@@ -46,15 +43,13 @@ fn are_alike(one: &PlannerRun, other: &PlannerRun) -> bool {
 
 /// Whether two plans are one but for what the solver's last digits differ by: at every node, and in what is said of the sets.
 fn have_one_plan(a: &Solved, b: &Solved) -> bool {
-    let same_node = |(p, q): (&NodeState, &NodeState)| [X, Y, Z, YAW].iter().all(|&i| near(p[i][0], q[i][0], PLACE));
     let same_outside = |(p, q): (&Outside, &Outside)| {
         near(p.max_violation, q.max_violation, MARGIN)
             && near(p.seconds, q.seconds, SECONDS)
             && near(p.last.unwrap_or(0.0), q.last.unwrap_or(0.0), SECONDS)
     };
     a.time == b.time
-        && a.trajectory.times == b.trajectory.times
-        && a.trajectory.nodes.iter().zip(&b.trajectory.nodes).all(same_node)
+        && a.trajectory.is_that_of(&b.trajectory)
         && a.outside.iter().zip(&b.outside).all(same_outside)
         && a.committed.iter().zip(&b.committed).all(|(p, q)| near(*p, *q, SECONDS))
 }

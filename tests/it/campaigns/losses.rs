@@ -51,6 +51,21 @@ fn vehicles_that_spin_are_lost_and_the_table_says_to_what() {
     }
 }
 
+/// Planners that found one plan fly it twice; what plans tell of losses is judged once.
+#[test]
+fn one_plan_of_two_planners_counts_once() {
+    let desk = desk("simulate { detection = 50 ms }");
+    let both = ["--set", "campaign.planners=[rip,rsp]", "-o", "rows.csv", "--report", "r.json"];
+    let ran = desk.command(&[&SIZE[..], &both].concat()).output().unwrap();
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran));
+    assert!(text(&ran).contains("Planners that found one plan count once together"));
+    let record: Value = serde_json::from_slice(&desk.bytes("r.json")).unwrap();
+    let tables = record["agreement"][0]["by_flight"].as_array().unwrap();
+    let counts = |i: usize| ["hits", "misses", "false_alarms", "correct_negatives"].map(|of| tables[i][of].as_u64());
+    assert_eq!(tables.len(), 3);
+    assert!(counts(1) == counts(2) && counts(0) == counts(1) && counts(0) != [Some(0); 4], "{tables:?}");
+}
+
 /// Nothing is known of a flight whose integration breaks down: it is not lost, not survived, and the command says so.
 #[test]
 fn flights_that_diverge_are_counted_apart_and_end_with_9() {

@@ -7,7 +7,7 @@ use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::planner::compare::{Comparison, Ending, Solved};
 use mavc::planner::transcribe::NodeState;
 use mavc::report::between as words;
-use mavc::report::caveats::caveats;
+use mavc::report::caveats::{CaveatKind, caveats};
 use mavc::trajectory::checks::past;
 use mavc::trajectory::tilt;
 use mavc::verify::Scope;
@@ -170,6 +170,33 @@ fn what_does_not_hold_is_not_proved() {
     let whole = format!("{}\n{text}", caveats.join("\n"));
     assert!(whole.contains("the speed limit is passed by"), "{whole}");
     assert_eq!(whole.matches("speed").count(), 1, "{whole}");
+}
+
+/// 64 m in 0.6 s at a mean of 107 m/s: without a limit on the speed a plan says how fast it is.
+#[test]
+fn speeds_of_no_multirotor_are_told() {
+    let mut model = hop(PlannerKind::Rip, 0.6);
+    let flight = model.mission.as_mut().unwrap();
+    flight.waypoints = vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([64.0, 0.0, 2.0], 0.0)];
+    flight.legs.truncate(1);
+    (flight.start_at_rest, flight.end_at_rest) = (false, false);
+    flight.limits.clear();
+    let told = |model: &Model| {
+        let comparison = planned(model);
+        let found = caveats(model, solved(&comparison)).into_iter().find(|c| c.kind == CaveatKind::Speed);
+        let fastest =
+            largest(solved(&comparison), |s| s.iter().take(3).map(|axis| axis[1].powi(2)).sum::<f64>().sqrt());
+        (found.map(|caveat| caveat.value), fastest)
+    };
+    let (Some(value), fastest) = told(&model) else { panic!("nothing is told") };
+    assert!(fastest > 100.0 && (value / fastest - 1.0).abs() < 1e-3, "{value} {fastest}");
+    let mut slow = model.clone();
+    slow.plan.time = MissionTime::Fixed(16.0);
+    let flight = slow.mission.as_mut().unwrap();
+    (flight.start_at_rest, flight.end_at_rest) = (true, true);
+    assert_eq!(told(&slow).0, None);
+    model.mission.as_mut().unwrap().limits = vec![limit(LimitKind::Speed, 1000.0)];
+    assert_eq!(told(&model).0, None, "a limit is what was meant");
 }
 
 /// In the hover model a plan that nearly falls keeps any limit on tilt, and certificates of it say so.

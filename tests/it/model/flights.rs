@@ -185,6 +185,25 @@ fn rates_divide_to_rounding() {
     assert_eq!(codes(&format!("{QUAD}simulate {{ {hair} }}")), ["mavc::simulate::rates"]);
 }
 
+/// What the help of a rate that divides nothing proposes is accepted.
+#[test]
+fn helps_for_rates_are_accepted() {
+    for (fields, mended) in [
+        ("control_rate = 300 Hz", "500 Hz"),
+        ("control_rate = 333 Hz", "500 Hz"),
+        ("control_rate = 210 Hz", "200 Hz"),
+        ("rate = 1001 Hz", "1000 Hz"),
+        ("estimator_rate = 130 Hz", "125 Hz"),
+    ] {
+        let text = format!("{QUAD}simulate {{ {fields} }}");
+        let (_, diagnostics) = check(&text);
+        let fix = diagnostics[0].fix.as_ref().unwrap();
+        assert_eq!(fix.text, mended, "{fields}");
+        let (before, after) = (&text[..fix.span.start as usize], &text[fix.span.end as usize..]);
+        assert!(codes(&format!("{before}{mended}{after}")).is_empty(), "{fields}");
+    }
+}
+
 #[test]
 fn modes_with_errors_of_their_own_are_not_unknown() {
     let found = codes(&format!("{QUAD}faults {{ mode A {{ rotor 9 lost }} }}\nsimulate {{ fault A at 5 s }}\n"));

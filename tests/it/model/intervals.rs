@@ -22,7 +22,16 @@ const ROTOR: &str = "max_thrust = 8 N; torque_per_thrust = 16 mm; max_speed = 80
 
 #[test]
 fn percent_quantities_and_bare_middles() {
-    for mass in ["1.6 kg +- 5 %", "1.6 kg +- 80 g", "1.6 +- 0.08 kg", "1.6 kg +- 0.05", "1.5 kg + 0.1 kg +- 2*40 g"] {
+    for mass in [
+        "1.6 kg +- 5 %",
+        "1.6 kg +- 80 g",
+        "1.6 +- 0.08 kg",
+        "1.5 kg + 0.1 kg +- 2*40 g",
+        "(1.6 kg +- 5 %)",
+        "(1.6 +- 5 %) kg",
+        "((1.6 +- 0.08) kg)",
+        "(1.6 +- 80 g) kg",
+    ] {
         let vehicle = vehicle(mass, ROTOR);
         assert!((vehicle.mass - 1.6).abs() < 1e-12);
         close(vehicle.mass_spread, 0.95, 1.05);
@@ -30,6 +39,26 @@ fn percent_quantities_and_bare_middles() {
     }
     assert!(!vehicle("1.6 kg", ROTOR).is_uncertain());
     assert_eq!(vehicle("1.6 kg", ROTOR).rotors[0].spread, RotorSpread::default());
+}
+
+/// `1.6 kg +- 0.05` could be 5 % or 50 g, and nothing else is guessed either.
+#[test]
+fn what_is_no_interval_is_told() {
+    for (mass, code) in [
+        ("1.6 kg +- 0.05", "mavc::unit::interval"),
+        ("2*(0.8 kg +- 5 %)", "mavc::unit::interval"),
+        ("((1.6 +- 5 %) kg) kg", "mavc::unit::interval"),
+        ("(1.6 kg +- 5 %) kg", "mavc::unit::mismatch"),
+        ("1.6 kg - 5 %", "mavc::unit::mismatch"),
+    ] {
+        let text = QUAD.replacen("mass    = 1.32 kg", &format!("mass = {mass}"), 1);
+        assert_ne!(text, QUAD);
+        let (_, diagnostics) = check(&text);
+        let [error] = &diagnostics[..] else { panic!("{mass}: {diagnostics:?}") };
+        assert_eq!(error.code, code, "{mass}");
+        let help = error.help.as_deref().unwrap();
+        assert!(!help.contains("5 % kg") && !help.contains(" - 5 %`"), "{mass}: {help}");
+    }
 }
 
 /// By all combinations of the ends of the intervals.

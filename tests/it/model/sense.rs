@@ -231,7 +231,7 @@ fn absurd_flights_get_the_warning_of_their_slip() {
         sense(&flight(hop, "plan { time = 10 s }\nsimulate { wind = [5, 0, 0] m/s; drag = 0.5 N*s/m; gusts = 2 m/s }")),
         [""; 0]
     );
-    let cases: [(&str, &str, &[&str]); 18] = [
+    let cases: [(&str, &str, &[&str]); 22] = [
         (hop, "simulate { wind = [300, 0, 0] m/s; drag = 0.3 N*s/m }", &["wind"]),
         (hop, "simulate { wind = [20, 0, 0] m/s; drag = 6 N*s/m }", &["wind"]),
         (hop, "simulate { drag = 30 N*s/m }", &["drag"]),
@@ -240,6 +240,10 @@ fn absurd_flights_get_the_warning_of_their_slip() {
         (hop, "simulate { position_gain = 0.004 1/s^2 }", &["gains"]),
         (hop, "simulate { lost_beyond = 2000 m; upside_down = 500 s }", &["loss", "loss"]),
         (hop, "simulate { lost_yaw_after = 1 ms }", &["loss"]),
+        (hop, "simulate { lost_yaw = 0.001 deg }", &["loss"]),
+        (hop, "simulate { detection = 100 s }", &["estimator"]),
+        (hop, "simulate { forgetting = 0.01 }", &["estimator"]),
+        (hop, "simulate { forgetting = 0.999999 }", &["estimator"]),
         (hop, "simulate { gyroscope_noise = 90 deg/s }", &["noise"]),
         (hop, "simulate { attitude_gain = 100 1/s^2; attitude_rate_gain = 1.6 1/s }", &["gains"]),
         (hop, "simulate { control_rate = 10 Hz; estimator_rate = 10 Hz }", &["gains"]),
