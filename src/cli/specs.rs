@@ -3,7 +3,7 @@
 use super::files::reason;
 use super::{Problem, usage};
 use crate::input::Kind;
-use std::io::Error;
+use std::io::{Error, ErrorKind};
 use std::path::Path;
 use walkdir::{DirEntry, WalkDir};
 
@@ -91,7 +91,11 @@ fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<Problem> {
     }
     let why = match (error.loop_ancestor(), error.io_error()) {
         (Some(ancestor), _) => format!("it leads back to {}", ancestor.display()),
-        _ if is_dangling => "it is a link to a file that does not exist".into(),
+        _ if path.metadata().is_err_and(|error| error.kind() == ErrorKind::NotFound) => {
+            "it is a link to a file that does not exist".into()
+        }
+        // It may lead to itself.
+        _ if is_dangling => "it is a link that cannot be followed".into(),
         (None, Some(error)) => reason(&Error::new(error.kind(), error.to_string())),
         (None, None) => error.to_string(),
     };
