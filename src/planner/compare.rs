@@ -140,7 +140,8 @@ impl<'a> Setting<'a> {
             PlanModel::Hover => self.with_engine(what, |e| e.shortest(set, hint, &mut pool)),
             PlanModel::Exact => {
                 let begins: Vec<&Planned> = hint.planned.as_deref().into_iter().chain(&hint.begins).collect();
-                self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).shortest(&begins))
+                let larger = hint.larger;
+                self.with_engine(what, |e| Successive::new(e, WrenchModel::Exact, set).shortest(&begins, larger))
             }
         };
         Found { result, pool, effort }
@@ -323,23 +324,24 @@ impl<'a> Setting<'a> {
     /// inside that, it is the mode's plan.
     fn singles_own(&self, rip: &Found, hint: Hint) -> Vec<Found> {
         let work = |(name, set): (&String, &PlanningSet)| {
-            if let Ok(s) = &rip.result {
-                let trajectory = Trajectory::of(&s.planned);
-                let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
-                // With rotors that lag a wrench inside is not enough.
-                if out.max_violation <= ACCEPTED && self.model.thrust_lag().is_none() {
-                    self.ended(1);
-                    return Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
-                }
+            if plan_found(rip).is_some_and(|plan| self.is_inside(plan, set)) {
+                self.ended(1);
+                return Found { result: rip.result.clone(), pool: Pool::default(), effort: Effort::default() };
             }
             let pool = rip.pool.translated(&self.sets.rip, set);
-            let begins = hint.begins.iter().chain(plan_found(rip)).cloned().collect();
-            let hint = Hint { begins, ..hint.clone() };
+            let begins = plan_found(rip).into_iter().chain(&hint.begins).cloned().collect();
+            let hint = Hint { begins, larger: time(rip), ..hint.clone() };
             let found = self.search(&format!("RCP {name}"), set, hint, pool);
             self.ended(1);
             found
         };
         self.sets.names.par_iter().zip(self.sets.singles.par_iter()).map(work).collect()
+    }
+
+    /// Whether a plan of RIP keeps to a smaller set too. With rotors that lag a wrench inside is not enough.
+    fn is_inside(&self, plan: &Planned, set: &PlanningSet) -> bool {
+        let found = || outside(&Trajectory::of(plan), &self.model.vehicle, self.model.gravity, &set.rows);
+        self.model.thrust_lag().is_none() && found().max_violation <= ACCEPTED
     }
 
     /// The plan at a time, taken from the own search where that ended at the same time; `other` is one of another set.

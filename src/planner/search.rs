@@ -52,6 +52,8 @@ pub struct Hint {
     pub planned: Option<Box<Planned>>,
     /// Plans of any set that are worth beginning from, where the planner works by steps.
     pub begins: Vec<Planned>,
+    /// The time found for a larger set, s: where the planner works by steps, a plan nearly as short is not improved.
+    pub larger: Option<f64>,
 }
 
 /// Mission times in ticks of [`GRID`].

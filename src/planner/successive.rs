@@ -130,6 +130,8 @@ pub struct Successive<'e, 'a> {
     multipliers: BTreeMap<usize, Wrench>,
     /// Proximity at which the next steps towards the least cost begin.
     settling: f64,
+    /// [`Step::calming`] of motions that nearly fit; 0 once it has kept one from fitting.
+    calming: f64,
     /// Where rotors lag.
     lag: Option<Lag>,
     /// Of the last step, with the times of the nodes.
@@ -172,6 +174,7 @@ impl<'e, 'a> Successive<'e, 'a> {
             set,
             multipliers: BTreeMap::new(),
             settling: sequence::SETTLING,
+            calming: sequence::CALMING,
             lag,
             splines: None,
         }

@@ -125,6 +125,26 @@ fn times_of_real_missions_are_near_their_bounds() {
     }
 }
 
+/// The same missions with legs that share the time by their lengths: times that were found before durations were the planner's.
+#[test]
+#[ignore = "seconds long: cargo test -- --include-ignored"]
+fn times_by_lengths_are_still_found() {
+    for (mission, before) in [
+        ("parcel_x8", 360.94),
+        ("tower_hexa", 95.13),
+        ("ferry_octo", 368.11),
+        ("survey_quad", 100.71),
+        ("facade_hexa", 35.73),
+    ] {
+        let spec = format!("specs/missions/{mission}.mav");
+        for planner in ["rip", "rcp"] {
+            let settings = ["--set", "plan.timing=proportional", "--set", &format!("plan.planner={planner}")];
+            let time = planned(&spec, &settings)["planners"][0]["time_s"].as_f64().unwrap();
+            assert!(time <= 1.01 * before, "{mission} {planner}: {time} s, {before} s before");
+        }
+    }
+}
+
 /// Every spec with free durations that is shipped: in one comparison RIP's own time is at most RSP's, that at most the joint
 /// RCP's, and RCP's of one mode lies between RIP's and the joint one; `plan` finds RSP's time within 0.5 %.
 #[test]

@@ -106,7 +106,11 @@ impl Setting<'_> {
                 || {
                     let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
                         let label = label(PlannerKind::Rcp, against);
-                        let (decision, spent) = self.at_or_own(&label, set, at, found, binding);
+                        let (decision, spent) = match planned_of(&decision).filter(|plan| self.is_inside(plan, set)) {
+                            // Least cost in the healthy set is least cost in every set inside it that holds the plan.
+                            Some(rip) if of_exact => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
+                            _ => self.at_or_own(&label, set, at, found, binding),
+                        };
                         let ending = self.common(at, &decision);
                         self.ended(1);
                         (self.run(PlannerKind::Rcp, against, Run::Common, ending, set), spent)

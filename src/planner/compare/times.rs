@@ -28,7 +28,7 @@ fn with_better_times(model: &Model, mission: &Mission, progress: Progress) -> Op
         true => WrenchModel::HoverAt(mission.waypoints[0].yaw),
         false => WrenchModel::HoverFollowing,
     };
-    let found = Successive::new(&mut engine, wrench, set).shortest(&[]).ok()?;
+    let found = Successive::new(&mut engine, wrench, set).shortest(&[], None).ok()?;
     let legs = found.planned.profile.segments.iter().filter(|s| !s.hold);
     Some(Mission { legs: legs.map(|s| Leg { share: s.duration }).collect(), ..mission.clone() })
 }

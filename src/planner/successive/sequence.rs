@@ -133,8 +133,8 @@ impl Successive<'_, '_> {
         let mut trust = Trust { proximity: RESTORING };
         let mut excess = self.excess_by(&motion, pool);
         // A motion that nearly fits has no need of other inputs.
-        let calming = if excess < NEARLY { CALMING } else { 0.0 };
-        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0, calming };
+        let calming = if excess < NEARLY { self.calming } else { 0.0 };
+        let mut weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0, calming };
         let mut history = Vec::new();
         let mut lines: Vec<f64> = Vec::new();
         let mut rejected = 0;
@@ -151,7 +151,14 @@ impl Successive<'_, '_> {
             lines.push(stepped.sigma);
             let is_stuck = matches!(lines[..], [.., before, _, last] if last > f64::max(UNAVOIDABLE, STEADY * before));
             if stepped.sigma > hopeless || is_stuck {
-                return None;
+                if weights.calming == 0.0 {
+                    return None;
+                }
+                // Where most inputs are small every change is a large share of them: other inputs after all, from now on.
+                (self.calming, weights.calming) = (0.0, 0.0);
+                lines.clear();
+                history.clear();
+                continue;
             }
             // If only a share of this step is taken, the next program still needs the rows that the full step violates.
             let whole = motion.with_states(stepped.states.clone());

@@ -12,6 +12,9 @@ use super::*;
 /// Times without a plan are not tried beyond this many times the first guess.
 const SLOWEST: f64 = 20.0;
 
+/// A time that is longer by no more than this share is as short.
+const AS_SHORT: f64 = 3e-3;
+
 /// Times after the last fixed time that a first plan is sought with, in initial durations of the legs there.
 const AMPLE: [f64; 4] = [1.0, 1.5, 2.5, 5.0];
 
@@ -25,8 +28,9 @@ fn not_found(at: f64) -> NoTime {
 
 impl Successive<'_, '_> {
     /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from plans of
-    /// other sets where there are some.
-    pub fn shortest(&mut self, begins: &[&Planned]) -> Result<Shortest, NoTime> {
+    /// other sets where there are some. A motion made from these is not improved where it is nearly as short as `larger`, the
+    /// time (s) found for a larger set.
+    pub fn shortest(&mut self, begins: &[&Planned], larger: Option<f64>) -> Result<Shortest, NoTime> {
         if let Some(total) = determined(self.engine.mission) {
             return match self.decide(total, begins) {
                 Decision::Feasible(planned) => Ok(shortest(total, *planned)),
@@ -42,6 +46,11 @@ impl Successive<'_, '_> {
         }
         let mut pool = BTreeSet::new();
         let slowed = self.slowed(begins, &mut pool);
+        if let (Some(motion), Some(larger)) = (&slowed, larger)
+            && motion.profile.total + self.held() <= (1.0 + AS_SHORT) * larger
+        {
+            return self.rounded_up(motion, &mut pool);
+        }
         let has_good_times = slowed.is_some() || self.medium_grid().is_some();
         let smoothing: &[f64] = if has_good_times { &times::WARM_START } else { &times::FULL_GRID };
         let guess = self.engine.guess();

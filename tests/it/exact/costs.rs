@@ -145,7 +145,7 @@ fn plans_cost_the_same_wherever_steps_begin() {
     let set = healthy_set(&model);
     let mut engine = Engine::new(&model, model.mission.as_ref().unwrap(), &healthy);
     let mut steps = Successive::new(&mut engine, WrenchModel::Exact, &set);
-    let shortest = steps.shortest(&[]).unwrap().planned;
+    let shortest = steps.shortest(&[], None).unwrap().planned;
     let [anew, begun] = [vec![], vec![&shortest]].map(|begins| match steps.decide(6.0, &begins) {
         Decision::Feasible(planned) => planned.objective,
         other => panic!("{other:?}"),
