@@ -188,7 +188,8 @@ pub(crate) struct PlanArgs {
     /// Where the report goes (JSON); `-` for standard output, without the one for people
     #[arg(long, value_name = "REPORT.JSON")]
     report: Option<PathBuf>,
-    /// Rows of the trajectory at a fixed rate, such as 100Hz, in place of one for each node
+    /// Rows of the trajectory at a fixed rate, such as 100Hz, in place of one for each node: the last at or just after the
+    /// plan's end, where it keeps its last state; waypoints are marked at the nearest row
     #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     rate: Option<String>,
     /// Where the certificate goes (JSON), for `mavc verify`

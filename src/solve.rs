@@ -102,20 +102,44 @@ const SCALED: (usize, usize) = (32, 4_500);
 const GAP: f64 = 1e-8;
 const STEP_GAP: f64 = 1e-6;
 
-/// What the solver adds to the diagonal of its linear systems; refinement takes it off the solution again. Ten times its default
-/// (measured on programs of steps of three missions, every sixth and all that were not solved to tolerance: of 165 programs that
-/// the solver scales 75 ended with a numerical error, and of 44 that it does not scale 6; with this none does).
-const REGULARIZATION: f64 = 1e-7;
+/// How closely a program is solved.
+#[derive(Clone, Copy)]
+struct Tolerance {
+    /// Between primal and dual objective, absolute and relative.
+    gap: f64,
+    /// What the solver adds to the diagonal of its linear systems; refinement takes it off the solution again.
+    regularization: f64,
+}
+
+/// For verdicts and plans of the hover model; the regularisation is the solver's default.
+const CLOSE: Tolerance = Tolerance { gap: GAP, regularization: 1e-8 };
+
+/// For steps. The regularisation is ten times the solver's default (measured on programs of steps of three missions, every
+/// sixth and all that were not solved to tolerance: of 165 programs that the solver scales 75 ended with a numerical error,
+/// and of 44 that it does not scale 6; with this none does). The programs of the hover model have no need of it, and their
+/// refinement took a fifth more time.
+const STEP: Tolerance = Tolerance { gap: STEP_GAP, regularization: 1e-7 };
+const GRADED: Tolerance = Tolerance { gap: GAP, ..STEP };
 
 /// Solves a program on one thread; the same program gives the same bytes.
 ///
 /// Where the solver stops without a verdict it is asked again with its scaling the other way: on or off.
 pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
+    decide(program, CLOSE)
+}
+
+/// The same with more regularisation: for programs of the exact model, whose grids have short pieces beside long ones, and for
+/// multipliers that prove something.
+pub fn solve_graded(program: &QuadraticProgram) -> (Outcome, Effort) {
+    decide(program, GRADED)
+}
+
+fn decide(program: &QuadraticProgram, tolerance: Tolerance) -> (Outcome, Effort) {
     let cones = program.cones.iter().filter(|c| matches!(c, Cone::SecondOrder(_))).count();
     let scaled = cones <= SCALED.0 && program.q.len() <= SCALED.1;
-    let (outcome, mut effort) = attempt(program, scaled);
+    let (outcome, mut effort) = attempt(program, scaled, tolerance);
     let Outcome::Inconclusive { point, .. } = outcome else { return (outcome, effort) };
-    let (mut again, more) = attempt(program, !scaled);
+    let (mut again, more) = attempt(program, !scaled, tolerance);
     effort += more;
     if let Outcome::Inconclusive { point: None, status } = again {
         again = Outcome::Inconclusive { point, status };
@@ -134,7 +158,7 @@ pub struct Approach {
 /// A point that keeps the rows of a program to [`PRIMAL_TOLERANCE`], and its multipliers; `scaled` is whether the solver scales
 /// rows and columns.
 pub fn approach(program: &QuadraticProgram, scaled: bool) -> (Option<Approach>, Effort) {
-    let (raw, effort) = call(program, scaled, STEP_GAP);
+    let (raw, effort) = call(program, scaled, STEP);
     let Some(Raw { status, x, z }) = raw else { return (None, effort) };
     let is_least = matches!(status, SolverStatus::Solved | SolverStatus::AlmostSolved);
     let stopped = matches!(
@@ -157,8 +181,8 @@ struct Raw {
 }
 
 /// One call of the solver, with or without its own scaling.
-fn attempt(program: &QuadraticProgram, scaled: bool) -> (Outcome, Effort) {
-    match call(program, scaled, GAP) {
+fn attempt(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Outcome, Effort) {
+    match call(program, scaled, tolerance) {
         (Some(Raw { status, x, z }), effort) => (judge(program, status, x, z), effort),
         (None, effort) => {
             let status = "the program holds a number that is not finite, or the solver refused it".into();
@@ -168,7 +192,7 @@ fn attempt(program: &QuadraticProgram, scaled: bool) -> (Outcome, Effort) {
 }
 
 /// `None` where the program holds a number that is not finite or the solver refuses it.
-fn call(program: &QuadraticProgram, scaled: bool, gap: f64) -> (Option<Raw>, Effort) {
+fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Option<Raw>, Effort) {
     let finite = |v: &[f64]| v.iter().all(|x| x.is_finite());
     if ![&program.p.nzval[..], &program.q, &program.a.nzval, &program.b].into_iter().all(finite) {
         return (None, Effort::default());
@@ -188,9 +212,9 @@ fn call(program: &QuadraticProgram, scaled: bool, gap: f64) -> (Option<Raw>, Eff
         presolve_enable: false,
         max_iter: MOST_ITERATIONS,
         equilibrate_enable: scaled,
-        static_regularization_constant: REGULARIZATION,
-        tol_gap_abs: gap,
-        tol_gap_rel: gap,
+        static_regularization_constant: tolerance.regularization,
+        tol_gap_abs: tolerance.gap,
+        tol_gap_rel: tolerance.gap,
         ..DefaultSettings::default()
     };
     let begin = Instant::now();

@@ -114,7 +114,10 @@ impl<R: BufRead> Source<R> {
         let own = Merged { campaign: row.campaign, cases: row.cases };
         let (first, of) = campaign.get_or_insert_with(|| (own, self.name.clone()));
         if own != *first {
-            let what = format!("a row of campaign {}, while {of} is of {}", own.campaign, first.campaign);
+            let what = match own.campaign == first.campaign {
+                true => format!("a row of a campaign of {} cases, while {of} has {}", own.cases, first.cases),
+                false => format!("a row of campaign {}, while {of} is of {}", own.campaign, first.campaign),
+            };
             return Err(self.wrong(&what));
         }
         if row.cases > MAX_FLIGHTS {

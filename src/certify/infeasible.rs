@@ -19,7 +19,7 @@ use crate::planner::transcribe::{Purpose, Transcription};
 use crate::planner::wrench_model::WrenchModel;
 use crate::planner::yaw::YawPlan;
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
-use crate::solve::{Outcome, solve};
+use crate::solve::{Outcome, solve_graded};
 use crate::trajectory::Trajectory;
 use crate::verify::{self, Settings};
 
@@ -62,7 +62,7 @@ pub fn certificate(
         PlanModel::Hover => (DynamicModel::Hover, about_hover(&mut engine, run, total)?),
         PlanModel::Exact => (DynamicModel::Exact, relaxed(&mut engine, run, total)?),
     };
-    let z = match solve(&asked.program).0 {
+    let z = match solve_graded(&asked.program).0 {
         Outcome::Solved(solution) => solution.z,
         Outcome::Infeasible { certificate } => certificate,
         Outcome::Inconclusive { .. } => return Err("no multipliers were found".into()),

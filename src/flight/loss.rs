@@ -16,18 +16,16 @@ pub enum Outcome {
     /// To its end.
     Flown,
     /// It came down as it was to; s.
-    Landed {
-        at: f64,
-    },
+    Landed { at: f64 },
     Lost {
         at: f64,
         cause: Cause,
+        /// It pointed or leaned too far away as the flight ended, however short it had been so.
+        at_end: bool,
     },
     /// The integration broke down, first seen at `at`, s: a number was NaN or infinite, or the vehicle turned by more than
     /// half a turn in one step. What became of the vehicle is unknown.
-    Diverged {
-        at: f64,
-    },
+    Diverged { at: f64 },
 }
 
 impl Outcome {
@@ -117,7 +115,7 @@ impl Watch {
 
     /// The flight's end where it has come; `after` where a fault has struck.
     pub fn look(&mut self, t: f64, body: &Body, reference: &Reference, after: bool) -> Option<Outcome> {
-        let lost = |cause| Some(Outcome::Lost { at: t, cause });
+        let lost = |cause| Some(Outcome::Lost { at: t, cause, at_end: false });
         let error = (body.position - reference.position).norm();
         // The distance of finite numbers, or its square, may not be finite.
         let finite = body.is_finite() && reference.is_finite() && (self.squares + error * error).is_finite();
@@ -132,7 +130,7 @@ impl Watch {
             let soft = body.velocity.norm() <= TOUCHDOWN_SPEED && tilt <= TOUCHDOWN_TILT;
             return match (self.may_land && soft, self.patience.is_off(self.heading.error())) {
                 (false, _) => lost(Cause::Ground),
-                (true, true) => lost(Cause::Heading),
+                (true, true) => Some(Outcome::Lost { at: t, cause: Cause::Heading, at_end: true }),
                 (true, false) => Some(Outcome::Landed { at: t }),
             };
         }
@@ -156,7 +154,7 @@ impl Watch {
     /// What a flight that has come to its end ended in: a vehicle that points or leans too far away then has not kept its
     /// heading or attitude, however short it has been so.
     pub fn end(&self, t: f64, body: &Body) -> Outcome {
-        let lost = |cause| Outcome::Lost { at: t, cause };
+        let lost = |cause| Outcome::Lost { at: t, cause, at_end: true };
         match (body.tilt() > FRAC_PI_2, self.patience.is_off(self.heading.error())) {
             (true, _) => lost(Cause::UpsideDown),
             (false, true) => lost(Cause::Heading),

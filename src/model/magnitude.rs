@@ -14,8 +14,10 @@ const CODE: &str = "mavc::unit::magnitude";
 /// Least size (zero aside, which signs are checked for) and largest, in SI.
 type Bounds = (f64, f64);
 
-/// Largest of what is not listed.
-const ANY: Bounds = (0.0, 1e12);
+/// Of what is not listed: what is smaller has no digits left when it is multiplied with itself.
+const ANY: Bounds = (1e-100, 1e12);
+/// Of a limit on a rate: a mission within a smaller one takes longer than any number of seconds that mavc computes with.
+const RATE: Bounds = (1e-9, 1e12);
 
 /// Thrust of one rotor at full speed, N: from a millionth of that of the smallest to more than a helicopter's.
 const THRUST: Bounds = (1e-6, 1e6);
@@ -23,7 +25,7 @@ const THRUST: Bounds = (1e-6, 1e6);
 const TORQUE: Bounds = (1e-12, 1e4);
 
 /// Fields with bounds of their own.
-const FIELDS: [(&str, &str, Bounds); 21] = [
+const FIELDS: [(&str, &str, Bounds); 31] = [
     ("gravity", "m/s^2", (1e-3, 1e4)),
     ("mass", "kg", (1e-6, 1e6)),
     ("inertia", "kg*m^2", (1e-15, 1e9)),
@@ -37,7 +39,7 @@ const FIELDS: [(&str, &str, Bounds); 21] = [
     ("time", "s", (1e-9, f64::INFINITY)),
     ("hold", "s", (0.0, f64::INFINITY)),
     ("duration", "s", (1e-9, f64::INFINITY)),
-    ("at", "m", (0.0, f64::INFINITY)),
+    ("at", "m", (1e-100, f64::INFINITY)),
     ("within", "cm", (1e-9, 1e9)),
     ("yaw_within", "deg", (1e-9, 1e9)),
     ("weight", "1", (0.0, 1e12)),
@@ -46,6 +48,16 @@ const FIELDS: [(&str, &str, Bounds); 21] = [
     ("wind", "m/s", (0.0, 1e4)),
     ("gusts", "m/s", (0.0, 1e4)),
     ("gust_length", "m", (1e-6, 1e9)),
+    ("speed", "m/s", RATE),
+    ("speed_horizontal", "m/s", RATE),
+    ("climb", "m/s", RATE),
+    ("descent", "m/s", RATE),
+    ("acceleration", "m/s^2", RATE),
+    ("acceleration_horizontal", "m/s^2", RATE),
+    ("jerk", "m/s^3", RATE),
+    ("yaw_rate", "deg/s", RATE),
+    ("yaw_acceleration", "deg/s^2", RATE),
+    ("tilt", "deg", RATE),
 ];
 
 fn has((low, high): Bounds, value: f64) -> bool {

@@ -35,7 +35,7 @@ use super::wrench_model::WrenchModel;
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
 use crate::model::{Limit, Model};
-use crate::solve::{Approach, Outcome, Solution, approach, solve};
+use crate::solve::{Approach, Outcome, Solution, approach, solve_graded};
 use lead::Lag;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;

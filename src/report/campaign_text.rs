@@ -290,6 +290,9 @@ fn agreement(agreement: &Agreement) -> String {
     let Agreement { all, inside } = agreement;
     if inside.modes == all.modes {
         out.push_str(&scope(all));
+    } else if inside.modes == 0 {
+        out.push_str(&scope(all));
+        out.push_str(&filled("No mode has hover inside its set, so no plan can keep a reserve against any."));
     } else {
         out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
         let n = counted(inside.modes, "mode");

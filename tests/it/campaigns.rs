@@ -312,7 +312,7 @@ fn rows_of_another_campaign_or_shard_are_not_gone_on_with() {
     for (args, what) in [
         (vec!["--times", "2", "--seeds", "2"], "rows of another campaign"),
         (vec!["--times", "2", "--seeds", "1", "--set", "plan.reserve=1%"], "rows of another campaign"),
-        (vec!["--times", "2", "--seeds", "1", "--shard", "2/2"], "is it of another shard?"),
+        (vec!["--times", "2", "--seeds", "1", "--shard", "2/2"], "as in rows of another shard"),
     ] {
         let args: Vec<&str> = ["hop.mav", "-o", "rows.csv"].into_iter().chain(args).collect();
         let told = desk.run(&args, 2);

@@ -200,7 +200,7 @@ fn unfit(path: &Path, error: &ScanError, design: &Design) -> Problem {
         }
         ScanError::OutOfOrder { line, found, due } => {
             let due = due.map_or("no more".into(), |due| format!("case {due}"));
-            format!("{name}, line {line}: case {found} stands where {due} is due; is it of another shard?")
+            format!("{name}, line {line}: case {found} stands where {due} is due, as in rows of another shard")
         }
     }
 }

@@ -46,9 +46,8 @@ pub(in crate::model) fn check(
         cx.report(warning("mavc::sense::gusts", at("gust_length"), message, slip).here("the length scale of gusts"));
     }
     if let Some(slowing) = vehicle.map(|v| simulation.drag / v.mass).filter(|slowing| *slowing > SLOWING) {
-        let message =
-            format!("a drag of {} 1/s times the mass, where 0 to {} 1/s is usual", short(slowing), short(SLOWING));
-        let slip = "look for a prefix too many in the mass, or one too few in the drag";
+        let message = format!("drag over mass is {} 1/s, where 0 to {} 1/s is usual", short(slowing), short(SLOWING));
+        let slip = "check the units of drag and mass";
         let here = format!("falling, it would reach {} m/s", short(cx.gravity / slowing));
         cx.report(warning("mavc::sense::drag", at("drag"), message, slip).here(here));
     }

@@ -46,7 +46,7 @@ impl Successive<'_, '_> {
         let form = self.transcription(profile, &[]);
         let rows: Vec<RowAt> = self.limits_at_nodes(profile, |_| true).collect();
         let program = form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust);
-        let (outcome, effort) = solve(&program);
+        let (outcome, effort) = solve_graded(&program);
         let motion = match outcome {
             Outcome::Infeasible { certificate } => {
                 self.engine.effort += effort;
@@ -104,7 +104,7 @@ impl Successive<'_, '_> {
             }
         }
         builder.linear(0, -1.0);
-        let (outcome, effort) = solve(&builder.finish());
+        let (outcome, effort) = solve_graded(&builder.finish());
         self.engine.effort += effort;
         let mut weights = vec![0.0; self.set.rows.len()];
         // No thrust is larger than the dual bound says.

@@ -38,7 +38,7 @@ impl Successive<'_, '_> {
             true => form.smooth_program(&places),
             false => form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY),
         };
-        let (outcome, effort) = solve(&program);
+        let (outcome, effort) = solve_graded(&program);
         self.engine.effort += effort;
         let (Outcome::Solved(Solution { x, .. }) | Outcome::Inconclusive { point: Some(x), .. }) = outcome else {
             return None;

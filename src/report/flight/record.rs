@@ -62,9 +62,18 @@ pub struct FlightRecord {
 #[serde(tag = "status", rename_all = "snake_case")]
 pub enum OutcomeRecord {
     Flown,
-    Landed { at_s: f64 },
-    Lost { at_s: f64, cause: &'static str },
-    Diverged { at_s: f64 },
+    Landed {
+        at_s: f64,
+    },
+    Lost {
+        at_s: f64,
+        cause: &'static str,
+        /// Too far tilted or turned as the flight ended, however short.
+        at_end: bool,
+    },
+    Diverged {
+        at_s: f64,
+    },
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -111,7 +120,7 @@ impl FlightRecord {
             outcome: match flight.outcome {
                 Outcome::Flown => OutcomeRecord::Flown,
                 Outcome::Landed { at } => OutcomeRecord::Landed { at_s: at },
-                Outcome::Lost { at, cause } => OutcomeRecord::Lost { at_s: at, cause: cause.name() },
+                Outcome::Lost { at, cause, at_end } => OutcomeRecord::Lost { at_s: at, cause: cause.name(), at_end },
                 Outcome::Diverged { at } => OutcomeRecord::Diverged { at_s: at },
             },
             end_s: flight.end,

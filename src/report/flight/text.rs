@@ -22,7 +22,9 @@ pub fn text(told: &Told) -> String {
     out.push_str(&match record.outcome {
         OutcomeRecord::Flown => format!("{}\n", to_its_end(model, &record)),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s\n", fixed(at_s, 2)),
-        OutcomeRecord::Lost { at_s, cause } => format!("LOST at {} s: {}\n", fixed(at_s, 2), loss(model, cause)),
+        OutcomeRecord::Lost { at_s, cause, at_end } => {
+            format!("LOST at {} s: {}\n", fixed(at_s, 2), loss(model, cause, at_end))
+        }
         OutcomeRecord::Diverged { at_s } => format!("DIVERGED at {} s: {DIVERGED}\n", fixed(at_s, 2)),
     });
     let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
@@ -183,19 +185,19 @@ pub fn to_its_end(model: &Model, record: &FlightRecord) -> String {
 pub const DIVERGED: &str = "the integration broke down (NaN, infinity, or more than half a turn in one step); \
                             what became of the vehicle is unknown";
 
-/// Why the vehicle counts as lost, from the name of the cause.
-pub fn loss(model: &Model, cause: &str) -> String {
+/// Why the vehicle counts as lost, from the name of the cause and whether it was one only as the flight ended.
+pub fn loss(model: &Model, cause: &str, at_end: bool) -> String {
     let s = &model.simulation;
+    let when = |after: f64| {
+        if at_end { "when the flight ended".into() } else { format!("for longer than {} s", number(after)) }
+    };
     match cause {
         "ground" => "it struck the ground".into(),
         "heading" => {
             let limit = s.lost_yaw.map_or(0.0, f64::to_degrees);
-            let (limit, after) = (number(limit), number(s.lost_yaw_after));
-            format!("heading more than {limit} degrees off for longer than {after} s, or when the flight ended")
+            format!("heading more than {} degrees off {}", number(limit), when(s.lost_yaw_after))
         }
-        "upside_down" => {
-            format!("tilted past 90 degrees for longer than {} s, or when the flight ended", number(s.upside_down))
-        }
+        "upside_down" => format!("tilted past 90 degrees {}", when(s.upside_down)),
         _ => format!("more than {} m from its place", number(s.lost_beyond)),
     }
 }

@@ -88,7 +88,9 @@ pub fn headline(model: &Model, record: &FlightRecord) -> String {
     match record.outcome {
         OutcomeRecord::Flown => to_its_end(model, record),
         OutcomeRecord::Landed { at_s } => format!("Landed at {} s", fixed(at_s, 2)),
-        OutcomeRecord::Lost { at_s, cause } => format!("Lost at {} s: {}", fixed(at_s, 2), loss(model, cause)),
+        OutcomeRecord::Lost { at_s, cause, at_end } => {
+            format!("Lost at {} s: {}", fixed(at_s, 2), loss(model, cause, at_end))
+        }
         OutcomeRecord::Diverged { at_s } => format!("Diverged at {} s: {DIVERGED}", fixed(at_s, 2)),
     }
 }

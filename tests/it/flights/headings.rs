@@ -94,7 +94,7 @@ fn a_vehicle_that_keeps_its_place_and_spins_is_lost_by_heading() {
     let plan = staying(PLACE, 0.5, 30.0);
     let strikes = [strike(0, 2.0)];
     let flight = fly(&sortie(&model, &plan, &strikes), None);
-    let Outcome::Lost { at, cause: Cause::Heading } = flight.outcome else { panic!("{flight:?}") };
+    let Outcome::Lost { at, cause: Cause::Heading, .. } = flight.outcome else { panic!("{flight:?}") };
     assert!(at > 3.0 && at < 15.0 && flight.max_error < 1.0 && flight.max_tilt < 1.0, "{flight:?}");
     assert!(!flight.outcome.is_survived() && flight.heading.max > FRAC_PI_2 && flight.heading.max <= PI);
     assert_eq!(flight.heading.max, flight.heading.max_after);
@@ -113,7 +113,7 @@ fn a_vehicle_that_keeps_its_place_and_spins_is_lost_by_heading() {
     (model.simulation.lost_yaw, model.simulation.lost_yaw_after) = (Some(0.1), 0.2);
     let strict = fly(&sortie(&model, &plan, &strikes), None);
     assert!(
-        matches!(strict.outcome, Outcome::Lost { cause: Cause::Heading, at: soon } if soon < at - 1.0),
+        matches!(strict.outcome, Outcome::Lost { cause: Cause::Heading, at: soon, .. } if soon < at - 1.0),
         "{strict:?}"
     );
 }
@@ -128,7 +128,7 @@ fn a_heading_that_is_off_at_the_end_is_lost() {
     let away = all.iter().find(|(_, error)| *error > 1.6).unwrap().0;
     let flown = |duration: f64| fly(&Sortie { duration, ..sortie(&model, &plan, &strikes) }, None);
     let flight = flown(away);
-    let Outcome::Lost { at, cause: Cause::Heading } = flight.outcome else { panic!("{flight:?}") };
+    let Outcome::Lost { at, cause: Cause::Heading, at_end: true } = flight.outcome else { panic!("{flight:?}") };
     assert!((at - away).abs() < 0.01, "{at} {away}");
     assert_eq!(flown(away - 0.2).outcome, Outcome::Flown);
 }

@@ -153,7 +153,7 @@ fn a_vehicle_without_rotors_falls_to_its_end() {
     let plan = staying(PLACE, 0.0, 1e4);
     let flight = fly(&sortie(&model, &plan, &[strike(0, 1.0)]), None);
     // Two metres of free fall.
-    let Outcome::Lost { at, cause: Cause::Position } = flight.outcome else { panic!("{flight:?}") };
+    let Outcome::Lost { at, cause: Cause::Position, .. } = flight.outcome else { panic!("{flight:?}") };
     assert!((at - 1.0 - (4.0f64 / 9.81).sqrt()).abs() < 5e-3, "{at}");
     let mut low = model.clone();
     low.simulation.ground = 9.0;
