@@ -228,3 +228,27 @@ fn all_mistakes_come_in_one_run() {
         ]
     );
 }
+
+/// Numbers that vanish when they are multiplied with themselves are none that mavc computes with.
+#[test]
+fn vanishing_numbers_are_refused() {
+    let hop = |limits: &str| {
+        format!("{QUAD}mission m {{\n start at [0, 0, 2] m\n waypoint at [5, 0, 3] m\n limits {{ {limits} }}\n}}\n")
+    };
+    for limit in [
+        "speed <= 5e-324 m/s",
+        "speed_horizontal <= 1e-10 m/s",
+        "climb <= 5e-324 m/s",
+        "descent <= 1e-10 m/s",
+        "acceleration <= 5e-324 m/s^2",
+        "acceleration_horizontal <= 1e-12 m/s^2",
+        "jerk <= 5e-324 m/s^3",
+        "yaw_rate <= 1e-300 deg/s",
+        "yaw_acceleration <= 1e-300 deg/s^2",
+        "tilt <= 1e-300 deg",
+        "x <= 5e-324 m",
+    ] {
+        assert_eq!(codes(&hop(limit)), ["mavc::unit::magnitude"], "{limit}");
+    }
+    assert!(codes(&hop("speed <= 1 m/s; climb <= 0 m/s; x >= 0 m")).is_empty());
+}
