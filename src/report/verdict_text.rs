@@ -25,8 +25,9 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
         Ending::Failed { at, why } => {
             format!("{verdict}: the motion planned for {} s fails the check of plans: {why}", number(*at))
         }
-        Ending::Infeasible { at, .. }
-            if model.plan.chooses_times && least_time_within(model, mission).is_above(*at) =>
+        // Where several times are proved one by one, which these are says more.
+        Ending::Infeasible { at, proved }
+            if (model.plan.chooses_times || proved.len() == 1) && least_time_within(model, mission).is_above(*at) =>
         {
             let least = least_time_within(model, mission);
             let is_of_all = least.too_early.is_some_and(|(waypoint, _)| waypoint + 1 < mission.waypoints.len());

@@ -45,7 +45,11 @@ fn what_no_attitude_could_do_is_proved() {
     ] {
         let (ending, text) = told(&model);
         assert!(matches!(ending, Ending::Infeasible { .. }), "{why}: {text}");
-        assert!(text.contains(": proved infeasible at ") && text.contains(" s with 20 samples"), "{text}");
+        assert!(text.contains(": proved infeasible at "), "{text}");
+        assert!(
+            text.contains(" s with 20 samples") || text.contains(": no motion within the limits takes less than "),
+            "{text}"
+        );
     }
 }
 
