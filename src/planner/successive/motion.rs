@@ -78,14 +78,20 @@ impl Motion {
         }
     }
 
-    /// Whether each interval ends with the position, the velocity and so on at which the next begins, to 1e-5 (SI units): a motion of
-    /// [`Self::stepped`] whose legs changed by different shares does not.
+    /// Whether each interval ends with the position, the velocity and so on at which the next begins, to 1e-5 of their largest size
+    /// (1e-5 in SI units where that is more; the solver is no more exact): a motion of [`Self::stepped`] whose legs changed
+    /// by different shares does not.
     pub fn is_joined(&self) -> bool {
         let times = &self.profile.node_times;
+        let largest =
+            |axis: usize, order: usize| self.states.iter().fold(1.0, |most, s| f64::max(most, s[axis][order].abs()));
+        let allowed: [[f64; 5]; 4] =
+            std::array::from_fn(|axis| std::array::from_fn(|order| JOINED * largest(axis, order)));
         self.states.windows(2).zip(times.windows(2)).all(|(pair, t)| {
             let h = t[1] - t[0];
             let reached = between(&pair[0], &pair[1], h, h, self.model);
-            let same = |axis: usize, order: usize| (reached[axis][order] - pair[1][axis][order]).abs() <= JOINED;
+            let same =
+                |axis: usize, order: usize| (reached[axis][order] - pair[1][axis][order]).abs() <= allowed[axis][order];
             self.model.orders().iter().enumerate().all(|(axis, &input)| (0..input).all(|order| same(axis, order)))
         })
     }

@@ -191,7 +191,7 @@ impl Successive<'_, '_> {
         }
         // Steps of which only a share was taken, or none, leave gaps at waypoints where durations have changed.
         if !motion.is_joined() {
-            let joined = self.joined(&motion, pool).filter(Motion::is_joined)?;
+            let joined = self.joined(&motion, pool)?;
             return self.restore_unless(joined, hopeless, pool);
         }
         self.prune(&motion, pool);

@@ -82,9 +82,12 @@ impl Successive<'_, '_> {
 
     /// A motion whose legs have just changed by different shares, joined at its waypoints by one step towards the least excess.
     pub(super) fn joined(&mut self, motion: &Motion, pool: &mut BTreeSet<RowAt>) -> Option<Motion> {
-        let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0, calming: CALMING };
-        let stepped = self.step(motion, &self.durations_stand(), Trust { proximity: RESTORING }, weights, pool)?;
-        Some(motion.with_states(stepped.states))
+        // Where inputs are small their relative changes make programs that the solver cannot solve.
+        [CALMING, 0.0].into_iter().find_map(|calming| {
+            let weights = Weights { objective: Objective::Excess, penalty: 1.0, smoothing: 0.0, calming };
+            let stepped = self.step(motion, &self.durations_stand(), Trust { proximity: RESTORING }, weights, pool)?;
+            Some(motion.with_states(stepped.states)).filter(Motion::is_joined)
+        })
     }
 
     /// A plan at a mission time whose legs divide the time between fixed times as no rule does: about as a mission without fixed
