@@ -10,5 +10,6 @@ pub const MOST_PAST_LIMIT: f64 = 1e-4;
 /// A set may be left by this share of the healthy set's width, as reports count violations.
 pub const MOST_OUTSIDE: f64 = 1e-4;
 
-/// Speed beyond which a limit or a plan is not that of a multirotor, m/s: racing quadcopters reach it for seconds.
+/// Upper end of the usual range of a limit on the speed, and of the speed of a plan without one, m/s
+/// (docs/diagnostics/sense.md).
 pub const USUAL_SPEED: f64 = 60.0;

@@ -39,8 +39,9 @@ impl Trajectory {
         carried.joined()
     }
 
-    /// Whether both are one motion but for the last digits of the solver: at one set of times, within 1e-5 m and rad.
-    pub fn is_that_of(&self, other: &Trajectory) -> bool {
+    /// Whether two trajectories agree up to solver accuracy: the same node times, and positions and yaw within 1e-5 m and rad
+    /// at every node.
+    pub fn is_same_motion(&self, other: &Trajectory) -> bool {
         const PLACE: f64 = 1e-5;
         let is_near = |p: &NodeState, q: &NodeState| [X, Y, Z, YAW].iter().all(|&i| (p[i][0] - q[i][0]).abs() <= PLACE);
         self.times == other.times && self.nodes.iter().zip(&other.nodes).all(|(p, q)| is_near(p, q))

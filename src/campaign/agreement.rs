@@ -26,7 +26,7 @@ pub struct Agreement {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scope {
     pub modes: usize,
-    /// Over all plans, and each. Planners of one motion fly it alike: the first of them stands for it.
+    /// Over all distinct plans, and for each planner. If planners share a plan, the total counts it once.
     pub total: Contingency,
     pub planners: Vec<(PlannerKind, Contingency)>,
     /// Of seconds outside with the share lost, over plans and modes.
@@ -77,7 +77,8 @@ impl Scope {
         let mut scope = Scope { modes: modes.len(), ..Scope::default() };
         let mut pairs = Vec::new();
         for (p, plan) in design.plans.iter().enumerate() {
-            let is_told = design.plans[..p].iter().any(|earlier| earlier.trajectory.is_that_of(&plan.trajectory));
+            let is_repeated =
+                design.plans[..p].iter().any(|earlier| earlier.trajectory.is_same_motion(&plan.trajectory));
             let mut table = Contingency::default();
             for &m in &modes {
                 let outside = &plan.outside[m];
@@ -85,13 +86,13 @@ impl Scope {
                 for (k, cell) in tally.cells(p, m).iter().enumerate() {
                     let predicted = outside.last.is_some_and(|last| design.fault_time(k) < last);
                     table.add(predicted, cell.lost, cell.struck);
-                    if !is_told {
+                    if !is_repeated {
                         scope.total.add(predicted, cell.lost, cell.struck);
                     }
                     struck += cell.struck;
                     lost += cell.lost;
                 }
-                if struck > 0 && !is_told {
+                if struck > 0 && !is_repeated {
                     pairs.push((outside.seconds, lost as f64 / struck as f64));
                 }
             }

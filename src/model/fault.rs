@@ -205,9 +205,9 @@ impl Loss {
         match effect {
             Effect::Lost(_) => Some(Loss::Capacity(0.0)),
             Effect::Reduced(to) => {
-                let left = cx.share("what is left of a rotor", to, CODE)?;
-                sense::effect(cx, left, to.span);
-                Some(Loss::Capacity(left))
+                let remaining = cx.share("the remaining thrust of a rotor", to, CODE)?;
+                sense::effect(cx, remaining, to.span);
+                Some(Loss::Capacity(remaining))
             }
             Effect::Stuck(at) => cx.share("the thrust a rotor is stuck at", at, CODE).map(Loss::Stuck),
         }

@@ -14,9 +14,9 @@ const CODE: &str = "mavc::unit::magnitude";
 /// Least size (zero aside, which signs are checked for) and largest, in SI.
 type Bounds = (f64, f64);
 
-/// Of what is not listed: what is smaller has no digits left when it is multiplied with itself.
+/// Of what is not listed: products of smaller numbers underflow.
 const ANY: Bounds = (1e-100, 1e12);
-/// Of a limit on a rate: a mission within a smaller one takes longer than any number of seconds that mavc computes with.
+/// Of a limit on a rate or on tilt: smaller ones let nothing move, and the least times they imply overflow.
 const RATE: Bounds = (1e-9, 1e12);
 
 /// Thrust of one rotor at full speed, N: from a millionth of that of the smallest to more than a helicopter's.

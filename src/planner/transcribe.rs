@@ -7,6 +7,7 @@
 //! joining rows, but each row couples more of them.
 
 mod mission;
+mod units;
 
 use super::hover_model::{ORDER, WrenchMap, X, Y, Z};
 use super::lead::{LeadAt, LeadMaps, Slope};
@@ -122,7 +123,7 @@ impl<'a> Transcription<'a> {
             orders: ORDER,
             parts: 1,
             struck: None,
-            taus: units_of_time(profile),
+            taus: units::units_of_time(profile),
             form: Form::Stages,
         }
     }
@@ -199,7 +200,7 @@ impl<'a> Transcription<'a> {
 
     /// The same of a mean step, s.
     pub(super) fn mean_tau(&self) -> f64 {
-        mean_step(self.profile) * TAU_STEPS
+        units::mean_unit(self.profile)
     }
 
     pub(crate) fn taus(&self) -> Vec<f64> {
@@ -379,27 +380,3 @@ impl<'a> Transcription<'a> {
 /// A tolerance this wide binds nothing and gets no row, m or rad: the widest that a spec may say, a thousand times
 /// further than a waypoint may lie from the origin.
 pub const UNBOUNDED: f64 = 1e9;
-
-/// Steps per unit of scaled time.
-const TAU_STEPS: f64 = 4.0;
-
-/// Steps that differ by no more than this factor have one unit of time (on the paper's missions the solver takes up to 1.3 times
-/// the iterations with one at each node).
-const EVEN: f64 = 2.0;
-
-fn mean_step(profile: &Profile) -> f64 {
-    profile.total / profile.intervals() as f64
-}
-
-/// [`TAU_STEPS`] mean steps, or where steps differ much, as many of the steps beside each node.
-fn units_of_time(profile: &Profile) -> Vec<f64> {
-    let times = &profile.node_times;
-    let (shortest, longest) = profile.steps().fold((f64::INFINITY, 0.0), |(s, l), step| (step.min(s), step.max(l)));
-    let beside = |node: usize| {
-        let (before, after) = (node.saturating_sub(1), (node + 1).min(times.len() - 1));
-        (times[after] - times[before]) / (after - before) as f64
-    };
-    let is_even = longest <= EVEN * shortest;
-    let unit = |node| TAU_STEPS * if is_even { mean_step(profile) } else { beside(node) };
-    (0..times.len()).map(unit).collect()
-}

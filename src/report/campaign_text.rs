@@ -285,7 +285,7 @@ fn agreement(agreement: &Agreement) -> String {
     let mut out = String::from("\nDo the plans tell which flights are lost?\n");
     out.push_str(&filled(
         "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. Counted are \
-         flights that lived to the fault. Planners that found one plan count once together.",
+         flights that lived to the fault. A plan that several planners share counts once.",
     ));
     let Agreement { all, inside } = agreement;
     if inside.modes == all.modes {

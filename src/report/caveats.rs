@@ -61,7 +61,7 @@ fn coarser(model: &Model, solved: &Solved) -> Option<Caveat> {
     (legs > 0).then_some(caveat)
 }
 
-/// A speed that no multirotor reaches, in a mission that does not limit it. Air resistance is no part of a plan.
+/// An unusually high speed in a mission that does not limit it. Plans ignore air resistance.
 fn too_fast(model: &Model, solved: &Solved) -> Option<Caveat> {
     let mut limits = model.mission.as_ref()?.limits.iter();
     if limits.any(|limit| limit.kind == LimitKind::Speed) {
@@ -69,8 +69,8 @@ fn too_fast(model: &Model, solved: &Solved) -> Option<Caveat> {
     }
     let speed = peak(&solved.trajectory, |state| (0..3).map(|axis| state[axis][1].powi(2)).sum::<f64>().sqrt());
     let message = format!(
-        "The plan reaches {} m/s at {} s, where {} m/s is the most that is usual, and nothing limits its speed; write \
-         `limits {{ speed <= ... }}`.",
+        "The plan reaches {} m/s at {} s; multirotors usually stay below {} m/s, and the mission does not limit the speed. \
+         Add `limits {{ speed <= ... }}`.",
         significant(speed.value, 3),
         fixed(speed.at, 2),
         significant(USUAL_SPEED, 3)

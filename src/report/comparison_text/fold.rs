@@ -49,7 +49,7 @@ fn have_one_plan(a: &Solved, b: &Solved) -> bool {
             && near(p.last.unwrap_or(0.0), q.last.unwrap_or(0.0), SECONDS)
     };
     a.time == b.time
-        && a.trajectory.is_that_of(&b.trajectory)
+        && a.trajectory.is_same_motion(&b.trajectory)
         && a.outside.iter().zip(&b.outside).all(same_outside)
         && a.committed.iter().zip(&b.committed).all(|(p, q)| near(*p, *q, SECONDS))
 }

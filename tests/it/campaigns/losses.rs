@@ -51,14 +51,14 @@ fn vehicles_that_spin_are_lost_and_the_table_says_to_what() {
     }
 }
 
-/// Planners that found one plan fly it twice; what plans tell of losses is judged once.
+/// If two planners share a plan, the agreement of predictions with losses counts it once.
 #[test]
 fn one_plan_of_two_planners_counts_once() {
     let desk = desk("simulate { detection = 50 ms }");
     let both = ["--set", "campaign.planners=[rip,rsp]", "-o", "rows.csv", "--report", "r.json"];
     let ran = desk.command(&[&SIZE[..], &both].concat()).output().unwrap();
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran));
-    assert!(text(&ran).contains("Planners that found one plan count once together"));
+    assert!(text(&ran).contains("A plan that several planners share counts once"));
     let record: Value = serde_json::from_slice(&desk.bytes("r.json")).unwrap();
     let tables = record["agreement"][0]["by_flight"].as_array().unwrap();
     let counts = |i: usize| ["hits", "misses", "false_alarms", "correct_negatives"].map(|of| tables[i][of].as_u64());

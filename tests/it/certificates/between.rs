@@ -188,7 +188,7 @@ fn speeds_of_no_multirotor_are_told() {
             largest(solved(&comparison), |s| s.iter().take(3).map(|axis| axis[1].powi(2)).sum::<f64>().sqrt());
         (found.map(|caveat| caveat.value), fastest)
     };
-    let (Some(value), fastest) = told(&model) else { panic!("nothing is told") };
+    let (Some(value), fastest) = told(&model) else { panic!("no caveat about the speed") };
     assert!(fastest > 100.0 && (value / fastest - 1.0).abs() < 1e-3, "{value} {fastest}");
     let mut slow = model.clone();
     slow.plan.time = MissionTime::Fixed(16.0);
