@@ -52,10 +52,7 @@ pub fn records(model: &Model, mission: &Mission, solved: &Solved) -> Vec<Binding
 }
 
 fn record(model: &Model, mission: &Mission, statement: Statement, gives_back_s: f64) -> StatementRecord {
-    let at = |waypoint: usize| match &mission.waypoints[waypoint].name {
-        Some(name) => format!("at {name}"),
-        None => format!("at waypoint {}", waypoint + 1),
-    };
+    let at = |waypoint: usize| format!("at {}", place(mission, waypoint));
     let mode = |set: usize| set.checked_sub(1).and_then(|mode| model.modes.get(mode)).map(|mode| mode.name.clone());
     let of = |set: usize| mode(set).unwrap_or_else(|| "the healthy vehicle".into());
     let (kind, text, per) = match statement {
@@ -82,6 +79,11 @@ fn record(model: &Model, mission: &Mission, statement: Statement, gives_back_s: 
     StatementRecord { kind, statement: text, mode, per, gives_back_s }
 }
 
+/// `tower`, `waypoint 3`
+fn place(mission: &Mission, waypoint: usize) -> String {
+    mission.waypoints[waypoint].name.clone().unwrap_or_else(|| format!("waypoint {}", waypoint + 1))
+}
+
 /// `climb <= 4 m/s`
 fn bound(limit: &Limit) -> String {
     let (name, unit, factor) = limit_words(limit.kind);
@@ -99,7 +101,9 @@ fn bound(limit: &Limit) -> String {
 pub fn text(model: &Model, mission: &Mission, solved: &Solved) -> String {
     let records = records(model, mission, solved);
     let mut table = Table::new(&["leg", "takes", "limited by"]);
-    let (limited, others): (Vec<_>, Vec<_>) = records.iter().partition(|record| !record.statements.is_empty());
+    let last_fixed = last_fixed(mission);
+    let relaxed = records.iter().filter(|record| record.leg > last_fixed);
+    let (limited, others): (Vec<_>, Vec<_>) = relaxed.partition(|record| !record.statements.is_empty());
     if limited.is_empty() {
         return String::new();
     }
@@ -112,9 +116,27 @@ pub fn text(model: &Model, mission: &Mission, solved: &Solved) -> String {
         1 => "  On the other leg no limit, set, tolerance or rest would save 1 ms.\n".to_string(),
         n => format!("  On the other {n} legs no limit, set, tolerance or rest would save 1 ms.\n"),
     };
-    let fixes = mission.waypoints.iter().skip(1).any(|w| w.time.is_some() || w.hold > 0.0);
-    let unasked = if fixes { "  Fixed times and holds are not relaxed in this table.\n" } else { "" };
-    format!("\n  {HEADLINE}\n{}{others}{unasked}", table.render_left(2))
+    let notes: String = notes(mission).iter().map(|note| format!("  {note}\n")).collect();
+    format!("\n  {HEADLINE}\n{}{others}{notes}", table.render_left(2))
+}
+
+/// The last waypoint with a fixed time, 0 where there is none.
+fn last_fixed(mission: &Mission) -> usize {
+    mission.waypoints.iter().rposition(|w| w.time.is_some()).unwrap_or(0)
+}
+
+/// What the table does not list: legs up to the last fixed time, and the holds after it.
+pub fn notes(mission: &Mission) -> Vec<String> {
+    let fixed = last_fixed(mission);
+    let mut notes = Vec::new();
+    if fixed > 0 {
+        let at = place(mission, fixed);
+        notes.push(format!("Legs up to {at}, whose time is fixed, do not lengthen the mission and are not relaxed."));
+    }
+    if mission.waypoints[fixed..].iter().any(|w| w.hold > 0.0) {
+        notes.push("Holds are not relaxed: each lengthens the mission by what it lasts.".into());
+    }
+    notes
 }
 
 /// The caption of the figures, in text and on the page.

@@ -64,7 +64,7 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     let mut sections = vec![Section::new("modes", "Modes", verdicts::section(model, comparison, &analyses))];
     if kind == Kind::Plan {
         sections.extend(record.planners.last().and_then(waypoint_table::section));
-        sections.extend(record.planners.last().and_then(binding_table::section));
+        sections.extend(record.planners.last().and_then(|planner| binding_table::section(mission, planner)));
     } else {
         sections.insert(0, Section::new("planners", "Planners", planners::section(comparison, record)));
     }

@@ -50,7 +50,7 @@ pub struct LegBinding {
     /// s
     pub duration: f64,
     /// Statements with the seconds that the mission would be shorter, to first order, if on this leg they were relaxed by a unit
-    /// ([`SHARE`], [`PLACE`], [`YAW_PLACE`], [`SPEED`]); largest first.
+    /// ([`SHARE`], [`PLACE`], [`YAW_PLACE`], [`SPEED`]); largest first. None up to the last fixed time.
     pub statements: Vec<(Statement, f64)>,
 }
 
@@ -131,6 +131,10 @@ impl Successive<'_, '_> {
             let Some(waypoint) = nodes.iter().position(|&n| n == node) else { continue };
             found.insert((waypoint.saturating_sub(1), Statement::Rest(waypoint)), square.sqrt());
         }
+        // Up to the last fixed time the mission lasts as long as the spec says; what rows there give back is cost, by way of the
+        // smoothing, and not time.
+        let fixed = self.spans().last().map_or(0, |span| span.end);
+        found.retain(|(leg, _), _| *leg >= fixed);
         let total = motion.profile.total;
         let of_leg = |leg: usize| {
             let of_leg = found.iter().filter(|((l, _), _)| *l == leg);
@@ -145,10 +149,9 @@ impl Successive<'_, '_> {
     /// Which change of duration is each leg's own: none up to the last fixed time; one for each leg, or where they share the time
     /// one for all.
     fn free_legs(&self) -> Vec<Option<usize>> {
-        let mission = self.engine.mission;
-        let fixed = mission.waypoints.iter().rposition(|w| w.time.is_some()).unwrap_or(0);
+        let fixed = self.spans().last().map_or(0, |span| span.end);
         let own = |leg: usize| if self.chooses_times() { leg - fixed } else { 0 };
-        (0..mission.legs.len()).map(|leg| (leg >= fixed).then(|| own(leg))).collect()
+        (0..self.engine.mission.legs.len()).map(|leg| (leg >= fixed).then(|| own(leg))).collect()
     }
 
     /// The statement that a row of a step program comes from, and its leg: at a waypoint the one that ends there.

@@ -2,7 +2,8 @@
 
 use super::document::Section;
 use super::prose::unbroken;
-use crate::report::binding::{BindingRecord, HEADLINE, StatementRecord};
+use crate::model::Mission;
+use crate::report::binding::{BindingRecord, HEADLINE, StatementRecord, notes};
 use crate::report::number::{fixed, significant};
 use crate::report::record::PlannerRecord;
 use maud::html;
@@ -11,7 +12,7 @@ use maud::html;
 const MOST_ROWS: usize = 200;
 
 /// Of a plan whose time was searched for; nothing where nothing limits it.
-pub fn section(planner: &PlannerRecord) -> Option<Section> {
+pub fn section(mission: &Mission, planner: &PlannerRecord) -> Option<Section> {
     let limited: Vec<&BindingRecord> = planner.limited_by.iter().filter(|leg| !leg.statements.is_empty()).collect();
     let left_out = limited.len().saturating_sub(MOST_ROWS);
     let most = limited.iter().flat_map(|leg| leg.statements.iter().map(move |statement| (leg, statement)));
@@ -39,7 +40,7 @@ pub fn section(planner: &PlannerRecord) -> Option<Section> {
                 }
             }
         }
-        p.note { "Fixed times and holds are not relaxed in this table." }
+        @for note in notes(mission) { p.note { (unbroken(&note)) } }
         @if left_out > 0 { p.note { (left_out) " more legs are left out here; " code { "--report" } " lists all." } }
     };
     Some(Section::new("limits", "What limits the time", body))

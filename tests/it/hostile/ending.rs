@@ -29,6 +29,16 @@ fn kill(child: &Child, signal: &str) {
     assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
 }
 
+/// The signals that end a program, with their numbers, except those that this process was started to ignore (`nohup`, a job in
+/// the background of a script): programs that it starts ignore them too.
+fn deadly() -> Vec<(&'static str, i32)> {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = mask.map_or(0, |mask| u64::from_str_radix(mask.trim(), 16).unwrap());
+    let all = [("-INT", 2), ("-TERM", 15), ("-HUP", 1)];
+    all.into_iter().filter(|(_, number)| ignored & (1 << (number - 1)) == 0).collect()
+}
+
 fn temporary(folder: &Path) -> Vec<String> {
     let names = fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
     names.filter(|name| name.starts_with(".mavc-")).collect()
@@ -58,7 +68,7 @@ fn a_campaign_that_is_interrupted_says_how_to_go_on() {
     let dir = desk();
     let part = dir.path().join("rows.csv.part");
     let mut before = 0;
-    for (signal, number) in [("-INT", 2), ("-TERM", 15), ("-HUP", 1)] {
+    for (signal, number) in deadly() {
         let mut child = spawn(dir.path(), &[&MANY[..], &["-o", "rows.csv"]].concat());
         until(&mut child, || rows(&part) > before + 20);
         kill(&child, signal);
@@ -84,7 +94,7 @@ fn without_a_file_nothing_can_be_gone_on_with() {
         spawn(dir.path(), &["campaign", "hop.mav", "--seeds", "20000", "-o", "/dev/null", "--threads", "1"]);
     // Once flights are flown something is told of them.
     std::thread::sleep(Duration::from_secs(3));
-    kill(&child, "-INT");
+    kill(&child, "-TERM");
     let (_, said) = last_words(&mut child);
     assert!(said.contains("the flights are not kept: with `-o rows.csv`"), "{said}");
 }
@@ -124,7 +134,7 @@ fn held_up(dir: &Path) -> Child {
 #[test]
 fn temporary_files_go_on_signals_and_after_a_kill() {
     let dir = desk();
-    for signal in ["-INT", "-TERM", "-HUP"] {
+    for (signal, _) in deadly() {
         let mut child = held_up(dir.path());
         kill(&child, signal);
         assert!(!child.wait().unwrap().success());
