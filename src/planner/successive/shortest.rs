@@ -6,13 +6,13 @@ use super::super::rows::Decision;
 use super::super::search::{GRID, NoTime, Shortest};
 use super::relaxation::Verdict;
 use super::search::{FINE_STEP, LEAST_FINE, NOT_FOUND};
-use super::sequence::CLOSELY;
+use super::sequence::{CLOSELY, CLOSER, Care};
 use super::*;
 
 /// Times without a plan are not tried beyond this many times the first guess.
 const SLOWEST: f64 = 20.0;
 
-/// A time that is longer by no more than this share is as short.
+/// A time that is longer than that of a larger set by no more than this share is short enough.
 const AS_SHORT: f64 = 3e-3;
 
 /// Times after the last fixed time that a first plan is sought with, in initial durations of the legs there.
@@ -28,8 +28,8 @@ fn not_found(at: f64) -> NoTime {
 
 impl Successive<'_, '_> {
     /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from plans of
-    /// other sets where there are some. A motion made from these is not improved where it is nearly as short as `larger`, the
-    /// time (s) found for a larger set.
+    /// other sets where there are some. Shorter times are sought until one is nearly as short as `larger`, the time (s) found for a
+    /// larger set, and the cost is then lowered less closely.
     pub fn shortest(&mut self, begins: &[&Planned], larger: Option<f64>) -> Result<Shortest, NoTime> {
         if let Some(total) = determined(self.engine.mission) {
             return match self.decide(total, begins) {
@@ -46,30 +46,34 @@ impl Successive<'_, '_> {
         }
         let mut pool = BTreeSet::new();
         let slowed = self.slowed(begins, &mut pool);
-        if let (Some(motion), Some(larger)) = (&slowed, larger)
-            && motion.profile.total + self.held() <= (1.0 + AS_SHORT) * larger
-        {
-            return self.rounded_up(motion, &mut pool);
-        }
+        let enough = larger.map_or(0.0, |larger| (1.0 + AS_SHORT) * larger - self.held());
+        let care = if larger.is_some() { CLOSER } else { CLOSELY };
         let has_good_times = slowed.is_some() || self.medium_grid().is_some();
         let smoothing: &[f64] = if has_good_times { &times::WARM_START } else { &times::FULL_GRID };
         let guess = self.engine.guess();
         let Some(mut motion) = slowed.or_else(|| self.first(0.0)) else { return Err(self.none_at_all(guess)) };
-        motion = match self.chooses_times() {
-            true => self.better_times(motion, smoothing, 0.0, &mut pool),
-            false => self.descend(motion, (FINE_STEP, LEAST_FINE), 0.0, &mut pool),
-        };
-        self.rounded_up(&motion, &mut pool)
+        if motion.profile.total > enough {
+            motion = match self.chooses_times() {
+                true => self.better_times(motion, smoothing, enough, &mut pool),
+                false => self.descend(motion, (FINE_STEP, LEAST_FINE), enough, &mut pool),
+            };
+        }
+        self.rounded_up(&motion, care, &mut pool)
     }
 
     /// The plan of least cost about a motion, at its time rounded up to [`GRID`]: flown a little slower a plan is one still, or
     /// nearly always.
-    fn rounded_up(&mut self, motion: &Motion, pool: &mut BTreeSet<RowAt>) -> Result<Shortest, NoTime> {
+    fn rounded_up(
+        &mut self,
+        motion: &Motion,
+        care: Care,
+        pool: &mut BTreeSet<RowAt>,
+    ) -> Result<Shortest, NoTime> {
         let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();
         for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
             let time = (ticks + late) / (1.0 / GRID).round();
             let slower = self.lasting(motion, time - self.held());
-            if let Some(planned) = self.kept_near(slower, time, CLOSELY, pool) {
+            if let Some(planned) = self.kept_near(slower, time, care, pool) {
                 return Ok(shortest(time, planned));
             }
         }
@@ -100,7 +104,7 @@ impl Successive<'_, '_> {
         let smoothing: &[f64] = if nth < begun { &times::WARM_START } else { &times::FULL_GRID };
         let mut pool = BTreeSet::new();
         let motion = self.better_times(self.motion_of(&planned), smoothing, 0.0, &mut pool);
-        let shorter = self.rounded_up(&motion, &mut pool);
+        let shorter = self.rounded_up(&motion, CLOSELY, &mut pool);
         match &shorter {
             Ok(found) if found.time < planned.profile.total => shorter,
             _ => Ok(shortest(planned.profile.total, planned)),
