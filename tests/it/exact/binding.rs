@@ -26,6 +26,24 @@ fn a_long_climb_is_limited_by_its_rate() {
     assert!((leg.duration - plan.time).abs() < 1e-9);
 }
 
+/// A leg that ends at a fixed time lasts as long as the spec says, however tight that is; after it 1 % more speed gives back 1 %
+/// of d/v.
+#[test]
+fn nothing_before_a_fixed_time_gives_time_back() {
+    let stops = [[0.0, 0.0, 2.0], [0.0, 0.0, 22.0], [0.0, 0.0, 62.0]];
+    for fixed in [12.0, 30.0] {
+        let mut up = mission(stops.map(|at| waypoint(at, 0.0)).to_vec());
+        up.waypoints[1].time = Some(fixed);
+        up.limits = vec![limit(LimitKind::Climb, 2.0)];
+        let plan = planned(up, true);
+        let [before, after] = &plan.binding[..] else { panic!("{:?}", plan.binding) };
+        assert_eq!(before.statements, [], "{fixed}");
+        let (statement, seconds) = after.statements[0];
+        assert_eq!(statement, Statement::Limit(0));
+        assert!((seconds - 0.2).abs() < 0.03, "{seconds}");
+    }
+}
+
 /// Legs that one limit governs, against the plan with that limit relaxed by ten units: within a fifth of the difference, and the
 /// 0.02 s to which times are rounded.
 #[test]
