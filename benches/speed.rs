@@ -11,13 +11,12 @@ use mavc::actuation::Wrench;
 use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::flight::{Sortie, fly};
 use mavc::model::{Allocation, Controller, Detection, Mission, Model, PlannerKind, Strike};
+use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::pool::Pool;
 use mavc::planner::rows::{Decision, Engine};
 use mavc::planner::search::Hint;
 use mavc::planner::select::PlanningSet;
 use mavc::planner::successive::Successive;
-use mavc::planner::wrench_model::WrenchModel;
-use mavc::trajectory::Trajectory;
 use std::hint::black_box;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
@@ -180,7 +179,7 @@ fn by_flight() {
         println!("  no plan");
         return;
     };
-    let trajectory = Trajectory::of(&planned);
+    let trajectory = planned.trajectory();
     let strike = Strike { mode: 0, at: 5.0, until: None, span: Default::default(), at_span: Default::default() };
     let row = |what: &str, change: fn(&mut Model)| {
         let mut model = model.clone();

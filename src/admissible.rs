@@ -6,6 +6,7 @@ pub mod edge;
 pub mod interval;
 pub mod parallel;
 pub mod pseudo_inverse;
+pub mod row;
 pub mod verdict;
 
 use crate::actuation::{Actuation, Wrench};

@@ -9,9 +9,9 @@ mod plan;
 
 use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
 use crate::model::{Mission, MissionTime, Model, PlanModel};
+use crate::motion::time_grid::determined;
 use crate::planner::compare::{Comparison, Ending, Verification};
 use crate::planner::kinematics::{ROUNDING, least_time_within};
-use crate::planner::profile::determined;
 use crate::verify::{self, Settings};
 
 pub use check::{check, check_rounds, is_plan};

@@ -19,9 +19,7 @@ pub mod twins;
 
 use crate::actuation::Wrench;
 use crate::model::{AfterFault, Model, Simulation, Strike};
-use crate::planner::hover_model::{X, Y, Z};
-use crate::planner::transcribe::NodeState;
-use crate::trajectory::Trajectory;
+use crate::motion::{NodeState, Trajectory, X, Y, Z};
 use air::Air;
 use allocate::Allocator;
 use body::{Body, Frame};

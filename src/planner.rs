@@ -2,12 +2,10 @@
 
 pub mod compare;
 mod cost;
-pub mod hover_model;
 pub mod kinematics;
 pub mod lead;
 mod limits;
 pub mod pool;
-pub mod profile;
 pub mod rows;
 pub mod search;
 pub mod select;
@@ -17,5 +15,4 @@ pub mod stop;
 pub mod successive;
 pub mod transcribe;
 mod wrench_expression;
-pub mod wrench_model;
 pub mod yaw;

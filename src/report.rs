@@ -11,7 +11,6 @@ pub mod conflict_record;
 pub mod flight;
 pub mod heat;
 pub mod least_time;
-pub mod number;
 pub mod page;
 pub mod record;
 pub mod table;

@@ -25,7 +25,7 @@ pub mod wrench;
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Allocation, FaultMode, Mission, Model, PlanModel, PlannerKind};
-use crate::report::number::{down, number};
+use crate::number::{down, number};
 use crate::source::Span;
 use cost::{Budget, Estimate};
 use plan::Setting;

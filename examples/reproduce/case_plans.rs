@@ -4,9 +4,9 @@ use super::judgement::{agrees_if, differs, listed, not_comparable};
 use super::markdown::{fixed, none, paragraph, printed, table};
 use super::paper_plans::{Common, Own, TABLE_8, TABLE_9, TABLE_10, TABLE_11, TABLE_12, TABLE_13, WAYPOINTS};
 use super::plans::{self, Plans, name};
+use mavc::motion::outside::Outside;
 use mavc::planner::compare::{Ending, PlannerRun, Run};
 use mavc::report::record::errors;
-use mavc::trajectory::outside::Outside;
 
 /// Both tables of a case.
 pub fn section(number: usize) -> String {
@@ -102,7 +102,7 @@ fn judged_time(run: &PlannerRun, rip: f64, paper: Option<&Own>, paper_rip: f64) 
 
 /// Two significant digits.
 fn rounded(ratio: f64) -> String {
-    mavc::report::number::significant(ratio, 2)
+    mavc::number::significant(ratio, 2)
 }
 
 /// Tables 9 and 11: all planners at one time, against the case's only mode.

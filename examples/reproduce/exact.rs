@@ -4,13 +4,13 @@ use super::case_plans::seconds;
 use super::markdown::{fixed, paragraph, table};
 use super::plans::{self, JOINTLY, Plans, name};
 use super::specs;
+use mavc::admissible::row::{SetRow, VIOLATED};
 use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
+use mavc::motion::Z;
+use mavc::motion::checks::stretch;
+use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::compare::{PlannerRun, Run, Scope, Solved, compare};
-use mavc::planner::hover_model::Z;
-use mavc::planner::select::{SetRow, VIOLATED};
 use mavc::planner::transcribe::UPRIGHT;
-use mavc::planner::wrench_model::WrenchModel;
-use mavc::trajectory::checks::stretch;
 
 /// Heads the part that takes long to compute; it ends the page.
 pub const SHORTEST: &str = "### Shortest times in both models\n\n";

@@ -1,6 +1,6 @@
 //! Tables and numbers as they stand on the page.
 
-pub use mavc::report::number::fixed;
+pub use mavc::number::fixed;
 
 /// A table; every row has as many cells as the header.
 pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {

@@ -2,9 +2,9 @@
 
 use super::specs;
 use mavc::model::{Mission, Model, PlannerKind};
+use mavc::motion::outside::Outside;
 use mavc::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, Solved, compare, label};
 use mavc::report::record::{Errors, errors};
-use mavc::trajectory::outside::Outside;
 use std::sync::OnceLock;
 
 pub struct Plans {

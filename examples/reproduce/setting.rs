@@ -3,12 +3,12 @@
 use super::markdown::{fixed, paragraph, printed, table};
 use super::paper_plans::{WAYPOINTS, own_times};
 use super::plans::{self, Plans};
+use mavc::admissible::row::VIOLATED;
 use mavc::model::Waypoint;
+use mavc::motion::checks::stretch;
+use mavc::number::{number, percent};
 use mavc::planner::compare::Run;
 use mavc::planner::search::RESOLUTION;
-use mavc::planner::select::VIOLATED;
-use mavc::report::number::{number, percent};
-use mavc::trajectory::checks::stretch;
 
 pub fn section() -> String {
     let cases = [1, 2, 3].map(plans::of_case);

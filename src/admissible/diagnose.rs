@@ -7,7 +7,7 @@ use super::verdict::{ModeAnalysis, Verdict, analyze};
 use super::{AdmissibleSet, HEALTHY};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::Model;
-use crate::report::number::{down, number, significant, up};
+use crate::number::{down, number, significant, up};
 use crate::source::Span;
 
 /// A mode that the plan must stand has lost control over some axis.

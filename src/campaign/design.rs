@@ -2,11 +2,11 @@
 
 use super::cases::{Case, Cases, fault_time};
 use crate::admissible::AdmissibleSet;
+use crate::admissible::row::{SetRow, row};
 use crate::model::{FaultMode, Model, PlannerKind};
+use crate::motion::Trajectory;
+use crate::motion::outside::{Outside, outside};
 use crate::planner::compare::{Comparison, Ending};
-use crate::planner::select::{SetRow, row};
-use crate::trajectory::Trajectory;
-use crate::trajectory::outside::{Outside, outside};
 use crate::verdict::Verdict;
 use sha2::{Digest, Sha256};
 use std::fmt;

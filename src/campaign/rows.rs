@@ -4,7 +4,7 @@ use super::HEALTHY;
 use super::cases::Case;
 use super::design::{Design, Identity};
 use crate::flight::{Cause, Flight, Outcome};
-use crate::report::trajectory_csv::shortest;
+use crate::number::shortest;
 use sha2::{Digest, Sha256};
 use std::io::{BufRead, ErrorKind, Read};
 

@@ -2,13 +2,11 @@
 
 use super::plan::{model_of, motion};
 use crate::actuation::Wrench;
+use crate::admissible::row::SetRow;
 use crate::model::{Limit, Mission, Model};
+use crate::motion::checks::past_as_checked;
+use crate::motion::{NodeState, Trajectory};
 use crate::planner::compare::{PlannerRun, Solved};
-use crate::planner::select::SetRow;
-use crate::planner::transcribe::NodeState;
-use crate::report::caveats::limit_words;
-use crate::trajectory::Trajectory;
-use crate::trajectory::checks::past_as_checked;
 use crate::verify::Premises;
 use crate::verify::cost::Purse;
 use crate::verify::interval::Interval;
@@ -124,7 +122,7 @@ fn kept_facets(
 
 /// Of the bounds that may be claimed the first that is proved, else what a grid shows.
 fn kept_limit(motion: &Motion, limit: &Limit, trajectory: &Trajectory, gravity: f64) -> Between {
-    let rows = limit_words(limit.kind).0;
+    let rows = limit.kind.name_and_unit().0;
     let family = limits::family(limit, gravity);
     let seen = seen(trajectory, |_, state| past_as_checked(limit, state, gravity));
     // What is seen to be false is not tried.

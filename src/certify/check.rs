@@ -2,9 +2,9 @@
 
 use super::plan::certificate;
 use crate::model::{Mission, MissionTime, Model, Plan, PlannerKind};
+use crate::motion::Trajectory;
 use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Verification};
-use crate::trajectory::Trajectory;
 use crate::verify::{self, Refusal, Settings};
 
 /// Decides every plan of a comparison. What fails is not a plan: its run ends without one, and says why.

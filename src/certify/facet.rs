@@ -1,10 +1,10 @@
 //! Facets by the rotors that span them.
 
 use crate::actuation::Wrench;
+use crate::admissible::row::SetRow;
 use crate::admissible::{AdmissibleSet, FacetOf};
 use crate::certificate::FacetRecord;
 use crate::model::{Allocation, Model};
-use crate::planner::select::SetRow;
 use nalgebra::Matrix4;
 
 /// A facet that a row stands for.

@@ -4,23 +4,22 @@
 use super::facet::facet_of;
 use super::plan::motion;
 use crate::admissible::AdmissibleSet;
+use crate::admissible::row::SetRow;
 use crate::certificate::{
     Certificate, Claim, DynamicModel, FacetRecord, FacetWeight, InfeasibleClaim, MAX_FACETS, MAX_MULTIPLIERS,
     Multiplier, RowRecord, SCHEMA, Side,
 };
 use crate::model::{LimitKind, Mission, Model, PlanModel};
+use crate::motion::time_grid::profile;
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{Trajectory, YAW};
 use crate::planner::compare::PlannerRun;
-use crate::planner::hover_model::YAW;
-use crate::planner::profile::profile;
 use crate::planner::rows::Engine;
-use crate::planner::select::SetRow;
 use crate::planner::successive::{Relaxed, Successive};
 use crate::planner::transcribe::{Purpose, Transcription};
-use crate::planner::wrench_model::WrenchModel;
 use crate::planner::yaw::YawPlan;
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use crate::solve::{Outcome, solve_graded};
-use crate::trajectory::Trajectory;
 use crate::verify::{self, Settings};
 
 /// Of a plan that is missing for one motion of yaw only.

@@ -1,10 +1,8 @@
 //! A certificate for a plan, from what the planner found.
 
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord, PlanClaim, SCHEMA, Vertical};
-use crate::planner::hover_model::{X, Y, YAW, Z};
-use crate::planner::transcribe::NodeState;
-use crate::planner::wrench_model::WrenchModel;
-use crate::trajectory::Trajectory;
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 
 /// The certificate of a plan; `selected_by` are the plans that RSP selected facets by, in order.
 pub(super) fn certificate(trajectory: &Trajectory, selected_by: &[Trajectory], sha256: String) -> Certificate {

@@ -4,7 +4,7 @@ use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::flight::twins;
 use crate::model::FlightBlocks;
-use crate::report::number::plural;
+use crate::number::plural;
 use crate::report::table::Table;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};

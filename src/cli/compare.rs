@@ -10,9 +10,9 @@ use super::{CompareArgs, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERR
 use crate::certify;
 use crate::diagnostic::Diagnostic;
 use crate::model::{FlightBlocks, MAX_ROUNDS, MAX_SAMPLES_OF_A_SEARCH, Mission, MissionTime, Model};
+use crate::motion::time_grid::determined;
 use crate::planner::compare::rounds;
 use crate::planner::compare::{Comparison, PlannerRun, Run, Scope};
-use crate::planner::profile::determined;
 use crate::report::comparison_text;
 use crate::report::page::{self, Kind, Subject};
 use crate::report::record::{Record, RoundRecord};

@@ -7,9 +7,9 @@ use super::{DIVERGED, FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, f
 use crate::diagnostic::sort;
 use crate::flight::{Outcome, Sample, Sortie, fly, longest, twins};
 use crate::model::{FlightBlocks, Model, coarse_step, past_the_end, too_many_steps};
+use crate::number::number;
 use crate::planner::compare::{Ending, Scope};
 use crate::report::flight::{FlightRecord, Log, Told, text};
-use crate::report::number::number;
 use crate::report::page::{self, Kind, Track};
 use crate::report::record::Record;
 use crate::report::{terminal, trajectory_csv};

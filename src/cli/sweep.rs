@@ -5,7 +5,7 @@ use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
 use crate::diagnostic::{Diagnostic, Severity, nearest};
 use crate::model::{FileSet, FlightBlocks, Model, elaborate_for, parse_override};
-use crate::report::number::significant;
+use crate::number::significant;
 use crate::report::terminal;
 use crate::syntax::ast::Item;
 use serde::Serialize;

@@ -3,9 +3,9 @@
 use super::{Explanation, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Mission, MissionTime, Model, is_override};
+use crate::motion::time_grid::determined;
+use crate::number::number;
 use crate::planner::kinematics::least_time_within;
-use crate::planner::profile::determined;
-use crate::report::number::number;
 use crate::source::{SourceMap, Span};
 use crate::verdict::Verdict;
 

@@ -3,7 +3,7 @@
 use super::remedy::Change;
 use super::statement::{length, written};
 use crate::model::{Mission, MissionTime, Model, is_override};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::{SourceMap, Span};
 
 impl Change {

@@ -3,8 +3,8 @@
 
 use crate::certify;
 use crate::model::{Mission, MissionTime, Model};
+use crate::motion::time_grid::determined;
 use crate::planner::compare::{Comparison, Ending, NOTHING_TO_SELECT_BY, Scope, compare};
-use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
 use crate::solve::Effort;
 

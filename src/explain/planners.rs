@@ -3,20 +3,19 @@
 use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
 use crate::model::{LimitKind, Mission, Model, PlanModel, PlannerKind, Vehicle};
+use crate::motion::checks::{past, peak};
+use crate::motion::time_grid::profile;
+use crate::motion::wrench_model::WrenchModel;
 use crate::planner::compare::{THESE_TIMES, proofs_are_about};
 use crate::planner::kinematics::least_time_within;
 use crate::planner::pool::Pool;
-use crate::planner::profile::profile;
 use crate::planner::rows::{Decision, Engine, Planned};
 use crate::planner::select::PlanningSet;
 use crate::planner::sets::PlanningSets;
 use crate::planner::successive::{NOT_FOUND, Successive};
 use crate::planner::transcribe::UNBOUNDED;
-use crate::planner::wrench_model::WrenchModel;
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
-use crate::trajectory::Trajectory;
-use crate::trajectory::checks::{past, peak};
 
 /// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that passes a limit by far between its
 /// nodes counts as none.
@@ -100,12 +99,12 @@ impl Oracle for Planners<'_> {
             PlannerKind::Rsp => match decide(&sets.imposed.rip, &mut of_rip, true) {
                 (Decision::Feasible(planned), parts) => match sets.imposed.violated(model, &planned) {
                     none if none.is_empty() => {
-                        selected_by.push(Trajectory::of(&planned));
+                        selected_by.push(planned.trajectory());
                         (Decision::Feasible(planned), parts)
                     }
                     facets => {
                         of_selection = true;
-                        selected_by.push(Trajectory::of(&planned));
+                        selected_by.push(planned.trajectory());
                         let (decision, parts) = decide(&sets.imposed.rip.with(facets), &mut of_rip.clone(), false);
                         (about_all_selections(decision, model.plan.model), parts)
                     }
@@ -122,7 +121,7 @@ impl Oracle for Planners<'_> {
             }
             // A change is offered only where it gives what `mavc plan` would call a plan.
             Decision::Feasible(planned) => {
-                match certify::is_plan(model, mission, time, &Trajectory::of(&planned), &selected_by) {
+                match certify::is_plan(model, mission, time, &planned.trajectory(), &selected_by) {
                     true => Answer::Feasible,
                     false => Answer::NotFound(Vec::new()),
                 }
@@ -195,7 +194,7 @@ const COARSE: f64 = 0.05;
 
 /// Whether a plan passes some limit by more than [`COARSE`].
 fn passes_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
-    let trajectory = Trajectory::of(planned);
+    let trajectory = planned.trajectory();
     mission.limits.iter().any(|limit| {
         let bound = limit.lower.into_iter().chain(limit.upper).map(f64::abs).fold(0.0, f64::max);
         let scale = match limit.kind {

@@ -3,7 +3,7 @@
 use super::oracle::{Answer, Oracle, Part};
 use super::statement::Statement;
 use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
-use crate::planner::profile::{determined, earliest};
+use crate::motion::time_grid::{determined, earliest};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A time is long for a mission if it leaves the legs that no fixed time ends this many times what [`unhurried`] asks for.

@@ -2,8 +2,8 @@
 
 use super::oracle::Part;
 use crate::model::{Limit, Mission, MissionTime, Model, PlannerKind};
+use crate::number::{number, part_of_all};
 use crate::planner::transcribe::UNBOUNDED;
-use crate::report::number::{number, part_of_all};
 use crate::source::Span;
 
 /// One statement, or one default that stands for it. Places are those in [`Mission`] and [`Model`].

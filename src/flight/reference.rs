@@ -1,7 +1,6 @@
 //! Where the vehicle should be: along the plan, coming to rest, or descending.
 
-use crate::planner::hover_model::{X, Y, YAW, Z};
-use crate::trajectory::Trajectory;
+use crate::motion::{Trajectory, X, Y, YAW, Z};
 use nalgebra::Vector3;
 
 /// Largest deceleration that a stop is meant to take, m/s^2, and how long it takes at least where nothing presses, s.

@@ -6,7 +6,7 @@ use crate::admissible::allocation::Allocator;
 use crate::admissible::{HEALTHY, hover};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Detection, Model};
-use crate::trajectory::Trajectory;
+use crate::motion::Trajectory;
 use nalgebra::Vector3;
 
 /// Modes, and groups of them, that a message names; of more it gives the number.

@@ -10,7 +10,7 @@ use super::workspace::Spec;
 use crate::admissible::verdict::ModeAnalysis;
 use crate::model::vocabulary::constants;
 use crate::model::{Model, Reading};
-use crate::report::number::{number, significant};
+use crate::number::{number, significant};
 use crate::source::{FileId, Span};
 use crate::syntax::Place;
 use crate::unit::parse_unit;

@@ -7,7 +7,7 @@ use super::mend;
 use super::simulate::{Around, seed};
 use super::{Campaign, DefaultUsed, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
 

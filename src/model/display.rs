@@ -7,7 +7,7 @@ use super::{
     AfterFault, Campaign, Detection, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, Plan, PlanRotors,
     Simulation, Spin, Spread, Vehicle,
 };
-use crate::report::number::number;
+use crate::number::number;
 
 /// Degrees of an angle in radians.
 fn degrees(angle: f64) -> String {

@@ -5,7 +5,7 @@ use super::context::Context;
 use super::expression::{Value, is_bare};
 use super::likely_unit::likely_units;
 use crate::diagnostic::Diagnostic;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Operator};
 use crate::unit::{Dimension, Quantity, parse_unit};

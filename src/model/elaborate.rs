@@ -12,7 +12,7 @@ use super::simulate::Around;
 use super::understanding::Understanding;
 use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, sense, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::{SourceMap, Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile, Statement};
 use crate::unit::GRAVITY;

@@ -10,7 +10,7 @@ use super::expression::Value;
 use super::fields::Fields;
 use super::{AfterFault, FaultMode, after_fault, sense};
 use crate::diagnostic::Diagnostic;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::{Span, Spanned, visible};
 use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
 use crate::syntax::no_choice;

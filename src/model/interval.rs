@@ -5,7 +5,7 @@ use super::context::Context;
 use super::due::Due;
 use super::expression::{Value, is_bare, trailing_unit};
 use crate::diagnostic::Diagnostic;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, UnitText};
 use crate::unit::Quantity;

@@ -4,7 +4,7 @@ use super::context::{Context, listed};
 use super::due::Due;
 use super::{Limit, LimitKind, Waypoint, mend};
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, LimitRelation, Statement};
 
@@ -38,6 +38,29 @@ const LIMITS: [(&str, LimitKind, &str, Form); 15] = [
     ("yaw_acceleration", LimitKind::YawAcceleration, "deg/s^2", Form::Rate),
     ("tilt", LimitKind::Tilt, "deg", Form::Norm),
 ];
+
+impl LimitKind {
+    /// Name, unit for people, and its factor from SI.
+    pub fn name_and_unit(self) -> (&'static str, &'static str, f64) {
+        let degrees = 180.0 / std::f64::consts::PI;
+        match self {
+            LimitKind::X => ("x", "m", 1.0),
+            LimitKind::Y => ("y", "m", 1.0),
+            LimitKind::Z => ("altitude", "m", 1.0),
+            LimitKind::Yaw => ("yaw", "deg", degrees),
+            LimitKind::Speed => ("speed", "m/s", 1.0),
+            LimitKind::SpeedHorizontal => ("horizontal speed", "m/s", 1.0),
+            LimitKind::Climb => ("climb", "m/s", 1.0),
+            LimitKind::Descent => ("descent", "m/s", 1.0),
+            LimitKind::Acceleration => ("acceleration", "m/s^2", 1.0),
+            LimitKind::AccelerationHorizontal => ("horizontal acceleration", "m/s^2", 1.0),
+            LimitKind::Jerk => ("jerk", "m/s^3", 1.0),
+            LimitKind::YawRate => ("yaw rate", "deg/s", degrees),
+            LimitKind::YawAcceleration => ("yaw acceleration", "deg/s^2", degrees),
+            LimitKind::Tilt => ("tilt", "deg", degrees),
+        }
+    }
+}
 
 /// The name of every limit.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {

@@ -5,7 +5,7 @@ use super::context::Context;
 use super::due::{Due, called};
 use super::{Rotor, Vehicle};
 use crate::diagnostic::Diagnostic;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::unit::parse_unit;
 

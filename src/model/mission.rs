@@ -12,7 +12,7 @@ use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
 use super::{Mission, Waypoint, limits, mend, sense, survey};
 use crate::diagnostic::Diagnostic;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, Statement};
 use crate::unit::Quantity;

@@ -20,7 +20,7 @@ pub(super) use vehicle::{Written, WrittenRotor, check as check_vehicle};
 
 use super::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::report::number::significant;
+use crate::number::significant;
 use crate::source::Span;
 
 /// The usual range of a quantity, both ends in it.

@@ -15,7 +15,7 @@ use super::flight::{MOTOR_TIME_CONSTANT, Written, default};
 use super::mission::{MAX_DURATION, too_long};
 use super::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle, sense};
 use crate::diagnostic::Diagnostic;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, Statement};
 

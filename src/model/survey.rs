@@ -9,7 +9,7 @@ use super::due::Due;
 use super::load::Table;
 use super::mission::{Manner, Route, Stop};
 use crate::diagnostic::Diagnostic;
-use crate::report::number::plural;
+use crate::number::plural;
 use crate::source::{Span, Spanned, visible};
 use crate::unit::{Quantity, Unit, parse_unit};
 use std::collections::BTreeMap;

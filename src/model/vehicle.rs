@@ -11,7 +11,7 @@ use super::fields::Fields;
 use super::sense::{Written, check_vehicle};
 use super::{Allocation, DefaultUsed, Spin, Vehicle};
 use crate::diagnostic::Diagnostic;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 

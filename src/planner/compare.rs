@@ -16,17 +16,16 @@ pub use outcome::{
 
 use super::kinematics::least_time_within;
 use super::pool::Pool;
-use super::profile::determined;
 use super::rows::{ACCEPTED, Decision, Engine, Planned};
 use super::search::{Hint, NoTime, Shortest};
 use super::select::PlanningSet;
 use super::sets::PlanningSets;
 use super::successive::Successive;
-use super::wrench_model::WrenchModel;
 use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::motion::outside::{Outside, outside};
+use crate::motion::time_grid::determined;
+use crate::motion::wrench_model::WrenchModel;
 use crate::solve::Effort;
-use crate::trajectory::Trajectory;
-use crate::trajectory::outside::{Outside, outside};
 use candidates::nothing_selected_at;
 use rayon::prelude::*;
 use std::iter;
@@ -161,7 +160,7 @@ impl<'a> Setting<'a> {
     }
 
     fn solved(&self, time: f64, planned: &Planned) -> Solved {
-        let trajectory = Trajectory::of(planned);
+        let trajectory = planned.trajectory();
         let outside: Vec<Outside> = self
             .sets
             .modes
@@ -340,7 +339,7 @@ impl<'a> Setting<'a> {
 
     /// Whether a plan of RIP keeps to a smaller set too. With rotors that lag a wrench inside is not enough.
     fn is_inside(&self, plan: &Planned, set: &PlanningSet) -> bool {
-        let found = || outside(&Trajectory::of(plan), &self.model.vehicle, self.model.gravity, &set.rows);
+        let found = || outside(&plan.trajectory(), &self.model.vehicle, self.model.gravity, &set.rows);
         self.model.thrust_lag().is_none() && found().max_violation <= ACCEPTED
     }
 

@@ -1,8 +1,8 @@
 //! The cost (48): squared inputs over time and squared distances to the waypoints.
 
-use super::hover_model::{X, Y, YAW, Z};
-use super::transcribe::{NodeState, Transcription};
+use super::transcribe::Transcription;
 use crate::model::{Mission, Waypoint};
+use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::qp::build::Builder;
 
 /// Gauss and Legendre's points on 0..1 and their weights: exact for polynomials up to degree 7, and the square of an

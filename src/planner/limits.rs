@@ -1,8 +1,8 @@
 //! A mission's limits as rows: linear for one axis, second-order cones for norms.
 
-use super::hover_model::{X, Y, YAW, Z};
-use super::transcribe::{NodeState, Transcription, UPRIGHT};
+use super::transcribe::{Transcription, UPRIGHT};
 use crate::model::{Limit, LimitKind};
+use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 

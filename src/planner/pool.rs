@@ -1,7 +1,8 @@
 //! Rows that bound in earlier programs.
 
-use super::select::{PlanningSet, SetRow};
+use super::select::PlanningSet;
 use super::transcribe::{Row, RowAt};
+use crate::admissible::row::SetRow;
 use std::collections::BTreeSet;
 
 /// Rows of one planning set and of the mission's limits found binding so far. They carry over to other mission times and grids, and to

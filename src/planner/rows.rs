@@ -10,14 +10,15 @@ pub(super) use reach::LEEWAY;
 use super::lead::{LeadMaps, Slope};
 use super::limits::place;
 use super::pool::Pool;
-use super::profile::{Profile, profile};
 use super::select::PlanningSet;
-use super::transcribe::{NodeState, Purpose, Row, RowAt, Transcription};
-use super::wrench_model::WrenchModel;
+use super::transcribe::{Purpose, Row, RowAt, Transcription};
 use super::yaw::{YawPlan, plan_yaw};
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
 use crate::model::{Mission, Model};
+use crate::motion::time_grid::{Profile, profile};
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{NodeState, Trajectory};
 use crate::qp::RowOrigin;
 use crate::solve::{Effort, Outcome, Solution, solve};
 
@@ -110,6 +111,19 @@ pub struct Planned {
     pub objective: f64,
     /// Rows in the last program (facets and limits, each at one node).
     pub rows: usize,
+}
+
+impl Planned {
+    /// The plan as polynomials between its nodes, with pieces that join.
+    pub fn trajectory(&self) -> Trajectory {
+        let carried = Trajectory {
+            times: self.profile.node_times.clone(),
+            nodes: self.states.clone(),
+            waypoint_nodes: self.profile.waypoint_nodes.clone(),
+            model: self.model,
+        };
+        carried.joined()
+    }
 }
 
 /// What came of one program with row generation.

@@ -4,9 +4,9 @@
 //! [`RESOLUTION`], and on the finer [`GRID`] only where the solver gives no verdict at one of those.
 
 use super::pool::Pool;
-use super::profile::{determined, earliest};
 use super::rows::{Decision, Engine, Planned};
 use super::select::PlanningSet;
+use crate::motion::time_grid::{determined, earliest};
 
 /// Shortest times are multiples of this, s (unless the spec determines the time).
 pub const GRID: f64 = 0.01;

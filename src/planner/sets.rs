@@ -1,12 +1,12 @@
 //! What each planner imposes on the wrench of one spec.
 
 use super::rows::Planned;
-use super::select::{PlanningSet, SetRow};
-use super::wrench_model::WrenchModel;
+use super::select::PlanningSet;
+use crate::admissible::row::SetRow;
 use crate::admissible::{AdmissibleSet, faults_only_take};
 use crate::model::Model;
-use crate::trajectory::Trajectory;
-use crate::trajectory::outside::outside;
+use crate::motion::outside::outside;
+use crate::motion::wrench_model::WrenchModel;
 
 /// The sets of a spec as planned against: for every value of its intervals, and shrunk by the reserve.
 #[derive(Debug, Clone)]
@@ -48,7 +48,7 @@ impl PlanningSets {
     /// Step (e) of section 5.3: the facets of the modes' sets that a plan violates at some node, in the exact model at some
     /// instant, where its rows can stand too.
     pub fn violated(&self, model: &Model, planned: &Planned) -> Vec<SetRow> {
-        let trajectory = Trajectory::of(planned);
+        let trajectory = planned.trajectory();
         let of = |set: &PlanningSet| {
             let found = outside(&trajectory, &model.vehicle, model.gravity, &set.rows);
             let rows = if planned.model == WrenchModel::Exact { found.passed } else { found.facets };

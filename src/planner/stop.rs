@@ -8,16 +8,16 @@
 
 mod ends;
 
-use super::profile::{LegGrid, Profile};
 use super::select::PlanningSet;
 use super::successive::{Motion, Successive};
-use super::transcribe::{NodeState, UNBOUNDED};
-use super::wrench_model::WrenchModel;
+use super::transcribe::UNBOUNDED;
 use super::{limits::place, rows::Engine};
 use crate::admissible::AdmissibleSet;
 use crate::model::grid::Spacing;
 use crate::model::{Leg, Limit, Mission, Model, Waypoint};
-use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::motion::time_grid::{LegGrid, Profile};
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::solve::Effort;
 
 /// A stop is cut into parts of these shares, each with so many intervals: rates are caught at its beginning and the

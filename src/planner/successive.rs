@@ -24,17 +24,18 @@ pub use motion::Motion;
 pub use relaxation::{MostThrust, Relaxed};
 pub use search::NOT_FOUND;
 
-use super::hover_model::{WrenchMap, X, Y, YAW, Z};
 use super::limits::place;
-use super::profile::{LegGrid, Profile, Segment};
 use super::rows::{ACCEPTED, Engine, Planned};
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
-use super::transcribe::{NodeState, Row, RowAt, Transcription, splines};
-use super::wrench_model::WrenchModel;
+use super::transcribe::{Row, RowAt, Transcription, splines};
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
 use crate::model::{Limit, Model};
+use crate::motion::hover_map::WrenchMap;
+use crate::motion::time_grid::{LegGrid, Profile, Segment};
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::solve::{Approach, Outcome, Solution, approach, solve_graded};
 use lead::Lag;
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,7 +47,7 @@ use step::{Objective, Step, change};
 pub const BACK_OFF: f64 = 1e-4;
 
 /// Instants per interval at which a plan is checked, and at which rows can stand: those at which reports look.
-pub use crate::trajectory::outside::PARTS;
+pub use crate::motion::outside::PARTS;
 
 /// Rows of the last motion with less slack than this stand in the next step from its beginning.
 const NEAR: f64 = 0.1;

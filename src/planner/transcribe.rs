@@ -9,22 +9,20 @@
 mod mission;
 mod units;
 
-use super::hover_model::{ORDER, WrenchMap, X, Y, Z};
 use super::lead::{LeadAt, LeadMaps, Slope};
 use super::limits::Widening;
-use super::profile::Profile;
 use super::select::PlanningSet;
 use super::spline::NodeSpline;
 use super::wrench_expression::WrenchExpression;
 use crate::actuation::Wrench;
 use crate::model::{Mission, Model};
+use crate::motion::hover_map::{ORDER, WrenchMap};
+use crate::motion::time_grid::Profile;
+use crate::motion::{NodeState, X, Y, Z};
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-
-/// Derivatives of each axis at a node: `[axis][order]`, SI units.
-pub type NodeState = [[f64; 5]; 4];
 
 /// What the program is to find.
 #[derive(Debug, Clone, Copy, PartialEq)]

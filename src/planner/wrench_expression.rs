@@ -1,9 +1,9 @@
 //! The wrench at an instant in a program's variables: made once, for many facets stand there.
 
-use super::hover_model::WrenchMap;
 use super::lead::LeadAt;
 use super::transcribe::Transcription;
 use crate::actuation::Wrench;
+use crate::motion::hover_map::WrenchMap;
 use crate::qp::build::Affine;
 
 /// `constant + sum of coefficient times variable`, N and N m; each variable once.

@@ -1,11 +1,12 @@
 //! Yaw, planned first where it changes: the terms of (48) that hold psi, least within the yaw tolerances.
 
-use super::hover_model::{WrenchMap, X, Y, YAW, YawState, Z};
-use super::profile::Profile;
 use super::select::PlanningSet;
-use super::transcribe::{NodeState, Purpose, Transcription};
-use super::wrench_model::WrenchModel;
+use super::transcribe::{Purpose, Transcription};
 use crate::model::{Mission, Model};
+use crate::motion::hover_map::{WrenchMap, YawState};
+use crate::motion::time_grid::Profile;
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::solve::{Effort, Outcome, solve};
 
 /// How yaw enters the plan of x, y and z.

@@ -1,6 +1,5 @@
 //! What `mavc analyze` says to people.
 
-use super::number::{down, significant};
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::admissible::edge::Place;
@@ -8,6 +7,7 @@ use crate::admissible::interval::Certainty;
 use crate::admissible::parallel::{Parallel, least_angle};
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::{Allocation, Model};
+use crate::number::{down, significant};
 
 /// What the columns after the verdict mean.
 const LEGEND: &str = "

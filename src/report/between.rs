@@ -1,13 +1,13 @@
 //! What is shown of a plan between its nodes, in words.
 
 use super::caveats::passed;
-use super::number::percent;
 use super::terminal::WIDTH;
+use crate::admissible::row::VIOLATED;
 use crate::certify::between::{Between, COMMANDS, GRID, Shown, WRENCH};
 use crate::model::Model;
+use crate::motion::wrench_model::WrenchModel;
+use crate::number::percent;
 use crate::planner::compare::Solved;
-use crate::planner::select::VIOLATED;
-use crate::planner::wrench_model::WrenchModel;
 use crate::tolerance::MOST_PAST_LIMIT;
 
 /// Proved for every instant, or checked on a grid; `found` is of the wrench, of each limit in the mission's order, and of what

@@ -1,9 +1,8 @@
 //! What limits the time of a plan, leg by leg.
 
-use super::caveats::limit_words;
-use super::number::{fixed, number, significant};
 use super::table::Table;
 use crate::model::{Limit, LimitKind, Mission, Model};
+use crate::number::{fixed, number, significant};
 use crate::planner::compare::Solved;
 use crate::planner::successive::binding::Statement;
 use serde::Serialize;
@@ -86,7 +85,7 @@ fn place(mission: &Mission, waypoint: usize) -> String {
 
 /// `climb <= 4 m/s`
 fn bound(limit: &Limit) -> String {
-    let (name, unit, factor) = limit_words(limit.kind);
+    let (name, unit, factor) = limit.kind.name_and_unit();
     let value = |bound: f64| number(bound * factor);
     match (limit.lower, limit.upper) {
         (Some(low), Some(high)) if low == -high => format!("{name} <= {} {unit}", value(high)),

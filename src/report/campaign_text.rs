@@ -1,6 +1,5 @@
 //! The report of a campaign for people.
 
-use super::number::{fixed, number, part_of_all, percent, significant};
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::campaign::HEALTHY;
@@ -12,6 +11,7 @@ use crate::campaign::statistics::{Contingency, Share, wilson};
 use crate::campaign::tally::{Cell, Group, Tally};
 use crate::flight::Cause;
 use crate::model::{Detection, Simulation};
+use crate::number::{fixed, number, part_of_all, percent, significant};
 use crate::planner::compare::Ending;
 use std::cmp::Reverse;
 

@@ -1,11 +1,11 @@
 //! Where a plan is not what it seems: limits passed between nodes, the linear model out of its range.
 
-use super::number::{fixed, percent, significant};
 use crate::model::{LimitKind, Model};
+use crate::motion::checks::{Excess, coarser_legs, limit_excesses, past_as_checked, peak, stretch};
+use crate::motion::wrench_model::WrenchModel;
+use crate::number::{fixed, percent, significant};
 use crate::planner::compare::Solved;
-use crate::planner::wrench_model::WrenchModel;
 use crate::tolerance::{MOST_PAST_LIMIT, USUAL_SPEED};
-use crate::trajectory::checks::{Excess, coarser_legs, limit_excesses, past_as_checked, peak, stretch};
 use serde::Serialize;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -83,7 +83,7 @@ fn too_fast(model: &Model, solved: &Solved) -> Option<Caveat> {
 pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
     let passed = passed(model, solved).into_iter().map(|e| {
-        let (name, unit, factor) = limit_words(limits[e.limit].kind);
+        let (name, unit, factor) = limits[e.limit].kind.name_and_unit();
         Caveat {
             kind: CaveatKind::LimitBetweenSamples,
             limit: Some(name),
@@ -133,25 +133,4 @@ pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
         }
     });
     passed.chain(tilt).chain(thrust).collect()
-}
-
-/// Name, unit for people and factor from SI.
-pub(crate) fn limit_words(kind: LimitKind) -> (&'static str, &'static str, f64) {
-    let degrees = 180.0 / std::f64::consts::PI;
-    match kind {
-        LimitKind::X => ("x", "m", 1.0),
-        LimitKind::Y => ("y", "m", 1.0),
-        LimitKind::Z => ("altitude", "m", 1.0),
-        LimitKind::Yaw => ("yaw", "deg", degrees),
-        LimitKind::Speed => ("speed", "m/s", 1.0),
-        LimitKind::SpeedHorizontal => ("horizontal speed", "m/s", 1.0),
-        LimitKind::Climb => ("climb", "m/s", 1.0),
-        LimitKind::Descent => ("descent", "m/s", 1.0),
-        LimitKind::Acceleration => ("acceleration", "m/s^2", 1.0),
-        LimitKind::AccelerationHorizontal => ("horizontal acceleration", "m/s^2", 1.0),
-        LimitKind::Jerk => ("jerk", "m/s^3", 1.0),
-        LimitKind::YawRate => ("yaw rate", "deg/s", degrees),
-        LimitKind::YawAcceleration => ("yaw acceleration", "deg/s^2", degrees),
-        LimitKind::Tilt => ("tilt", "deg", degrees),
-    }
 }

@@ -3,15 +3,15 @@
 mod fold;
 
 use super::heat;
-use super::number::{fixed, number, percent, significant};
 use super::record::{errors, rates};
 use super::table::Table;
 use super::terminal::{WIDTH, head, holds, in_planes};
 use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind};
+use crate::motion::risk::rated_risk;
+use crate::motion::time_grid::determined;
+use crate::number::{fixed, number, percent, significant};
 use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, label};
-use crate::planner::profile::determined;
-use crate::trajectory::risk::rated_risk;
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
 

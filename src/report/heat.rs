@@ -1,11 +1,11 @@
 //! Heat strips: time across, modes down, the smallest margin as colour or as a character.
 
-use super::number::number;
+use crate::admissible::row::VIOLATED;
 use crate::model::Model;
+use crate::motion::Trajectory;
+use crate::motion::nearness::nearness;
+use crate::number::number;
 use crate::planner::compare::Comparison;
-use crate::planner::select::VIOLATED;
-use crate::trajectory::Trajectory;
-use crate::trajectory::nearness::nearness;
 
 /// Parts of the flight across.
 const COLUMNS: usize = 64;

@@ -1,11 +1,11 @@
 //! The lower bound beside every time: which no motion within the spec's limits stays below.
 
 use super::caveats::passed;
-use super::number::{down, down_but_above, percent};
 use crate::model::{Mission, Model};
+use crate::motion::time_grid::has_fixed_times;
+use crate::number::{down, down_but_above, percent};
 use crate::planner::compare::{Ending, PlannerRun};
 use crate::planner::kinematics::{LeastTime, least_time, least_time_within};
-use crate::planner::profile::has_fixed_times;
 
 /// Of the bound itself, which is rounded down.
 const DIGITS: usize = 4;

@@ -9,11 +9,11 @@ use super::verdict_text::statement;
 use super::waypoints::{WaypointRecord, waypoints};
 use crate::certify::between::Between;
 use crate::model::{Mission, Model};
+use crate::motion::YAW;
+use crate::motion::risk::rated_risk;
 use crate::planner::compare::protect::{Addition, Protection};
 use crate::planner::compare::rounds::Round;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, Verification};
-use crate::planner::hover_model::YAW;
-use crate::trajectory::risk::rated_risk;
 use crate::verdict::Verdict;
 use serde::Serialize;
 

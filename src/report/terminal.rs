@@ -3,19 +3,20 @@
 use super::binding;
 use super::caveats::caveats;
 use super::heat;
-use super::number::{fixed, number, part_of_all, percent, short_seconds, significant};
 use super::record::{errors, rates};
 use super::table::Table;
 use super::verdict_text::{self, statement};
 use super::waypoints;
+use crate::admissible::row::VIOLATED;
 use crate::flight::twins::listed;
 use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
+use crate::motion::outside::Outside;
+use crate::motion::risk::rated_risk;
+use crate::motion::wrench_model::WrenchModel;
+use crate::number::{fixed, number, part_of_all, percent, short_seconds, significant};
 use crate::planner::compare::protect::Protection;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Solved, label};
-use crate::planner::select::{PlanningSet, VIOLATED};
-use crate::planner::wrench_model::WrenchModel;
-use crate::trajectory::outside::Outside;
-use crate::trajectory::risk::rated_risk;
+use crate::planner::select::PlanningSet;
 
 /// Columns of running text.
 pub const WIDTH: usize = 110;

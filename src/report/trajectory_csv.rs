@@ -2,8 +2,8 @@
 
 use crate::admissible::allocation::Allocator;
 use crate::model::Model;
-use crate::planner::hover_model::{X, Y, YAW, Z};
-use crate::trajectory::{Trajectory, roll_pitch};
+use crate::motion::{Trajectory, X, Y, YAW, Z, roll_pitch};
+use crate::number::push_shortest;
 
 /// Most numbers of one table, so that its text, 18 bytes a number or so, takes less than 500 MB while it is written.
 const MAX_NUMBERS: u64 = 10_000_000;
@@ -101,22 +101,4 @@ pub fn push_row(out: &mut String, row: &[f64]) {
         push_shortest(out, *v);
     }
     out.push('\n');
-}
-
-/// Adds the shortest text that reads back as the same number; no `-0`.
-fn push_shortest(out: &mut String, v: f64) {
-    use std::fmt::Write;
-    let v = if v == 0.0 { 0.0 } else { v };
-    let written = match v != 0.0 && (v.abs() < 1e-5 || v.abs() >= 1e15) {
-        true => write!(out, "{v:e}"),
-        false => write!(out, "{v}"),
-    };
-    written.expect("a string takes what is written");
-}
-
-/// The shortest text that reads back as the same number; no `-0`.
-pub fn shortest(v: f64) -> String {
-    let mut text = String::new();
-    push_shortest(&mut text, v);
-    text
 }

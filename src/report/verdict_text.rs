@@ -1,12 +1,12 @@
 //! The verdict on a planner's run as text: its word, and exactly what was shown.
 
 use super::least_time;
-use super::number::number;
 use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::motion::time_grid::determined;
+use crate::number::number;
 use crate::planner::compare::protect::UNMET;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, THESE_TIMES, THIS_YAW, Verification};
 use crate::planner::kinematics::least_time_within;
-use crate::planner::profile::determined;
 use crate::planner::successive::NOT_FOUND;
 
 /// `proved infeasible at 12 s with 200 samples`: the verdict on a run, for which times, and under which conditions.

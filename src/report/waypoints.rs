@@ -1,10 +1,10 @@
 //! How far a plan misses each waypoint, beside what the spec allows.
 
-use super::number::{DIGITS, percent, significant};
 use super::table::Table;
 use crate::model::{Mission, Waypoint};
+use crate::motion::YAW;
+use crate::number::{DIGITS, percent, significant};
 use crate::planner::compare::Solved;
-use crate::planner::hover_model::YAW;
 use crate::verify::plan::MOST_MISS;
 use serde::Serialize;
 use std::cmp::Ordering;

@@ -5,7 +5,7 @@ use super::interval::{Interval, exceeds};
 use super::sets::{Facet, Generators, Plane};
 use crate::certificate::FacetRecord;
 use crate::model::Model;
-use crate::report::number::number;
+use crate::number::number;
 
 /// Printed normals and offsets may be off by this share.
 const PRINTED: f64 = 1e-9;

@@ -24,7 +24,7 @@ use super::sets::Plane;
 use super::{Refusal, Rejection, Shown, Verdict, lag, required};
 use crate::certificate::{DynamicModel, FacetRecord, InfeasibleClaim};
 use crate::model::{Mission, Model};
-use crate::report::number::{number, plural};
+use crate::number::{number, plural};
 
 struct Rows<'a> {
     model: &'a Model,

@@ -10,7 +10,7 @@
 use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, X, Y, YAW, Z};
-use crate::report::number::number;
+use crate::number::number;
 
 /// Each derivative may jump by this at one joint: m, m/s, m/s^2, m/s^3; of yaw in rad.
 pub const MOST_GAP: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];

@@ -12,7 +12,7 @@ use super::interval::{Interval, exceeds};
 use super::schedule::fixed_total;
 use crate::certificate::TooEarlyClaim;
 use crate::model::{LimitKind, Mission, Model, PlanModel, Waypoint};
-use crate::report::number::{down_but_above, number};
+use crate::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
 

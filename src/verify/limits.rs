@@ -5,7 +5,6 @@ use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
 use super::proof::{Family, Measure, Rated};
 use crate::model::{Limit, LimitKind};
-use crate::report::caveats::limit_words;
 
 /// Value and rate of change.
 type Series = super::series::Series<2>;
@@ -35,7 +34,7 @@ pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
 
 /// How messages say an excess.
 fn measure(kind: LimitKind) -> Measure {
-    match limit_words(kind) {
+    match kind.name_and_unit() {
         _ if kind == LimitKind::Tilt => Measure { factor: 100.0, unit: "%", whole: Some("of gravity") },
         (_, unit, factor) => Measure { factor, unit, whole: None },
     }

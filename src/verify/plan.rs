@@ -14,7 +14,7 @@ use super::wrench::{Dynamics, Held};
 use super::{Refusal, Rejection, Shown, joints, lag, mode_named, required, schedule};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Mission, Model, PlannerKind};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 
 pub use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};

@@ -3,7 +3,7 @@
 use super::cost::Purse;
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, State};
-use crate::report::number::number;
+use crate::number::number;
 
 /// A quantity and its rate of change, at an instant or over a time interval.
 #[derive(Debug, Clone, Copy, PartialEq)]

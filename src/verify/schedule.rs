@@ -7,7 +7,7 @@ use super::motion::Motion;
 use super::premise::{Premise, Premises};
 use crate::model::grid::{fewest_pieces, is_coarser, leg_durations, pieces};
 use crate::model::{Mission, MissionTime, Model};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 
 /// Two instants are one, as a share of the mission's time.

@@ -16,8 +16,7 @@ use super::numbers::Numbers;
 use super::specs::Spec;
 use super::truth::Falsehood;
 use mavc::certificate::{Certificate, Claim};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
-use mavc::trajectory::Trajectory;
+use mavc::motion::{Trajectory, X, Y, YAW, Z};
 use mavc::verify::Premise;
 
 /// A way to forge; `None` where a try, or the spec, gives none.

@@ -4,10 +4,8 @@
 use mavc::certificate::{Certificate, Claim, DynamicModel, MotionRecord, PlanClaim, SCHEMA, Vertical};
 use mavc::model::grid::{leg_durations, pieces};
 use mavc::model::{Mission, Model, PlanModel};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
-use mavc::planner::transcribe::NodeState;
-use mavc::planner::wrench_model::WrenchModel;
-use mavc::trajectory::{Trajectory, between};
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z, between};
 use nalgebra::{DMatrix, DVector};
 
 pub const AXES: [usize; 4] = [X, Y, Z, YAW];

@@ -9,9 +9,8 @@ use super::numbers::Numbers;
 use super::truth::Truth;
 use mavc::certificate::{Certificate, Claim};
 use mavc::model::{Allocation, Limit, LimitKind, MissionTime, Model, PlanRotors, PlannerKind, RotorSpread, Spread};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
-use mavc::trajectory::Trajectory;
-use mavc::trajectory::checks::{past, peak};
+use mavc::motion::checks::{past, peak};
+use mavc::motion::{Trajectory, X, Y, YAW, Z};
 use rayon::prelude::*;
 
 pub use foreign::WEAKER;

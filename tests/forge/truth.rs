@@ -11,16 +11,15 @@
 
 use super::motion::{AXES, equations, of_record};
 use mavc::actuation::Wrench;
+use mavc::admissible::row::SetRow;
 use mavc::certificate::{Certificate, Claim, DynamicModel, PlanClaim};
 use mavc::model::grid::{leg_durations, pieces};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
-use mavc::planner::select::{PlanningSet, SetRow};
+use mavc::motion::checks::past;
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
+use mavc::planner::select::PlanningSet;
 use mavc::planner::sets::PlanningSets;
-use mavc::planner::transcribe::NodeState;
-use mavc::planner::wrench_model::WrenchModel;
-use mavc::trajectory::Trajectory;
-use mavc::trajectory::checks::past;
 
 /// Falsehoods count from this many tolerances on.
 pub const TIMES: f64 = 10.0;

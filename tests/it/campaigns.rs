@@ -382,7 +382,7 @@ fn parquet_holds_what_the_csv_holds() {
         let cell = |field: &parquet::record::Field| match field {
             parquet::record::Field::Null => String::new(),
             parquet::record::Field::Str(text) => text.clone(),
-            parquet::record::Field::Double(value) => mavc::report::trajectory_csv::shortest(*value),
+            parquet::record::Field::Double(value) => mavc::number::shortest(*value),
             other => other.to_string(),
         };
         let line =

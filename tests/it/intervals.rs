@@ -220,7 +220,7 @@ fn plans_hold_for_every_value() {
         let other = at(&model, end(17), &places);
         for mode in [0, 2] {
             let set = AdmissibleSet::of_mode(&other, mode);
-            let margin = |trajectory: &mavc::trajectory::Trajectory| {
+            let margin = |trajectory: &mavc::motion::Trajectory| {
                 let wrenches = trajectory.node_wrenches(&other.vehicle, other.gravity);
                 wrenches.iter().map(|w| set.polytope.margin(w)).fold(f64::INFINITY, f64::min)
             };

@@ -10,8 +10,8 @@ mod vehicles;
 use crate::vehicles::{mission, octocopter, waypoint};
 use mavc::actuation::Wrench;
 use mavc::model::{Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind};
+use mavc::motion::Trajectory;
 use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
-use mavc::trajectory::Trajectory;
 
 /// The model with rotors whose thrusts are planned to follow in `tau` s.
 pub fn lagging(mut model: Model, tau: f64) -> Model {

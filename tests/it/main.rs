@@ -27,6 +27,7 @@ mod pseudo_inverse;
 mod render;
 mod reproduction;
 mod risk;
+mod rooms;
 mod rounds;
 mod schemas;
 mod several;

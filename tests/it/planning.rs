@@ -3,12 +3,13 @@
 
 use crate::vehicles::{hexacopter, inspection, limit, lost, mission, paper_case, quadcopter, ring_model, waypoint};
 use mavc::admissible::AdmissibleSet;
+use mavc::admissible::row::VIOLATED;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, Solved, compare};
 use mavc::planner::pool::Pool;
 use mavc::planner::rows::{ACCEPTED, Decision, Engine};
 use mavc::planner::search::RESOLUTION;
-use mavc::planner::select::{PlanningSet, VIOLATED};
+use mavc::planner::select::PlanningSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), scope, None)
@@ -240,7 +241,7 @@ fn a_flat_set_is_planned_on_its_plane() {
     let Decision::Feasible(planned) = engine.decide(20.0, 40, &set, &mut Pool::default()) else {
         panic!("20 s are plenty");
     };
-    let trajectory = mavc::trajectory::Trajectory::of(&planned);
+    let trajectory = planned.trajectory();
     let wrenches = trajectory.node_wrenches(&model.vehicle, model.gravity);
     let largest = wrenches.iter().map(|w| w[1].abs()).fold(0.0, f64::max);
     assert!(largest > 1e-3, "the plan rolls");

@@ -3,16 +3,16 @@
 use crate::vehicles::{inspection, mission, octocopter, paper_case, viviani, waypoint};
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{Leg, Mission, Model, PlannerKind};
-use mavc::planner::hover_model::{ORDER, WrenchMap, YawState};
+use mavc::motion::hover_map::{ORDER, WrenchMap, YawState};
+use mavc::motion::time_grid::{determined, earliest, profile};
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory};
 use mavc::planner::pool::Pool;
-use mavc::planner::profile::{determined, earliest, profile};
 use mavc::planner::rows::{ACCEPTED, Decision, Engine, FEASIBLE, Planned};
 use mavc::planner::select::PlanningSet;
-use mavc::planner::transcribe::{NodeState, Purpose, Transcription, UNBOUNDED};
-use mavc::planner::wrench_model::WrenchModel;
+use mavc::planner::transcribe::{Purpose, Transcription, UNBOUNDED};
 use mavc::qp::{Cone, QuadraticProgram, RowOrigin, Sparse, mps};
 use mavc::solve::{Outcome, Solution, residuals, solve};
-use mavc::trajectory::Trajectory;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -85,7 +85,7 @@ fn full_and_generated(against: &[usize], known: f64) {
         let apart = found.objective - solution.objective;
         assert!(apart.abs() < gap(&program), "{} {}", found.objective, solution.objective);
         assert!(found.rows < facet_rows / 4, "{} rows generated", found.rows);
-        for w in Trajectory::of(&found).node_wrenches(&model.vehicle, model.gravity) {
+        for w in found.trajectory().node_wrenches(&model.vehicle, model.gravity) {
             assert!(set.rows.iter().all(|r| r.excess(&w) <= ACCEPTED));
         }
     }
@@ -113,7 +113,7 @@ fn rip_at_24_s_steps_exactly_and_meets_every_waypoint() {
     let model = paper_case(PlannerKind::Rip, &[]);
     let found = planned(&model, 24.0);
     assert!(close(found.objective, 0.8386346, 1e-5), "{}", found.objective);
-    steps_are_continuous(&Trajectory::of(&found));
+    steps_are_continuous(&found.trajectory());
     for (w, &node) in viviani().waypoints.iter().zip(&found.profile.waypoint_nodes) {
         let miss = (0..3).map(|i| (found.states[node][i][0] - w.position[i]).powi(2)).sum::<f64>().sqrt();
         assert!(miss <= w.within + 2.0 * FEASIBLE, "{miss}");
@@ -170,7 +170,7 @@ fn holds_fixed_times_and_yaw_are_planned_as_written() {
     let inspection = inspection();
     model.mission = Some(inspection.clone());
     let found = planned(&model, 32.0);
-    let trajectory = Trajectory::of(&found);
+    let trajectory = found.trajectory();
     steps_are_continuous(&trajectory);
     assert_eq!(trajectory.model, WrenchModel::HoverFollowing);
     let p = &found.profile;

@@ -2,13 +2,13 @@
 
 use crate::cli::mavc_with;
 use crate::vehicles::{limit, lost, mission, octocopter, paper_case, viviani, waypoint};
+use mavc::admissible::row::VIOLATED;
 use mavc::model::{FaultMode, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::motion::nearness::nearness;
+use mavc::motion::risk::{rated_risk, risk};
 use mavc::planner::compare::protect::{Protection, UNMET};
 use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
 use mavc::planner::rows::ACCEPTED;
-use mavc::planner::select::VIOLATED;
-use mavc::trajectory::nearness::nearness;
-use mavc::trajectory::risk::{rated_risk, risk};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -182,7 +182,7 @@ fn a_required_risk_is_kept_in_the_exact_model() {
     let steps = 20_000;
     let wrench = |t: f64| s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
     let instants = || (0..=steps).map(|i| s.time * f64::from(i) / f64::from(steps));
-    let worst = |rows: &[mavc::planner::select::SetRow], t: f64| {
+    let worst = |rows: &[mavc::admissible::row::SetRow], t: f64| {
         let w = wrench(t);
         rows.iter().map(|r| r.excess(&w)).fold(f64::NEG_INFINITY, f64::max)
     };

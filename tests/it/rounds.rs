@@ -2,16 +2,17 @@
 
 use crate::cli::mavc_with;
 use crate::vehicles::{limit, lost, mission, octocopter, paper_case, ring_model, viviani, waypoint};
+use mavc::admissible::row::VIOLATED;
 use mavc::admissible::{AdmissibleSet, faults_only_take};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::motion::Trajectory;
+use mavc::motion::outside::PARTS;
 use mavc::planner::compare::rounds::rounds;
 use mavc::planner::compare::{Comparison, Ending, Run, Scope, Solved, compare};
 use mavc::planner::pool::Pool;
 use mavc::planner::rows::{ACCEPTED, Decision, Engine};
 use mavc::planner::search::Hint;
-use mavc::planner::select::{PlanningSet, VIOLATED};
-use mavc::trajectory::Trajectory;
-use mavc::trajectory::outside::PARTS;
+use mavc::planner::select::PlanningSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), scope, None)
@@ -123,13 +124,13 @@ fn all_double_losses_of_sixteen_rotors_at_once() {
     let Decision::Feasible(free) = engine.decide(shortest.time, 200, &whole, &mut Pool::default()) else {
         panic!("fewer rows")
     };
-    let wrenches = Trajectory::of(&free).node_wrenches(&model.vehicle, model.gravity);
+    let wrenches = free.trajectory().node_wrenches(&model.vehicle, model.gravity);
     let excess = |w| set.rows.iter().map(|r| r.excess(w)).fold(f64::NEG_INFINITY, f64::max);
     let worst = wrenches.iter().map(excess).fold(f64::NEG_INFINITY, f64::max);
     assert!(worst > 0.01, "{worst}");
     // Few of all rows were needed, and all hold: those of every single set, not of the intersection alone.
     assert!(plan.rows < set.rows.len() * 201 / 10, "{} rows", plan.rows);
-    for w in Trajectory::of(&plan).node_wrenches(&model.vehicle, model.gravity) {
+    for w in plan.trajectory().node_wrenches(&model.vehicle, model.gravity) {
         assert!(set.rows.iter().all(|r| r.excess(&w) <= ACCEPTED));
         assert!(hovering.iter().all(|s| s.polytope.margin(&w) > -1e-4));
     }

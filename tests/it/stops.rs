@@ -2,15 +2,14 @@
 
 use crate::vehicles::{lost, mission, octocopter, paper_case, waypoint};
 use mavc::model::{AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::motion::checks::past;
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, X, Y, YAW, Z};
 use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
 use mavc::planner::sets::PlanningSets;
 use mavc::planner::stop::Stops;
 use mavc::planner::successive::Motion;
-use mavc::planner::transcribe::NodeState;
-use mavc::planner::wrench_model::WrenchModel;
 use mavc::source::Span;
-use mavc::trajectory::checks::past;
 use nalgebra::Vector3;
 
 fn run(model: &Model) -> Comparison {

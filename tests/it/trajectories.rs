@@ -6,22 +6,22 @@ use crate::vehicles::{hexacopter, inspection, lost, octocopter, paper_case, quad
 use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::allocation::Allocator;
+use mavc::admissible::row::{SetRow, VIOLATED};
 use mavc::flatness::{self, FlatState};
 use mavc::model::{Mission, Model, PlannerKind};
-use mavc::planner::hover_model::ORDER;
+use mavc::motion::checks::{limit_excesses, peak};
+use mavc::motion::hover_map::ORDER;
+use mavc::motion::outside::outside;
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, roll_pitch, tilt};
 use mavc::planner::pool::Pool;
 use mavc::planner::rows::{Decision, Engine};
-use mavc::planner::select::{PlanningSet, SetRow, VIOLATED};
+use mavc::planner::select::PlanningSet;
 use mavc::planner::successive::Successive;
-use mavc::planner::transcribe::NodeState;
-use mavc::planner::wrench_model::WrenchModel;
 use mavc::qp::RowOrigin;
 use mavc::qp::build::{Affine, Builder};
 use mavc::report::trajectory_csv::{self, render};
 use mavc::solve::{Outcome, solve};
-use mavc::trajectory::checks::{limit_excesses, peak};
-use mavc::trajectory::outside::outside;
-use mavc::trajectory::{Trajectory, roll_pitch, tilt};
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
 
@@ -271,7 +271,7 @@ fn planned(model: &Model, mission: &Mission, total: f64) -> Trajectory {
     let set = PlanningSet::of(&[&healthy], &healthy);
     let mut engine = Engine::new(model, mission, &healthy);
     match engine.decide(total, model.plan.samples, &set, &mut Pool::default()) {
-        Decision::Feasible(planned) => Trajectory::of(&planned),
+        Decision::Feasible(planned) => planned.trajectory(),
         other => panic!("{other:?}"),
     }
 }
@@ -339,7 +339,7 @@ fn the_table_has_what_an_exact_wrench_depends_on() {
     let Decision::Feasible(planned) = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(26.0, &[]) else {
         panic!("no plan")
     };
-    let rows = table(&render(&Trajectory::of(&planned), &model, None));
+    let rows = table(&render(&planned.trajectory(), &model, None));
     for pair in rows.windows(2) {
         // Snap is linear between the nodes, so jerk changes by its mean.
         let (change, mean) = (pair[1][15] - pair[0][15], 0.5 * (pair[0][18] + pair[1][18]));

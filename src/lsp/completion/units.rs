@@ -53,7 +53,7 @@ pub fn of(due: Option<&'static str>, gravity: f64) -> Vec<(String, String)> {
             None => unit.dimension != Dimension::PLAIN,
         };
         if fits && found.iter().all(|(other, _)| other != name) {
-            let scale = crate::report::number::significant(unit.numerator / unit.denominator, 4);
+            let scale = crate::number::significant(unit.numerator / unit.denominator, 4);
             let si = unit.dimension.to_string();
             found.push((name.to_string(), format!("{scale} {si}")));
         }

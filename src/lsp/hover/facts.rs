@@ -7,7 +7,7 @@ use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::lsp::names::Kind;
 use crate::model::{FaultMode, Model, Rotor};
-use crate::report::number::{down, number, percent, significant};
+use crate::number::{down, number, percent, significant};
 use crate::source::{FileId, Span};
 
 /// Modes that are named; of more the first and the last.

@@ -6,7 +6,7 @@ use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::fields::Fields;
 use crate::model::likely_unit::runs_through_turns;
-use crate::report::number::number;
+use crate::number::number;
 use crate::syntax::ast::{Expr, Field, Name, Statement};
 use crate::unit::Quantity;
 

@@ -3,7 +3,7 @@
 use super::super::Mission;
 use super::super::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::report::number::{number, plural};
+use crate::number::{number, plural};
 use crate::source::Span;
 use crate::syntax::ast::Expr;
 

@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::{FaultMode, PlannerKind};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::Statement;
 

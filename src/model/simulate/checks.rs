@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::fields::Fields;
 use crate::model::{Mission, Model, Simulation, Strike, Vehicle};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::Expr;
 

@@ -7,7 +7,7 @@ use crate::model::Strike;
 use crate::model::context::{Context, without_digits};
 use crate::model::due::Due;
 use crate::model::fields::Fields;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 

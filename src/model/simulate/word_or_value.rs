@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::Detection;
 use crate::model::context::Context;
 use crate::model::due::Due;
-use crate::report::number::number;
+use crate::number::number;
 use crate::syntax::ast::{Expr, ExprKind};
 use std::f64::consts::PI;
 

@@ -7,7 +7,7 @@ use crate::model::due::Due;
 use crate::model::fields::Fields;
 use crate::model::sense::WrittenRotor;
 use crate::model::{Rotor, RotorSpread, Spread};
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::Span;
 
 const MIN_SPEED: &str = "mavc::vehicle::min_speed";

@@ -3,7 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::context::{Context, listed};
 use crate::model::{Rotor, Vehicle};
-use crate::report::number::number;
+use crate::number::number;
 
 /// What only the whole vehicle shows: its weight against its thrust, and whether it can hold its yaw.
 pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {

@@ -3,14 +3,13 @@
 
 use super::{Found, Setting, plan_found, planned_of, time};
 use crate::model::PlanModel;
+use crate::motion::outside::outside;
 use crate::planner::pool::Pool;
 use crate::planner::rows::ACCEPTED;
 use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::{Hint, Shortest};
 use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
-use crate::trajectory::Trajectory;
-use crate::trajectory::outside::outside;
 
 impl Setting<'_> {
     /// RIP's plan at one time: from `rcp` if that is a plan at this time, else from nothing. Where that finds none and waypoint
@@ -82,7 +81,7 @@ impl Setting<'_> {
         for (found, set) in singles.iter_mut().zip(&self.sets.singles) {
             let own = time(found).unwrap_or(f64::INFINITY);
             let stays_inside = |plan: &&Planned| {
-                let trajectory = Trajectory::of(plan);
+                let trajectory = plan.trajectory();
                 let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
                 out.max_violation <= ACCEPTED
             };

@@ -2,10 +2,10 @@
 
 use super::Setting;
 use crate::model::AfterFault;
+use crate::motion::Trajectory;
+use crate::motion::outside::{Outside, stretches};
 use crate::planner::select::PlanningSet;
 use crate::planner::stop::Stops;
-use crate::trajectory::Trajectory;
-use crate::trajectory::outside::{Outside, stretches};
 use rayon::prelude::*;
 use std::sync::PoisonError;
 

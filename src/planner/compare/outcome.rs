@@ -1,13 +1,14 @@
 //! What comes of planners side by side.
 
 use super::protect::Addition;
+use crate::admissible::row::SetRow;
 use crate::model::{Mission, Model, PlanModel, PlannerKind};
+use crate::motion::Trajectory;
+use crate::motion::outside::Outside;
 use crate::planner::rows::Planned;
-use crate::planner::select::{PlanningSet, SetRow};
+use crate::planner::select::PlanningSet;
 use crate::planner::successive::binding::LegBinding;
 use crate::solve::Effort;
-use crate::trajectory::Trajectory;
-use crate::trajectory::outside::Outside;
 use crate::verdict::Verdict;
 
 /// Each planner at its own shortest time, or all at one.

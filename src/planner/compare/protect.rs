@@ -5,14 +5,15 @@
 //! Greedy: a cleverer order or choice may need less time, and none is claimed to be the shortest.
 
 use super::{Comparison, Ending, Run, Setting, Solved, planned_of};
+use crate::admissible::row::SetRow;
 use crate::model::PlannerKind;
+use crate::motion::outside::{Stretch, stretches};
+use crate::motion::risk::risk;
 use crate::planner::pool::Pool;
 use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::Hint;
-use crate::planner::select::{PlanningSet, SetRow};
+use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
-use crate::trajectory::outside::{Stretch, stretches};
-use crate::trajectory::risk::risk;
 use rayon::prelude::*;
 
 /// Modes tried in a step: those that weigh most.

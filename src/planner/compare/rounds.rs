@@ -6,13 +6,14 @@
 
 use super::times::with_time_of_its_end;
 use super::{Comparison, Ending, Progress, Setting};
+use crate::admissible::row::SetRow;
 use crate::model::{Mission, Model};
+use crate::motion::Trajectory;
 use crate::planner::pool::Pool;
 use crate::planner::rows::{Decision, Planned};
 use crate::planner::search::RESOLUTION;
-use crate::planner::select::{PlanningSet, SetRow};
+use crate::planner::select::PlanningSet;
 use crate::solve::Effort;
-use crate::trajectory::Trajectory;
 use std::collections::BTreeMap;
 use std::iter;
 
@@ -84,7 +85,7 @@ pub fn rounds(
 
 /// The plans that `rounds` rounds select by: those of the rounds before, as far as they go.
 fn selected_by(chain: &Chain, rounds: usize) -> Vec<Trajectory> {
-    chain.iter().take(rounds).filter_map(|(_, decision)| super::planned_of(decision)).map(Trajectory::of).collect()
+    chain.iter().take(rounds).filter_map(|(_, decision)| super::planned_of(decision)).map(Planned::trajectory).collect()
 }
 
 struct Search<'s, 'a> {
@@ -171,7 +172,7 @@ impl Setting<'_> {
                     _ => break,
                 }
             }
-            out.selected_by.push(Trajectory::of(&planned));
+            out.selected_by.push(planned.trajectory());
             let new = self.sets.violated(self.model, &planned);
             if new.is_empty() {
                 break;

@@ -3,12 +3,12 @@
 
 use super::{Comparison, Progress, Scope, with_times};
 use crate::model::{Leg, Mission, MissionTime, Model, PlanModel, PlannerKind};
+use crate::motion::time_grid::{determined, has_fixed_times};
+use crate::motion::wrench_model::WrenchModel;
 use crate::planner::kinematics::initial;
-use crate::planner::profile::{determined, has_fixed_times};
 use crate::planner::rows::Engine;
 use crate::planner::sets::PlanningSets;
 use crate::planner::successive::Successive;
-use crate::planner::wrench_model::WrenchModel;
 
 /// In the hover model waypoint times are chosen first, by steps, for the set that the planner is bounded by; the legs then
 /// keep these shares of any mission time. `None` where the steps find no plan.

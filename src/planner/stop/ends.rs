@@ -1,7 +1,7 @@
 //! Where a stop begins and where it ends, as rows.
 
-use crate::planner::hover_model::{X, Y, YAW, Z};
-use crate::planner::transcribe::{NodeState, Transcription};
+use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::transcribe::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 

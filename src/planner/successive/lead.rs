@@ -1,13 +1,14 @@
 //! Rotors that lag, in the steps: the planning set's facets for the lead wrench c = w + tau w'. It jumps where the inputs bend,
 //! so at a node rows stand on both its sides. Equalities of a flat set are not repeated: where w stays in a plane, w' does.
 
-use super::super::lead::{LeadAt, LeadState, Slope, interval_of, with_slopes};
+use super::super::lead::{LeadAt, Slope, interval_of};
 use super::super::wrench_expression::WrenchExpression;
-use super::super::wrench_model::LEAD_FLAT;
 use super::sequence::FINER;
 use super::step::{ORDER_OF_TIME, Step};
 use super::*;
 use crate::flatness::LeadFlatState;
+use crate::motion::wrench_model::LEAD_FLAT;
+use crate::motion::{LeadState, with_slopes};
 use crate::qp::build::{Affine, Builder};
 
 /// What steps know of rotors that lag.

@@ -1,10 +1,9 @@
 //! A motion over a mission without its holds, and what changes of time do to it.
 
-use super::super::profile::Profile;
-use super::super::transcribe::NodeState;
-use super::super::wrench_model::WrenchModel;
 use super::PARTS;
-use crate::trajectory::{Trajectory, between};
+use crate::motion::time_grid::Profile;
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{NodeState, Trajectory, between};
 
 /// Derivatives within this of each other are the same, SI units: the solver leaves less, a step of durations more.
 const JOINED: f64 = 1e-5;

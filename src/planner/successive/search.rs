@@ -1,12 +1,12 @@
 //! Plans at one mission time, and motions at shorter and shorter ones, each begun from the plan of least cost at the last.
 
 use super::super::kinematics;
-use super::super::profile::{has_fixed_times, profile};
 use super::super::rows::Decision;
 use super::relaxation::Verdict;
 use super::sequence::{CLOSELY, CLOSER, Care, NOT_AT_ALL, ROUGHLY, Shorter};
 use super::*;
 use crate::model::{Leg, Mission};
+use crate::motion::time_grid::{has_fixed_times, profile};
 
 /// Beyond this a mission is not searched, s.
 const LONGEST: f64 = 100_000.0;

@@ -1,13 +1,13 @@
 //! The shortest mission time of a plan, and what is said where there is none.
 
 use super::super::kinematics;
-use super::super::profile::{determined, earliest, has_fixed_times};
 use super::super::rows::Decision;
 use super::super::search::{GRID, NoTime, Shortest};
 use super::relaxation::Verdict;
 use super::search::{FINE_STEP, LEAST_FINE, NOT_FOUND};
 use super::sequence::{CLOSELY, CLOSER, Care};
 use super::*;
+use crate::motion::time_grid::{determined, earliest, has_fixed_times};
 
 /// Times without a plan are not tried beyond this many times the first guess.
 const SLOWEST: f64 = 20.0;
@@ -63,12 +63,7 @@ impl Successive<'_, '_> {
 
     /// The plan of least cost about a motion, at its time rounded up to [`GRID`]: flown a little slower a plan is one still, or
     /// nearly always.
-    fn rounded_up(
-        &mut self,
-        motion: &Motion,
-        care: Care,
-        pool: &mut BTreeSet<RowAt>,
-    ) -> Result<Shortest, NoTime> {
+    fn rounded_up(&mut self, motion: &Motion, care: Care, pool: &mut BTreeSet<RowAt>) -> Result<Shortest, NoTime> {
         let ticks = ((motion.profile.total + self.held()) / GRID - 1e-6).ceil();
         for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
             let time = (ticks + late) / (1.0 / GRID).round();

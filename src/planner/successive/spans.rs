@@ -1,10 +1,10 @@
 //! Fixed times of waypoints among free ones: the legs between two fixed times share what is between them anew, and only the
 //! legs after the last fixed time can take longer together.
 
-use super::super::profile::has_fixed_times;
 use super::sequence::{CALMING, CLOSELY, RESTORING};
 use super::*;
 use crate::model::Mission;
+use crate::motion::time_grid::has_fixed_times;
 
 /// The largest relative change of a duration in the first step that divides spans anew, how it shrinks where a step gains
 /// nothing, and where that ends.

@@ -5,17 +5,17 @@
 //! the wrench along the leg changes by -m dw/dD D delta to first order. The variable is epsilon, with (1 + delta)^4 =
 //! 1 + 4 epsilon: rows times that factor hold the snap, whose torques bind first, without any error.
 
-use super::super::hover_model::{X, Y, YAW, Z};
 use super::super::lead::{LeadAt, Slope};
 use super::super::limits::Widening;
-use super::super::select::SetRow;
-use super::super::transcribe::{NodeState, Row, RowAt, Transcription};
+use super::super::transcribe::{Row, RowAt, Transcription};
 use super::super::wrench_expression::WrenchExpression;
-use super::super::wrench_model::DIRECTIONS;
 use super::BACK_OFF;
 use super::lead::LeadLines;
 use crate::actuation::Wrench;
+use crate::admissible::row::SetRow;
 use crate::flatness::FlatState;
+use crate::motion::wrench_model::DIRECTIONS;
+use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! Rows that stand in every program: how nodes follow from each other, rests, and waypoints.
 
 use super::{Form, Transcription, UNBOUNDED};
-use crate::planner::hover_model::{X, Y, YAW, Z};
+use crate::motion::{X, Y, YAW, Z};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 

@@ -1,6 +1,6 @@
 //! Units of time that scale the derivatives at the nodes, so that the program's variables are of similar size.
 
-use crate::planner::profile::Profile;
+use crate::motion::time_grid::Profile;
 
 /// Steps per unit of scaled time.
 const TAU_STEPS: f64 = 4.0;

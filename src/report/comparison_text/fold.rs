@@ -2,9 +2,9 @@
 
 use super::name_of;
 use crate::model::PlannerKind;
+use crate::motion::outside::Outside;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
 use crate::report::terminal::WIDTH;
-use crate::trajectory::outside::Outside;
 
 /// Names in the first column take no more room than this; where they need more, a note below the table has them.
 const LONGEST_NAME: usize = 36;

@@ -3,7 +3,7 @@
 use super::record::{FlightRecord, OutcomeRecord, Told};
 use crate::flight::twins::listed;
 use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, Model};
-use crate::report::number::{fixed, number, significant};
+use crate::number::{fixed, number, significant};
 use crate::report::table::Table;
 use crate::report::terminal::{WIDTH, vehicle_line};
 use crate::verdict::SIMULATED;

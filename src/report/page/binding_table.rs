@@ -3,8 +3,8 @@
 use super::document::Section;
 use super::prose::unbroken;
 use crate::model::Mission;
+use crate::number::{fixed, significant};
 use crate::report::binding::{BindingRecord, HEADLINE, StatementRecord, notes};
-use crate::report::number::{fixed, significant};
 use crate::report::record::PlannerRecord;
 use maud::html;
 

@@ -73,8 +73,8 @@ impl Bound {
 /// A length in m, below one in cm, as errors are told in the terminal.
 pub fn length(metres: f64) -> String {
     match metres.abs() {
-        m if m >= 1.0 => format!("{} m", crate::report::number::significant(metres, 3)),
-        _ => format!("{} cm", crate::report::number::significant(1e2 * metres, 3)),
+        m if m >= 1.0 => format!("{} m", crate::number::significant(metres, 3)),
+        _ => format!("{} cm", crate::number::significant(1e2 * metres, 3)),
     }
 }
 

@@ -7,9 +7,9 @@ use super::{Subject, motion, shown_first};
 use crate::admissible::verdict::ModeAnalysis;
 use crate::admissible::{AdmissibleSet, hover};
 use crate::model::{Model, PlannerKind};
+use crate::motion::nearness::nearness;
+use crate::number::number;
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
-use crate::report::number::number;
-use crate::trajectory::nearness::nearness;
 use serde::Serialize;
 
 /// Cells of a heat strip.

@@ -6,10 +6,10 @@ use super::motion::WRENCH;
 use crate::admissible::hover;
 use crate::flight::Sample;
 use crate::model::Model;
+use crate::number::{fixed, number, significant};
 use crate::report::flight::{
     DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, to_its_end, turned,
 };
-use crate::report::number::{fixed, number, significant};
 use maud::{Markup, html};
 
 /// Instants kept at most.

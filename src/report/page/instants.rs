@@ -1,6 +1,6 @@
 //! The instants at which a long trajectory is drawn.
 
-use crate::trajectory::Trajectory;
+use crate::motion::Trajectory;
 
 /// A fixed rate in Hz, with the waypoints' nodes and the end kept.
 pub fn instants(trajectory: &Trajectory, rate: f64) -> Vec<f64> {

@@ -5,16 +5,13 @@ use super::instants::instants;
 use super::sets::ShownSet;
 use crate::admissible::allocation::Allocator;
 use crate::admissible::hover;
+use crate::admissible::row::VIOLATED;
 use crate::model::{LimitKind, Mission, Model};
+use crate::motion::checks::peak;
+use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z, roll_pitch, tilt};
+use crate::number::{fixed, percent, significant};
 use crate::planner::compare::Solved;
-use crate::planner::hover_model::{X, Y, YAW, Z};
-use crate::planner::select::VIOLATED;
-use crate::planner::transcribe::NodeState;
-use crate::report::caveats::limit_words;
-use crate::report::number::{fixed, percent, significant};
 use crate::report::record::errors;
-use crate::trajectory::checks::peak;
-use crate::trajectory::{Trajectory, roll_pitch, tilt};
 
 /// Where the plan leaves its nodes farther apart, instants between them are shown too, so that curves look as they are.
 const FEWEST: usize = 400;
@@ -101,10 +98,10 @@ fn limited(model: &Model, kinds: &[LimitKind]) -> bool {
 fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
     let mut found = Vec::new();
     for limit in mission.limits.iter().filter(|l| kinds.contains(&l.kind)) {
-        let (name, _, factor) = limit_words(limit.kind);
+        let (name, _, factor) = limit.kind.name_and_unit();
         // A descent is drawn as a climb below zero.
         let (name, factor, words) = match limit.kind {
-            LimitKind::Descent => (limit_words(LimitKind::Climb).0, -factor, ["at least", "at most"]),
+            LimitKind::Descent => (LimitKind::Climb.name_and_unit().0, -factor, ["at least", "at most"]),
             _ => (name, factor, ["at most", "at least"]),
         };
         let sides = [limit.upper, limit.lower].into_iter().zip(words);
@@ -187,7 +184,7 @@ fn position(mission: &Mission, solved: &Solved) -> Chart {
 
 /// `of 6 m/s allowed`, or that nothing limits it.
 fn allowed(mission: &Mission, kind: LimitKind) -> String {
-    let (_, unit, factor) = limit_words(kind);
+    let (_, unit, factor) = kind.name_and_unit();
     match mission.limits.iter().find(|l| l.kind == kind).and_then(|l| l.upper) {
         Some(most) => format!(", of {} {unit} allowed", significant(factor * most, 3)),
         None => ", without a limit".into(),
@@ -270,7 +267,7 @@ fn rare(
     };
     let top = peak(&solved.trajectory, value);
     let lines = kinds.iter().filter(|k| mission.limits.iter().any(|l| l.kind == **k));
-    let (name, ..) = limit_words(first.kind);
+    let (name, ..) = first.kind.name_and_unit();
     Some(Chart {
         id,
         title,
@@ -282,7 +279,7 @@ fn rare(
             allowed(mission, first.kind)
         ),
         unit,
-        lines: lines.map(|&k| Line::new(limit_words(k).0, column_of(k))).collect(),
+        lines: lines.map(|&k| Line::new(k.name_and_unit().0, column_of(k))).collect(),
         bounds: bounds(mission, kinds),
         axis: None,
     })

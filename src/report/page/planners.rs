@@ -3,8 +3,8 @@
 use super::motion::signed_percent;
 use super::prose::terms;
 use super::verdicts::outside_cells;
+use crate::number::{number, significant};
 use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
-use crate::report::number::{number, significant};
 use crate::report::record::{PlannerRecord, Record};
 use maud::{Markup, html};
 

@@ -5,9 +5,10 @@ use super::chart::precise;
 use crate::actuation::Wrench;
 use crate::admissible::AdmissibleSet;
 use crate::admissible::edge::Place;
+use crate::admissible::row::SetRow;
 use crate::model::Model;
 use crate::planner::compare::{Comparison, Ending};
-use crate::planner::select::{PlanningSet, SetRow};
+use crate::planner::select::PlanningSet;
 use serde::Serialize;
 
 /// Rows of all sets shown together: a page stays small.

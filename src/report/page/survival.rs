@@ -3,10 +3,10 @@
 use super::prose::true_minus;
 use super::summary::{Figure, Found};
 use crate::campaign::statistics::{Share, wilson};
+use crate::number::{number, part_of_all, significant};
 use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord, ModeRecord, PlannerRecord};
 use crate::report::campaign_text::by_flight;
 use crate::report::flight::detection;
-use crate::report::number::{number, part_of_all, significant};
 use maud::{Markup, html};
 
 /// Modes and columns of one map at most.

@@ -3,7 +3,7 @@
 use super::chart::{Bound, Chart};
 use super::content::{Content, RunContent};
 use super::sets::SetContent;
-use crate::report::number::number;
+use crate::number::number;
 use crate::source::visible;
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;

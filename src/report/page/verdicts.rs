@@ -5,10 +5,10 @@ use super::prose::terms;
 use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::Model;
+use crate::motion::outside::Outside;
+use crate::number::{down, fixed, short_seconds, significant};
 use crate::planner::compare::{Comparison, Ending, Solved};
-use crate::report::number::{down, fixed, short_seconds, significant};
 use crate::report::terminal::holds;
-use crate::trajectory::outside::Outside;
 use maud::{Markup, html};
 
 /// Rows at most; those that the plan must stand come first.

@@ -2,7 +2,7 @@
 
 use super::document::Section;
 use super::prose::unbroken;
-use crate::report::number::fixed;
+use crate::number::fixed;
 use crate::report::record::PlannerRecord;
 use crate::report::waypoints::{WaypointRecord, headline};
 use maud::html;

@@ -14,8 +14,7 @@ use super::super::{Reach, Rejection, Scope, Shown};
 use super::{Checked, Found, Group, MOST_OUTSIDE, MOST_PAST_LIMIT, Setting, UPRIGHT, all_planes, is_linear, of_groups};
 use crate::certificate::DynamicModel;
 use crate::model::LimitKind;
-use crate::report::caveats::limit_words;
-use crate::report::number::number;
+use crate::number::number;
 use std::collections::BTreeSet;
 
 /// Points between the ends of a piece at which what is not proved is looked at; with one of the ends 64.
@@ -33,7 +32,7 @@ impl<'a> Setting<'a> {
             let family = limits::family(limit, self.model.gravity);
             let most = MOST_PAST_LIMIT * limit.size();
             if let Some(failure) = above_at_nodes(&family, motion, most) {
-                let claim = format!("limit {} ({})", index + 1, limit_words(limit.kind).0);
+                let claim = format!("limit {} ({})", index + 1, limit.kind.name_and_unit().0);
                 return Err(Rejection { span: Some(limit.span), ..exceeded(claim, &failure, family.measure, most) });
             }
         }
@@ -141,7 +140,7 @@ impl Checked<'_> {
         for limit in &setting.mission.limits {
             let family = limits::family(limit, setting.model.gravity);
             let reach = self.reach(&family, MOST_PAST_LIMIT * limit.size(), limit.size(), purse);
-            found.add(format!("limit on {}", limit_words(limit.kind).0), reach);
+            found.add(format!("limit on {}", limit.kind.name_and_unit().0), reach);
         }
         if setting.dynamics.model == DynamicModel::Exact {
             let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
@@ -170,7 +169,7 @@ impl Checked<'_> {
     /// What a check of the nodes alone leaves open.
     pub(super) fn nodes_only(&self, found: &mut Found) {
         for limit in &self.setting.mission.limits {
-            found.add(format!("limit on {}", limit_words(limit.kind).0), Reach::NODES);
+            found.add(format!("limit on {}", limit.kind.name_and_unit().0), Reach::NODES);
         }
         for group in &self.groups {
             found.shown.push(Shown::new(self.statement(group, Held::Wrench), Reach::NODES));

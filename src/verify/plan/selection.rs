@@ -12,7 +12,7 @@ use super::super::{Rejection, mode_named};
 use super::{Group, MOST_OUTSIDE, Role, Setting, of_groups};
 use crate::certificate::{DynamicModel, MotionRecord, PlanClaim};
 use crate::model::{Model, PlannerKind};
-use crate::report::number::number;
+use crate::number::number;
 use rayon::prelude::*;
 
 /// A facet counts as violated where it is exceeded by more than this share of the healthy set's width.

@@ -6,7 +6,7 @@ use crate::numbers::Numbers;
 use crate::specs::{Harder, Spec, WEAKER};
 use mavc::certificate::{Certificate, FacetWeight, Multiplier, RowRecord, Side};
 use mavc::model::{LimitKind, PlanModel, PlanRotors};
-use mavc::planner::hover_model::YAW;
+use mavc::motion::YAW;
 use mavc::verify::Premise;
 
 pub const KINDS: &[Kind] = &[

@@ -5,10 +5,8 @@ use crate::motion::{AXES, Timetable, Wish, split};
 use crate::numbers::Numbers;
 use crate::specs::Spec;
 use mavc::certificate::Certificate;
-use mavc::planner::hover_model::{X, Y, Z};
-use mavc::planner::transcribe::NodeState;
-use mavc::planner::wrench_model::WrenchModel;
-use mavc::trajectory::Trajectory;
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, X, Y, Z};
 use mavc::verify::Premise;
 
 pub const KINDS: &[Kind] = &[

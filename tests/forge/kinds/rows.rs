@@ -6,7 +6,7 @@ use crate::specs::{Easier, Spec};
 use crate::truth::Falsehood;
 use mavc::certificate::Certificate;
 use mavc::model::{LimitKind, PlanModel};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
+use mavc::motion::{X, Y, YAW, Z};
 use mavc::verify::Premise;
 
 const LIMITS: &[Premise] = &[Premise::Limits];
@@ -108,7 +108,7 @@ fn plunging(spec: &Spec, numbers: &mut Numbers, more: f64) -> Option<Certificate
         return None;
     }
     let g = spec.model().gravity;
-    let lowest = |motion: &mavc::trajectory::Trajectory| {
+    let lowest = |motion: &mavc::motion::Trajectory| {
         motion.nodes.iter().map(|s| (s[Z][2] + g) / g).fold(f64::INFINITY, f64::min)
     };
     let order = spec.honest.model.orders()[Z];

@@ -6,7 +6,7 @@ use crate::numbers::Numbers;
 use crate::specs::Spec;
 use mavc::certificate::Certificate;
 use mavc::model::grid::leg_durations;
-use mavc::trajectory::Trajectory;
+use mavc::motion::Trajectory;
 use mavc::verify::Premise;
 
 const SELECTED: &[Premise] = &[Premise::SelectedBy];

@@ -6,7 +6,7 @@ use crate::numbers::Numbers;
 use crate::specs::Spec;
 use mavc::certificate::{Certificate, Claim, MotionRecord, Vertical};
 use mavc::model::PlanModel;
-use mavc::planner::wrench_model::WrenchModel;
+use mavc::motion::wrench_model::WrenchModel;
 use mavc::verify::Premise;
 
 const SHAPE: &[Premise] = &[Premise::Shape];

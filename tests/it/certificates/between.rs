@@ -4,12 +4,11 @@ use super::{SHA, certified, decide, hop, planned};
 use crate::vehicles::{limit, waypoint};
 use mavc::certify::between::{Between, Shown, WRENCH, between};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
+use mavc::motion::checks::past;
+use mavc::motion::{NodeState, tilt};
 use mavc::planner::compare::{Comparison, Ending, Solved};
-use mavc::planner::transcribe::NodeState;
 use mavc::report::between as words;
 use mavc::report::caveats::{CaveatKind, caveats};
-use mavc::trajectory::checks::past;
-use mavc::trajectory::tilt;
 use mavc::verify::Scope;
 use mavc::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT};
 
@@ -134,7 +133,7 @@ fn some_facets_proved_are_counted() {
         hurry(plan, factor);
         let found = told(&model, &comparison);
         let (plan, rows) = (solved(&comparison), &comparison.runs.last().unwrap().set.rows);
-        let keeps = |row: &&mavc::planner::select::SetRow| {
+        let keeps = |row: &&mavc::admissible::row::SetRow| {
             let excess = |s: &NodeState| row.excess(&plan.trajectory.wrench(&model.vehicle, model.gravity, s));
             largest(plan, excess) <= MOST_OUTSIDE
         };

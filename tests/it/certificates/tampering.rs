@@ -5,14 +5,12 @@
 use super::{Numbers, SHA, hop, planned, verify};
 use crate::lag::lagging;
 use mavc::actuation::Wrench;
+use mavc::admissible::row::SetRow;
 use mavc::certificate::{Certificate, Claim, DynamicModel, MotionRecord};
 use mavc::model::{Allocation, Mission, Model, PlannerKind};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
-use mavc::planner::select::SetRow;
-use mavc::planner::transcribe::NodeState;
-use mavc::planner::wrench_model::WrenchModel;
-use mavc::trajectory::Trajectory;
-use mavc::trajectory::checks::past;
+use mavc::motion::checks::past;
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use serde_json::{Value, json};
 
 /// Ten times what the checker lets be: of the times, of each derivative at a joint, of a waypoint, of a limit and a set.

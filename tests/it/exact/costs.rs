@@ -4,15 +4,14 @@ use super::plans::{QUICK, apart, healthy_set, stopping};
 use super::{last, planning, solved, turning};
 use crate::vehicles::{mission, waypoint};
 use mavc::admissible::AdmissibleSet;
+use mavc::admissible::row::VIOLATED;
 use mavc::model::{Mission, MissionTime, Model, PlannerKind};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use mavc::planner::rows::{Decision, Engine, Planned};
-use mavc::planner::select::VIOLATED;
 use mavc::planner::successive::{PARTS, Successive};
-use mavc::planner::transcribe::{NodeState, Purpose, Transcription};
-use mavc::planner::wrench_model::WrenchModel;
+use mavc::planner::transcribe::{Purpose, Transcription};
 use mavc::qp::{QuadraticProgram, Sparse};
-use mavc::trajectory::Trajectory;
 
 /// x'P x/2 + q'x + constant.
 fn objective(program: &QuadraticProgram, x: &[f64]) -> f64 {
@@ -81,7 +80,7 @@ fn the_cost_of_a_plan_is_its_programs_objective() {
         assert_eq!(form.states(&x).len(), wanted.len());
         let found = objective(&program, &x);
         assert!((found / reported - 1.0).abs() < 1e-9, "{found} and {reported}");
-        let integral = cost(&model, &Trajectory::of(&planned));
+        let integral = cost(&model, &planned.trajectory());
         assert!((integral / reported - 1.0).abs() < 1e-5, "{integral} and {reported}");
     }
 }

@@ -6,9 +6,8 @@ use mavc::actuation::Wrench;
 use mavc::flatness::{self, FlatState, INPUTS};
 use mavc::flight::body::{Body, Frame};
 use mavc::model::{MissionTime, Model, PlannerKind, Vehicle};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
-use mavc::planner::transcribe::NodeState;
-use mavc::planner::wrench_model::WrenchModel;
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, X, Y, YAW, Z};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 

@@ -3,14 +3,14 @@
 use super::{last, planning, solved, turning};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::admissible::AdmissibleSet;
+use mavc::admissible::row::SetRow;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use mavc::planner::compare::Comparison;
-use mavc::planner::hover_model::{X, Y, YAW, Z};
-use mavc::planner::select::{PlanningSet, SetRow};
+use mavc::planner::select::PlanningSet;
 
-use mavc::planner::transcribe::{NodeState, UPRIGHT};
-use mavc::planner::wrench_model::WrenchModel;
-use mavc::trajectory::Trajectory;
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::planner::transcribe::UPRIGHT;
 
 /// How far rows may be passed between the instants of which there are [`PARTS`] in an interval, as a share. There they hold;
 /// in between wrenches and norms bend by what falls with the square of the step.

@@ -6,7 +6,7 @@ use mavc::flight::body::Body;
 use mavc::flight::heading::{DEFINED_UP_TO, Heading, Patience, wrapped};
 use mavc::flight::{Cause, Outcome, Sample, Sortie, fly};
 use mavc::model::{Controller, Detection, Model};
-use mavc::planner::hover_model::{X, Y, YAW};
+use mavc::motion::{X, Y, YAW};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

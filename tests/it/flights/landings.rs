@@ -4,8 +4,8 @@ use super::strike;
 use mavc::flight::reference::{Course, DESCENT, Stop};
 use mavc::flight::{Outcome, Sortie, fly};
 use mavc::model::{AfterFault, Detection, FaultMode, Model, elaborate, load, parse_override};
+use mavc::motion::Trajectory;
 use mavc::planner::compare::{Ending, Scope, compare};
-use mavc::trajectory::Trajectory;
 use std::sync::LazyLock;
 
 /// Specs, and what keeps their plans quick to make: any plan will do.

@@ -3,8 +3,8 @@
 use super::strike;
 use mavc::flight::{Flight, Outcome, Sample, Sortie, fly};
 use mavc::model::{AfterFault, Controller, Detection, MissionTime, Model, PlannerKind, elaborate, load};
+use mavc::motion::Trajectory;
 use mavc::planner::compare::{Ending, Scope, compare};
-use mavc::trajectory::Trajectory;
 use std::sync::LazyLock;
 
 static CASE: LazyLock<(Model, Trajectory)> =

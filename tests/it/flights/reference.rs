@@ -1,10 +1,8 @@
 //! Stops: continued motion, rest at the end, descent.
 
 use mavc::flight::reference::{Course, DESCENT, Reference, Stop};
-use mavc::planner::hover_model::{X, Y, YAW, Z};
-use mavc::planner::transcribe::NodeState;
-use mavc::planner::wrench_model::WrenchModel;
-use mavc::trajectory::Trajectory;
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 use nalgebra::Vector3;
 
 const BEGIN: f64 = 3.7;

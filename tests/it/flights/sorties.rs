@@ -6,7 +6,7 @@ use mavc::flight::body::Frame;
 use mavc::flight::reference::Course;
 use mavc::flight::{Cause, Outcome, Sample, control, fly};
 use mavc::model::{Allocation, Controller, Detection, Model};
-use mavc::planner::hover_model::{X, Y, Z};
+use mavc::motion::{X, Y, Z};
 use nalgebra::Vector3;
 
 const PLACE: [f64; 3] = [1.0, -2.0, 10.0];

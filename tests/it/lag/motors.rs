@@ -6,8 +6,7 @@ use mavc::actuation::Wrench;
 use mavc::admissible::allocation::Allocator;
 use mavc::flight::rotors::Rotors;
 use mavc::model::{MissionTime, Model, PlanModel};
-use mavc::planner::lead::with_slopes;
-use mavc::trajectory::Trajectory;
+use mavc::motion::{Trajectory, with_slopes};
 use proptest::prelude::*;
 
 /// Commands are given this often, s.

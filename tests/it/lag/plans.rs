@@ -4,15 +4,15 @@ use super::{compared, lagging, planning, shortest, shuttle, solved, turning, wit
 use crate::vehicles::lost;
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
+use mavc::admissible::row::SetRow;
 use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
-use mavc::planner::hover_model::YAW;
+use mavc::motion::{Trajectory, YAW};
 use mavc::planner::pool::Pool;
 use mavc::planner::rows::{Decision, Engine, FEASIBLE};
-use mavc::planner::select::{PlanningSet, SetRow};
+use mavc::planner::select::PlanningSet;
 use mavc::planner::transcribe::{Purpose, Transcription};
 use mavc::qp::RowOrigin;
 use mavc::solve::{Outcome, solve};
-use mavc::trajectory::Trajectory;
 
 const TAU: f64 = 0.1;
 

@@ -7,8 +7,9 @@ use mavc::admissible::AdmissibleSet;
 use mavc::admissible::allocation::Allocator;
 use mavc::flatness::{self, LEAD_INPUTS, LeadFlatState};
 use mavc::model::Model;
-use mavc::planner::hover_model::{WrenchMap, X, Y, YAW, YawState, Z};
-use mavc::planner::wrench_model::WrenchModel;
+use mavc::motion::hover_map::{WrenchMap, YawState};
+use mavc::motion::wrench_model::WrenchModel;
+use mavc::motion::{X, Y, YAW, Z};
 use proptest::prelude::*;
 
 /// Each thrust, in shares of its range, at the corners of a path of commands.

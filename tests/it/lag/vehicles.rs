@@ -8,7 +8,7 @@ use crate::vehicles::lost;
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{Allocation, MissionTime, Model, PlanModel, PlanRotors, PlannerKind};
-use mavc::trajectory::Trajectory;
+use mavc::motion::Trajectory;
 
 const TAU: f64 = 0.1;
 

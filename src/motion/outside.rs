@@ -2,9 +2,9 @@
 
 use super::Trajectory;
 use crate::actuation::Wrench;
+use crate::admissible::row::{SetRow, VIOLATED};
 use crate::model::Vehicle;
-use crate::planner::select::{SetRow, VIOLATED};
-use crate::planner::wrench_model::WrenchModel;
+use crate::motion::wrench_model::WrenchModel;
 
 /// How a trajectory stands to one set.
 #[derive(Debug, Clone, PartialEq, Default)]

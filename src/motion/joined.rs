@@ -3,7 +3,7 @@
 //! as makes the pieces meet.
 
 use super::Trajectory;
-use crate::planner::transcribe::NodeState;
+use crate::motion::NodeState;
 use nalgebra::{DMatrix, DVector};
 
 /// What the gaps of a trajectory may move its end by, m and rad, before it is mended: a tenth of what the checker lets be

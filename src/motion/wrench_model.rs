@@ -1,8 +1,7 @@
 //! Which wrench a motion asks for: by the paper's model about hover, or exactly.
 
-use super::hover_model::{self, WrenchMap, X, Y, YAW, YawState, Z};
-use super::lead::LeadState;
-use super::transcribe::NodeState;
+use super::hover_map::{self, WrenchMap, YawState};
+use super::{LeadState, NodeState, X, Y, YAW, Z};
 use crate::actuation::Wrench;
 use crate::flatness::{self, FlatState, INPUTS, LEAD_INPUTS, LeadFlatState};
 use crate::model::Vehicle;
@@ -24,7 +23,7 @@ const FLAT: [(usize, usize); INPUTS] =
     [(X, 2), (Y, 2), (Z, 2), (X, 3), (Y, 3), (Z, 3), (X, 4), (Y, 4), (Z, 4), (YAW, 0), (YAW, 1), (YAW, 2)];
 
 /// Axis and derivative of each entry of a flat state with the slopes of the inputs.
-pub(super) const LEAD_FLAT: [(usize, usize); LEAD_INPUTS] = {
+pub const LEAD_FLAT: [(usize, usize); LEAD_INPUTS] = {
     let mut all = [(YAW, 3); LEAD_INPUTS];
     let mut i = 0;
     while i < INPUTS {
@@ -40,7 +39,7 @@ fn lead_flat(state: &LeadState) -> LeadFlatState {
 }
 
 /// Axis and derivative of each direction in which the wrench may curve.
-pub(super) const DIRECTIONS: [(usize, usize); INPUTS] = FLAT;
+pub const DIRECTIONS: [(usize, usize); INPUTS] = FLAT;
 
 fn flat(state: &NodeState) -> FlatState {
     FlatState::from_fn(|i, _| state[FLAT[i].0][FLAT[i].1])
@@ -52,7 +51,7 @@ impl WrenchModel {
     pub fn orders(self) -> [usize; 4] {
         match self {
             WrenchModel::Exact => [4, 4, 4, 2],
-            _ => hover_model::ORDER,
+            _ => hover_map::ORDER,
         }
     }
 
@@ -93,14 +92,7 @@ impl WrenchModel {
 
     /// The part of n.w that curves upwards about a state, as squares: sum of |factor . (s' - s)|^2 / 2 over the factors, each
     /// over [`DIRECTIONS`]. Eigenvectors are taken with accelerations in units of g and time in units of `tau`, s.
-    pub(super) fn curvature(
-        self,
-        vehicle: &Vehicle,
-        gravity: f64,
-        state: &NodeState,
-        n: &Wrench,
-        tau: f64,
-    ) -> Vec<FlatState> {
+    pub fn curvature(self, vehicle: &Vehicle, gravity: f64, state: &NodeState, n: &Wrench, tau: f64) -> Vec<FlatState> {
         if self != WrenchModel::Exact {
             return Vec::new();
         }
@@ -140,7 +132,7 @@ impl WrenchModel {
     }
 
     /// [`Self::curvature`] of n.c, over [`LEAD_FLAT`].
-    pub(super) fn lead_curvature(
+    pub fn lead_curvature(
         self,
         vehicle: &Vehicle,
         gravity: f64,

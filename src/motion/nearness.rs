@@ -2,8 +2,8 @@
 
 use super::Trajectory;
 use super::outside::PARTS;
+use crate::admissible::row::SetRow;
 use crate::model::Vehicle;
-use crate::planner::select::SetRow;
 
 /// The smallest margin, in widths of the healthy set (negative outside), in each of `columns` equal parts of the
 /// flight: at the nodes, at [`PARTS`] points an interval, and at the parts' ends.

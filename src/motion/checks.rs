@@ -4,8 +4,7 @@
 use super::{Trajectory, tilt};
 use crate::model::grid::{fewest_pieces, is_coarser};
 use crate::model::{Limit, LimitKind, Mission, Model};
-use crate::planner::hover_model::{X, Y, YAW, Z};
-use crate::planner::transcribe::NodeState;
+use crate::motion::{NodeState, X, Y, YAW, Z};
 
 /// Points per interval at which the polynomials are looked at before refinement.
 const LOOKS: usize = 10;

@@ -1,13 +1,8 @@
 //! The paper's linear wrench map about hover, (19), (20) and (22), for a given yaw motion.
 
+use super::{X, Y, YAW, Z};
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
-
-/// Axes of the plan in the order of its variables.
-pub const X: usize = 0;
-pub const Y: usize = 1;
-pub const Z: usize = 2;
-pub const YAW: usize = 3;
 
 /// x and y are quadruple integrators (45), z and yaw double ones (44): the order is the input's derivative.
 pub const ORDER: [usize; 4] = [4, 4, 2, 2];
@@ -68,5 +63,50 @@ impl WrenchMap {
     /// The wrench for `derivatives[axis][order]`.
     pub fn at<const N: usize>(&self, derivatives: &[[f64; N]; 4]) -> Wrench {
         self.terms.iter().fold(self.constant, |w, &(axis, order, c)| w + c * derivatives[axis][order])
+    }
+}
+
+/// For rotors that lag: the lead wrench c = w + tau w' (docs/method.md, section 14).
+impl WrenchMap {
+    /// The lead wrench c = w + tau w' of the hover model, for a yaw motion with psi''' = `jerk`, rad/s^3.
+    ///
+    /// g phi = s x'' - c y'', so by Leibniz g phi'' = sum over i of C(2, i) (s^(2-i) x^(2+i) - c^(2-i) y^(2+i)), and g
+    /// phi''' alike with C(3, i) and 3 - i, where s^(k), c^(k) are the k-th time derivatives of sin psi and cos psi; g theta
+    /// has c and s in their places, both with a plus.
+    pub fn leading(vehicle: &Vehicle, gravity: f64, yaw: YawState, jerk: f64, tau: f64) -> Self {
+        let (s, c) = yaw.psi.sin_cos();
+        let YawState { rate, acceleration, .. } = yaw;
+        let square = rate * rate;
+        let (along, across) = (jerk - rate * square, 3.0 * rate * acceleration);
+        let sin = [s, rate * c, acceleration * c - square * s, along * c - across * s];
+        let cos = [c, -rate * s, -acceleration * s - square * c, -along * s - across * c];
+        const SECOND: [f64; 3] = [1.0, 2.0, 1.0];
+        const THIRD: [f64; 4] = [1.0, 3.0, 3.0, 1.0];
+        let weight = |of: &[f64; 4], i: usize| {
+            let second = if i < 3 { SECOND[i] * of[2 - i] } else { 0.0 };
+            second + tau * THIRD[i] * of[3 - i]
+        };
+        let [ixx, iyy, izz] = vehicle.inertia;
+        let (roll, pitch) = (ixx / gravity, iyy / gravity);
+        let mut terms = Vec::new();
+        for i in (0..4).rev() {
+            let (of_sin, of_cos) = (weight(&sin, i), weight(&cos, i));
+            if of_sin != 0.0 || of_cos != 0.0 {
+                terms.push((X, 2 + i, Wrench::new(0.0, roll * of_sin, pitch * of_cos, 0.0)));
+                terms.push((Y, 2 + i, Wrench::new(0.0, -roll * of_cos, pitch * of_sin, 0.0)));
+            }
+        }
+        terms.push((Z, 2, Wrench::new(vehicle.mass, 0.0, 0.0, 0.0)));
+        terms.push((Z, 3, Wrench::new(tau * vehicle.mass, 0.0, 0.0, 0.0)));
+        let constant = Wrench::new(vehicle.mass * gravity, 0.0, 0.0, izz * (acceleration + tau * jerk));
+        WrenchMap { constant, terms }
+    }
+
+    /// The same for a yaw that is itself a variable, linearised at a constant psi.
+    pub fn leading_with_free_yaw(vehicle: &Vehicle, gravity: f64, psi: f64, tau: f64) -> Self {
+        let mut map = Self::leading(vehicle, gravity, YawState { psi, ..YawState::default() }, 0.0, tau);
+        let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
+        map.terms.extend([(YAW, 2, turn), (YAW, 3, tau * turn)]);
+        map
     }
 }

@@ -1,18 +1,41 @@
 //! Trajectories: piecewise polynomials with exact evaluation, the planned wrench, and when it leaves a set.
 
 pub mod checks;
+pub mod hover_map;
 mod joined;
 pub mod nearness;
 pub mod outside;
 pub mod risk;
+pub mod time_grid;
+pub mod wrench_model;
 
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
-use crate::planner::hover_model::{X, Y, YAW, Z};
-use crate::planner::lead::with_slopes;
-use crate::planner::rows::Planned;
-use crate::planner::transcribe::NodeState;
-use crate::planner::wrench_model::WrenchModel;
+use wrench_model::WrenchModel;
+
+/// Axes of the plan in the order of its variables.
+pub const X: usize = 0;
+pub const Y: usize = 1;
+pub const Z: usize = 2;
+pub const YAW: usize = 3;
+
+/// Derivatives of each axis at a node: `[axis][order]`, SI units.
+pub type NodeState = [[f64; 5]; 4];
+
+/// Derivatives `[axis][order]` with the slope of each axis's input above the input, SI units.
+pub type LeadState = [[f64; 6]; 4];
+
+/// A state within the interval of length `h` s between two nodes, with the slopes there; `orders` as in
+/// [`crate::motion::wrench_model::WrenchModel::orders`].
+pub fn with_slopes(state: &NodeState, [left, right]: [&NodeState; 2], h: f64, orders: [usize; 4]) -> LeadState {
+    std::array::from_fn(|axis| {
+        let r = orders[axis];
+        let mut derivatives = [0.0; 6];
+        derivatives[..=r].copy_from_slice(&state[axis][..=r]);
+        derivatives[r + 1] = (right[axis][r] - left[axis][r]) / h;
+        derivatives
+    })
+}
 
 /// A plan as polynomials between nodes: an axis whose input is its r-th derivative is of degree r + 1, for inputs are
 /// piecewise linear. See [`WrenchModel::orders`].
@@ -29,16 +52,6 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    pub fn of(planned: &Planned) -> Self {
-        let carried = Trajectory {
-            times: planned.profile.node_times.clone(),
-            nodes: planned.states.clone(),
-            waypoint_nodes: planned.profile.waypoint_nodes.clone(),
-            model: planned.model,
-        };
-        carried.joined()
-    }
-
     /// Whether two trajectories agree up to solver accuracy: the same node times, and positions and yaw within 1e-5 m and rad
     /// at every node.
     pub fn is_same_motion(&self, other: &Trajectory) -> bool {
