@@ -12,11 +12,11 @@ use mavc::admissible::{AdmissibleSet, intersection};
 use mavc::flight::{Sortie, fly};
 use mavc::model::{Allocation, Controller, Detection, Mission, Model, PlannerKind, Strike};
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::pool::Pool;
-use mavc::planner::rows::{Decision, Engine};
-use mavc::planner::search::Hint;
-use mavc::planner::select::PlanningSet;
-use mavc::planner::successive::Successive;
+use mavc::planner::hover::{Decision, HoverPlanner};
+use mavc::planner::scp::ScpPlanner;
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::timing::search::Hint;
+use mavc::planner::working_set::WorkingSet;
 use std::hint::black_box;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
@@ -66,7 +66,7 @@ fn plans(criterion: &mut Criterion) {
     let (healthy, set) = healthy_set(&model);
     let mission = model.mission.as_ref().expect("a mission");
     criterion.bench_function("RIP plan of case 1 at 20 s", |b| {
-        b.iter(|| Engine::new(&model, mission, &healthy).decide(20.0, 200, &set, &mut Pool::default()));
+        b.iter(|| HoverPlanner::new(&model, mission, &healthy).decide(20.0, 200, &set, &mut WorkingSet::default()));
     });
 }
 
@@ -112,8 +112,8 @@ fn by_samples() {
     let (healthy, set) = healthy_set(&model);
     let mission = model.mission.as_ref().expect("a mission");
     for samples in [200, 500, 1_000, 2_000, 5_000, 10_000] {
-        let mut engine = Engine::new(&model, mission, &healthy);
-        let decision = engine.decide(20.0, samples, &set, &mut Pool::default());
+        let mut engine = HoverPlanner::new(&model, mission, &healthy);
+        let decision = engine.decide(20.0, samples, &set, &mut WorkingSet::default());
         let verdict = if let Decision::Feasible(_) = decision { "" } else { "  no plan" };
         let (solves, iterations) = (engine.effort.solves, engine.effort.iterations);
         let seconds = engine.effort.time.as_secs_f64();
@@ -156,8 +156,8 @@ fn by_modes() {
         let set = PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy);
         let sets_took = begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let mut engine = Engine::new(&model, &square, &healthy);
-        let rows = match engine.shortest(&set, Hint::default(), &mut Pool::default()) {
+        let mut engine = HoverPlanner::new(&model, &square, &healthy);
+        let rows = match engine.shortest(&set, Hint::default(), &mut WorkingSet::default()) {
             Ok(shortest) => shortest.planned.rows.to_string(),
             Err(_) => "no plan".into(),
         };
@@ -174,8 +174,8 @@ fn by_flight() {
     let model = paper_case(PlannerKind::Rip, &[0]);
     let (healthy, set) = healthy_set(&model);
     let mission = model.mission.as_ref().expect("a mission");
-    let mut engine = Engine::new(&model, mission, &healthy);
-    let Decision::Feasible(planned) = engine.decide(20.0, 200, &set, &mut Pool::default()) else {
+    let mut engine = HoverPlanner::new(&model, mission, &healthy);
+    let Decision::Feasible(planned) = engine.decide(20.0, 200, &set, &mut WorkingSet::default()) else {
         println!("  no plan");
         return;
     };
@@ -230,9 +230,9 @@ fn exact_by_samples() {
     for samples in [100, 200, 400, 800, 1_600] {
         model.plan.samples = samples;
         let mission = model.mission.as_ref().expect("a mission");
-        let mut engine = Engine::new(&model, mission, &healthy);
+        let mut engine = HoverPlanner::new(&model, mission, &healthy);
         let begin = thread_seconds();
-        let decision = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(24.0, &[]);
+        let decision = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set).decide(24.0, &[]);
         let seconds = thread_seconds() - begin;
         let verdict = if let Decision::Feasible(_) = decision { "" } else { "  no plan" };
         let (solves, iterations) = (engine.effort.solves, engine.effort.iterations);
@@ -260,8 +260,8 @@ fn exact_by_modes() {
         let set = PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy);
         let sets_took = thread_seconds() - begin;
         let begin = thread_seconds();
-        let mut engine = Engine::new(&model, &square, &healthy);
-        let decision = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(SQUARE, &[]);
+        let mut engine = HoverPlanner::new(&model, &square, &healthy);
+        let decision = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set).decide(SQUARE, &[]);
         let plan_took = thread_seconds() - begin;
         let rows = match decision {
             Decision::Feasible(planned) => planned.rows.to_string(),

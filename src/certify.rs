@@ -10,8 +10,8 @@ mod plan;
 use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
 use crate::model::{Mission, MissionTime, Model, PlanModel};
 use crate::motion::time_grid::determined;
-use crate::planner::compare::{Comparison, Ending, Verification};
-use crate::planner::kinematics::{ROUNDING, least_time_within};
+use crate::planner::studies::{Comparison, RunOutcome, Verification};
+use crate::planner::timing::kinematics::{ROUNDING, least_time_within};
 use crate::verify::{self, Settings};
 
 pub use check::{check, check_rounds, is_plan};
@@ -27,7 +27,7 @@ pub fn of(
     spec_sha256: String,
 ) -> Result<Certificate, String> {
     match comparison.runs.last().map(|run| (run, &run.ending)) {
-        Some((_, Ending::Solved(solved))) => {
+        Some((_, RunOutcome::Solved(solved))) => {
             let mut certificate = plan::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
             if let Claim::Plan(claim) = &mut certificate.claim {
                 // A time that the spec lays down needs no bound.
@@ -43,7 +43,7 @@ pub fn of(
                 Err(refusal) => Err(refusal.sentence()),
             }
         }
-        Some((_, Ending::Infeasible { at, .. })) if least_time_within(model, mission).is_above(*at) => {
+        Some((_, RunOutcome::Infeasible { at, .. })) if least_time_within(model, mission).is_above(*at) => {
             too_early(model, mission, spec_sha256)
         }
         _ => by_multipliers(model, mission, comparison, spec_sha256),
@@ -61,10 +61,10 @@ pub fn by_multipliers(
     spec_sha256: String,
 ) -> Result<Certificate, String> {
     match comparison.runs.last().map(|run| (run, &run.ending)) {
-        Some((run, Ending::Infeasible { at, .. })) if has_one_time(model, mission) => {
+        Some((run, RunOutcome::Infeasible { at, .. })) if has_one_time(model, mission) => {
             infeasible::certificate(model, mission, run, *at, (&comparison.selected_by, spec_sha256))
         }
-        Some((_, Ending::Infeasible { .. })) => Err("no plan at many times is more than a certificate says".into()),
+        Some((_, RunOutcome::Infeasible { .. })) => Err("no plan at many times is more than a certificate says".into()),
         _ => Err("no plan was found, and none was proved infeasible".into()),
     }
 }

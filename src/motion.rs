@@ -23,11 +23,11 @@ pub const YAW: usize = 3;
 pub type NodeState = [[f64; 5]; 4];
 
 /// Derivatives `[axis][order]` with the slope of each axis's input above the input, SI units.
-pub type LeadState = [[f64; 6]; 4];
+pub type CommandState = [[f64; 6]; 4];
 
 /// A state within the interval of length `h` s between two nodes, with the slopes there; `orders` as in
 /// [`crate::motion::wrench_model::WrenchModel::orders`].
-pub fn with_slopes(state: &NodeState, [left, right]: [&NodeState; 2], h: f64, orders: [usize; 4]) -> LeadState {
+pub fn with_slopes(state: &NodeState, [left, right]: [&NodeState; 2], h: f64, orders: [usize; 4]) -> CommandState {
     std::array::from_fn(|axis| {
         let r = orders[axis];
         let mut derivatives = [0.0; 6];

@@ -1,18 +1,16 @@
 //! Planning as in sections 5.2 and 5.3: waypoint times, rows, selection of facets, shortest times.
 
-pub mod compare;
+pub mod commands;
 mod cost;
-pub mod kinematics;
-pub mod lead;
+pub mod hover;
 mod limits;
-pub mod pool;
-pub mod rows;
-pub mod search;
-pub mod select;
-pub mod sets;
+pub mod scp;
+pub mod selection;
 pub mod spline;
 pub mod stop;
-pub mod successive;
-pub mod transcribe;
+pub mod studies;
+pub mod timing;
+pub mod transcription;
+pub mod working_set;
 mod wrench_expression;
 pub mod yaw;

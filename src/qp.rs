@@ -140,7 +140,7 @@ pub enum RowOrigin {
     /// The overshoot may not exceed what makes tolerances meaningless.
     Overshoot,
     /// The excess is not less than it needs to be.
-    Excess,
+    Violation,
 }
 
 /// The program; [`crate::solve::solve`] refuses data that is not finite.
@@ -175,7 +175,7 @@ impl RowOrigin {
             RowOrigin::Thrust { .. } => "thrust",
             RowOrigin::Duration { .. } => "durations",
             RowOrigin::Overshoot => "overshoot",
-            RowOrigin::Excess => "excess",
+            RowOrigin::Violation => "excess",
         }
     }
 }

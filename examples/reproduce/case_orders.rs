@@ -7,7 +7,7 @@ use super::paper_plans::{
     CASE_1_RIP, CASE_2_RIP, CASE_2_RSP, Common, Own, TABLE_8, TABLE_9, TABLE_10, TABLE_11, TABLE_12, TABLE_13,
 };
 use super::plans::{self, JOINTLY, Plans};
-use mavc::planner::compare::Run;
+use mavc::planner::studies::Run;
 use mavc::report::record::errors;
 
 pub fn section(number: usize) -> String {

@@ -9,8 +9,8 @@ use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
 use mavc::motion::Z;
 use mavc::motion::checks::stretch;
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::compare::{PlannerRun, Run, Scope, Solved, compare};
-use mavc::planner::transcribe::UPRIGHT;
+use mavc::planner::studies::{PlannerRun, Run, Scope, Solved, compare};
+use mavc::planner::transcription::UPRIGHT;
 
 /// Heads the part that takes long to compute; it ends the page.
 pub const SHORTEST: &str = "### Shortest times in both models\n\n";
@@ -55,7 +55,7 @@ pub fn exactly(solved: &Solved, model: &Model, rows: &[SetRow]) -> Exactly {
         for p in 0..POINTS {
             let state = trajectory.within(k, part * (p as f64 + 0.5));
             let wrench = WrenchModel::Exact.wrench(&model.vehicle, model.gravity, &state);
-            let most = rows.iter().map(|row| row.excess(&wrench)).fold(f64::NEG_INFINITY, f64::max);
+            let most = rows.iter().map(|row| row.violation(&wrench)).fold(f64::NEG_INFINITY, f64::max);
             let finite = wrench.iter().all(|w| w.is_finite());
             if !finite || most > VIOLATED {
                 found.outside += part;

@@ -3,7 +3,7 @@
 use super::specs;
 use mavc::model::{Mission, Model, PlannerKind};
 use mavc::motion::outside::Outside;
-use mavc::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, Solved, compare, label};
+use mavc::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Scope, Solved, compare, label};
 use mavc::report::record::{Errors, errors};
 use std::sync::OnceLock;
 
@@ -77,7 +77,7 @@ impl Plans {
 
 pub fn solved(run: &PlannerRun) -> Option<&Solved> {
     match &run.ending {
-        Ending::Solved(s) => Some(s),
+        RunOutcome::Solved(s) => Some(s),
         _ => None,
     }
 }

@@ -7,8 +7,8 @@ use mavc::admissible::row::VIOLATED;
 use mavc::model::Waypoint;
 use mavc::motion::checks::stretch;
 use mavc::number::{number, percent};
-use mavc::planner::compare::Run;
-use mavc::planner::search::RESOLUTION;
+use mavc::planner::studies::Run;
+use mavc::planner::timing::search::RESOLUTION;
 
 pub fn section() -> String {
     let cases = [1, 2, 3].map(plans::of_case);

@@ -5,7 +5,7 @@ use crate::document::exact::{PLANNERS, degrees, exact_case, exactly, plan};
 use crate::document::markdown::{fixed, none, paragraph, table};
 use crate::document::plans;
 use mavc::model::MissionTime;
-use mavc::planner::compare::{Run, Solved};
+use mavc::planner::studies::{Run, Solved};
 
 /// What stands under `exact::SHORTEST`.
 pub fn section() -> String {

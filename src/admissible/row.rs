@@ -22,7 +22,7 @@ pub struct SetRow {
 
 impl SetRow {
     /// (n.w - e) / width: positive outside.
-    pub fn excess(&self, w: &Wrench) -> f64 {
+    pub fn violation(&self, w: &Wrench) -> f64 {
         let v = self.normal.dot(w) - self.offset;
         if self.equality { v.abs() } else { v }
     }

@@ -6,7 +6,7 @@ use crate::admissible::row::{SetRow, row};
 use crate::model::{FaultMode, Model, PlannerKind};
 use crate::motion::Trajectory;
 use crate::motion::outside::{Outside, outside};
-use crate::planner::compare::{Comparison, Ending};
+use crate::planner::studies::{Comparison, RunOutcome};
 use crate::verdict::Verdict;
 use sha2::{Digest, Sha256};
 use std::fmt;
@@ -28,13 +28,13 @@ pub struct Plan {
 pub struct Missing {
     pub planner: PlannerKind,
     /// `None` where it was not run: RCP where no mode is to be stood, or any planner where there is no common time.
-    pub ending: Option<Ending>,
+    pub ending: Option<RunOutcome>,
 }
 
 impl Missing {
     /// On the plan at the common time.
     pub fn verdict(&self) -> Verdict {
-        self.ending.as_ref().map_or(Verdict::NotAttempted, Ending::verdict)
+        self.ending.as_ref().map_or(Verdict::NotAttempted, RunOutcome::verdict)
     }
 }
 
@@ -75,7 +75,7 @@ impl FromStr for Identity {
 }
 
 impl<'a> Design<'a> {
-    /// From the plans at the common time ([`crate::planner::compare::Scope::Common`]). `Err`: no planner has a plan.
+    /// From the plans at the common time ([`crate::planner::studies::Scope::Common`]). `Err`: no planner has a plan.
     ///
     /// `origin` names all files and overrides, and the program, by their hashes.
     pub fn new(model: &'a Model, comparison: &Comparison, origin: &str) -> Result<Self, Vec<Missing>> {
@@ -84,7 +84,7 @@ impl<'a> Design<'a> {
         for &planner in &model.campaign.planners {
             let run = comparison.runs.iter().find(|r| r.planner == planner);
             match run.map(|r| (&r.ending, &r.against)) {
-                Some((Ending::Solved(solved), against)) => {
+                Some((RunOutcome::Solved(solved), against)) => {
                     plans.push(Plan {
                         planner,
                         against: against.clone(),

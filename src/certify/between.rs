@@ -6,7 +6,7 @@ use crate::admissible::row::SetRow;
 use crate::model::{Limit, Mission, Model};
 use crate::motion::checks::past_as_checked;
 use crate::motion::{NodeState, Trajectory};
-use crate::planner::compare::{PlannerRun, Solved};
+use crate::planner::studies::{PlannerRun, Solved};
 use crate::verify::Premises;
 use crate::verify::cost::Purse;
 use crate::verify::interval::Interval;
@@ -82,7 +82,7 @@ pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solv
     };
     let other_sides = rows.iter().filter(|r| r.equality).map(|r| plane(-1.0, r));
     let planes: Vec<Plane> = rows.iter().map(|r| plane(1.0, r)).chain(other_sides).collect();
-    let largest = |wrench: &Wrench| rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, f64::max);
+    let largest = |wrench: &Wrench| rows.iter().map(|row| row.violation(wrench)).fold(f64::NEG_INFINITY, f64::max);
     let mut found = vec![kept_facets((setting.dynamics(), &motion), Held::Wrench, &planes, trajectory, |_, state| {
         largest(&trajectory.wrench(&model.vehicle, model.gravity, state))
     })];
@@ -92,7 +92,7 @@ pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solv
         let planes: Vec<Plane> = rows.iter().filter(|r| !r.equality).map(|r| plane(1.0, r)).collect();
         let largest = |lead: &Wrench| {
             let rows = rows.iter().filter(|r| !r.equality);
-            rows.map(|row| row.excess(lead)).fold(f64::NEG_INFINITY, f64::max)
+            rows.map(|row| row.violation(lead)).fold(f64::NEG_INFINITY, f64::max)
         };
         found.push(kept_facets((setting.dynamics(), &motion), held, &planes, trajectory, |k, state| {
             largest(&trajectory.lead(&model.vehicle, model.gravity, tau, k, state))

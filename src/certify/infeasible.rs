@@ -10,13 +10,13 @@ use crate::certificate::{
     Multiplier, RowRecord, SCHEMA, Side,
 };
 use crate::model::{LimitKind, Mission, Model, PlanModel};
-use crate::motion::time_grid::profile;
+use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{Trajectory, YAW};
-use crate::planner::compare::PlannerRun;
-use crate::planner::rows::Engine;
-use crate::planner::successive::{Relaxed, Successive};
-use crate::planner::transcribe::{Purpose, Transcription};
+use crate::planner::hover::HoverPlanner;
+use crate::planner::scp::{Relaxed, ScpPlanner};
+use crate::planner::studies::PlannerRun;
+use crate::planner::transcription::{Purpose, Transcription};
 use crate::planner::yaw::YawPlan;
 use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use crate::solve::{Outcome, solve_graded};
@@ -56,7 +56,7 @@ pub fn certificate(
     (selected_by, sha256): (&[Trajectory], String),
 ) -> Result<Certificate, String> {
     let healthy = AdmissibleSet::healthy(model);
-    let mut engine = Engine::new(model, mission, &healthy);
+    let mut engine = HoverPlanner::new(model, mission, &healthy);
     let (kind, asked) = match model.plan.model {
         PlanModel::Hover => (DynamicModel::Hover, about_hover(&mut engine, run, total)?),
         PlanModel::Exact => (DynamicModel::Exact, relaxed(&mut engine, run, total)?),
@@ -99,7 +99,7 @@ pub fn certificate(
 }
 
 /// The hover model's program, asked how far waypoints would have to be overshot.
-fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Asked, String> {
+fn about_hover(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Asked, String> {
     let (model, mission) = (engine.model, engine.mission);
     let layout = match engine.layout(total, model.plan.samples) {
         Ok(Some(layout)) => layout,
@@ -110,9 +110,9 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
         return Err(YAW_FIRST.into());
     };
     let maps = layout.yaw.maps(model, layout.flown.nodes());
-    let leads = layout.leads(model);
+    let leads = layout.commands(model);
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes())
-        .with_leads(leads.as_ref());
+        .with_commands(leads.as_ref());
     Ok(Asked {
         program: form.full_program(Purpose::Overshoot { epsilon: COST }),
         taus: form.taus(),
@@ -121,10 +121,10 @@ fn about_hover(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Aske
 }
 
 /// The exact model's relaxation, asked the same.
-fn relaxed(engine: &mut Engine, run: &PlannerRun, total: f64) -> Result<Asked, String> {
-    let flown = profile(engine.mission, total, engine.model.plan.samples).ok_or(NO_TIME)?.flown();
+fn relaxed(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Asked, String> {
+    let flown = time_grid(engine.mission, total, engine.model.plan.samples).ok_or(NO_TIME)?.flown();
     let Relaxed { program, taus, thrust } =
-        Successive::new(engine, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
+        ScpPlanner::new(engine, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
     Ok(Asked { program, taus, thrust: thrust.weights })
 }
 
@@ -177,7 +177,7 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], taus: &[f64], mission: &Mi
         for first in (at..at + cone.rows()).step_by(size) {
             let mut values = z[first..first + size].to_vec();
             let row = match program.row_origin[first] {
-                RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Excess => continue,
+                RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Violation => continue,
                 // Rows of the exact model's steps, which are no relaxation of it, and of stops.
                 RowOrigin::Upright { .. } | RowOrigin::Duration { .. } | RowOrigin::Stop { .. } => return None,
                 RowOrigin::Lag { facet, node, after } => {

@@ -16,7 +16,7 @@ use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
 use crate::model::{FlightBlocks, Model};
-use crate::planner::compare::Scope;
+use crate::planner::studies::Scope;
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::campaign_text;
 use crate::report::page;

@@ -6,9 +6,9 @@ use crate::admissible::AdmissibleSet;
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Severity, sort};
 use crate::model::{FlightBlocks, Mission, Model};
-use crate::planner::compare::{Ending, PlannerRun, Scope, compare};
-use crate::planner::rows::{Engine, FEASIBLE};
-use crate::planner::transcribe::{Purpose, Transcription};
+use crate::planner::hover::{FEASIBLE, HoverPlanner};
+use crate::planner::studies::{PlannerRun, RunOutcome, Scope, compare};
+use crate::planner::transcription::{Purpose, Transcription};
 use crate::qp::{QuadraticProgram, mps};
 use crate::source::visible;
 use serde::Serialize;
@@ -80,11 +80,11 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
         return Ok(FINE);
     }
     let time = match &run.ending {
-        Ending::Solved(s) => s.time,
-        Ending::Infeasible { at, .. }
-        | Ending::Inconclusive { at, .. }
-        | Ending::Failed { at, .. }
-        | Ending::NotAttempted { at, .. } => *at,
+        RunOutcome::Solved(s) => s.time,
+        RunOutcome::Infeasible { at, .. }
+        | RunOutcome::Inconclusive { at, .. }
+        | RunOutcome::Failed { at, .. }
+        | RunOutcome::NotAttempted { at, .. } => *at,
     };
     let Some(program) = program(model, mission, run, time) else {
         return Err(format!("the mission cannot be laid out over {time} s"));
@@ -112,12 +112,12 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
 /// The full-row program of a run at a mission time.
 fn program(model: &Model, mission: &Mission, run: &PlannerRun, time: f64) -> Option<QuadraticProgram> {
     let healthy = AdmissibleSet::healthy(model);
-    let mut engine = Engine::new(model, mission, &healthy);
+    let mut engine = HoverPlanner::new(model, mission, &healthy);
     let layout = engine.layout(time, model.plan.samples).ok()??;
     let maps = layout.yaw.maps(model, layout.flown.nodes());
-    let leads = layout.leads(model);
+    let leads = layout.commands(model);
     let transcription = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());
-    Some(transcription.with_leads(leads.as_ref()).full_program(Purpose::Plan { slack: FEASIBLE }))
+    Some(transcription.with_commands(leads.as_ref()).full_program(Purpose::Plan { slack: FEASIBLE }))
 }
 
 /// The program as exported: minimise 1/2 x'P x + q'x + constant subject to A x + s = b, s in the cones.

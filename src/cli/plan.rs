@@ -10,7 +10,7 @@ use crate::certify::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
 use crate::model::{FlightBlocks, Mission, Model};
-use crate::planner::compare::{Comparison, Ending, Scope, compare as compare_planners};
+use crate::planner::studies::{Comparison, RunOutcome, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::page::{self, Kind, Subject};
 use crate::report::record::Record;
@@ -38,10 +38,10 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
         return refused(&loaded, &model, &report, &html, args.html.as_deref(), options);
     };
-    let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
+    let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(RunOutcome::Solved(_)));
     // Where only the required risk is not met there is a plan for every statement that could be blamed.
     // A motion that fails the check is the planner's failure, and no statement of the spec is to blame for it.
-    let is_failed = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Failed { .. }));
+    let is_failed = matches!(comparison.runs.last().map(|r| &r.ending), Some(RunOutcome::Failed { .. }));
     let found_at: Vec<f64> = nearby(&model, &mission, &comparison, options).times().collect();
     // Nor is one where the planner has a plan at another time.
     let is_elsewhere = !found_at.is_empty();
@@ -57,7 +57,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     });
     let begin = Instant::now();
     let plan = comparison.runs.last().and_then(|run| match &run.ending {
-        Ending::Solved(solved) => Some((run, solved)),
+        RunOutcome::Solved(solved) => Some((run, solved)),
         _ => None,
     });
     progress.say("looking for a proof of every instant".into());
@@ -67,7 +67,7 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let begin = Instant::now();
     let mut results = Vec::new();
     let code = match comparison.runs.last().map(|r| &r.ending) {
-        Some(Ending::Solved(solved)) => {
+        Some(RunOutcome::Solved(solved)) => {
             if table.is_some() {
                 let header = trajectory_csv::header(model.vehicle.rotors.len());
                 let rows = trajectory_csv::count(&solved.trajectory, rate);

@@ -7,7 +7,7 @@ use crate::explain::nearby::{self, Nearby};
 use crate::explain::planners::Planners;
 use crate::explain::{Explanation, explain};
 use crate::model::{Mission, Model};
-use crate::planner::compare::Comparison;
+use crate::planner::studies::Comparison;
 use std::cell::Cell;
 use std::time::Instant;
 

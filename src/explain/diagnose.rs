@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Mission, MissionTime, Model, is_override};
 use crate::motion::time_grid::determined;
 use crate::number::number;
-use crate::planner::kinematics::least_time_within;
+use crate::planner::timing::kinematics::least_time_within;
 use crate::source::{SourceMap, Span};
 use crate::verdict::Verdict;
 

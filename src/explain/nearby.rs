@@ -4,8 +4,8 @@
 use crate::certify;
 use crate::model::{Mission, MissionTime, Model};
 use crate::motion::time_grid::determined;
-use crate::planner::compare::{Comparison, Ending, NOTHING_TO_SELECT_BY, Scope, compare};
-use crate::planner::successive::NOT_FOUND;
+use crate::planner::scp::NOT_FOUND;
+use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, RunOutcome, Scope, compare};
 use crate::solve::Effort;
 
 /// Shares of the time asked for that are tried, the nearest first, where the shortest time found is no longer than that, or where
@@ -30,9 +30,9 @@ impl Nearby {
 fn asked_for(model: &Model, mission: &Mission, comparison: &Comparison) -> Option<f64> {
     let MissionTime::Fixed(time) = model.plan.time else { return None };
     let is_open = match &comparison.runs.last()?.ending {
-        Ending::Inconclusive { status, .. } => status == NOT_FOUND,
-        Ending::NotAttempted { why, .. } => why == NOTHING_TO_SELECT_BY,
-        Ending::Failed { .. } => true,
+        RunOutcome::Inconclusive { status, .. } => status == NOT_FOUND,
+        RunOutcome::NotAttempted { why, .. } => why == NOTHING_TO_SELECT_BY,
+        RunOutcome::Failed { .. } => true,
         _ => false,
     };
     (is_open && determined(mission).is_none() && model.plan.require_risk.is_none()).then_some(time)

@@ -40,7 +40,7 @@ pub trait Oracle {
     /// Whether `mission` has a plan that takes `time` seconds, holds included, by the planner, the modes, the reserve
     /// and the samples of `model.plan`; its `time` and the mission of `model` count for nothing.
     ///
-    /// A limit without bounds, and a waypoint whose tolerances are [`crate::planner::transcribe::UNBOUNDED`] and whose
+    /// A limit without bounds, and a waypoint whose tolerances are [`crate::planner::transcription::UNBOUNDED`] and whose
     /// weight is zero, ask for nothing.
     fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer;
 }

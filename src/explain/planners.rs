@@ -4,16 +4,16 @@ use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
 use crate::model::{LimitKind, Mission, Model, PlanModel, PlannerKind, Vehicle};
 use crate::motion::checks::{past, peak};
-use crate::motion::time_grid::profile;
+use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
-use crate::planner::compare::{THESE_TIMES, proofs_are_about};
-use crate::planner::kinematics::least_time_within;
-use crate::planner::pool::Pool;
-use crate::planner::rows::{Decision, Engine, Planned};
-use crate::planner::select::PlanningSet;
-use crate::planner::sets::PlanningSets;
-use crate::planner::successive::{NOT_FOUND, Successive};
-use crate::planner::transcribe::UNBOUNDED;
+use crate::planner::hover::{Decision, HoverPlanner, Planned};
+use crate::planner::scp::{NOT_FOUND, ScpPlanner};
+use crate::planner::selection::PlanningSet;
+use crate::planner::selection::sets::PlanningSets;
+use crate::planner::studies::{THESE_TIMES, proofs_are_about};
+use crate::planner::timing::kinematics::least_time_within;
+use crate::planner::transcription::UNBOUNDED;
+use crate::planner::working_set::WorkingSet;
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 
@@ -42,7 +42,7 @@ struct Sets {
     reserve: f64,
     imposed: PlanningSets,
     /// Rows that bound in earlier plans, of RIP's and RCP's set.
-    pools: [Pool; 2],
+    pools: [WorkingSet; 2],
 }
 
 impl Sets {
@@ -76,8 +76,8 @@ impl Oracle for Planners<'_> {
         let known = self.sets.take().filter(|sets| sets.are_of(model));
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
         let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.pools);
-        let mut engine = Engine::new(model, mission, &sets.imposed.healthy);
-        let mut decide = |set: &PlanningSet, pool: &mut Pool, settled: bool| {
+        let mut engine = HoverPlanner::new(model, mission, &sets.imposed.healthy);
+        let mut decide = |set: &PlanningSet, pool: &mut WorkingSet, settled: bool| {
             let decision = match model.plan.model {
                 PlanModel::Hover => engine.decide(time, model.plan.samples, set, pool),
                 PlanModel::Exact => decide_exactly(&mut engine, set, pool, time, settled),
@@ -150,16 +150,22 @@ fn about_all_selections(decision: Decision, model: PlanModel) -> Decision {
 }
 
 /// A short try in the exact model. Where it tells nothing, the rows that bind in the hover model tell where to look.
-fn decide_exactly(engine: &mut Engine, set: &PlanningSet, pool: &mut Pool, time: f64, settled: bool) -> Decision {
+fn decide_exactly(
+    engine: &mut HoverPlanner,
+    set: &PlanningSet,
+    pool: &mut WorkingSet,
+    time: f64,
+    settled: bool,
+) -> Decision {
     let (model, mission) = (engine.model, engine.mission);
     let near = guided(mission);
-    let mut about = Engine::new(model, &near, engine.healthy);
-    let mut decision = Successive::new(&mut about, WrenchModel::Exact, set).attempt(time, settled);
+    let mut about = HoverPlanner::new(model, &near, engine.healthy);
+    let mut decision = ScpPlanner::new(&mut about, WrenchModel::Exact, set).attempt(time, settled);
     engine.effort += about.effort;
     engine.weights = about.weights;
     // What is shown with waypoints kept near is shown of the mission itself only where there are none of those.
     if near != *mission && !matches!(decision, Decision::Feasible(_)) {
-        decision = Successive::new(engine, WrenchModel::Exact, set).attempt(time, settled);
+        decision = ScpPlanner::new(engine, WrenchModel::Exact, set).attempt(time, settled);
     }
     if matches!(decision, Decision::Inconclusive(_)) {
         engine.decide(time, model.plan.samples, set, pool);
@@ -213,7 +219,7 @@ fn weighed(
     mission: &Mission,
     time: f64,
 ) -> Vec<(Part, f64)> {
-    let last = profile(mission, time, model.plan.samples).map(|p| p.flown().nodes() - 1);
+    let last = time_grid(mission, time, model.plan.samples).map(|p| p.flown().nodes() - 1);
     let mut parts = Vec::new();
     for (origin, weight) in weights {
         match origin {

@@ -3,7 +3,7 @@
 use super::oracle::Part;
 use crate::model::{Limit, Mission, MissionTime, Model, PlannerKind};
 use crate::number::{number, part_of_all};
-use crate::planner::transcribe::UNBOUNDED;
+use crate::planner::transcription::UNBOUNDED;
 use crate::source::Span;
 
 /// One statement, or one default that stands for it. Places are those in [`Mission`] and [`Model`].

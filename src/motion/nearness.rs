@@ -12,7 +12,7 @@ pub fn nearness(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: 
     let mut smallest = vec![f64::INFINITY; columns];
     let margin = |k: usize, t: f64| {
         let w = trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
-        rows.iter().map(|r| -r.excess(&w)).fold(f64::INFINITY, f64::min)
+        rows.iter().map(|r| -r.violation(&w)).fold(f64::INFINITY, f64::min)
     };
     let mut note = |column: usize, m: f64| {
         if let Some(s) = smallest.get_mut(column) {

@@ -40,7 +40,7 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     for w in &wrenches {
         let mut any = false;
         for (i, row) in rows.iter().enumerate() {
-            let excess = row.excess(w);
+            let excess = row.violation(w);
             found.max_violation = found.max_violation.max(excess);
             if excess > VIOLATED {
                 any = true;
@@ -88,7 +88,7 @@ fn refined(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[Set
         // Linear between samples.
         return seen.excess;
     }
-    let at = |t: f64| rows[seen.row].excess(&trajectory.wrench(vehicle, gravity, &trajectory.at(t)));
+    let at = |t: f64| rows[seen.row].violation(&trajectory.wrench(vehicle, gravity, &trajectory.at(t)));
     let (mut low, mut high) = ((seen.at - seen.apart).max(0.0), (seen.at + seen.apart).min(trajectory.duration()));
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let mut best = seen.excess;
@@ -132,7 +132,7 @@ pub fn stretches(
         let t = h * p as f64 / parts as f64;
         let right = (t, if p == parts { at_node(k + 1) } else { at(t) });
         for (i, row) in rows.iter().enumerate() {
-            let excess = row.excess(&right.1);
+            let excess = row.violation(&right.1);
             if worst.is_none_or(|seen| excess > seen.excess) {
                 worst = Some(Seen { row: i, excess, at: begin + t, apart });
             }

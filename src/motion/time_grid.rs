@@ -19,7 +19,7 @@ pub struct Segment {
 }
 
 impl Segment {
-    pub fn grid(&self) -> LegGrid {
+    pub fn leg_grid(&self) -> LegGrid {
         LegGrid { duration: self.duration, intervals: self.intervals, spaced_for: self.spaced_for }
     }
 
@@ -60,7 +60,7 @@ impl LegGrid {
 
 /// Times of nodes and waypoints for one mission time.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Profile {
+pub struct TimeGrid {
     /// Mission time, s.
     pub total: f64,
     pub segments: Vec<Segment>,
@@ -70,7 +70,7 @@ pub struct Profile {
     pub waypoint_nodes: Vec<usize>,
 }
 
-impl Profile {
+impl TimeGrid {
     pub fn nodes(&self) -> usize {
         self.node_times.len()
     }
@@ -86,7 +86,7 @@ impl Profile {
 
     /// The same mission without its holds: each shrinks to one node, at which all derivatives vanish. Nothing changes in
     /// a hold, so programs leave them out.
-    pub fn flown(&self) -> Profile {
+    pub fn flown(&self) -> TimeGrid {
         let mut segments: Vec<Segment> = self.segments.iter().filter(|s| !s.hold).copied().collect();
         for s in &mut segments {
             s.first_node -= self.holds_before(s.first_node);
@@ -99,21 +99,21 @@ impl Profile {
             }
         }
         let waypoint_nodes = self.waypoint_nodes.iter().map(|&n| n - self.holds_before(n)).collect();
-        Profile { total: node_times[node_times.len() - 1], segments, node_times, waypoint_nodes }
+        TimeGrid { total: node_times[node_times.len() - 1], segments, node_times, waypoint_nodes }
     }
 
-    /// What is said of the nodes of [`Profile::flown`], for all nodes: both ends of a hold are alike.
+    /// What is said of the nodes of [`TimeGrid::flown`], for all nodes: both ends of a hold are alike.
     pub fn with_holds<T: Clone>(&self, of_flown: &[T]) -> Vec<T> {
         (0..self.nodes()).map(|node| of_flown[node - self.holds_before(node)].clone()).collect()
     }
 
-    /// What is said of all nodes, for those of [`Profile::flown`].
+    /// What is said of all nodes, for those of [`TimeGrid::flown`].
     pub fn without_holds<T: Clone>(&self, of_all: &[T]) -> Vec<T> {
         (0..self.nodes()).filter(|&node| !self.ends_a_hold(node)).map(|node| of_all[node].clone()).collect()
     }
 
     /// The same nodes with the duration of each leg (by the waypoint it starts from) times a factor; holds stay as they are.
-    pub fn with_durations_times(&self, factor: impl Fn(usize) -> f64) -> Profile {
+    pub fn with_durations_times(&self, factor: impl Fn(usize) -> f64) -> TimeGrid {
         let mut changed = self.clone();
         for (old, s) in self.segments.iter().zip(&mut changed.segments) {
             if !s.hold {
@@ -138,10 +138,10 @@ impl Profile {
     }
 }
 
-impl Profile {
+impl TimeGrid {
     /// The mission with the grids of its legs, in order, and the mission's holds; `total` is the sum of durations, s, to the
     /// last digit.
-    pub fn with_legs(mission: &Mission, legs: &[LegGrid], total: f64) -> Profile {
+    pub fn with_legs(mission: &Mission, legs: &[LegGrid], total: f64) -> TimeGrid {
         let mut segments = Vec::new();
         let spacing = mission.spacing;
         for (i, w) in mission.waypoints.iter().enumerate() {
@@ -169,11 +169,11 @@ impl Profile {
                 });
             }
         }
-        Profile::of_segments(mission, segments, total)
+        TimeGrid::of_segments(mission, segments, total)
     }
 
     /// Times of nodes and waypoints; `first_node` is filled in.
-    fn of_segments(mission: &Mission, mut segments: Vec<Segment>, total: f64) -> Profile {
+    fn of_segments(mission: &Mission, mut segments: Vec<Segment>, total: f64) -> TimeGrid {
         let mut node_times = vec![0.0];
         let mut waypoint_nodes = vec![0];
         let mut begin = 0.0;
@@ -191,7 +191,7 @@ impl Profile {
         if let Some(end) = node_times.last_mut() {
             *end = total;
         }
-        Profile { total, segments, node_times, waypoint_nodes }
+        TimeGrid { total, segments, node_times, waypoint_nodes }
     }
 }
 
@@ -220,9 +220,9 @@ pub fn has_fixed_times(mission: &Mission) -> bool {
 ///
 /// Between fixed times, what holds leave is shared among the legs in proportion to [`crate::model::Leg::share`].
 /// `None` where some leg would get no time.
-pub fn profile(mission: &Mission, total: f64, samples: usize) -> Option<Profile> {
+pub fn time_grid(mission: &Mission, total: f64, samples: usize) -> Option<TimeGrid> {
     let durations = leg_durations(mission, total)?;
     let intervals = pieces(mission, &durations, samples);
     let legs: Vec<LegGrid> = durations.into_iter().zip(intervals).map(|(d, n)| LegGrid::new(d, n)).collect();
-    Some(Profile::with_legs(mission, &legs, total))
+    Some(TimeGrid::with_legs(mission, &legs, total))
 }

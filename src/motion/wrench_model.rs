@@ -1,7 +1,7 @@
 //! Which wrench a motion asks for: by the paper's model about hover, or exactly.
 
 use super::hover_map::{self, WrenchMap, YawState};
-use super::{LeadState, NodeState, X, Y, YAW, Z};
+use super::{CommandState, NodeState, X, Y, YAW, Z};
 use crate::actuation::Wrench;
 use crate::flatness::{self, FlatState, INPUTS, LEAD_INPUTS, LeadFlatState};
 use crate::model::Vehicle;
@@ -34,7 +34,7 @@ pub const LEAD_FLAT: [(usize, usize); LEAD_INPUTS] = {
     all
 };
 
-fn lead_flat(state: &LeadState) -> LeadFlatState {
+fn lead_flat(state: &CommandState) -> LeadFlatState {
     LeadFlatState::from_fn(|i, _| state[LEAD_FLAT[i].0][LEAD_FLAT[i].1])
 }
 
@@ -102,7 +102,7 @@ impl WrenchModel {
     }
 
     /// The lead wrench c = w + lag w' of rotors that lag by `lag` s, N and N m.
-    pub fn lead(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &LeadState) -> Wrench {
+    pub fn lead(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> Wrench {
         match self {
             WrenchModel::Exact => flatness::lead(vehicle, gravity, lag, &lead_flat(state)),
             _ => self.lead_linearised(vehicle, gravity, lag, state).at(state),
@@ -110,7 +110,7 @@ impl WrenchModel {
     }
 
     /// The lead wrench about a state, to first order, as in [`Self::linearised`].
-    pub fn lead_linearised(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &LeadState) -> WrenchMap {
+    pub fn lead_linearised(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> WrenchMap {
         match self {
             WrenchModel::HoverAt(psi) => WrenchMap::leading_with_free_yaw(vehicle, gravity, psi, lag),
             WrenchModel::HoverFollowing => {
@@ -137,7 +137,7 @@ impl WrenchModel {
         vehicle: &Vehicle,
         gravity: f64,
         lag: f64,
-        state: &LeadState,
+        state: &CommandState,
         n: &Wrench,
         tau: f64,
     ) -> Vec<LeadFlatState> {

@@ -1,8 +1,8 @@
 //! The cost (48): squared inputs over time and squared distances to the waypoints.
 
-use super::transcribe::Transcription;
 use crate::model::{Mission, Waypoint};
 use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::transcription::Transcription;
 use crate::qp::build::Builder;
 
 /// Gauss and Legendre's points on 0..1 and their weights: exact for polynomials up to degree 7, and the square of an
@@ -20,7 +20,7 @@ impl Transcription<'_> {
     /// Where z is a quadruple integrator both its input and its acceleration count, each with its own weight.
     pub(super) fn cost(&self, builder: &mut Builder, factor: f64) {
         let plan = &self.model.plan;
-        for (k, step) in self.profile.steps().enumerate() {
+        for (k, step) in self.grid.steps().enumerate() {
             for &axis in self.axes {
                 let r = self.orders[axis];
                 let weight = if r == 4 { plan.snap_weight } else { plan.acceleration_weight };
@@ -37,7 +37,7 @@ impl Transcription<'_> {
                 }
             }
         }
-        for (w, &node) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes) {
+        for (w, &node) in self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes) {
             let targets = [w.position[0], w.position[1], w.position[2], w.yaw];
             for &axis in self.axes {
                 let miss = self.at_node(node, axis, 0).plus_constant(-targets[axis]);
@@ -50,7 +50,7 @@ impl Transcription<'_> {
     pub(super) fn cost_of(&self, states: &[NodeState]) -> f64 {
         let plan = &self.model.plan;
         let mut sum = 0.0;
-        for (k, step) in self.profile.steps().enumerate() {
+        for (k, step) in self.grid.steps().enumerate() {
             let (left, right) = (&states[k], &states[k + 1]);
             for &axis in self.axes {
                 let r = self.orders[axis];
@@ -67,7 +67,7 @@ impl Transcription<'_> {
                 }
             }
         }
-        for (w, &node) in self.mission.waypoints.iter().zip(&self.profile.waypoint_nodes) {
+        for (w, &node) in self.mission.waypoints.iter().zip(&self.grid.waypoint_nodes) {
             let targets = [(X, w.position[0]), (Y, w.position[1]), (Z, w.position[2]), (YAW, w.yaw)];
             let misses = targets.into_iter().filter(|(axis, _)| self.plans(*axis));
             sum += w.weight * misses.map(|(axis, target)| (states[node][axis][0] - target).powi(2)).sum::<f64>();
@@ -84,9 +84,9 @@ impl Transcription<'_> {
         if self.free_ends().next().is_none() {
             return;
         }
-        let tau = self.profile.total / self.profile.segments.len() as f64;
+        let tau = self.grid.total / self.grid.segments.len() as f64;
         let factor = self.model.plan.snap_weight / tau.powi(4);
-        for (k, step) in self.profile.steps().enumerate() {
+        for (k, step) in self.grid.steps().enumerate() {
             for axis in [X, Y] {
                 for (share, weight) in GAUSS {
                     let acceleration = self.inside(k, share, axis, 2);

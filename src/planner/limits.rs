@@ -1,8 +1,8 @@
 //! A mission's limits as rows: linear for one axis, second-order cones for norms.
 
-use super::transcribe::{Transcription, UPRIGHT};
 use crate::model::{Limit, LimitKind};
 use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::transcription::{Transcription, UPRIGHT};
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 
@@ -131,7 +131,7 @@ impl Transcription<'_> {
     }
 
     /// How far a state is from upright, as a share of gravity; negative inside.
-    pub(super) fn excess_upright(&self, state: &NodeState) -> f64 {
+    pub(super) fn violation_upright(&self, state: &NodeState) -> f64 {
         UPRIGHT - 1.0 - state[Z][2] / self.model.gravity
     }
 
@@ -145,19 +145,19 @@ impl Transcription<'_> {
 
     /// How far states pass a limit at a node when it is widened by `sigma`, as a share of the limit (m or rad for
     /// positions and yaw); negative inside.
-    pub(super) fn limit_excess(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
+    pub(super) fn limit_violation(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
         let mut state = states[node];
         if let Bounded::Jerk = self.bounded(limit.kind) {
             let slope = |(interval, step): (usize, f64)| (states[interval + 1][Z][2] - states[interval][Z][2]) / step;
             state[Z][3] = self.intervals_beside(node).map(slope).fold(0.0, |m: f64, s| m.max(s.abs()));
         }
-        self.excess_of(limit, &state, sigma)
+        self.violation_of(limit, &state, sigma)
     }
 
     /// The same for one state.
-    pub(super) fn excess_of(&self, limit: &Limit, state: &NodeState, sigma: f64) -> f64 {
+    pub(super) fn violation_of(&self, limit: &Limit, state: &NodeState, sigma: f64) -> f64 {
         let length = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
-        let share = |excess: f64, scale: f64| if scale > 0.0 { excess / scale - sigma } else { excess };
+        let share = |violation: f64, scale: f64| if scale > 0.0 { violation / scale - sigma } else { violation };
         match (bounded(limit.kind), limit.upper) {
             (Bounded::Axis { axis, order, sign }, _) if self.plans(axis) => {
                 let value = sign * state[axis][order];
@@ -178,6 +178,6 @@ impl Transcription<'_> {
     /// The intervals that begin or end at a node, with their steps (s).
     fn intervals_beside(&self, node: usize) -> impl Iterator<Item = (usize, f64)> {
         let first = node.saturating_sub(1);
-        self.profile.steps().enumerate().skip(first).take_while(move |(interval, _)| *interval <= node)
+        self.grid.steps().enumerate().skip(first).take_while(move |(interval, _)| *interval <= node)
     }
 }

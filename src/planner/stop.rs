@@ -8,16 +8,17 @@
 
 mod ends;
 
-use super::select::PlanningSet;
-use super::successive::{Motion, Successive};
-use super::transcribe::UNBOUNDED;
-use super::{limits::place, rows::Engine};
 use crate::admissible::AdmissibleSet;
 use crate::model::grid::Spacing;
 use crate::model::{Leg, Limit, Mission, Model, Waypoint};
-use crate::motion::time_grid::{LegGrid, Profile};
+use crate::motion::time_grid::{LegGrid, TimeGrid};
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::hover::HoverPlanner;
+use crate::planner::limits::place;
+use crate::planner::scp::{Iterate, ScpPlanner};
+use crate::planner::selection::PlanningSet;
+use crate::planner::transcription::UNBOUNDED;
 use crate::solve::Effort;
 
 /// A stop is cut into parts of these shares, each with so many intervals: rates are caught at its beginning and the
@@ -47,7 +48,7 @@ pub struct Stops<'a> {
     /// Of the plan, and of stops.
     wrench: WrenchModel,
     /// The last stop found: the next is sought about it first.
-    last: Option<Motion>,
+    last: Option<Iterate>,
     pub effort: Effort,
 }
 
@@ -64,16 +65,16 @@ impl<'a> Stops<'a> {
 
     /// A stop from the state of a plan in which the fault strikes; `None` where none of the durations tried has one, or where
     /// the steps of the exact model find none.
-    pub fn find(&mut self, struck: &NodeState) -> Option<Motion> {
+    pub fn find(&mut self, struck: &NodeState) -> Option<Iterate> {
         let mission = stop_mission(self.mission, struck);
-        let mut engine = Engine::new(self.model, &mission, self.healthy);
+        let mut engine = HoverPlanner::new(self.model, &mission, self.healthy);
         engine.struck = Some(*struck);
-        let mut steps = Successive::new(&mut engine, self.wrench, self.set);
-        let near = self.last.as_ref().map(|last| last.profile.total);
+        let mut steps = ScpPlanner::new(&mut engine, self.wrench, self.set);
+        let near = self.last.as_ref().map(|last| last.grid.total);
         let about = self.last.as_ref().and_then(|last| steps.stop_about(last.clone()));
         let found = about.or_else(|| {
             let mut tried = durations(struck, self.model.gravity, near).into_iter();
-            tried.find_map(|duration| steps.stop(&profile(&mission, duration)))
+            tried.find_map(|duration| steps.stop(&grid(&mission, duration)))
         });
         self.effort += engine.effort;
         self.last = found.clone();
@@ -91,10 +92,10 @@ fn durations(struck: &NodeState, gravity: f64, near: Option<f64>) -> Vec<f64> {
     all
 }
 
-fn profile(mission: &Mission, duration: f64) -> Profile {
+fn grid(mission: &Mission, duration: f64) -> TimeGrid {
     let all: f64 = SHARES.iter().sum();
     let legs = SHARES.map(|share| LegGrid::new(duration * share / all, INTERVALS));
-    Profile::with_legs(mission, &legs, duration)
+    TimeGrid::with_legs(mission, &legs, duration)
 }
 
 /// A stop as a mission: its waypoints only part it, and bind nothing.

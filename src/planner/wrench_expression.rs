@@ -1,9 +1,9 @@
 //! The wrench at an instant in a program's variables: made once, for many facets stand there.
 
-use super::lead::LeadAt;
-use super::transcribe::Transcription;
 use crate::actuation::Wrench;
 use crate::motion::hover_map::WrenchMap;
+use crate::planner::commands::CommandAt;
+use crate::planner::transcription::Transcription;
 use crate::qp::build::Affine;
 
 /// `constant + sum of coefficient times variable`, N and N m; each variable once.
@@ -44,14 +44,14 @@ impl Transcription<'_> {
     }
 
     /// The lead wrench by its map; `bend` as in [`Self::lead_derivative`]. `None` where there is no such interval.
-    pub(super) fn lead_expression(
+    pub(super) fn command_expression(
         &self,
         map: &WrenchMap,
-        at: LeadAt,
-        bend: &dyn Fn(usize, usize, usize) -> Affine,
+        at: CommandAt,
+        jump: &dyn Fn(usize, usize, usize) -> Affine,
     ) -> Option<WrenchExpression> {
         let part =
-            |&(axis, order, c): &(usize, usize, Wrench)| Some((self.lead_derivative(at, (axis, order), bend)?, c));
+            |&(axis, order, c): &(usize, usize, Wrench)| Some((self.command_derivative(at, (axis, order), jump)?, c));
         let parts: Option<Vec<_>> = map.terms.iter().map(part).collect();
         Some(WrenchExpression::of(map.constant, parts?))
     }

@@ -1,12 +1,12 @@
 //! Yaw, planned first where it changes: the terms of (48) that hold psi, least within the yaw tolerances.
 
-use super::select::PlanningSet;
-use super::transcribe::{Purpose, Transcription};
 use crate::model::{Mission, Model};
 use crate::motion::hover_map::{WrenchMap, YawState};
-use crate::motion::time_grid::Profile;
+use crate::motion::time_grid::TimeGrid;
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::selection::PlanningSet;
+use crate::planner::transcription::{Purpose, Transcription};
 use crate::solve::{Effort, Outcome, solve};
 
 /// How yaw enters the plan of x, y and z.
@@ -60,12 +60,12 @@ impl YawPlan {
 }
 
 /// Plans yaw for one profile, or says what the solver said.
-pub fn plan_yaw(model: &Model, mission: &Mission, profile: &Profile, effort: &mut Effort) -> Result<YawPlan, Outcome> {
+pub fn plan_yaw(model: &Model, mission: &Mission, grid: &TimeGrid, effort: &mut Effort) -> Result<YawPlan, Outcome> {
     if mission.has_one_yaw() {
         return Ok(YawPlan::Free { psi: mission.waypoints[0].yaw });
     }
     let nothing = PlanningSet::default();
-    let transcription = Transcription::new(model, mission, profile, &nothing, &[], &ALL_AXES[3..]);
+    let transcription = Transcription::new(model, mission, grid, &nothing, &[], &ALL_AXES[3..]);
     let (outcome, spent) = solve(&transcription.full_program(Purpose::Plan { slack: 0.0 }));
     *effort += spent;
     let Outcome::Solved(solution) = outcome else { return Err(outcome) };

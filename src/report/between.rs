@@ -7,7 +7,7 @@ use crate::certify::between::{Between, COMMANDS, GRID, Shown, WRENCH};
 use crate::model::Model;
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::percent;
-use crate::planner::compare::Solved;
+use crate::planner::studies::Solved;
 use crate::tolerance::MOST_PAST_LIMIT;
 
 /// Proved for every instant, or checked on a grid; `found` is of the wrench, of each limit in the mission's order, and of what

@@ -3,8 +3,8 @@
 use super::table::Table;
 use crate::model::{Limit, LimitKind, Mission, Model};
 use crate::number::{fixed, number, significant};
-use crate::planner::compare::Solved;
-use crate::planner::successive::binding::Statement;
+use crate::planner::scp::sensitivity::Statement;
+use crate::planner::studies::Solved;
 use serde::Serialize;
 
 /// What would give back less than this is left out, s.

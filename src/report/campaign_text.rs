@@ -12,7 +12,7 @@ use crate::campaign::tally::{Cell, Group, Tally};
 use crate::flight::Cause;
 use crate::model::{Detection, Simulation};
 use crate::number::{fixed, number, part_of_all, percent, significant};
-use crate::planner::compare::Ending;
+use crate::planner::studies::RunOutcome;
 use std::cmp::Reverse;
 
 /// Columns of running text and of maps.
@@ -269,10 +269,10 @@ pub fn left_out(missing: &[Missing]) -> String {
     let mut out = String::new();
     for one @ Missing { planner, ending } in missing {
         let why = match ending {
-            Some(Ending::Infeasible { at, .. } | Ending::Inconclusive { at, .. }) => {
+            Some(RunOutcome::Infeasible { at, .. } | RunOutcome::Inconclusive { at, .. }) => {
                 format!("a plan of {} s with these samples", number(*at))
             }
-            Some(Ending::NotAttempted { why, .. }) => why.clone(),
+            Some(RunOutcome::NotAttempted { why, .. }) => why.clone(),
             _ => "there is no mode to plan against, or no common time".into(),
         };
         let verdict = one.verdict();

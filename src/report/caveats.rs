@@ -4,7 +4,7 @@ use crate::model::{LimitKind, Model};
 use crate::motion::checks::{Excess, coarser_legs, limit_excesses, past_as_checked, peak, stretch};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, percent, significant};
-use crate::planner::compare::Solved;
+use crate::planner::studies::Solved;
 use crate::tolerance::{MOST_PAST_LIMIT, USUAL_SPEED};
 use serde::Serialize;
 

@@ -10,8 +10,8 @@ use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind};
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
 use crate::number::{fixed, number, percent, significant};
-use crate::planner::compare::rounds::Round;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, label};
+use crate::planner::studies::rounds::Round;
+use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, label};
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
 
@@ -42,8 +42,9 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         let holds = holds(model);
         let own =
             if determined(mission).is_some() { "each planner alone" } else { "each planner at its shortest time" };
-        let has_plans =
-            |which: Run| comparison.runs.iter().any(|run| run.run == which && matches!(run.ending, Ending::Solved(_)));
+        let has_plans = |which: Run| {
+            comparison.runs.iter().any(|run| run.run == which && matches!(run.ending, RunOutcome::Solved(_)))
+        };
         for (run, title) in [(Run::Own, own), (Run::Common, "all planners at T_d")] {
             if !has_plans(run) {
                 continue;
@@ -61,7 +62,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
                 "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
             );
             for fold in folded(comparison, Run::Common) {
-                if let Ending::Solved(solved) = fold.ending() {
+                if let RunOutcome::Solved(solved) = fold.ending() {
                     out.push_str(&format!("  {}\n", fold.short_name()));
                     out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
                 }
@@ -98,7 +99,7 @@ fn at_common(comparison: &Comparison, planner: PlannerKind) -> Option<&PlannerRu
 /// Whether facets were selected at all: RIP's plan at T_d selects them.
 fn selects(comparison: &Comparison) -> bool {
     let rip = at_common(comparison, PlannerKind::Rip);
-    !comparison.modes.is_empty() && rip.is_none_or(|run| matches!(run.ending, Ending::Solved(_)))
+    !comparison.modes.is_empty() && rip.is_none_or(|run| matches!(run.ending, RunOutcome::Solved(_)))
 }
 
 /// How many facets RSP guards, and what it lacks where it has no plan.
@@ -114,7 +115,8 @@ fn guarded(comparison: &Comparison) -> String {
             let planes = in_planes(comparison);
             let mut text =
                 format!("\nRSP guards {n} facet{plural} of the fault sets{planes} beside the healthy set's.\n");
-            if let Some(Ending::Infeasible { at, .. }) = at_common(comparison, PlannerKind::Rsp).map(|run| &run.ending)
+            if let Some(RunOutcome::Infeasible { at, .. }) =
+                at_common(comparison, PlannerKind::Rsp).map(|run| &run.ending)
             {
                 let at = number(*at);
                 text += &format!("RSP is proved infeasible in {at} s; its own shortest time is in the first table.\n");
@@ -128,7 +130,7 @@ fn guarded(comparison: &Comparison) -> String {
 fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
     let rates = rates(model);
     let risks = comparison.runs.iter().filter_map(|run| match &run.ending {
-        Ending::Solved(solved) => rated_risk(&rates, &solved.committed),
+        RunOutcome::Solved(solved) => rated_risk(&rates, &solved.committed),
         _ => None,
     });
     match (rates.iter().any(Option::is_some), holds(model)) {
@@ -207,8 +209,8 @@ fn common_time(model: &Model, mission: &Mission, comparison: &Comparison) -> &'s
     match (model.plan.time, joint.map(|run| &run.ending)) {
         _ if determined(mission).is_some() => "the time that the mission's fixed times give",
         (MissionTime::Fixed(_), _) => "the time that the spec asks for",
-        (_, Some(Ending::Solved(_))) if comparison.modes.len() == 1 => "RCP's shortest time",
-        (_, Some(Ending::Solved(_))) => "the shortest time of RCP against all modes jointly",
+        (_, Some(RunOutcome::Solved(_))) if comparison.modes.len() == 1 => "RCP's shortest time",
+        (_, Some(RunOutcome::Solved(_))) => "the shortest time of RCP against all modes jointly",
         _ => "the largest of RCP's shortest times against single modes",
     }
 }
@@ -241,7 +243,7 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
     for fold in folded(comparison, which) {
         let name = fold.short_name();
         match fold.ending() {
-            Ending::Solved(s) => {
+            RunOutcome::Solved(s) => {
                 let e = errors(mission, s);
                 table.row(vec![
                     name,
@@ -269,7 +271,7 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
     }
     let mut table = Table::new(&headings);
     for fold in folded(comparison, which) {
-        let Ending::Solved(s) = fold.ending() else { continue };
+        let RunOutcome::Solved(s) = fold.ending() else { continue };
         let mut cells = vec![fold.short_name()];
         let modes = s.outside.iter().zip(&s.committed).zip(&model.plan.against);
         cells.extend(modes.map(|((o, committed), &mode)| match (o.last, model.after_fault(mode)) {
@@ -307,7 +309,7 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
     for round in rounds {
         let mut cells = vec![round.rounds.to_string(), round.selected.to_string()];
         match &round.common {
-            Ending::Solved(s) => {
+            RunOutcome::Solved(s) => {
                 let e = errors(mission, s);
                 cells.extend([significant(e.position, 4), significant(e.yaw, 3), significant(100.0 * e.largest, 3)]);
                 cells.push(number(s.objective));
@@ -318,7 +320,7 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
         }
         cells.push(match &round.own {
             _ if !is_free => "-".into(),
-            Ending::Solved(s) => number(s.time),
+            RunOutcome::Solved(s) => number(s.time),
             ending => ending.verdict().word().into(),
         });
         table.row(cells);

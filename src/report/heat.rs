@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::motion::Trajectory;
 use crate::motion::nearness::nearness;
 use crate::number::number;
-use crate::planner::compare::Comparison;
+use crate::planner::studies::Comparison;
 
 /// Parts of the flight across.
 const COLUMNS: usize = 64;

@@ -4,8 +4,8 @@ use super::caveats::passed;
 use crate::model::{Mission, Model};
 use crate::motion::time_grid::has_fixed_times;
 use crate::number::{down, down_but_above, percent};
-use crate::planner::compare::{Ending, PlannerRun};
-use crate::planner::kinematics::{LeastTime, least_time, least_time_within};
+use crate::planner::studies::{PlannerRun, RunOutcome};
+use crate::planner::timing::kinematics::{LeastTime, least_time, least_time_within};
 
 /// Of the bound itself, which is rounded down.
 const DIGITS: usize = 4;
@@ -14,7 +14,7 @@ const DIGITS: usize = 4;
 /// nodes the bound lets all motions exceed them as far.
 pub fn beside(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
     let mut past = vec![0.0; mission.limits.len()];
-    if let Ending::Solved(solved) = &run.ending {
+    if let RunOutcome::Solved(solved) = &run.ending {
         for excess in passed(model, solved) {
             past[excess.limit] = excess.by;
         }

@@ -11,9 +11,9 @@ use crate::certify::between::Between;
 use crate::model::{Mission, Model};
 use crate::motion::YAW;
 use crate::motion::risk::rated_risk;
-use crate::planner::compare::protect::{Addition, Protection};
-use crate::planner::compare::rounds::Round;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, Verification};
+use crate::planner::studies::protect::{Addition, Protection};
+use crate::planner::studies::rounds::Round;
+use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved, Verification};
 use crate::verdict::Verdict;
 use serde::Serialize;
 
@@ -258,7 +258,7 @@ impl CheckRecord {
 
 fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
     let nodes = match &run.ending {
-        Ending::Solved(solved) => solved.trajectory.times.len(),
+        RunOutcome::Solved(solved) => solved.trajectory.times.len(),
         _ => model.plan.samples + 1,
     };
     let mut record = PlannerRecord {
@@ -275,9 +275,9 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         ..PlannerRecord::default()
     };
     match &run.ending {
-        Ending::Infeasible { proved, .. } => record.proved_infeasible_s = proved.clone(),
-        Ending::Inconclusive { .. } | Ending::Failed { .. } | Ending::NotAttempted { .. } => {}
-        Ending::Solved(solved) => {
+        RunOutcome::Infeasible { proved, .. } => record.proved_infeasible_s = proved.clone(),
+        RunOutcome::Inconclusive { .. } | RunOutcome::Failed { .. } | RunOutcome::NotAttempted { .. } => {}
+        RunOutcome::Solved(solved) => {
             let e = errors(mission, solved);
             record.proved_infeasible_s = solved.infeasible_at.iter().chain(&solved.infeasible_above).copied().collect();
             record.waypoints = waypoints(mission, solved);

@@ -14,9 +14,9 @@ use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, number, part_of_all, percent, short_seconds, significant};
-use crate::planner::compare::protect::Protection;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Solved, label};
-use crate::planner::select::PlanningSet;
+use crate::planner::selection::PlanningSet;
+use crate::planner::studies::protect::Protection;
+use crate::planner::studies::{Comparison, PlannerRun, RunOutcome, Solved, label};
 
 /// Columns of running text.
 pub const WIDTH: usize = 110;
@@ -64,7 +64,7 @@ pub(crate) fn in_planes(comparison: &Comparison) -> String {
 /// The report of `mavc plan`: the last run is the one written out. `color`: whether strips are coloured.
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
-    let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(Ending::Solved(_)));
+    let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(RunOutcome::Solved(_)));
     if let Some(time) = comparison
         .common_time
         .filter(|_| solved && model.plan.planner == PlannerKind::Rsp && model.plan.require_risk.is_none())
@@ -100,7 +100,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
     for run in &comparison.runs {
         out.push('\n');
         match &run.ending {
-            Ending::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved, color)),
+            RunOutcome::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved, color)),
             _ => {
                 let text =
                     format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));

@@ -4,17 +4,17 @@ use super::least_time;
 use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::motion::time_grid::determined;
 use crate::number::number;
-use crate::planner::compare::protect::UNMET;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, THESE_TIMES, THIS_YAW, Verification};
-use crate::planner::kinematics::least_time_within;
-use crate::planner::successive::NOT_FOUND;
+use crate::planner::scp::NOT_FOUND;
+use crate::planner::studies::protect::UNMET;
+use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved, THESE_TIMES, THIS_YAW, Verification};
+use crate::planner::timing::kinematics::least_time_within;
 
 /// `proved infeasible at 12 s with 200 samples`: the verdict on a run, for which times, and under which conditions.
 pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> String {
     let verdict = run.ending.verdict();
     let samples = model.plan.samples;
     match &run.ending {
-        Ending::Solved(solved) => {
+        RunOutcome::Solved(solved) => {
             let undecided = match &solved.verification {
                 Verification::Undecided(why) => format!("; not decided by the check of plans: {why}"),
                 Verification::None | Verification::Passed => String::new(),
@@ -22,11 +22,11 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             let time = shown_of_time(model, mission, comparison, run, solved);
             format!("{verdict}, {} s{time}{undecided}", number(solved.time))
         }
-        Ending::Failed { at, why } => {
+        RunOutcome::Failed { at, why } => {
             format!("{verdict}: the motion planned for {} s fails the check of plans: {why}", number(*at))
         }
         // Where several times are proved one by one, which these are says more.
-        Ending::Infeasible { at, proved }
+        RunOutcome::Infeasible { at, proved }
             if (model.plan.chooses_times || proved.len() == 1) && least_time_within(model, mission).is_above(*at) =>
         {
             let least = least_time_within(model, mission);
@@ -34,13 +34,13 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             let which = if is_of_all { "any mission time".to_string() } else { format!("{} s", number(*at)) };
             format!("{verdict} at {which}: {}", least_time::sentence(mission, &least, *at))
         }
-        Ending::Infeasible { proved, .. } => {
+        RunOutcome::Infeasible { proved, .. } => {
             format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))
         }
-        Ending::Inconclusive { at, status } if status == UNMET => {
+        RunOutcome::Inconclusive { at, status } if status == UNMET => {
             format!("{verdict}: a plan that keeps the required risk, in up to {} s", number(*at))
         }
-        Ending::Inconclusive { at, status } => {
+        RunOutcome::Inconclusive { at, status } => {
             let others =
                 if run.run == Run::Own && determined(mission).is_none() { " or any other time tried" } else { "" };
             let more = match status.as_str() {
@@ -50,7 +50,7 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             };
             format!("{verdict} at {} s{others} with {samples} samples{more}", number(*at))
         }
-        Ending::NotAttempted { why, .. } => format!("{verdict}: {why}"),
+        RunOutcome::NotAttempted { why, .. } => format!("{verdict}: {why}"),
     }
 }
 

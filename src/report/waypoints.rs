@@ -4,7 +4,7 @@ use super::table::Table;
 use crate::model::{Mission, Waypoint};
 use crate::motion::YAW;
 use crate::number::{DIGITS, percent, significant};
-use crate::planner::compare::Solved;
+use crate::planner::studies::Solved;
 use crate::verify::plan::MOST_MISS;
 use serde::Serialize;
 use std::cmp::Ordering;

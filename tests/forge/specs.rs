@@ -183,7 +183,7 @@ fn selecting(name: &str, truth: &Truth, honest: &Trajectory) -> Vec<Trajectory> 
         let known = truth.selected(&found, 1e-5);
         let clear = motion.nodes.iter().all(|s| {
             let wrench = motion.wrench(&truth.model.vehicle, truth.model.gravity, s);
-            known.iter().all(|row| row.excess(&wrench) <= 5e-5)
+            known.iter().all(|row| row.violation(&wrench) <= 5e-5)
         });
         let new = truth.selected(std::slice::from_ref(&motion), 3e-3).len();
         if beyond && clear && new > 0 && truth.of_selecting(&motion).is_none() && truth.keeps_own(&motion) {

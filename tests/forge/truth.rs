@@ -18,8 +18,8 @@ use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind
 use mavc::motion::checks::past;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
-use mavc::planner::select::PlanningSet;
-use mavc::planner::sets::PlanningSets;
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::selection::sets::PlanningSets;
 
 /// Falsehoods count from this many tolerances on.
 pub const TIMES: f64 = 10.0;
@@ -310,7 +310,7 @@ impl Truth {
             })
             .collect();
         let rows = self.sets.modes.iter().flat_map(|set| &set.rows);
-        rows.filter(|row| seen.iter().any(|w| row.excess(w) > share)).cloned().collect()
+        rows.filter(|row| seen.iter().any(|w| row.violation(w) > share)).cloned().collect()
     }
 
     /// Whether a facet that the motions before are clearly beyond is broken at a node.
@@ -335,7 +335,7 @@ fn exceeds(x: f64, most: f64) -> bool {
 }
 
 fn most(rows: &[SetRow], wrench: &Wrench) -> f64 {
-    rows.iter().map(|row| row.excess(wrench)).fold(f64::NEG_INFINITY, |a, b| if b.is_nan() { b } else { a.max(b) })
+    rows.iter().map(|row| row.violation(wrench)).fold(f64::NEG_INFINITY, |a, b| if b.is_nan() { b } else { a.max(b) })
 }
 
 /// A motion at all, with a node for each waypoint in flight order.

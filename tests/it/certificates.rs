@@ -21,7 +21,7 @@ use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::certificate::Certificate;
 use mavc::diagnostic::Diagnostic;
 use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
-use mavc::planner::compare::{Comparison, Scope, compare};
+use mavc::planner::studies::{Comparison, Scope, compare};
 use mavc::source::FileId;
 use mavc::verify::{Refusal, Rejection, Settings, Verdict};
 

@@ -11,7 +11,7 @@ use mavc::explain::statement::statements;
 use mavc::explain::{Change, Explanation, Statement, explain};
 use mavc::model::{FileSet, Mission, MissionTime, Model, elaborate, load, parse_override};
 use mavc::motion::time_grid::determined;
-use mavc::planner::compare::{Ending, Scope, compare};
+use mavc::planner::studies::{RunOutcome, Scope, compare};
 use mavc::source::Span;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -51,14 +51,14 @@ impl Text {
     }
 
     /// How `mavc plan` ends.
-    fn ending(&self) -> Ending {
+    fn ending(&self) -> RunOutcome {
         let (_, model) = self.model();
         let comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
         comparison.runs.last().unwrap().ending.clone()
     }
 
     /// How it ends at its own time, or at some long ones where it fixes none.
-    fn endings(&self) -> Vec<Ending> {
+    fn endings(&self) -> Vec<RunOutcome> {
         let (_, model) = self.model();
         let fixed = determined(model.mission.as_ref().unwrap()).is_some() || model.plan.time != MissionTime::Minimum;
         let at = |time: &str| {
@@ -70,7 +70,7 @@ impl Text {
     }
 
     fn plans(&self) -> bool {
-        matches!(self.ending(), Ending::Solved(_))
+        matches!(self.ending(), RunOutcome::Solved(_))
     }
 
     /// Replaces what a place of the text covers by what `edit` makes of it.
@@ -244,7 +244,7 @@ fn every_spec_names_its_conflict() {
     assert!(CASES.len() >= 15, "{}", CASES.len());
     for Case { path, text, files, model, explanation } in CASES.iter() {
         let ending = text.ending();
-        assert!(matches!(ending, Ending::Infeasible { .. }), "{}: {}", text.name, short(&ending));
+        assert!(matches!(ending, RunOutcome::Infeasible { .. }), "{}: {}", text.name, short(&ending));
         let mission = model.mission.as_ref().unwrap();
         let first = text.files[&text.name].lines().next().unwrap();
         let wanted: Vec<&str> = first.strip_prefix("// conflict: ").unwrap().split(", ").collect();
@@ -357,22 +357,22 @@ fn no_statement_can_be_spared() {
         }
         let endings = alone.endings();
         let told: Vec<String> = endings.iter().map(short).collect();
-        let none = endings.iter().all(|ending| matches!(ending, Ending::Infeasible { .. }));
+        let none = endings.iter().all(|ending| matches!(ending, RunOutcome::Infeasible { .. }));
         assert!(none, "{:?}\n{:#?}\n{told:?}", alone.overrides, alone.files);
         for &statement in named {
             let mut fewer = alone.clone();
             fewer.leave_out_of(text, statement);
             let endings = fewer.endings();
             let told: Vec<String> = endings.iter().map(short).collect();
-            let any = endings.iter().any(|ending| matches!(ending, Ending::Solved(_)));
+            let any = endings.iter().any(|ending| matches!(ending, RunOutcome::Solved(_)));
             assert!(any, "{:?} {statement:?}\n{:#?}\n{told:?}", fewer.overrides, fewer.files);
         }
     }
 }
 
-fn short(ending: &Ending) -> String {
+fn short(ending: &RunOutcome) -> String {
     match ending {
-        Ending::Solved(solved) => format!("solved in {} s", solved.time),
+        RunOutcome::Solved(solved) => format!("solved in {} s", solved.time),
         other => format!("{other:?}"),
     }
 }

@@ -11,7 +11,7 @@ mod verdicts;
 
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
-use mavc::planner::compare::{Comparison, Ending, PlannerRun, Scope, Solved, compare};
+use mavc::planner::studies::{Comparison, PlannerRun, RunOutcome, Scope, Solved, compare};
 
 /// An octocopter with another inertia about each axis, planned for in the exact model.
 fn vehicle() -> Model {
@@ -55,7 +55,7 @@ fn last(comparison: &Comparison) -> &PlannerRun {
 
 fn solved(run: &PlannerRun) -> &Solved {
     match &run.ending {
-        Ending::Solved(solved) => solved,
+        RunOutcome::Solved(solved) => solved,
         other => panic!("{:?}: {other:?}", run.planner),
     }
 }

@@ -6,10 +6,10 @@ use mavc::admissible::verdict::{Verdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind};
-use mavc::planner::compare::{Ending, Run, Scope, Solved, compare};
-use mavc::planner::pool::Pool;
-use mavc::planner::rows::{Decision, Engine};
-use mavc::planner::select::PlanningSet;
+use mavc::planner::hover::{Decision, HoverPlanner};
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::studies::{Run, RunOutcome, Scope, Solved, compare};
+use mavc::planner::working_set::WorkingSet;
 use proptest::prelude::*;
 
 /// An octocopter whose rotors turn at least at `speeds`, rad/s, in order and from the first again.
@@ -150,9 +150,9 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
 
     // The fault's set alone would dive faster, on thrust below what healthy rotors give at least.
     let alone = PlanningSet::of(&[&weak], &healthy);
-    let mut engine = Engine::new(&model, &mission, &healthy);
+    let mut engine = HoverPlanner::new(&model, &mission, &healthy);
     let below = plan.infeasible_at.unwrap() - 0.2;
-    let Decision::Feasible(planned) = engine.decide(below, 40, &alone, &mut Pool::default()) else {
+    let Decision::Feasible(planned) = engine.decide(below, 40, &alone, &mut WorkingSet::default()) else {
         panic!("fewer rows")
     };
     let thrust = |s| planned.model.wrench(&model.vehicle, model.gravity, s)[0];
@@ -166,9 +166,9 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     assert!(times.len() == 3 && times.iter().all(|t| *t >= times[0]), "{times:?}");
 }
 
-fn solved(ending: &Ending) -> &Solved {
+fn solved(ending: &RunOutcome) -> &Solved {
     match ending {
-        Ending::Solved(solved) => solved,
+        RunOutcome::Solved(solved) => solved,
         other => panic!("{other:?}"),
     }
 }

@@ -11,7 +11,7 @@ use crate::vehicles::{mission, octocopter, waypoint};
 use mavc::actuation::Wrench;
 use mavc::model::{Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind};
 use mavc::motion::Trajectory;
-use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
+use mavc::planner::studies::{Comparison, RunOutcome, Scope, Solved, compare};
 
 /// The model with rotors whose thrusts are planned to follow in `tau` s.
 pub fn lagging(mut model: Model, tau: f64) -> Model {
@@ -57,7 +57,7 @@ fn compared(model: &Model) -> Comparison {
 
 fn solved(comparison: &Comparison) -> &Solved {
     match &comparison.runs.last().unwrap().ending {
-        Ending::Solved(solved) => solved,
+        RunOutcome::Solved(solved) => solved,
         other => panic!("{other:?}"),
     }
 }
@@ -68,7 +68,7 @@ pub fn shortest(model: &Model) -> f64 {
 
 /// w and w + tau w' along a plan, with w' by differences of the planned wrench inside an interval: near both its ends and at
 /// `looks` instants between.
-fn with_leads(model: &Model, plan: &Trajectory, tau: f64, looks: usize) -> Vec<(Wrench, Wrench)> {
+fn with_commands(model: &Model, plan: &Trajectory, tau: f64, looks: usize) -> Vec<(Wrench, Wrench)> {
     let mut all = Vec::new();
     for k in 0..plan.intervals() {
         let h = plan.times[k + 1] - plan.times[k];

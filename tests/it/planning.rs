@@ -5,11 +5,11 @@ use crate::vehicles::{hexacopter, inspection, limit, lost, mission, paper_case, 
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::row::VIOLATED;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
-use mavc::planner::compare::{Comparison, Ending, PlannerRun, Run, Scope, Solved, compare};
-use mavc::planner::pool::Pool;
-use mavc::planner::rows::{ACCEPTED, Decision, Engine};
-use mavc::planner::search::RESOLUTION;
-use mavc::planner::select::PlanningSet;
+use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Scope, Solved, compare};
+use mavc::planner::timing::search::RESOLUTION;
+use mavc::planner::working_set::WorkingSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), scope, None)
@@ -17,7 +17,7 @@ fn run(model: &Model, scope: Scope) -> Comparison {
 
 fn solved(run: &PlannerRun) -> &Solved {
     match &run.ending {
-        Ending::Solved(s) => s,
+        RunOutcome::Solved(s) => s,
         other => panic!("{:?} {:?}: {other:?}", run.planner, run.against),
     }
 }
@@ -103,7 +103,7 @@ fn case_1_compared() {
         // RSP keeps what was selected at T_d.
         assert!(!comparison.selected.is_empty());
         for w in rsp.trajectory.node_wrenches(&model.vehicle, model.gravity) {
-            assert!(comparison.selected.iter().all(|row| row.excess(&w) <= ACCEPTED));
+            assert!(comparison.selected.iter().all(|row| row.violation(&w) <= ACCEPTED));
         }
         assert!(rip.time <= rsp.time && rsp.time <= rcp.time);
     }
@@ -114,7 +114,7 @@ fn case_1_compared() {
     // The selected facets are just those RIP violates at T_d.
     let rip = of(PlannerKind::Rip, Run::Common);
     let wrenches = rip.trajectory.node_wrenches(&model.vehicle, model.gravity);
-    assert!(comparison.selected.iter().all(|row| wrenches.iter().any(|w| row.excess(w) > VIOLATED)));
+    assert!(comparison.selected.iter().all(|row| wrenches.iter().any(|w| row.violation(w) > VIOLATED)));
     assert_eq!(rip.outside[0].facets.len(), comparison.selected.len());
     // What a campaign flies are these plans at T_d, found without the others.
     let flown = run(&model, Scope::Common);
@@ -152,8 +152,8 @@ fn a_fine_grid_takes_few_iterations() {
     let model = paper_case(PlannerKind::Rip, &[]);
     let healthy = AdmissibleSet::healthy(&model);
     let set = PlanningSet::of(&[&healthy], &healthy);
-    let mut engine = Engine::new(&model, model.mission.as_ref().unwrap(), &healthy);
-    let Decision::Feasible(planned) = engine.decide(20.0, 600, &set, &mut Pool::default()) else {
+    let mut engine = HoverPlanner::new(&model, model.mission.as_ref().unwrap(), &healthy);
+    let Decision::Feasible(planned) = engine.decide(20.0, 600, &set, &mut WorkingSet::default()) else {
         panic!("20 s are enough");
     };
     // Within a discretisation error of the 200-sample optimum.
@@ -172,7 +172,7 @@ fn a_fixed_time_is_the_common_time() {
     let found = solved(&comparison.runs[0]);
     assert_eq!((found.time, found.infeasible_at), (24.0, None));
     model.plan.time = MissionTime::Fixed(12.0);
-    assert!(matches!(run(&model, Scope::Plan).runs[0].ending, Ending::Infeasible { at, .. } if at == 12.0));
+    assert!(matches!(run(&model, Scope::Plan).runs[0].ending, RunOutcome::Infeasible { at, .. } if at == 12.0));
 }
 
 #[test]
@@ -221,7 +221,7 @@ fn four_and_sixteen_rotors_plan() {
         assert!(found.time > 1.0 && found.time < 30.0, "{}", found.time);
         let set = &comparison.runs[0].set;
         for w in found.trajectory.node_wrenches(&model.vehicle, model.gravity) {
-            assert!(set.rows.iter().all(|r| r.excess(&w) <= ACCEPTED));
+            assert!(set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
         }
     }
 }
@@ -237,8 +237,8 @@ fn a_flat_set_is_planned_on_its_plane() {
     assert_eq!(flat.rank, 3);
     let set = PlanningSet::of(&[&flat], &healthy);
     assert_eq!(set.rows.iter().filter(|r| r.equality).count(), 1);
-    let mut engine = Engine::new(&model, &square, &healthy);
-    let Decision::Feasible(planned) = engine.decide(20.0, 40, &set, &mut Pool::default()) else {
+    let mut engine = HoverPlanner::new(&model, &square, &healthy);
+    let Decision::Feasible(planned) = engine.decide(20.0, 40, &set, &mut WorkingSet::default()) else {
         panic!("20 s are plenty");
     };
     let trajectory = planned.trajectory();
@@ -267,8 +267,8 @@ fn times_out_of_all_reach_are_infeasible() {
     let set = PlanningSet::of(&[&healthy], &healthy);
     for exponent in -30..=1 {
         for time in [1.0, 2.0, 5.0].map(|f| f * 10.0_f64.powi(exponent)).into_iter().filter(|t| *t < 15.5) {
-            let mut engine = Engine::new(&model, mission, &healthy);
-            let decision = engine.decide(time, model.plan.samples, &set, &mut Pool::default());
+            let mut engine = HoverPlanner::new(&model, mission, &healthy);
+            let decision = engine.decide(time, model.plan.samples, &set, &mut WorkingSet::default());
             assert!(matches!(decision, Decision::Infeasible), "{time} s: {decision:?}");
         }
     }

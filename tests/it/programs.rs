@@ -4,13 +4,13 @@ use crate::vehicles::{inspection, mission, octocopter, paper_case, viviani, wayp
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{Leg, Mission, Model, PlannerKind};
 use mavc::motion::hover_map::{ORDER, WrenchMap, YawState};
-use mavc::motion::time_grid::{determined, earliest, profile};
+use mavc::motion::time_grid::{determined, earliest, time_grid};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory};
-use mavc::planner::pool::Pool;
-use mavc::planner::rows::{ACCEPTED, Decision, Engine, FEASIBLE, Planned};
-use mavc::planner::select::PlanningSet;
-use mavc::planner::transcribe::{Purpose, Transcription, UNBOUNDED};
+use mavc::planner::hover::{ACCEPTED, Decision, FEASIBLE, HoverPlanner, Planned};
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::transcription::{Purpose, Transcription, UNBOUNDED};
+use mavc::planner::working_set::WorkingSet;
 use mavc::qp::{Cone, QuadraticProgram, RowOrigin, Sparse, mps};
 use mavc::solve::{Outcome, Solution, residuals, solve};
 use nalgebra::DMatrix;
@@ -27,7 +27,7 @@ fn planning_set(model: &Model) -> (PlanningSet, AdmissibleSet) {
 
 fn full_program(model: &Model, mission: &Mission, set: &PlanningSet, total: f64, purpose: Purpose) -> QuadraticProgram {
     let healthy = AdmissibleSet::healthy(model);
-    let layout = Engine::new(model, mission, &healthy).layout(total, model.plan.samples).unwrap().unwrap();
+    let layout = HoverPlanner::new(model, mission, &healthy).layout(total, model.plan.samples).unwrap().unwrap();
     let maps = layout.yaw.maps(model, layout.flown.nodes());
     Transcription::new(model, mission, &layout.flown, set, &maps, layout.yaw.axes()).full_program(purpose)
 }
@@ -35,7 +35,7 @@ fn full_program(model: &Model, mission: &Mission, set: &PlanningSet, total: f64,
 fn decide(model: &Model, total: f64) -> Decision {
     let (set, healthy) = planning_set(model);
     let mission = model.mission.as_ref().unwrap();
-    Engine::new(model, mission, &healthy).decide(total, model.plan.samples, &set, &mut Pool::default())
+    HoverPlanner::new(model, mission, &healthy).decide(total, model.plan.samples, &set, &mut WorkingSet::default())
 }
 
 fn planned(model: &Model, total: f64) -> Planned {
@@ -86,7 +86,7 @@ fn full_and_generated(against: &[usize], known: f64) {
         assert!(apart.abs() < gap(&program), "{} {}", found.objective, solution.objective);
         assert!(found.rows < facet_rows / 4, "{} rows generated", found.rows);
         for w in found.trajectory().node_wrenches(&model.vehicle, model.gravity) {
-            assert!(set.rows.iter().all(|r| r.excess(&w) <= ACCEPTED));
+            assert!(set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
         }
     }
 }
@@ -114,7 +114,7 @@ fn rip_at_24_s_steps_exactly_and_meets_every_waypoint() {
     let found = planned(&model, 24.0);
     assert!(close(found.objective, 0.8386346, 1e-5), "{}", found.objective);
     steps_are_continuous(&found.trajectory());
-    for (w, &node) in viviani().waypoints.iter().zip(&found.profile.waypoint_nodes) {
+    for (w, &node) in viviani().waypoints.iter().zip(&found.grid.waypoint_nodes) {
         let miss = (0..3).map(|i| (found.states[node][i][0] - w.position[i]).powi(2)).sum::<f64>().sqrt();
         assert!(miss <= w.within + 2.0 * FEASIBLE, "{miss}");
         assert!((found.states[node][3][0] - w.yaw).abs() <= w.yaw_within + 1e-6);
@@ -173,7 +173,7 @@ fn holds_fixed_times_and_yaw_are_planned_as_written() {
     let trajectory = found.trajectory();
     steps_are_continuous(&trajectory);
     assert_eq!(trajectory.model, WrenchModel::HoverFollowing);
-    let p = &found.profile;
+    let p = &found.grid;
     assert_eq!(p.node_times[p.waypoint_nodes[2]], 18.0);
     let hold = p.segments.iter().find(|s| s.hold).unwrap();
     assert_eq!((hold.from, hold.duration), (1, 4.0));
@@ -264,7 +264,7 @@ proptest! {
     fn profiles_keep_what_the_mission_says((mission, total, samples) in timed_mission()) {
         let points = &mission.waypoints;
         let last = points.len() - 1;
-        let Some(p) = profile(&mission, total, samples) else {
+        let Some(p) = time_grid(&mission, total, samples) else {
             // Some stretch between fixed times is filled by holds.
             let mut from = 0;
             let mut leave = 0.0;

@@ -6,7 +6,7 @@ mod document;
 use document::exact;
 use document::plans;
 use mavc::model::{MissionTime, PlannerKind};
-use mavc::planner::search::RESOLUTION;
+use mavc::planner::timing::search::RESOLUTION;
 
 /// A number of the page with how it is written and where it stands.
 struct Number<'a> {

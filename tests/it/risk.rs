@@ -6,9 +6,9 @@ use mavc::admissible::row::VIOLATED;
 use mavc::model::{FaultMode, LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::motion::nearness::nearness;
 use mavc::motion::risk::{rated_risk, risk};
-use mavc::planner::compare::protect::{Protection, UNMET};
-use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
-use mavc::planner::rows::ACCEPTED;
+use mavc::planner::hover::ACCEPTED;
+use mavc::planner::studies::protect::{Protection, UNMET};
+use mavc::planner::studies::{Comparison, RunOutcome, Scope, Solved, compare};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -18,7 +18,7 @@ fn run(model: &Model, scope: Scope) -> Comparison {
 
 fn solved(comparison: &Comparison) -> &Solved {
     match &comparison.runs.last().unwrap().ending {
-        Ending::Solved(s) => s,
+        RunOutcome::Solved(s) => s,
         other => panic!("{other:?}"),
     }
 }
@@ -57,7 +57,7 @@ fn committed_until_the_last_sample_outside() {
         let step = s.time / f64::from(steps);
         let is_out = |t: f64| {
             let w = s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
-            set.rows.iter().any(|r| r.excess(&w) > VIOLATED)
+            set.rows.iter().any(|r| r.violation(&w) > VIOLATED)
         };
         let last = (0..=steps).rev().map(|i| f64::from(i) * step).find(|t| is_out(*t));
         assert!((out.committed() - last.unwrap_or(0.0)).abs() <= step, "{} {last:?}", out.committed());
@@ -80,7 +80,7 @@ fn strips_show_the_smallest_margin_of_each_part() {
     let strip = nearness(&s.trajectory, &model.vehicle, model.gravity, rows, columns);
     let margin = |t: f64| {
         let w = s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
-        rows.iter().map(|r| -r.excess(&w)).fold(f64::INFINITY, f64::min)
+        rows.iter().map(|r| -r.violation(&w)).fold(f64::INFINITY, f64::min)
     };
     for (column, smallest) in strip.iter().enumerate() {
         let at = |i: i32| s.time * (column as f64 + (f64::from(i) + 0.5) / 400.0) / columns as f64;
@@ -126,7 +126,7 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
         assert!(found.trade_off.windows(2).all(|w| w[1].risk < w[0].risk && w[1].time >= w[0].time));
         // The plan is inside the set that it reports.
         for w in s.trajectory.node_wrenches(&model.vehicle, model.gravity) {
-            assert!(found.runs[0].set.rows.iter().all(|r| r.excess(&w) <= ACCEPTED));
+            assert!(found.runs[0].set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
         }
     }
 }
@@ -138,11 +138,11 @@ fn a_risk_that_cannot_be_kept_is_told_with_the_best_curve() {
     model.plan.samples = 100;
     let found = run(&model, Scope::Plan);
     let ending = &found.runs[0].ending;
-    assert!(matches!(ending, Ending::Inconclusive { status, .. } if status == UNMET), "{ending:?}");
+    assert!(matches!(ending, RunOutcome::Inconclusive { status, .. } if status == UNMET), "{ending:?}");
     assert!(!found.trade_off.is_empty());
     // Where there is no plan at all, no risk is to blame.
     let early = run(&required(0.0, MissionTime::Fixed(12.0)), Scope::Plan);
-    assert!(matches!(early.runs[0].ending, Ending::Infeasible { .. }) && early.trade_off.is_empty());
+    assert!(matches!(early.runs[0].ending, RunOutcome::Infeasible { .. }) && early.trade_off.is_empty());
 }
 
 /// A short way in the exact model, at 1.12 times the shortest time that is found for the healthy vehicle.
@@ -184,7 +184,7 @@ fn a_required_risk_is_kept_in_the_exact_model() {
     let instants = || (0..=steps).map(|i| s.time * f64::from(i) / f64::from(steps));
     let worst = |rows: &[mavc::admissible::row::SetRow], t: f64| {
         let w = wrench(t);
-        rows.iter().map(|r| r.excess(&w)).fold(f64::NEG_INFINITY, f64::max)
+        rows.iter().map(|r| r.violation(&w)).fold(f64::NEG_INFINITY, f64::max)
     };
     assert!(instants().all(|t| worst(&found.runs[0].set.rows, t) <= 2e-4));
     for (set, committed) in found.sets.iter().zip(&s.committed) {

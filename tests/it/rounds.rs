@@ -7,12 +7,12 @@ use mavc::admissible::{AdmissibleSet, faults_only_take};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::motion::Trajectory;
 use mavc::motion::outside::PARTS;
-use mavc::planner::compare::rounds::rounds;
-use mavc::planner::compare::{Comparison, Ending, Run, Scope, Solved, compare};
-use mavc::planner::pool::Pool;
-use mavc::planner::rows::{ACCEPTED, Decision, Engine};
-use mavc::planner::search::Hint;
-use mavc::planner::select::PlanningSet;
+use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::studies::rounds::rounds;
+use mavc::planner::studies::{Comparison, Run, RunOutcome, Scope, Solved, compare};
+use mavc::planner::timing::search::Hint;
+use mavc::planner::working_set::WorkingSet;
 
 fn run(model: &Model, scope: Scope) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), scope, None)
@@ -20,7 +20,7 @@ fn run(model: &Model, scope: Scope) -> Comparison {
 
 fn only(comparison: &Comparison) -> &Solved {
     match &comparison.runs.last().unwrap().ending {
-        Ending::Solved(s) => s,
+        RunOutcome::Solved(s) => s,
         other => panic!("{other:?}"),
     }
 }
@@ -74,8 +74,8 @@ fn rounds_side_by_side() {
     for round in ["round 0", "round 1"] {
         assert!(told.iter().any(|(name, time)| name == round && (time - at).abs() < 1e-9), "{told:?}");
     }
-    let solved = |ending: &Ending| match ending {
-        Ending::Solved(s) => Some(s.clone()),
+    let solved = |ending: &RunOutcome| match ending {
+        RunOutcome::Solved(s) => Some(s.clone()),
         _ => None,
     };
     assert_eq!(found.iter().map(|r| r.rounds).collect::<Vec<_>>(), [0, 1, 2, 3]);
@@ -85,7 +85,7 @@ fn rounds_side_by_side() {
     assert!(found.windows(2).all(|w| w[0].selected <= w[1].selected));
     assert_eq!((found[0].selected, found[1].selected), (0, comparison.selected.len()));
     let rip = comparison.runs.iter().find(|r| r.planner == PlannerKind::Rip).unwrap();
-    let Ending::Solved(rip) = &rip.ending else { panic!("RIP has a plan") };
+    let RunOutcome::Solved(rip) = &rip.ending else { panic!("RIP has a plan") };
     let own = solved(&found[0].own).unwrap();
     assert!((own.time - rip.time).abs() < 0.05 + 1e-9, "{} {}", own.time, rip.time);
     // Each own time is one at which so many rounds, begun there, have a plan; and is no shorter than RIP's.
@@ -116,22 +116,22 @@ fn all_double_losses_of_sixteen_rotors_at_once() {
     let hovering: Vec<&AdmissibleSet> = sets.iter().filter(|s| s.polytope.margin(&hover) > 1e-6).collect();
     assert!(hovering.len() > 60, "{} of 120 can hover", hovering.len());
     let set = PlanningSet::of(&hovering, &healthy);
-    let mut engine = Engine::new(&model, &square, &healthy);
-    let shortest = engine.shortest(&set, Hint::default(), &mut Pool::default()).unwrap();
+    let mut engine = HoverPlanner::new(&model, &square, &healthy);
+    let shortest = engine.shortest(&set, Hint::default(), &mut WorkingSet::default()).unwrap();
     let plan = shortest.planned;
     // The faults bind: what the healthy vehicle would fly in that time leaves their sets.
     let whole = PlanningSet::of(&[&healthy], &healthy);
-    let Decision::Feasible(free) = engine.decide(shortest.time, 200, &whole, &mut Pool::default()) else {
+    let Decision::Feasible(free) = engine.decide(shortest.time, 200, &whole, &mut WorkingSet::default()) else {
         panic!("fewer rows")
     };
     let wrenches = free.trajectory().node_wrenches(&model.vehicle, model.gravity);
-    let excess = |w| set.rows.iter().map(|r| r.excess(w)).fold(f64::NEG_INFINITY, f64::max);
+    let excess = |w| set.rows.iter().map(|r| r.violation(w)).fold(f64::NEG_INFINITY, f64::max);
     let worst = wrenches.iter().map(excess).fold(f64::NEG_INFINITY, f64::max);
     assert!(worst > 0.01, "{worst}");
     // Few of all rows were needed, and all hold: those of every single set, not of the intersection alone.
     assert!(plan.rows < set.rows.len() * 201 / 10, "{} rows", plan.rows);
     for w in plan.trajectory().node_wrenches(&model.vehicle, model.gravity) {
-        assert!(set.rows.iter().all(|r| r.excess(&w) <= ACCEPTED));
+        assert!(set.rows.iter().all(|r| r.violation(&w) <= ACCEPTED));
         assert!(hovering.iter().all(|s| s.polytope.margin(&w) > -1e-4));
     }
 }
@@ -184,7 +184,7 @@ fn rounds_in_the_exact_model_end_inside() {
         for i in 0..=5000 {
             let t = s.time * f64::from(i) / 5000.0;
             let w = s.trajectory.wrench(&model.vehicle, model.gravity, &s.trajectory.at(t));
-            assert!(plan.selected.iter().all(|row| row.excess(&w) <= 2e-4), "{t}");
+            assert!(plan.selected.iter().all(|row| row.violation(&w) <= 2e-4), "{t}");
         }
     }
     // And the last passes nothing at any instant.
@@ -208,7 +208,7 @@ fn facets_passed_only_between_nodes_are_selected() {
         for i in 0..=samples * PARTS {
             let t = seen.time * i as f64 / (samples * PARTS) as f64;
             let w = seen.trajectory.wrench(&model.vehicle, model.gravity, &seen.trajectory.at(t));
-            passed.extend((0..rows.len()).filter(|&row| rows[row].excess(&w) > VIOLATED));
+            passed.extend((0..rows.len()).filter(|&row| rows[row].violation(&w) > VIOLATED));
         }
         passed.sort_unstable();
         passed.dedup();
@@ -238,7 +238,7 @@ fn rsp_without_facets_is_rip() {
     assert!(all.selected.is_empty(), "{:?}", all.selected);
     let plan = |planner: PlannerKind, which: Run| {
         let run = all.runs.iter().find(|r| r.planner == planner && r.run == which).unwrap();
-        let Ending::Solved(solved) = &run.ending else { panic!("{:?}", run.ending) };
+        let RunOutcome::Solved(solved) = &run.ending else { panic!("{:?}", run.ending) };
         solved.trajectory.clone()
     };
     for which in [Run::Common, Run::Own] {

@@ -5,10 +5,10 @@ use mavc::model::{AfterFault, FaultMode, Limit, LimitKind, Mission, MissionTime,
 use mavc::motion::checks::past;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, X, Y, YAW, Z};
-use mavc::planner::compare::{Comparison, Ending, Scope, Solved, compare};
-use mavc::planner::sets::PlanningSets;
+use mavc::planner::scp::Iterate;
+use mavc::planner::selection::sets::PlanningSets;
 use mavc::planner::stop::Stops;
-use mavc::planner::successive::Motion;
+use mavc::planner::studies::{Comparison, RunOutcome, Scope, Solved, compare};
 use mavc::source::Span;
 use nalgebra::Vector3;
 
@@ -18,7 +18,7 @@ fn run(model: &Model) -> Comparison {
 
 fn solved(comparison: &Comparison) -> &Solved {
     match &comparison.runs.last().unwrap().ending {
-        Ending::Solved(s) => s,
+        RunOutcome::Solved(s) => s,
         other => panic!("{other:?}"),
     }
 }
@@ -141,16 +141,16 @@ fn direction(state: impl Fn(f64) -> NodeState, gravity: f64) -> (Vector3<f64>, V
 }
 
 /// A stop is inside the set and the limits at instants of its own, begins as the fault met the plan, and ends at rest.
-fn is_a_stop(model: &Model, sets: &PlanningSets, struck: &NodeState, slope: &NodeState, stop: &Motion) {
+fn is_a_stop(model: &Model, sets: &PlanningSets, struck: &NodeState, slope: &NodeState, stop: &Iterate) {
     let g = model.gravity;
-    let steps = 40 * stop.profile.intervals();
+    let steps = 40 * stop.grid.intervals();
     for i in 0..=steps {
-        let (interval, share) = ((i / 40).min(stop.profile.intervals() - 1), (i % 40) as f64 / 40.0);
+        let (interval, share) = ((i / 40).min(stop.grid.intervals() - 1), (i % 40) as f64 / 40.0);
         let share = if i == steps { 1.0 } else { share };
         let state = stop.inside(interval, share);
         let wrench = stop.model.wrench(&model.vehicle, g, &state);
         for row in &sets.modes[0].rows {
-            assert!(row.excess(&wrench) <= 1e-4, "{} of {steps}: {}", i, row.excess(&wrench));
+            assert!(row.violation(&wrench) <= 1e-4, "{} of {steps}: {}", i, row.violation(&wrench));
         }
         for limit in &model.mission.as_ref().unwrap().limits {
             assert!(past(limit, &state, g) <= 1e-3 * limit.upper.unwrap_or(1.0).abs(), "{limit:?} {i}");
@@ -167,10 +167,13 @@ fn is_a_stop(model: &Model, sets: &PlanningSets, struck: &NodeState, slope: &Nod
         let along = |t: f64| -> NodeState {
             std::array::from_fn(|axis| std::array::from_fn(|m| struck[axis][m] + t * slope[axis][m]))
         };
-        let h = stop.profile.node_times[1];
+        let h = stop.grid.node_times[1];
         let (n, turns) = direction(along, g);
-        let (begins, turned) = direction(|t| stop.inside(0, t / h), g);
-        assert!((n - begins).norm() < 1e-5 && (turns - turned).norm() < 1e-3, "{n} {begins} {turns} {turned}");
+        let (initial_guesses, turned) = direction(|t| stop.inside(0, t / h), g);
+        assert!(
+            (n - initial_guesses).norm() < 1e-5 && (turns - turned).norm() < 1e-3,
+            "{n} {initial_guesses} {turns} {turned}"
+        );
     } else {
         for (axis, order) in [(X, 2), (X, 3), (Y, 2), (Y, 3)] {
             assert!((begin[axis][order] - struck[axis][order]).abs() < 1e-4, "{axis} {order}");

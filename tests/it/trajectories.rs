@@ -14,10 +14,10 @@ use mavc::motion::hover_map::ORDER;
 use mavc::motion::outside::outside;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, roll_pitch, tilt};
-use mavc::planner::pool::Pool;
-use mavc::planner::rows::{Decision, Engine};
-use mavc::planner::select::PlanningSet;
-use mavc::planner::successive::Successive;
+use mavc::planner::hover::{Decision, HoverPlanner};
+use mavc::planner::scp::ScpPlanner;
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::working_set::WorkingSet;
 use mavc::qp::RowOrigin;
 use mavc::qp::build::{Affine, Builder};
 use mavc::report::trajectory_csv::{self, render};
@@ -143,7 +143,7 @@ proptest! {
         let found = outside(&flight, &model.vehicle, model.gravity, &rows);
         let excess = |s: &NodeState| {
             let w = flight.wrench(&model.vehicle, model.gravity, s);
-            rows.iter().map(|r| r.excess(&w)).fold(f64::NEG_INFINITY, f64::max)
+            rows.iter().map(|r| r.violation(&w)).fold(f64::NEG_INFINITY, f64::max)
         };
         let (mut seconds, mut last, mut crossings) = (0.0, None, 0);
         let mut was = None;
@@ -176,7 +176,7 @@ proptest! {
         // Counts at the nodes.
         let wrenches: Vec<Wrench> = flight.node_wrenches(&model.vehicle, model.gravity);
         let over: Vec<Vec<bool>> =
-            wrenches.iter().map(|w| rows.iter().map(|r| r.excess(w) > VIOLATED).collect()).collect();
+            wrenches.iter().map(|w| rows.iter().map(|r| r.violation(w) > VIOLATED).collect()).collect();
         prop_assert_eq!(found.positions, over.iter().filter(|o| o.contains(&true)).count());
         prop_assert_eq!(found.rows, over.iter().flatten().filter(|o| **o).count());
         let facets: Vec<usize> = (0..rows.len()).filter(|&i| over.iter().any(|o| o[i])).collect();
@@ -269,8 +269,8 @@ proptest! {
 fn planned(model: &Model, mission: &Mission, total: f64) -> Trajectory {
     let healthy = AdmissibleSet::healthy(model);
     let set = PlanningSet::of(&[&healthy], &healthy);
-    let mut engine = Engine::new(model, mission, &healthy);
-    match engine.decide(total, model.plan.samples, &set, &mut Pool::default()) {
+    let mut engine = HoverPlanner::new(model, mission, &healthy);
+    match engine.decide(total, model.plan.samples, &set, &mut WorkingSet::default()) {
         Decision::Feasible(planned) => planned.trajectory(),
         other => panic!("{other:?}"),
     }
@@ -335,8 +335,8 @@ fn the_table_has_what_an_exact_wrench_depends_on() {
     let mission = viviani();
     let healthy = AdmissibleSet::healthy(&model);
     let set = PlanningSet::of(&[&healthy], &healthy);
-    let mut engine = Engine::new(&model, &mission, &healthy);
-    let Decision::Feasible(planned) = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(26.0, &[]) else {
+    let mut engine = HoverPlanner::new(&model, &mission, &healthy);
+    let Decision::Feasible(planned) = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set).decide(26.0, &[]) else {
         panic!("no plan")
     };
     let rows = table(&render(&planned.trajectory(), &model, None));

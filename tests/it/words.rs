@@ -6,7 +6,7 @@ use mavc::admissible::AdmissibleSet;
 use mavc::admissible::edge::{EDGE, Place};
 use mavc::admissible::verdict::analyze;
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
-use mavc::planner::compare::{Ending, Run, Scope, compare};
+use mavc::planner::studies::{Run, RunOutcome, Scope, compare};
 use mavc::report::record::Record;
 use mavc::report::waypoints::{WaypointRecord, headline, listed, table, waypoints};
 use mavc::report::{comparison_text, terminal};
@@ -96,7 +96,7 @@ fn what_is_proved_of_many_times_is_proved_of_each() {
     for model in [PlanModel::Exact, PlanModel::Hover] {
         up.plan.model = model;
         let comparison = compare(&up, up.mission.as_ref().unwrap(), Scope::Plan, None);
-        let Ending::Infeasible { at, proved } = &comparison.runs[0].ending else { panic!("{model:?}") };
+        let RunOutcome::Infeasible { at, proved } = &comparison.runs[0].ending else { panic!("{model:?}") };
         assert!(proved.len() > 3 && proved.last() == Some(at) && proved.is_sorted(), "{model:?} {proved:?}");
         let record = Record::new(&up, up.mission.as_ref().unwrap(), &comparison, String::new());
         assert_eq!(&record.planners[0].proved_infeasible_s, proved);

@@ -1,7 +1,7 @@
 //! Where a stop begins and where it ends, as rows.
 
 use crate::motion::{NodeState, X, Y, YAW, Z};
-use crate::planner::transcribe::Transcription;
+use crate::planner::transcription::Transcription;
 use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 

@@ -3,7 +3,7 @@
 use super::name_of;
 use crate::model::PlannerKind;
 use crate::motion::outside::Outside;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
+use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved};
 use crate::report::terminal::WIDTH;
 
 /// Names in the first column take no more room than this; where they need more, a note below the table has them.
@@ -34,9 +34,11 @@ pub fn folded(comparison: &Comparison, which: Run) -> Vec<Fold<'_>> {
 /// Whether two runs have one plan, or are RCP for single modes that ended without one in the same way.
 fn are_alike(one: &PlannerRun, other: &PlannerRun) -> bool {
     match (&one.ending, &other.ending) {
-        (Ending::Solved(a), Ending::Solved(b)) => have_one_plan(a, b),
-        (Ending::Infeasible { .. }, Ending::Infeasible { .. })
-        | (Ending::Inconclusive { .. }, Ending::Inconclusive { .. }) => is_of_one_mode(one) && is_of_one_mode(other),
+        (RunOutcome::Solved(a), RunOutcome::Solved(b)) => have_one_plan(a, b),
+        (RunOutcome::Infeasible { .. }, RunOutcome::Infeasible { .. })
+        | (RunOutcome::Inconclusive { .. }, RunOutcome::Inconclusive { .. }) => {
+            is_of_one_mode(one) && is_of_one_mode(other)
+        }
         _ => false,
     }
 }
@@ -63,7 +65,7 @@ fn is_of_one_mode(run: &PlannerRun) -> bool {
 }
 
 impl Fold<'_> {
-    pub fn ending(&self) -> &Ending {
+    pub fn ending(&self) -> &RunOutcome {
         &self.runs[0].ending
     }
 

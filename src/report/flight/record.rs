@@ -2,7 +2,7 @@
 
 use crate::flight::{Flight, Outcome};
 use crate::model::{Detection, Model, Strike};
-use crate::planner::compare::Solved;
+use crate::planner::studies::Solved;
 use crate::report::caveats::{Caveat, caveats};
 use crate::verdict::SIMULATED;
 use serde::Serialize;

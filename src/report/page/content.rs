@@ -9,7 +9,7 @@ use crate::admissible::{AdmissibleSet, hover};
 use crate::model::{Model, PlannerKind};
 use crate::motion::nearness::nearness;
 use crate::number::number;
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
+use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved, label};
 use serde::Serialize;
 
 /// Cells of a heat strip.
@@ -120,7 +120,7 @@ impl Content {
             .iter()
             .enumerate()
             .filter_map(|(i, run)| match &run.ending {
-                Ending::Solved(s) => Some((i, run, s.as_ref())),
+                RunOutcome::Solved(s) => Some((i, run, s.as_ref())),
                 _ => None,
             })
             .collect();

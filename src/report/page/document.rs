@@ -5,7 +5,7 @@ use super::prose::{prose, unbroken};
 use super::summary::Found;
 use super::{Subject, embed};
 use crate::number::part_of_all;
-use crate::planner::compare::Comparison;
+use crate::planner::studies::Comparison;
 use crate::report::terminal::vehicle_line;
 use crate::source::visible;
 use maud::{DOCTYPE, Markup, PreEscaped, html};

@@ -10,7 +10,7 @@ use crate::model::{LimitKind, Mission, Model};
 use crate::motion::checks::peak;
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z, roll_pitch, tilt};
 use crate::number::{fixed, percent, significant};
-use crate::planner::compare::Solved;
+use crate::planner::studies::Solved;
 use crate::report::record::errors;
 
 /// Where the plan leaves its nodes farther apart, instants between them are shown too, so that curves look as they are.

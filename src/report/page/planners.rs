@@ -4,7 +4,7 @@ use super::motion::signed_percent;
 use super::prose::terms;
 use super::verdicts::outside_cells;
 use crate::number::{number, significant};
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved};
+use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved};
 use crate::report::record::{PlannerRecord, Record};
 use maud::{Markup, html};
 
@@ -86,7 +86,7 @@ fn headline(comparison: &Comparison) -> String {
         .iter()
         .filter(|r| r.run == Run::Common)
         .filter_map(|r| match &r.ending {
-            Ending::Solved(s) => Some((r, s.as_ref())),
+            RunOutcome::Solved(s) => Some((r, s.as_ref())),
             _ => None,
         })
         .collect();
@@ -104,9 +104,9 @@ fn headline(comparison: &Comparison) -> String {
 fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) -> Markup {
     let name = match (run.against.len(), told.name) {
         (n, "rcp") if n > 1 => "RCP jointly".to_string(),
-        _ => crate::planner::compare::label(run.planner, &run.against),
+        _ => crate::planner::studies::label(run.planner, &run.against),
     };
-    let Ending::Solved(solved) = &run.ending else {
+    let RunOutcome::Solved(solved) = &run.ending else {
         let columns = 6 + if has_modes { 3 } else { 0 } + usize::from(has_risk);
         return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (told.verdict) } } };
     };

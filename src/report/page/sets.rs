@@ -7,8 +7,8 @@ use crate::admissible::AdmissibleSet;
 use crate::admissible::edge::Place;
 use crate::admissible::row::SetRow;
 use crate::model::Model;
-use crate::planner::compare::{Comparison, Ending};
-use crate::planner::select::PlanningSet;
+use crate::planner::selection::PlanningSet;
+use crate::planner::studies::{Comparison, RunOutcome};
 use serde::Serialize;
 
 /// Rows of all sets shown together: a page stays small.
@@ -28,7 +28,7 @@ pub struct ShownSet {
 impl ShownSet {
     /// The smallest margin of a wrench, in widths of the healthy set; negative outside.
     pub fn margin(&self, w: &Wrench) -> f64 {
-        self.set.rows.iter().map(|r| -r.excess(w)).fold(f64::INFINITY, f64::min)
+        self.set.rows.iter().map(|r| -r.violation(w)).fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -67,7 +67,7 @@ impl SetContent {
 pub fn shown(model: &Model, comparison: &Comparison) -> Vec<ShownSet> {
     let nearest = |against: &usize| {
         let margins = comparison.runs.iter().filter_map(|run| match &run.ending {
-            Ending::Solved(s) => s.outside.get(*against).map(|o| -o.max_violation),
+            RunOutcome::Solved(s) => s.outside.get(*against).map(|o| -o.max_violation),
             _ => None,
         });
         margins.fold(f64::INFINITY, f64::min)

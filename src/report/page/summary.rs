@@ -7,7 +7,7 @@ use crate::certify::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::number::{fixed, number, percent, short_seconds, significant};
-use crate::planner::compare::{Comparison, Ending, PlannerRun, Run, Solved, label};
+use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved, label};
 use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
 use crate::report::least_time;
 use crate::report::record::{PlannerRecord, Record};
@@ -51,7 +51,7 @@ impl Figure {
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &Record) -> Found {
     let (Some(run), Some(told)) = (comparison.runs.last(), record.planners.last()) else { return Found::default() };
     match &run.ending {
-        Ending::Solved(solved) => {
+        RunOutcome::Solved(solved) => {
             let name = label(run.planner, &run.against);
             let headline = format!(
                 "{name}: {}, a plan of {}\u{a0}s that {} {}",
@@ -87,7 +87,7 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
         .iter()
         .filter(|r| r.run == Run::Own)
         .filter_map(|r| match &r.ending {
-            Ending::Solved(s) => Some((r, s.as_ref())),
+            RunOutcome::Solved(s) => Some((r, s.as_ref())),
             _ => None,
         })
         .collect();

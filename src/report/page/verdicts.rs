@@ -7,7 +7,7 @@ use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::Model;
 use crate::motion::outside::Outside;
 use crate::number::{down, fixed, short_seconds, significant};
-use crate::planner::compare::{Comparison, Ending, Solved};
+use crate::planner::studies::{Comparison, RunOutcome, Solved};
 use crate::report::terminal::holds;
 use maud::{Markup, html};
 
@@ -28,7 +28,7 @@ struct Row<'a> {
 pub fn section(model: &Model, comparison: &Comparison, analyses: &[ModeAnalysis]) -> Markup {
     let shown = super::shown_first(model, comparison);
     let solved = shown.and_then(|i| match &comparison.runs[i].ending {
-        Ending::Solved(solved) => Some((super::content::run_label(comparison, i, solved.time), solved.as_ref())),
+        RunOutcome::Solved(solved) => Some((super::content::run_label(comparison, i, solved.time), solved.as_ref())),
         _ => None,
     });
     table(model, analyses, solved.as_ref().map(|(label, s)| (label.as_str(), *s)))

@@ -4,7 +4,7 @@ use super::Harder;
 use mavc::certificate::{Certificate, Claim};
 use mavc::certify;
 use mavc::model::{LimitKind, MissionTime, Model, PlannerKind};
-use mavc::planner::compare::{Scope, compare};
+use mavc::planner::studies::{Scope, compare};
 
 /// The share of the top speeds that the weaker vehicle's rotors have; its thrusts go with the square.
 pub const WEAKER: f64 = 0.62;

@@ -6,7 +6,7 @@ use mavc::certify::between::{Between, Shown, WRENCH, between};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::motion::checks::past;
 use mavc::motion::{NodeState, tilt};
-use mavc::planner::compare::{Comparison, Ending, Solved};
+use mavc::planner::studies::{Comparison, RunOutcome, Solved};
 use mavc::report::between as words;
 use mavc::report::caveats::{CaveatKind, caveats};
 use mavc::verify::Scope;
@@ -14,7 +14,7 @@ use mavc::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT};
 
 fn solved(comparison: &Comparison) -> &Solved {
     match &comparison.runs.last().unwrap().ending {
-        Ending::Solved(solved) => solved,
+        RunOutcome::Solved(solved) => solved,
         other => panic!("{other:?}"),
     }
 }
@@ -38,7 +38,7 @@ fn assert_true(model: &Model, comparison: &Comparison, found: &[Between]) {
     assert_eq!(found.len(), 1 + limits.len());
     let outside = largest(plan, |s| {
         let w = plan.trajectory.wrench(&model.vehicle, model.gravity, s);
-        set.rows.iter().map(|r| r.excess(&w)).fold(f64::NEG_INFINITY, f64::max)
+        set.rows.iter().map(|r| r.violation(&w)).fold(f64::NEG_INFINITY, f64::max)
     });
     assert_eq!(found[0].rows, WRENCH);
     let seen = std::iter::once(outside).chain(limits.iter().map(|limit| {
@@ -129,12 +129,12 @@ fn some_facets_proved_are_counted() {
         let mut model = hop(planner, 8.0);
         model.plan.model = PlanModel::Exact;
         let mut comparison = planned(&model);
-        let Ending::Solved(plan) = &mut comparison.runs.last_mut().unwrap().ending else { panic!("no plan") };
+        let RunOutcome::Solved(plan) = &mut comparison.runs.last_mut().unwrap().ending else { panic!("no plan") };
         hurry(plan, factor);
         let found = told(&model, &comparison);
         let (plan, rows) = (solved(&comparison), &comparison.runs.last().unwrap().set.rows);
         let keeps = |row: &&mavc::admissible::row::SetRow| {
-            let excess = |s: &NodeState| row.excess(&plan.trajectory.wrench(&model.vehicle, model.gravity, s));
+            let excess = |s: &NodeState| row.violation(&plan.trajectory.wrench(&model.vehicle, model.gravity, s));
             largest(plan, excess) <= MOST_OUTSIDE
         };
         let kept = rows.iter().filter(keeps).count();
@@ -156,7 +156,7 @@ fn what_does_not_hold_is_not_proved() {
     let model = hop(PlannerKind::Rip, 7.2);
     let mut comparison = planned(&model);
     let run = comparison.runs.last_mut().unwrap();
-    let Ending::Solved(plan) = &mut run.ending else { panic!("no plan") };
+    let RunOutcome::Solved(plan) = &mut run.ending else { panic!("no plan") };
     hurry(plan, 0.3);
     let found = told(&model, &comparison);
     assert_true(&model, &comparison, &found);

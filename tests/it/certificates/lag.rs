@@ -8,9 +8,9 @@ use crate::vehicles::octocopter;
 use mavc::certificate::{Certificate, Claim, DynamicModel, InfeasibleClaim, MotionRecord, RowRecord, Vertical};
 use mavc::certify::between::{COMMANDS, Shown, between};
 use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
-use mavc::motion::LeadState;
+use mavc::motion::CommandState;
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::compare::Ending;
+use mavc::planner::studies::RunOutcome;
 use mavc::verify::interval::Interval;
 use mavc::verify::lag::constant;
 use mavc::verify::motion::Motion;
@@ -64,7 +64,7 @@ fn commands_are_the_planners_lead() {
             (DynamicModel::Hover, Some(psi), WrenchModel::HoverAt(psi), hover),
         ] {
             let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: kind, one_yaw };
-            let sloped: LeadState = at(&path, 0.0);
+            let sloped: CommandState = at(&path, 0.0);
             let expected = planner.lead(&vehicle, G, TAU, &sloped);
             let found = dynamics.held(commands(), &state(&path, 0.0));
             for i in 0..4 {
@@ -161,7 +161,7 @@ fn lagging_plans_are_certified() {
         assert!(commanded.iter().any(throughout), "{which}: {commanded:?}");
         // What the report says of commands is what dense samples say.
         let run = comparison.runs.last().unwrap();
-        let Ending::Solved(solved) = &run.ending else { panic!("no plan") };
+        let RunOutcome::Solved(solved) = &run.ending else { panic!("no plan") };
         let told = between(&model, mission, run, solved);
         let told = told.iter().find(|b| b.rows == COMMANDS).unwrap();
         let (plan, tau) = (&solved.trajectory, model.thrust_lag().unwrap());
@@ -169,7 +169,7 @@ fn lagging_plans_are_certified() {
         let seen = looks.map(|(k, share)| {
             let s = plan.within(k, share * (plan.times[k + 1] - plan.times[k]));
             let lead = plan.lead(&model.vehicle, model.gravity, tau, k, &s);
-            run.set.rows.iter().map(|r| r.excess(&lead)).fold(f64::NEG_INFINITY, f64::max)
+            run.set.rows.iter().map(|r| r.violation(&lead)).fold(f64::NEG_INFINITY, f64::max)
         });
         let seen = seen.fold(f64::NEG_INFINITY, f64::max);
         match told.shown {
@@ -211,7 +211,7 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
         ..instant.clone()
     };
     let time = 1.03 * shortest(&instant);
-    assert!(matches!(planned(&fixed(time)).runs[0].ending, Ending::Solved(_)));
+    assert!(matches!(planned(&fixed(time)).runs[0].ending, RunOutcome::Solved(_)));
     let model = lagging(fixed(time), 0.3);
     let certificate = certified(&model).expect("no plan");
     let verdict = decide(&certificate, &model).unwrap();
@@ -239,7 +239,7 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
     // At a time that has a plan they show nothing.
     let long = 3.0 * time;
     let enough = lagging(fixed(long), 0.3);
-    assert!(matches!(planned(&enough).runs[0].ending, Ending::Solved(_)));
+    assert!(matches!(planned(&enough).runs[0].ending, RunOutcome::Solved(_)));
     refused(&|_| (), &enough, "contradicts nothing");
     // Rotors that lag less have one at this time, and the multipliers do not stand there.
     assert!(decide(&certificate, &lagging(fixed(time), 1e-6)).is_err());

@@ -4,7 +4,7 @@ use super::{SHA, decide, planned, verify};
 use crate::vehicles::{limit, mission, octocopter, waypoint};
 use mavc::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, elaborate, load};
-use mavc::planner::kinematics::least_time_within;
+use mavc::planner::timing::kinematics::least_time_within;
 use std::path::Path;
 
 /// One leg from rest to rest in the exact model, waypoints met to the millimetre.

@@ -115,7 +115,7 @@ fn flown(t: &Trajectory, mission: &Mission) -> Option<String> {
 /// Limits, and the rows on the wrench and on what lagging rotors are commanded, at the nodes.
 fn bounded(t: &Trajectory, mission: &Mission, asked: &Asked) -> Option<String> {
     let (model, last) = (asked.model, t.intervals());
-    let outside = |w: &Wrench| asked.rows.iter().map(|row| row.excess(w)).fold(f64::NEG_INFINITY, f64::max);
+    let outside = |w: &Wrench| asked.rows.iter().map(|row| row.violation(w)).fold(f64::NEG_INFINITY, f64::max);
     for node in 0..=last {
         let state = t.within(node.min(last - 1), if node == last { t.times[last] - t.times[last - 1] } else { 0.0 });
         let over = mission.limits.iter().find(|l| past(l, &state, model.gravity) > EXCESS * l.size());

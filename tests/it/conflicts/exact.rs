@@ -6,7 +6,7 @@ use mavc::explain::diagnose::diagnose;
 use mavc::explain::planners::Planners;
 use mavc::explain::{Answer, Explanation, MOST_ATTEMPTS, Oracle, explain};
 use mavc::model::{FileSet, Mission, Model, PlanModel};
-use mavc::planner::transcribe::UNBOUNDED;
+use mavc::planner::transcription::UNBOUNDED;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;

@@ -4,7 +4,7 @@ use crate::vehicles::{limit, mission, quadcopter, waypoint};
 use mavc::explain::statement::statements;
 use mavc::explain::{Answer, MOST_QUESTIONS, MOST_TRIES, Oracle, Part, Statement, explain};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
-use mavc::planner::transcribe::UNBOUNDED;
+use mavc::planner::transcription::UNBOUNDED;
 use mavc::source::SourceMap;
 use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64Mcg;

@@ -3,8 +3,8 @@
 use super::{Model, last, planning, solved};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::model::{LimitKind, Mission, MissionTime, PlannerKind};
-use mavc::planner::compare::{Scope, Solved, compare};
-use mavc::planner::successive::binding::Statement;
+use mavc::planner::scp::sensitivity::Statement;
+use mavc::planner::studies::{Scope, Solved, compare};
 
 fn planned(mission: Mission, chooses_times: bool) -> Solved {
     let mut model: Model = planning(mission, PlannerKind::Rip, &[], MissionTime::Minimum);

@@ -8,9 +8,9 @@ use mavc::admissible::row::VIOLATED;
 use mavc::model::{Mission, MissionTime, Model, PlannerKind};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
-use mavc::planner::rows::{Decision, Engine, Planned};
-use mavc::planner::successive::{PARTS, Successive};
-use mavc::planner::transcribe::{Purpose, Transcription};
+use mavc::planner::hover::{Decision, HoverPlanner, Planned};
+use mavc::planner::scp::{PARTS, ScpPlanner};
+use mavc::planner::transcription::{Purpose, Transcription};
 use mavc::qp::{QuadraticProgram, Sparse};
 
 /// x'P x/2 + q'x + constant.
@@ -56,12 +56,12 @@ fn the_cost_of_a_plan_is_its_programs_objective() {
         let mission = model.mission.as_ref().unwrap();
         let healthy = AdmissibleSet::healthy(&model);
         let set = healthy_set(&model);
-        let mut engine = Engine::new(&model, mission, &healthy);
-        let Decision::Feasible(planned) = Successive::new(&mut engine, WrenchModel::Exact, &set).decide(time, &[])
+        let mut engine = HoverPlanner::new(&model, mission, &healthy);
+        let Decision::Feasible(planned) = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set).decide(time, &[])
         else {
             panic!("no plan at {time} s");
         };
-        let Planned { profile, states, objective: reported, .. } = &*planned;
+        let Planned { grid: profile, states, objective: reported, .. } = &*planned;
         let flown = profile.flown();
         let form = Transcription::new(&model, mission, &flown, &set, &[], &[X, Y, Z, YAW])
             .with_orders(WrenchModel::Exact.orders(), PARTS);
@@ -142,10 +142,10 @@ fn plans_cost_the_same_wherever_steps_begin() {
     let model = planning(turning(), PlannerKind::Rip, &[], MissionTime::Fixed(6.0));
     let healthy = AdmissibleSet::healthy(&model);
     let set = healthy_set(&model);
-    let mut engine = Engine::new(&model, model.mission.as_ref().unwrap(), &healthy);
-    let mut steps = Successive::new(&mut engine, WrenchModel::Exact, &set);
+    let mut engine = HoverPlanner::new(&model, model.mission.as_ref().unwrap(), &healthy);
+    let mut steps = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set);
     let shortest = steps.shortest(&[], None).unwrap().planned;
-    let [anew, begun] = [vec![], vec![&shortest]].map(|begins| match steps.decide(6.0, &begins) {
+    let [anew, begun] = [vec![], vec![&shortest]].map(|initial_guesses| match steps.decide(6.0, &initial_guesses) {
         Decision::Feasible(planned) => planned.objective,
         other => panic!("{other:?}"),
     });

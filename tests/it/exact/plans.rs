@@ -6,11 +6,11 @@ use mavc::admissible::AdmissibleSet;
 use mavc::admissible::row::SetRow;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::motion::{NodeState, Trajectory, X, Y, YAW, Z};
-use mavc::planner::compare::Comparison;
-use mavc::planner::select::PlanningSet;
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::studies::Comparison;
 
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::transcribe::UPRIGHT;
+use mavc::planner::transcription::UPRIGHT;
 
 /// How far rows may be passed between the instants of which there are [`PARTS`] in an interval, as a share. There they hold;
 /// in between wrenches and norms bend by what falls with the square of the step.
@@ -55,7 +55,7 @@ fn passed(model: &Model, plan: &Trajectory, rows: &[SetRow]) -> (f64, f64, Strin
                 _ => plan.within(k, h * f64::from(part) / 10.0),
             };
             let wrench = WrenchModel::Exact.wrench(&model.vehicle, model.gravity, &state);
-            let facets = rows.iter().map(|row| (row.excess(&wrench), format!("{:?}", row.origin)));
+            let facets = rows.iter().map(|row| (row.violation(&wrench), format!("{:?}", row.origin)));
             let limits =
                 limits.iter().map(|l| (past(l.kind, l.upper.unwrap(), &state, model.gravity), format!("{:?}", l.kind)));
             let upright = (UPRIGHT - 1.0 - state[Z][2] / model.gravity, "upright".into());

@@ -5,7 +5,7 @@ use super::{last, planning, solved, turning};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::model::grid::Spacing;
 use mavc::model::{Leg, LimitKind, Mission, MissionTime, Model, PlannerKind};
-use mavc::planner::compare::Ending;
+use mavc::planner::studies::RunOutcome;
 use std::sync::LazyLock;
 
 /// Legs of very different lengths.
@@ -42,7 +42,7 @@ fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
         let legs = vec![Leg { share: first }, Leg { share: 1.0 - first }];
         let comparison = super::compared(&quick(Mission { legs, ..uneven() }, false));
         match &last(&comparison).ending {
-            Ending::Solved(solved) => Some(solved.time),
+            RunOutcome::Solved(solved) => Some(solved.time),
             _ => None,
         }
     };
@@ -116,7 +116,7 @@ fn legs_between_fixed_times_divide_their_time_anew() {
     // The same divisions for the planner to keep.
     for legs in [[1.0; 4].map(|share| Leg { share }), [0.5, 4.0, 12.0, 3.0].map(|share| Leg { share })] {
         let kept = quick(Mission { legs: legs.to_vec(), ..mission.clone() }, false);
-        assert!(!matches!(last(&super::compared(&kept)).ending, Ending::Solved(_)), "{legs:?}");
+        assert!(!matches!(last(&super::compared(&kept)).ending, RunOutcome::Solved(_)), "{legs:?}");
     }
 }
 
@@ -132,6 +132,6 @@ fn a_proof_covers_every_division_of_time() {
     let legs = vec![Leg { share: 0.27 }, Leg { share: 0.73 }];
     let given = at(Mission { legs, ..uneven() }, false);
     let chosen = at(uneven(), true);
-    assert!(!matches!(given, Ending::Infeasible { .. }), "{given:?}");
-    assert!(!matches!(chosen, Ending::Infeasible { .. }), "{chosen:?}, but {given:?} with legs of 27 % and 73 %");
+    assert!(!matches!(given, RunOutcome::Infeasible { .. }), "{given:?}");
+    assert!(!matches!(chosen, RunOutcome::Infeasible { .. }), "{chosen:?}, but {given:?} with legs of 27 % and 73 %");
 }

@@ -5,10 +5,10 @@ use crate::vehicles::{limit, mission, waypoint};
 use mavc::admissible::AdmissibleSet;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind, elaborate, load};
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::compare::Ending;
-use mavc::planner::rows::{Decision, Engine, Planned};
-use mavc::planner::sets::PlanningSets;
-use mavc::planner::successive::{NOT_FOUND, Successive};
+use mavc::planner::hover::{Decision, HoverPlanner, Planned};
+use mavc::planner::scp::{NOT_FOUND, ScpPlanner};
+use mavc::planner::selection::sets::PlanningSets;
+use mavc::planner::studies::RunOutcome;
 use mavc::report::terminal;
 use mavc::report::verdict_text::elsewhere;
 use std::io::Write;
@@ -22,7 +22,7 @@ fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model
     model
 }
 
-fn told(model: &Model) -> (Ending, String) {
+fn told(model: &Model) -> (RunOutcome, String) {
     let comparison = compared(model);
     let text = terminal::plan(model, model.mission.as_ref().unwrap(), &comparison, false);
     (last(&comparison).ending.clone(), text)
@@ -44,7 +44,7 @@ fn what_no_attitude_could_do_is_proved() {
         (hop([0.0, 0.0, 2.0], 1.0, &[(LimitKind::YawRate, 0.4)], 2.0), "yaw rate"),
     ] {
         let (ending, text) = told(&model);
-        assert!(matches!(ending, Ending::Infeasible { .. }), "{why}: {text}");
+        assert!(matches!(ending, RunOutcome::Infeasible { .. }), "{why}: {text}");
         assert!(text.contains(": proved infeasible at "), "{text}");
         assert!(
             text.contains(" s with 20 samples") || text.contains(": no motion within the limits takes less than "),
@@ -66,7 +66,7 @@ fn what_its_parts_have_a_mission_has() {
         let mut model = planning(mission, PlannerKind::Rip, &[], MissionTime::Fixed(time));
         model.plan.samples = 200;
         let (ending, text) = told(&model);
-        assert!(matches!(ending, Ending::Solved(_)), "held {held} s, in {time} s: {text}");
+        assert!(matches!(ending, RunOutcome::Solved(_)), "held {held} s, in {time} s: {text}");
     }
 }
 
@@ -85,12 +85,12 @@ fn no_plan_at_any_time_tried_is_proved() {
     up.plan.time = MissionTime::Minimum;
     for model in [&up, &early] {
         let (ending, text) = told(model);
-        assert!(matches!(ending, Ending::Infeasible { .. }), "{text}");
+        assert!(matches!(ending, RunOutcome::Infeasible { .. }), "{text}");
         assert!(text.contains("proved infeasible at each of ") && text.contains(" times, "), "{text}");
     }
     up.mission.as_mut().unwrap().limits = vec![limit(LimitKind::Climb, 0.05)];
     let (ending, text) = told(&up);
-    assert!(matches!(&ending, Ending::Solved(solved) if solved.time > 58.0), "{text}");
+    assert!(matches!(&ending, RunOutcome::Solved(solved) if solved.time > 58.0), "{text}");
 }
 
 /// The time of the last waypoint is the mission's, whoever says it.
@@ -101,7 +101,7 @@ fn the_last_waypoints_time_is_the_plans() {
     by_waypoint.plan.time = MissionTime::Minimum;
     by_waypoint.mission.as_mut().unwrap().waypoints[1].time = Some(5.0);
     let [one, other] = [by_plan, by_waypoint].map(|model| told(&model).0);
-    let (Ending::Solved(one), Ending::Solved(other)) = (&one, &other) else { panic!("{one:?}, {other:?}") };
+    let (RunOutcome::Solved(one), RunOutcome::Solved(other)) = (&one, &other) else { panic!("{one:?}, {other:?}") };
     assert_eq!((one.time, one.objective), (other.time, other.objective));
     assert_eq!(one.trajectory, other.trajectory);
 }
@@ -116,7 +116,7 @@ fn what_only_torques_forbid_is_not_found() {
     let largest = 4.0 * 1.3678e-7 * 874.0 * 874.0;
     assert!(4.0 * model.vehicle.inertia[2] * psi / (t * t) > largest, "the turn is possible");
     let (ending, text) = told(&model);
-    assert!(matches!(&ending, Ending::Inconclusive { status, .. } if status == NOT_FOUND), "{ending:?}");
+    assert!(matches!(&ending, RunOutcome::Inconclusive { status, .. } if status == NOT_FOUND), "{ending:?}");
     assert!(text.contains("not found at 1 s with 20 samples"), "{text}");
     assert!(!text.contains("proved"), "{text}");
 }
@@ -221,12 +221,13 @@ fn with_fixed_times_one_mode_has_the_plan_of_two() {
     let (files, _) = load("dash.mav", DASH.as_bytes(), &|_| Err(std::io::ErrorKind::NotFound.into()));
     let model = elaborate(&files, &[]).value.unwrap();
     let (sets, healthy) = (PlanningSets::of(&model), AdmissibleSet::healthy(&model));
-    let mut engine = Engine::new(&model, model.mission.as_ref().unwrap(), &healthy);
-    let mut plan =
-        |set, begins: &[&Planned]| match Successive::new(&mut engine, WrenchModel::Exact, set).decide(7.01, begins) {
-            Decision::Feasible(planned) => planned,
-            other => panic!("{other:?}"),
-        };
+    let mut engine = HoverPlanner::new(&model, model.mission.as_ref().unwrap(), &healthy);
+    let mut plan = |set, initial_guesses: &[&Planned]| match ScpPlanner::new(&mut engine, WrenchModel::Exact, set)
+        .decide(7.01, initial_guesses)
+    {
+        Decision::Feasible(planned) => planned,
+        other => panic!("{other:?}"),
+    };
     let both = plan(&sets.joint, &[]);
     let one = plan(&sets.singles[1], &[&both]);
     assert!(one.objective <= 1.01 * both.objective, "{} and {} for both", one.objective, both.objective);

@@ -5,7 +5,7 @@ use mavc::flight::reference::{Course, DESCENT, Stop};
 use mavc::flight::{Outcome, Sortie, fly};
 use mavc::model::{AfterFault, Detection, FaultMode, Model, elaborate, load, parse_override};
 use mavc::motion::Trajectory;
-use mavc::planner::compare::{Ending, Scope, compare};
+use mavc::planner::studies::{RunOutcome, Scope, compare};
 use std::sync::LazyLock;
 
 /// Specs, and what keeps their plans quick to make: any plan will do.
@@ -32,7 +32,7 @@ fn planned(name: &'static str, settings: &[&str]) -> (&'static str, Model, Traje
     let model = elaborate(&files, &overrides).value.unwrap_or_else(|| panic!("{name}"));
     let mut comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
     match comparison.runs.pop().unwrap().ending {
-        Ending::Solved(solved) => (name, model, solved.trajectory),
+        RunOutcome::Solved(solved) => (name, model, solved.trajectory),
         other => panic!("{name}: {other:?}"),
     }
 }

@@ -4,7 +4,7 @@ use super::strike;
 use mavc::flight::{Flight, Outcome, Sample, Sortie, fly};
 use mavc::model::{AfterFault, Controller, Detection, MissionTime, Model, PlannerKind, elaborate, load};
 use mavc::motion::Trajectory;
-use mavc::planner::compare::{Ending, Scope, compare};
+use mavc::planner::studies::{RunOutcome, Scope, compare};
 use std::sync::LazyLock;
 
 static CASE: LazyLock<(Model, Trajectory)> =
@@ -18,7 +18,7 @@ fn planned(name: &str, change: impl FnOnce(&mut Model)) -> (Model, Trajectory) {
     change(&mut model);
     let mut comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
     match comparison.runs.remove(0).ending {
-        Ending::Solved(solved) => (model, solved.trajectory),
+        RunOutcome::Solved(solved) => (model, solved.trajectory),
         other => panic!("{other:?}"),
     }
 }

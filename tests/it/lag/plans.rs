@@ -1,16 +1,16 @@
 //! Plans for rotors that lag keep their rows at every instant, and cost time.
 
-use super::{compared, lagging, planning, shortest, shuttle, solved, turning, with_leads};
+use super::{compared, lagging, planning, shortest, shuttle, solved, turning, with_commands};
 use crate::vehicles::lost;
 use mavc::actuation::Wrench;
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::row::SetRow;
 use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
 use mavc::motion::{Trajectory, YAW};
-use mavc::planner::pool::Pool;
-use mavc::planner::rows::{Decision, Engine, FEASIBLE};
-use mavc::planner::select::PlanningSet;
-use mavc::planner::transcribe::{Purpose, Transcription};
+use mavc::planner::hover::{Decision, FEASIBLE, HoverPlanner};
+use mavc::planner::selection::PlanningSet;
+use mavc::planner::transcription::{Purpose, Transcription};
+use mavc::planner::working_set::WorkingSet;
 use mavc::qp::RowOrigin;
 use mavc::solve::{Outcome, solve};
 
@@ -31,9 +31,9 @@ fn imposed(model: &Model) -> Vec<SetRow> {
 /// The largest excess of w and of w + tau w' over all rows.
 fn excesses(model: &Model, plan: &Trajectory, tau: f64, looks: usize) -> (f64, f64) {
     let rows = imposed(model);
-    let most = |w: &Wrench, so_far: f64| rows.iter().map(|r| r.excess(w)).fold(so_far, f64::max);
+    let most = |w: &Wrench, so_far: f64| rows.iter().map(|r| r.violation(w)).fold(so_far, f64::max);
     let nothing = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    with_leads(model, plan, tau, looks).iter().fold(nothing, |(own, lead), (w, c)| (most(w, own), most(c, lead)))
+    with_commands(model, plan, tau, looks).iter().fold(nothing, |(own, lead), (w, c)| (most(w, own), most(c, lead)))
 }
 
 /// A plan with lagging rotors, and how far it would pass the lag's rows had it been made for instant ones.
@@ -83,7 +83,7 @@ fn rows_hold_at_the_nodes_under_a_changing_yaw() {
             // One-sided, of third order.
             let rate: Wrench = (w(0.0) * -11.0 + w(1.0) * 18.0 - w(2.0) * 9.0 + w(3.0) * 2.0) * (side / (6.0 * d));
             let lead = w(0.0) + rate * TAU;
-            let worst = rows.iter().map(|r| r.excess(&lead)).fold(f64::NEG_INFINITY, f64::max);
+            let worst = rows.iter().map(|r| r.violation(&lead)).fold(f64::NEG_INFINITY, f64::max);
             assert!(worst < 1e-5, "interval {k}, side {side}: {worst:e}");
         }
     }
@@ -147,15 +147,16 @@ fn rows_on_demand_lose_nothing() {
         let mission = model.mission.as_ref().unwrap();
         let healthy = AdmissibleSet::healthy(&model);
         let set = PlanningSet::of(&[&healthy], &healthy);
-        let mut engine = Engine::new(&model, mission, &healthy);
-        let Decision::Feasible(planned) = engine.decide(time, model.plan.samples, &set, &mut Pool::default()) else {
+        let mut engine = HoverPlanner::new(&model, mission, &healthy);
+        let Decision::Feasible(planned) = engine.decide(time, model.plan.samples, &set, &mut WorkingSet::default())
+        else {
             panic!("no plan at {time} s")
         };
         let layout = engine.layout(time, model.plan.samples).unwrap().unwrap();
-        let (maps, leads) = (layout.yaw.maps(&model, layout.flown.nodes()), layout.leads(&model));
+        let (maps, leads) = (layout.yaw.maps(&model, layout.flown.nodes()), layout.commands(&model));
         let form = Transcription::new(&model, mission, &layout.flown, &set, &maps, layout.yaw.axes());
         let without = form.full_program(Purpose::Plan { slack: FEASIBLE });
-        let form = form.with_leads(leads.as_ref());
+        let form = form.with_commands(leads.as_ref());
         let program = form.full_program(Purpose::Plan { slack: FEASIBLE });
         let count = |lag: bool| {
             let of = |o: &&RowOrigin| {

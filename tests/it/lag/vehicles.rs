@@ -1,7 +1,7 @@
 //! Rotors that lag and are allocated by the pseudo-inverse, may not stop, or are known within intervals: what they are
 //! commanded, decided without the rows that planned it.
 
-use super::{compared, lagging, planning, shuttle, solved, with_leads};
+use super::{compared, lagging, planning, shuttle, solved, with_commands};
 use crate::intervals::{at, uncertain};
 use crate::pseudo_inverse::squares;
 use crate::vehicles::lost;
@@ -28,7 +28,7 @@ fn planned(model: &Model) -> Trajectory {
 }
 
 fn leads(model: &Model, plan: &Trajectory, tau: f64) -> Vec<Wrench> {
-    with_leads(model, plan, tau, 4).into_iter().map(|(_, lead)| lead).collect()
+    with_commands(model, plan, tau, 4).into_iter().map(|(_, lead)| lead).collect()
 }
 
 /// How far commands leave the bounds on squared speeds under (42) after the loss, in shares of full ones.

@@ -1,0 +1,215 @@
+//! Rotors that lag, in the steps: the planning set's facets for the lead wrench c = w + tau w'. It jumps where the inputs bend,
+//! so at a node rows stand on both its sides. Equalities of a flat set are not repeated: where w stays in a plane, w' does.
+
+use super::*;
+use crate::flatness::LeadFlatState;
+use crate::motion::wrench_model::LEAD_FLAT;
+use crate::motion::{CommandState, with_slopes};
+use crate::planner::commands::{CommandAt, Slope, interval_of};
+use crate::planner::scp::phases::FINER;
+use crate::planner::scp::subproblem::{ORDER_OF_TIME, Step};
+use crate::planner::wrench_expression::WrenchExpression;
+use crate::qp::build::{Affine, Builder};
+
+/// What steps know of rotors that lag.
+pub(super) struct Lag {
+    /// s
+    tau: f64,
+    /// What each row of the set keeps free for the lead wrench beyond its back-off, because that bends between the instants.
+    pub local_tightening: Vec<f64>,
+    /// Of the last program: the sum of multiplier times normal of the rows on the lead wrench, where they stand.
+    pub multipliers: BTreeMap<CommandAt, Wrench>,
+}
+
+impl Lag {
+    pub fn new(tau: f64, set: &PlanningSet) -> Self {
+        Lag { tau, local_tightening: vec![0.0; set.rows.len()], multipliers: BTreeMap::new() }
+    }
+}
+
+/// The lead wrench about a motion, to first order.
+struct LeadLine {
+    map: WrenchMap,
+    wrench: Wrench,
+    /// Change per relative change of time.
+    duration_change: Wrench,
+}
+
+/// What one step needs of the lead wrench.
+pub(super) struct CommandLinearisation {
+    lines: BTreeMap<CommandAt, LeadLine>,
+    /// See [`Lag::bends`].
+    local_tightening: Vec<f64>,
+    /// Curvature of the Lagrangian, as in [`Step::curvature`], over [`LEAD_FLAT`].
+    curvature: Vec<(CommandAt, CommandState, Vec<LeadFlatState>)>,
+}
+
+impl ScpPlanner<'_, '_> {
+    /// A state of a motion within an interval, with the slopes there.
+    fn sloped(&self, iterate: &Iterate, interval: usize, state: &NodeState) -> CommandState {
+        let times = &iterate.grid.node_times;
+        let ends = [&iterate.states[interval], &iterate.states[interval + 1]];
+        with_slopes(state, ends, times[interval + 1] - times[interval], self.wrench.orders())
+    }
+
+    /// The derivatives of a motion where a lead wrench is taken; `None` where there is no such interval.
+    fn command_state(&self, iterate: &Iterate, at: CommandAt) -> Option<CommandState> {
+        let interval = interval_of(at, PARTS, iterate.grid.intervals())?;
+        Some(self.sloped(iterate, interval, &iterate.at(at.0)))
+    }
+
+    /// The excess of each row of the set for the lead wrench, with what it keeps free between instants.
+    fn command_violations<'s>(&'s self, lag: &'s Lag, state: &CommandState) -> impl Iterator<Item = f64> + 's {
+        let wrench = self.wrench.lead(&self.hover.model.vehicle, self.hover.model.gravity, lag.tau, state);
+        self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, bend))| {
+            match row.equality {
+                true => f64::NEG_INFINITY,
+                false => self.violation_of_row(facet, &wrench) + bend,
+            }
+        })
+    }
+
+    /// The largest excess of the lead wrench at an instant, on both its sides; below all others where no rotor lags.
+    pub(super) fn lead_excess_at(&self, iterate: &Iterate, instant: usize) -> f64 {
+        let Some(lag) = &self.lag else { return f64::NEG_INFINITY };
+        let sides = [Slope::Before, Slope::After].into_iter();
+        let states = sides.filter_map(|slope| self.command_state(iterate, (instant, slope)));
+        states
+            .flat_map(|state| self.command_violations(lag, &state).collect::<Vec<_>>())
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The excess of one row on the lead wrench, as it stands.
+    pub(super) fn lead_excess_of(&self, iterate: &Iterate, facet: usize, at: CommandAt) -> f64 {
+        let Some((lag, state)) = self.lag.as_ref().zip(self.command_state(iterate, at)) else {
+            return f64::NEG_INFINITY;
+        };
+        let Model { vehicle, gravity, .. } = self.hover.model;
+        self.violation_of_row(facet, &self.wrench.lead(vehicle, *gravity, lag.tau, &state))
+    }
+
+    /// Rows on the lead wrench with an excess over `threshold`, on both sides of a node.
+    pub(super) fn command_rows_at_node(&self, iterate: &Iterate, node: usize, threshold: f64) -> Vec<RowAt> {
+        let Some(lag) = &self.lag else { return Vec::new() };
+        let instant = node * PARTS;
+        let mut found = Vec::new();
+        for slope in [Slope::Before, Slope::After] {
+            let Some(state) = self.command_state(iterate, (instant, slope)) else { continue };
+            let over = self.command_violations(lag, &state).enumerate().filter(|(_, e)| *e > threshold);
+            found.extend(over.map(|(facet, _)| RowAt { row: Row::Command { facet, slope }, instant }));
+        }
+        found
+    }
+
+    /// Within an interval each row on the lead wrench that is passed, where it is passed most.
+    pub(super) fn command_rows_between(&self, iterate: &Iterate, interval: usize) -> Vec<RowAt> {
+        let Some(lag) = &self.lag else { return Vec::new() };
+        let mut worst: Vec<(f64, usize)> = vec![(0.0, 0); self.set.rows.len()];
+        for instant in interval * PARTS + 1..(interval + 1) * PARTS {
+            let state = self.sloped(iterate, interval, &iterate.at(instant));
+            for (worst, violation) in worst.iter_mut().zip(self.command_violations(lag, &state)) {
+                if violation > worst.0 {
+                    *worst = (violation, instant);
+                }
+            }
+        }
+        let passed = worst.into_iter().enumerate().filter(|(_, w)| w.0 > 0.0);
+        let row = |facet| Row::Command { facet, slope: Slope::After };
+        passed.map(|(facet, (_, instant))| RowAt { row: row(facet), instant }).collect()
+    }
+
+    /// The largest excess of each row for the lead wrench on a grid [`FINER`] times finer than the instants, as they stand.
+    pub(super) fn commands_between_instants(&self, iterate: &Iterate) -> Vec<f64> {
+        let Some(lag) = &self.lag else { return Vec::new() };
+        let mut worst = vec![f64::NEG_INFINITY; self.set.rows.len()];
+        let parts = PARTS * FINER;
+        for interval in 0..iterate.grid.intervals() {
+            for part in 0..=parts {
+                let state = iterate.inside(interval, part as f64 / parts as f64);
+                let violations = self.command_violations(lag, &self.sloped(iterate, interval, &state));
+                for ((worst, violation), bend) in worst.iter_mut().zip(violations).zip(&lag.local_tightening) {
+                    *worst = worst.max(violation - bend);
+                }
+            }
+        }
+        worst
+    }
+
+    /// The lead wrench about a motion where `pool` has rows on it; `None` where no rotor lags.
+    pub(super) fn command_lines(
+        &self,
+        iterate: &Iterate,
+        working_set: &BTreeSet<RowAt>,
+    ) -> Option<CommandLinearisation> {
+        let lag = self.lag.as_ref()?;
+        let Model { vehicle, gravity, .. } = self.hover.model;
+        let mut lines = BTreeMap::new();
+        for &RowAt { row, instant } in working_set {
+            let Row::Command { slope, .. } = row else { continue };
+            let at = (instant, slope);
+            let Some(state) = self.command_state(iterate, at).filter(|_| !lines.contains_key(&at)) else { continue };
+            let map = self.wrench.lead_linearised(vehicle, *gravity, lag.tau, &state);
+            let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
+                let order: usize = order;
+                sum - c * (order as f64 * state[axis][order])
+            };
+            let duration_change = map.terms.iter().fold(Wrench::zeros(), change);
+            lines.insert(at, LeadLine { wrench: map.at(&state), duration_change, map });
+        }
+        let unit = self.transcription(&iterate.grid, &[]).mean_tau();
+        let curvature = lag.multipliers.iter().filter_map(|(&at, n)| {
+            let state = self.command_state(iterate, at)?;
+            Some((at, state, self.wrench.lead_curvature(vehicle, *gravity, lag.tau, &state, n, unit)))
+        });
+        Some(CommandLinearisation {
+            lines,
+            local_tightening: lag.local_tightening.clone(),
+            curvature: curvature.collect(),
+        })
+    }
+}
+
+impl Transcription<'_> {
+    /// (71) for the lead wrench, without sigma; `known` are the expressions made before.
+    pub(super) fn command_row(
+        &self,
+        step: &Step,
+        facet: usize,
+        at: CommandAt,
+        known: &mut BTreeMap<CommandAt, Option<WrenchExpression>>,
+    ) -> Option<Affine> {
+        let commands = step.commands?;
+        let line = commands.lines.get(&at)?;
+        let row = &self.set.rows[facet];
+        let bend = |node: usize, axis: usize, order: usize| self.bend(step, node, axis, order);
+        let lead = known.entry(at).or_insert_with(|| self.command_expression(&line.map, at, &bend)).as_ref()?;
+        let kept = step.tightening[facet] + commands.local_tightening[facet];
+        let mut slack = lead.along(&-row.normal).plus_constant(row.offset - kept);
+        let free = row.offset - row.normal.dot(&line.wrench);
+        let change = ORDER_OF_TIME * free - row.normal.dot(&line.duration_change);
+        let interval = interval_of(at, self.parts, self.grid.intervals())?;
+        slack.add(&self.duration_change(step, self.leg_of(interval * self.parts + 1)), change);
+        Some(slack)
+    }
+
+    /// Adds the curvature of the Lagrangian in the lead wrench to the objective.
+    pub(super) fn curve_commands(&self, builder: &mut Builder, commands: &CommandLinearisation) {
+        let straight = |_, _, _| Affine::default();
+        for (at, from, factors) in &commands.curvature {
+            let direction = |&(axis, order): &(usize, usize)| {
+                let now = self.command_derivative(*at, (axis, order), &straight)?;
+                Some(now.plus_constant(-from[axis][order]))
+            };
+            let Some(directions) = LEAD_FLAT.iter().map(direction).collect::<Option<Vec<Affine>>>() else { continue };
+            let change = |factor: &LeadFlatState| {
+                let mut change = Affine::default();
+                for (direction, weight) in directions.iter().zip(factor.iter()) {
+                    change.add(direction, *weight);
+                }
+                change
+            };
+            let changes: Vec<Affine> = factors.iter().map(change).collect();
+            builder.squares(&changes, 0.5);
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! A motion over a mission without its holds, and what changes of time do to it.
+
+use super::PARTS;
+use crate::motion::time_grid::TimeGrid;
+use crate::motion::wrench_model::WrenchModel;
+use crate::motion::{NodeState, Trajectory, between};
+
+/// Derivatives within this of each other are the same, SI units: the solver leaves less, a step of durations more.
+const JOINED: f64 = 1e-5;
+
+/// Derivatives at the nodes of a profile without holds.
+#[derive(Debug, Clone)]
+pub struct Iterate {
+    pub grid: TimeGrid,
+    pub states: Vec<NodeState>,
+    pub model: WrenchModel,
+}
+
+/// Derivatives of order m times `factor`^-m.
+fn slower(state: &NodeState, factor: f64) -> NodeState {
+    state.map(|axis| std::array::from_fn(|order| axis[order] * factor.powi(-(order as i32))))
+}
+
+impl Iterate {
+    fn trajectory(&self) -> Trajectory {
+        Trajectory {
+            times: self.grid.node_times.clone(),
+            nodes: self.states.clone(),
+            waypoint_nodes: self.grid.waypoint_nodes.clone(),
+            model: self.model,
+        }
+    }
+
+    /// The derivatives at an instant; see `Transcription::parts`.
+    pub fn at(&self, instant: usize) -> NodeState {
+        let (interval, part) = (instant / PARTS, instant % PARTS);
+        if part == 0 {
+            return self.states[interval];
+        }
+        let times = &self.grid.node_times;
+        let h = times[interval + 1] - times[interval];
+        let t = h * part as f64 / PARTS as f64;
+        between(&self.states[interval], &self.states[interval + 1], h, t, self.model)
+    }
+
+    /// The derivatives a share of the way through an interval.
+    pub fn inside(&self, interval: usize, share: f64) -> NodeState {
+        let times = &self.grid.node_times;
+        let h = times[interval + 1] - times[interval];
+        between(&self.states[interval], &self.states[interval + 1], h, share * h, self.model)
+    }
+
+    /// The same path in the same shares of time, `factor` times slower.
+    pub fn slower(&self, factor: f64) -> Iterate {
+        Iterate {
+            grid: self.grid.with_durations_times(|_| factor),
+            states: self.states.iter().map(|s| slower(s, factor)).collect(),
+            model: self.model,
+        }
+    }
+
+    /// The motion that a step leads to: its states are those of the old time, and each leg takes longer by its relative
+    /// change. Where legs change by different shares it is joined at waypoints to first order only.
+    pub fn stepped(&self, states: &[NodeState], changes: &[f64]) -> Iterate {
+        let mut changed = states.to_vec();
+        for s in &self.grid.segments {
+            // A waypoint's node belongs to the leg that ends there.
+            let first = if s.first_node == 0 { 0 } else { s.first_node + 1 };
+            for state in &mut changed[first..=s.first_node + s.intervals] {
+                *state = slower(state, 1.0 + changes[s.from]);
+            }
+        }
+        Iterate { grid: self.grid.with_durations_times(|leg| 1.0 + changes[leg]), states: changed, model: self.model }
+    }
+
+    /// Whether each interval ends with the position, the velocity and so on at which the next begins, to 1e-5 of their largest size
+    /// (1e-5 in SI units where that is more; the solver is no more exact): a motion of [`Self::stepped`] whose legs changed
+    /// by different shares does not.
+    pub fn is_joined(&self) -> bool {
+        let times = &self.grid.node_times;
+        let largest =
+            |axis: usize, order: usize| self.states.iter().fold(1.0, |most, s| f64::max(most, s[axis][order].abs()));
+        let allowed: [[f64; 5]; 4] =
+            std::array::from_fn(|axis| std::array::from_fn(|order| JOINED * largest(axis, order)));
+        self.states.windows(2).zip(times.windows(2)).all(|(pair, t)| {
+            let h = t[1] - t[0];
+            let reached = between(&pair[0], &pair[1], h, h, self.model);
+            let same =
+                |axis: usize, order: usize| (reached[axis][order] - pair[1][axis][order]).abs() <= allowed[axis][order];
+            self.model.orders().iter().enumerate().all(|(axis, &input)| (0..input).all(|order| same(axis, order)))
+        })
+    }
+
+    /// The same profile with other states.
+    pub fn with_states(&self, states: Vec<NodeState>) -> Iterate {
+        Iterate { grid: self.grid.clone(), states, model: self.model }
+    }
+
+    /// `share` of the way from this motion's states to others at the same nodes.
+    pub fn towards(&self, states: &[NodeState], share: f64) -> Vec<NodeState> {
+        let blend = |from: &NodeState, to: &NodeState| -> NodeState {
+            std::array::from_fn(|axis| std::array::from_fn(|m| from[axis][m] + share * (to[axis][m] - from[axis][m])))
+        };
+        self.states.iter().zip(states).map(|(from, to)| blend(from, to)).collect()
+    }
+
+    /// The same motion at the nodes of another profile: by shares of each leg's duration.
+    pub fn on(&self, grid: &TimeGrid) -> Iterate {
+        let trajectory = self.trajectory();
+        let mut states = Vec::with_capacity(grid.nodes());
+        for (mine, other) in self.grid.segments.iter().zip(&grid.segments) {
+            let begin = self.grid.node_times[mine.first_node];
+            let there = grid.node_times[other.first_node];
+            let factor = other.duration / mine.duration;
+            let first = if states.is_empty() { 0 } else { 1 };
+            for i in first..=other.intervals {
+                let t = begin + (grid.node_times[other.first_node + i] - there) / factor;
+                states.push(slower(&trajectory.at(t), factor));
+            }
+        }
+        Iterate { grid: grid.clone(), states, model: self.model }
+    }
+}

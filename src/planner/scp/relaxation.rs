@@ -1,0 +1,117 @@
+//! What any plan must satisfy whatever its attitude: a convex relaxation whose infeasibility is a proof.
+//!
+//! The motion keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within the
+//! largest thrust of the set. Torques are left free.
+
+use super::*;
+use crate::planner::hover::{FEASIBLE, LEEWAY};
+use crate::planner::transcription::Purpose;
+use crate::qp::build::{Affine, Builder};
+use crate::qp::{QuadraticProgram, RowOrigin};
+
+/// The largest thrust of a set, and why no wrench of it has more.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MostThrust {
+    /// N
+    pub newtons: f64,
+    /// Of the set's rows, N: `T <= sum of weight x offset`, for the normals weighed alike add up to the axis of T.
+    pub weights: Vec<f64>,
+}
+
+/// The relaxation as a program that is always feasible.
+pub struct Relaxed {
+    pub program: QuadraticProgram,
+    /// Unit of time of its variables at each node, s.
+    pub taus: Vec<f64>,
+    pub thrust: MostThrust,
+}
+
+/// What the relaxation says of a profile.
+pub(super) enum Verdict {
+    /// It has no motion: multipliers checked in plain arithmetic say so. What its rows weigh in them is left in
+    /// [`HoverPlanner::weights`].
+    Infeasible,
+    /// Its motion of least cost, which keeps every limit at the nodes; `None` where none was found.
+    Feasible(Option<Iterate>),
+}
+
+impl ScpPlanner<'_, '_> {
+    /// Solves the relaxation over a profile (without holds).
+    pub(super) fn relaxed(&mut self, grid: &TimeGrid) -> Verdict {
+        self.hover.weights.clear();
+        let thrust = self.most_thrust().newtons;
+        if self.out_of_reach(grid, thrust) {
+            return Verdict::Infeasible;
+        }
+        let form = self.transcription(grid, &[]);
+        let rows: Vec<RowAt> = self.limits_at_nodes(grid, |_| true).collect();
+        let program = form.relaxed_program(Purpose::Plan { slack: FEASIBLE }, &rows, thrust);
+        let (outcome, effort) = solve_graded(&program);
+        let iterate = match outcome {
+            Outcome::Infeasible { certificate } => {
+                self.hover.effort += effort;
+                self.hover.weights = program.weights(&certificate);
+                return Verdict::Infeasible;
+            }
+            Outcome::Solved(Solution { x, .. }) => {
+                Some(Iterate { grid: grid.clone(), states: form.states(&x), model: self.wrench })
+            }
+            Outcome::Inconclusive { .. } => None,
+        };
+        self.hover.effort += effort;
+        Verdict::Feasible(iterate)
+    }
+
+    /// The relaxation over a profile (without holds), asked how far waypoints would have to be overshot; `epsilon` weighs
+    /// the inputs' cost beside that.
+    pub fn overshoot(&mut self, grid: &TimeGrid, epsilon: f64) -> Relaxed {
+        let thrust = self.most_thrust();
+        let form = self.transcription(grid, &[]);
+        let rows: Vec<RowAt> = self.limits_at_nodes(grid, |_| true).collect();
+        let program = form.relaxed_program(Purpose::Overshoot { epsilon }, &rows, thrust.newtons);
+        Relaxed { program, taus: form.taus(), thrust }
+    }
+
+    /// Whether some waypoint lies further from the start than the largest acceleration, thrust / m + g, carries the vehicle
+    /// from rest in time. Such short times are beyond the solver, whose numbers then span too many decades.
+    fn out_of_reach(&self, grid: &TimeGrid, thrust: f64) -> bool {
+        let (model, mission) = (self.hover.model, self.hover.mission);
+        let most = LEEWAY * (thrust / model.vehicle.mass + model.gravity);
+        let start = &mission.waypoints[0];
+        mission.start_at_rest
+            && mission.waypoints.iter().zip(&grid.waypoint_nodes).any(|(w, &node)| {
+                let apart = (0..3).map(|i| (w.position[i] - start.position[i]).powi(2)).sum::<f64>().sqrt();
+                let allowed = LEEWAY * (start.within + w.within + 2.0 * FEASIBLE);
+                apart - allowed > 0.5 * most * grid.node_times[node].powi(2)
+            })
+    }
+
+    /// The largest thrust that the set allows with any torques.
+    fn most_thrust(&mut self) -> MostThrust {
+        let mut builder = Builder::new(4);
+        let scale = self.hover.model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum::<f64>();
+        // Thrust in units of full thrust, torques in those of the rows.
+        let sides = |equality: bool| if equality { &[1.0, -1.0][..] } else { &[1.0] };
+        let mut of_row = Vec::new();
+        for (facet, row) in self.set.rows.iter().enumerate() {
+            for side in sides(row.equality) {
+                let mut slack = Affine::constant(side * row.offset);
+                for (i, n) in row.normal.iter().enumerate() {
+                    slack = slack.plus(i, -side * n * if i == 0 { scale } else { 1.0 });
+                }
+                builder.nonnegative(slack, RowOrigin::Facet { facet, node: 0 });
+                of_row.push((facet, side * scale));
+            }
+        }
+        builder.linear(0, -1.0);
+        let (outcome, effort) = solve_graded(&builder.finish());
+        self.hover.effort += effort;
+        let mut weights = vec![0.0; self.set.rows.len()];
+        // No thrust is larger than the dual bound says.
+        let Outcome::Solved(solution) = outcome else { return MostThrust { newtons: scale, weights } };
+        for (&(facet, factor), z) in of_row.iter().zip(&solution.z) {
+            weights[facet] += factor * z;
+        }
+        MostThrust { newtons: (-solution.bound).min(1.0) * scale, weights }
+    }
+}

@@ -1,0 +1,315 @@
+//! One convex program of the sequence: the wrench linear about the last motion, time free or fixed.
+//!
+//! Variables are the derivatives at the nodes as if no duration changed, the excess sigma, and a relative change
+//! delta of each leg's duration that may change. A derivative of order m in the new time is D (1 + delta)^-m, so
+//! the wrench along the leg changes by -m dw/dD D delta to first order. The variable is epsilon, with (1 + delta)^4 =
+//! 1 + 4 epsilon: rows times that factor hold the snap, whose torques bind first, without any error.
+
+use super::TIGHTENING;
+use crate::actuation::Wrench;
+use crate::admissible::row::SetRow;
+use crate::flatness::FlatState;
+use crate::motion::wrench_model::DIRECTIONS;
+use crate::motion::{NodeState, X, Y, YAW, Z};
+use crate::planner::commands::{CommandAt, Slope};
+use crate::planner::limits::Widening;
+use crate::planner::scp::commands::CommandLinearisation;
+use crate::planner::transcription::{Row, RowAt, Transcription};
+use crate::planner::wrench_expression::WrenchExpression;
+use crate::qp::build::{Affine, Builder};
+use crate::qp::{Cone, QuadraticProgram, RowOrigin};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// What a step seeks; all objectives are relative and of order one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Objective {
+    /// The shortest time.
+    Time,
+    /// The smallest excess.
+    Violation,
+    /// The smallest cost (48).
+    Cost,
+}
+
+/// About what and how far a step goes.
+pub struct Step<'s> {
+    pub objective: Objective,
+    /// Derivatives at the nodes.
+    pub from: &'s [NodeState],
+    /// The wrench per instant, and by how much it changes per relative change of time; where there are rows.
+    pub wrenches: &'s [Wrench],
+    pub time_sensitivities: &'s [Wrench],
+    /// Per leg: which change of duration is its own; `None` where its duration stands.
+    pub legs: &'s [Option<usize>],
+    /// Curvature of the Lagrangian: at each instant squares |factor . (s' - s)|^2 / 2 to be added to the objective.
+    pub curvature: &'s [(usize, NodeState, Vec<FlatState>)],
+    /// Weight of the squared relative change of accelerations, which keeps the step where the lines are true.
+    pub proximal_weight: f64,
+    /// Weight of the squared relative change of inputs. On a fine grid accelerations that change by less than the solver can see
+    /// still hide inputs that change by much.
+    pub input_weight: f64,
+    /// Weight of the excess.
+    pub penalty: f64,
+    /// Weight of the cost (48), relative to that of the last motion.
+    pub smoothing: f64,
+    /// Least and largest relative change of a duration.
+    pub range: (f64, f64),
+    /// Legs whose durations keep their sum; see [`super::Durations::spans`].
+    pub spans: &'s [Range<usize>],
+    /// What each row of the set keeps free, in widths of the healthy set.
+    pub tightening: &'s [f64],
+    /// What each chosen row keeps free beyond that.
+    pub local_tightening: &'s [f64],
+    /// Where rotors lag.
+    pub commands: Option<&'s CommandLinearisation>,
+}
+
+/// The highest derivative that the wrench depends on.
+pub const ORDER_OF_TIME: f64 = 4.0;
+
+/// The relative change of a duration that a value of its variable stands for.
+pub fn change(epsilon: f64) -> f64 {
+    (1.0 + ORDER_OF_TIME * epsilon).max(0.0).powf(1.0 / ORDER_OF_TIME) - 1.0
+}
+
+/// The value of the variable that stands for a relative change of a duration.
+fn variable(change: f64) -> f64 {
+    ((1.0 + change).powf(ORDER_OF_TIME) - 1.0) / ORDER_OF_TIME
+}
+
+/// A psi that changes by this much counts like an acceleration that changes by itself, rad.
+const TURN: f64 = 1.0;
+
+/// Accelerations are compared to at least this share of gravity.
+const LEAST_ACCELERATION: f64 = 0.05;
+
+impl Step<'_> {
+    fn changes(&self) -> usize {
+        self.legs.iter().flatten().max().map_or(0, |most| most + 1)
+    }
+}
+
+impl Transcription<'_> {
+    /// The leg that an instant belongs to; at a waypoint the one that ends there.
+    pub(super) fn leg_of(&self, instant: usize) -> usize {
+        let interval = instant.saturating_sub(1) / self.parts;
+        let after = self.grid.segments.partition_point(|s| s.first_node <= interval);
+        self.grid.segments[after - 1].from
+    }
+
+    /// The change of the duration of an instant's leg.
+    pub(super) fn duration_change(&self, step: &Step, leg: usize) -> Affine {
+        step.legs[leg].map_or(Affine::default(), |i| Affine::term(self.variables() + 1 + i, 1.0))
+    }
+
+    /// The program of one step, with the rows `chosen`; the set's equality rows always stand, at nodes. Also the row of
+    /// the program that each facet in `chosen` became, for the wrench or the lead wrench.
+    pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
+        let sigma = self.variables();
+        let violation = Affine::term(sigma, 1.0);
+        let mut builder = Builder::new(sigma + 1 + step.changes());
+        self.dynamics(&mut builder, &|node, axis, order| self.bend(step, node, axis, order));
+        self.rest(&mut builder);
+        self.waypoints(&mut builder, &Affine::constant(0.0));
+        builder.nonnegative(violation.clone(), RowOrigin::Violation);
+        // The row times (1 + delta)^4 = 1 + 4 epsilon: n.w (1 + 4 epsilon) <= e (1 + 4 epsilon).
+        let mut wrenches: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
+        let mut commands: BTreeMap<CommandAt, Option<WrenchExpression>> = BTreeMap::new();
+        let mut slack = |instant: usize, row: &SetRow| {
+            let wrench = wrenches.entry(instant).or_insert_with(|| self.wrench_expression(instant));
+            let mut slack = wrench.along(&-row.normal).plus_constant(row.offset);
+            let free = row.offset - row.normal.dot(&step.wrenches[instant]);
+            let change = ORDER_OF_TIME * free - row.normal.dot(&step.time_sensitivities[instant]);
+            slack.add(&self.duration_change(step, self.leg_of(instant)), change);
+            slack
+        };
+        for (facet, row) in self.set.rows.iter().enumerate().filter(|(_, r)| r.equality) {
+            for node in 0..self.nodes() {
+                for side in [1.0, -1.0] {
+                    let mut expression = violation.clone().plus_constant(-step.tightening[facet]);
+                    expression.add(&slack(node * self.parts, row), side);
+                    builder.nonnegative(expression, RowOrigin::Facet { facet, node });
+                }
+            }
+        }
+        let widening = |instant: usize, bend: f64| {
+            let free = violation.clone().plus_constant(-TIGHTENING - bend);
+            Widening::by(&free).with_stretch(&self.duration_change(step, self.leg_of(instant)))
+        };
+        let mut places = Vec::with_capacity(chosen.len());
+        for (&RowAt { row, instant }, &bend) in chosen.iter().zip(step.local_tightening) {
+            places.push(matches!(row, Row::Facet(_) | Row::Command { .. }).then(|| builder.inequalities()));
+            match row {
+                Row::Facet(facet) => {
+                    let free = step.tightening[facet] + bend;
+                    let mut expression = violation.clone().plus_constant(-free);
+                    expression.add(&slack(instant, &self.set.rows[facet]), 1.0);
+                    builder.nonnegative(expression, RowOrigin::Facet { facet, node: instant / self.parts });
+                }
+                Row::Limit(limit) => {
+                    self.limit(&mut builder, limit, instant, &widening(instant, bend));
+                }
+                Row::Upright => self.upright(&mut builder, instant, &widening(instant, bend)),
+                Row::Command { facet, slope } => {
+                    // Where no such interval is, a row that says nothing keeps the places in step.
+                    let mut expression =
+                        self.command_row(step, facet, (instant, slope), &mut commands).unwrap_or_default();
+                    expression.add(&violation, 1.0);
+                    let node = instant / self.parts;
+                    builder.nonnegative(expression, RowOrigin::Lag { facet, node, after: slope == Slope::After });
+                }
+            }
+        }
+        self.durations(&mut builder, step);
+        self.stay_near(&mut builder, step);
+        builder.linear(sigma, step.penalty);
+        if step.smoothing > 0.0 {
+            self.cost(&mut builder, step.smoothing / self.cost_of(step.from).max(f64::MIN_POSITIVE));
+        }
+        let program = builder.finish();
+        let equal = match program.cones.first() {
+            Some(Cone::Zero(rows)) => *rows,
+            _ => 0,
+        };
+        places.iter_mut().flatten().for_each(|place| *place += equal);
+        (program, places)
+    }
+
+    /// What derivatives on the later side of a waypoint have more than on the earlier: both legs share the motion in
+    /// the new time, `D (1 - m delta) = D' (1 - m delta')` to first order.
+    pub(super) fn bend(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
+        if node == 0 || order == 0 {
+            return Affine::default();
+        }
+        let (before, after) = (self.leg_of(node * self.parts), self.leg_of(node * self.parts + 1));
+        if step.legs[before] == step.legs[after] {
+            return Affine::default();
+        }
+        let factor = order as f64 * step.from[node][axis][order];
+        let mut bend = self.duration_change(step, after).times(factor);
+        bend.add(&self.duration_change(step, before), -factor);
+        bend
+    }
+
+    /// Durations change within the step's range; where a shorter time is sought, each counts by its share.
+    fn durations(&self, builder: &mut Builder, step: &Step) {
+        for segment in self.grid.segments.iter() {
+            let leg = segment.from;
+            if step.legs[leg].is_none() || step.legs[..leg].contains(&step.legs[leg]) {
+                continue;
+            }
+            let change = self.duration_change(step, leg);
+            let (least, most) = (variable(step.range.0), variable(step.range.1));
+            if least == most {
+                builder.zero(change.plus_constant(-least), RowOrigin::Duration { leg });
+            } else {
+                builder.nonnegative(change.clone().plus_constant(-least), RowOrigin::Duration { leg });
+                builder.nonnegative(change.times(-1.0).plus_constant(most), RowOrigin::Duration { leg });
+            }
+        }
+        let duration = |leg: usize| self.grid.segments[leg].duration;
+        for span in step.spans.iter().filter(|span| step.legs[(*span).clone()].iter().any(Option::is_some)) {
+            let whole: f64 = span.clone().map(duration).sum();
+            let mut sum = Affine::constant(0.0);
+            span.clone().for_each(|leg| sum.add(&self.duration_change(step, leg), duration(leg) / whole));
+            builder.zero(sum, RowOrigin::Duration { leg: span.end - 1 });
+        }
+        if step.objective == Objective::Time {
+            for segment in &self.grid.segments {
+                for (variable, share) in self.duration_change(step, segment.from).terms {
+                    builder.linear(variable, share * segment.duration / self.grid.total);
+                }
+            }
+        }
+    }
+
+    /// `factor . (s' - s)` for each factor of the curvature at an instant; see [`Step::curvature`].
+    fn curved_changes(&self, (instant, from, factors): &(usize, NodeState, Vec<FlatState>)) -> Vec<Affine> {
+        let direction =
+            |(axis, order): (usize, usize)| self.derivative(*instant, axis, order).plus_constant(-from[axis][order]);
+        let directions = DIRECTIONS.map(direction);
+        let change = |factor: &FlatState| {
+            let mut change = Affine::default();
+            for (direction, weight) in directions.iter().zip(factor.iter()) {
+                change.add(direction, *weight);
+            }
+            change
+        };
+        factors.iter().map(change).collect()
+    }
+
+    /// Keeps the inputs near those of the last motion; each is compared to its mean square, those of the coordinates together.
+    fn stay_near_inputs(&self, builder: &mut Builder, step: &Step) {
+        let steps: Vec<f64> = self.grid.steps().collect();
+        let square = |axis: usize, k: usize| {
+            let [u0, u1] = [k, k + 1].map(|node| step.from[node][axis][self.orders[axis]]);
+            (u0 * u0 + u0 * u1 + u1 * u1) / 3.0
+        };
+        for group in [&[X, Y, Z][..], &[YAW]] {
+            let sum: f64 = group
+                .iter()
+                .flat_map(|&axis| steps.iter().enumerate().map(move |(k, h)| (axis, k, h)))
+                .map(|(axis, k, h)| h * square(axis, k))
+                .sum();
+            if sum == 0.0 {
+                continue;
+            }
+            for (k, h) in steps.iter().enumerate() {
+                for &axis in group {
+                    let order = self.orders[axis];
+                    let [d0, d1] = [k, k + 1]
+                        .map(|node| self.at_node(node, axis, order).plus_constant(-step.from[node][axis][order]));
+                    let c = 0.5 * step.input_weight * h / 3.0 / sum;
+                    builder.inner_product(&d0, &d0, c);
+                    builder.inner_product(&d0, &d1, c);
+                    builder.inner_product(&d1, &d1, c);
+                }
+            }
+        }
+    }
+
+    /// Keeps accelerations, and psi, near those of the last motion: there the wrench's curvature lies.
+    fn stay_near(&self, builder: &mut Builder, step: &Step) {
+        let g = self.model.gravity;
+        let mut steps: Vec<f64> = self.grid.steps().collect();
+        steps.push(0.0);
+        // Instants of one interval share their variables.
+        let interval = |instant: usize| instant.saturating_sub(1) / self.parts;
+        for beside in step.curvature.chunk_by(|a, b| interval(a.0) == interval(b.0)) {
+            let changes: Vec<Affine> = beside.iter().flat_map(|curved| self.curved_changes(curved)).collect();
+            builder.squares(&changes, 0.5);
+        }
+        if let Some(commands) = step.commands {
+            self.curve_commands(builder, commands);
+        }
+        if step.input_weight > 0.0 {
+            self.stay_near_inputs(builder, step);
+        }
+        let free: Vec<usize> = self.free_ends().collect();
+        for (node, from) in step.from.iter().enumerate() {
+            let around = 0.5 * (steps[node] + if node > 0 { steps[node - 1] } else { 0.0 });
+            let (sin, cos) = from[YAW][0].sin_cos();
+            let forward = cos * from[X][2] + sin * from[Y][2];
+            let acceleration = forward.hypot(from[Z][2] + g).max(LEAST_ACCELERATION * g);
+            let share = 0.5 * step.proximal_weight * around / self.grid.total;
+            let mut near = |axis: usize, order: usize, scale: f64| {
+                let change = self.at_node(node, axis, order).plus_constant(-from[axis][order]);
+                builder.squares(&[change], share / (scale * scale));
+            };
+            for axis in [X, Y, Z] {
+                near(axis, 2, acceleration);
+            }
+            near(YAW, 0, TURN);
+            // Values at all nodes leave a spline its slopes at the ends, and from there it may swing about between nodes.
+            if free.contains(&node) {
+                let beside = 2.0 * around;
+                // Of an axis whose input is its acceleration all has been said.
+                for axis in [X, Y, Z].into_iter().filter(|&axis| self.orders[axis] > 2) {
+                    near(axis, 3, acceleration / beside);
+                }
+                near(YAW, 1, TURN / beside);
+            }
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! How far a motion passes facets and limits, and which rows the next step needs for it.
+
+use super::*;
+use crate::model::LimitKind;
+
+impl<'e, 'a> ScpPlanner<'e, 'a> {
+    pub(super) fn wrench_at(&self, state: &NodeState) -> Wrench {
+        self.wrench.wrench(&self.hover.model.vehicle, self.hover.model.gravity, state)
+    }
+
+    /// How far a row is passed; a flat set's plane is kept to within [`BACK_OFF`] on both sides.
+    pub(super) fn violation_of_row(&self, facet: usize, wrench: &Wrench) -> f64 {
+        let row = &self.set.rows[facet];
+        let violation = if row.equality { row.violation(wrench) - TIGHTENING } else { row.violation(wrench) };
+        // A wrench that is not finite is outside of everything.
+        if violation.is_nan() { f64::INFINITY } else { violation }
+    }
+
+    /// The excess of every facet and then of every limit for one state.
+    pub(super) fn violations<'s>(
+        &'s self,
+        form: &'s Transcription<'s>,
+        state: &'s NodeState,
+    ) -> impl Iterator<Item = f64> + 's {
+        let wrench = self.wrench_at(state);
+        let facets = (0..self.set.rows.len()).map(move |facet| self.violation_of_row(facet, &wrench));
+        // Places have no width to keep a share of free.
+        let limits = self
+            .hover
+            .mission
+            .limits
+            .iter()
+            .map(move |l| form.violation_of(l, state, 0.0) - if place(l.kind) { ACCEPTED } else { 0.0 });
+        let exact = self.wrench == WrenchModel::Exact;
+        facets.chain(limits).chain(exact.then(|| form.violation_upright(state)))
+    }
+
+    /// The same at an instant, each with its place and with what it keeps free between instants.
+    pub(super) fn violations_at<'s>(
+        &'s self,
+        form: &'s Transcription<'s>,
+        state: &'s NodeState,
+        instant: usize,
+    ) -> impl Iterator<Item = (usize, f64)> + 's {
+        let local_tightening = self.local_tightening.get(&instant);
+        let bend = move |place: usize| local_tightening.and_then(|b| b.get(&place)).copied().unwrap_or(0.0);
+        self.violations(form, state).enumerate().map(move |(place, violation)| (place, violation + bend(place)))
+    }
+
+    /// The largest excess of facets and limits at an instant.
+    pub(super) fn violation_at(&self, form: &Transcription, state: &NodeState, instant: usize) -> f64 {
+        self.violations_at(form, state, instant).map(|e| e.1).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The largest excess over all instants.
+    pub(super) fn violation(&self, iterate: &Iterate) -> f64 {
+        let form = self.transcription(&iterate.grid, &[]);
+        let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.lead_excess_at(iterate, i));
+        (0..form.instants()).map(at).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The largest excess at the nodes and at the instants of `pool`, and where that is none, over all instants.
+    pub(super) fn violation_by(&self, iterate: &Iterate, working_set: &BTreeSet<RowAt>) -> f64 {
+        let form = self.transcription(&iterate.grid, &[]);
+        let between: BTreeSet<usize> = working_set.iter().map(|r| r.instant).filter(|i| i % PARTS != 0).collect();
+        let known = (0..form.instants()).step_by(PARTS).chain(between);
+        let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.lead_excess_at(iterate, i));
+        let violation = known.map(at).fold(f64::NEG_INFINITY, f64::max);
+        if violation > 0.0 { violation } else { self.violation(iterate) }
+    }
+
+    /// Place among the facets and limits of [`Self::excesses`].
+    pub(super) fn row(&self, place: usize) -> Row {
+        let (facets, limits) = (self.set.rows.len(), self.hover.mission.limits.len());
+        match place {
+            p if p < facets => Row::Facet(p),
+            p if p < facets + limits => Row::Limit(p - facets),
+            _ => Row::Upright,
+        }
+    }
+
+    /// The inverse of [`Self::row`]; rows on the lead wrench have no place there.
+    pub(super) fn place(&self, row: Row) -> Option<usize> {
+        match row {
+            Row::Facet(facet) => Some(facet),
+            Row::Limit(limit) => Some(self.set.rows.len() + limit),
+            Row::Upright => Some(self.set.rows.len() + self.hover.mission.limits.len()),
+            Row::Command { .. } => None,
+        }
+    }
+
+    /// What a row keeps free between instants.
+    pub(super) fn bend(&self, RowAt { row, instant }: &RowAt) -> f64 {
+        let local_tightening = self.local_tightening.get(instant);
+        local_tightening
+            .zip(self.place(*row))
+            .and_then(|(local_tightening, place)| local_tightening.get(&place))
+            .copied()
+            .unwrap_or(0.0)
+    }
+
+    /// Rows with an excess over `threshold` at nodes. Equality rows always stand.
+    pub(super) fn rows_at_nodes(&self, iterate: &Iterate, threshold: f64) -> BTreeSet<RowAt> {
+        let form = self.transcription(&iterate.grid, &[]);
+        let mut found = BTreeSet::new();
+        for (node, state) in iterate.states.iter().enumerate() {
+            let instant = node * PARTS;
+            let over = self.violations_at(&form, state, instant).filter(|(_, e)| *e > threshold);
+            found.extend(over.map(|(i, _)| RowAt { row: self.row(i), instant }));
+            found.extend(self.command_rows_at_node(iterate, node, threshold));
+        }
+        found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
+        found
+    }
+
+    /// Between nodes each row that is passed, where it is passed most in an interval. (With only the worst facet of each
+    /// interval programs are smaller, but fewer motions are restored: shortest times came out up to a fifth longer.)
+    pub(super) fn rows_between(&self, iterate: &Iterate) -> BTreeSet<RowAt> {
+        let form = self.transcription(&iterate.grid, &[]);
+        let mut found = BTreeSet::new();
+        for interval in 0..iterate.grid.intervals() {
+            let mut worst: BTreeMap<usize, (f64, usize)> = BTreeMap::new();
+            for instant in interval * PARTS + 1..(interval + 1) * PARTS {
+                let state = iterate.at(instant);
+                for (i, violation) in self.violations_at(&form, &state, instant).filter(|(_, e)| *e > 0.0) {
+                    let entry = worst.entry(i).or_insert((violation, instant));
+                    if violation > entry.0 {
+                        *entry = (violation, instant);
+                    }
+                }
+            }
+            found.extend(worst.into_iter().map(|(i, (_, instant))| RowAt { row: self.row(i), instant }));
+            found.extend(self.command_rows_between(iterate, interval));
+        }
+        found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
+        found
+    }
+
+    /// Each row that a motion violates, on each leg at the instant of its largest violation.
+    pub(super) fn rows_violated_most(&self, iterate: &Iterate) -> BTreeSet<RowAt> {
+        let form = self.transcription(&iterate.grid, &[]);
+        let mut worst: BTreeMap<(usize, usize), (f64, usize)> = BTreeMap::new();
+        for instant in 0..form.instants() {
+            let leg = form.leg_of(instant);
+            for (place, violation) in self.violations_at(&form, &iterate.at(instant), instant).filter(|(_, e)| *e > 0.0)
+            {
+                let entry = worst.entry((place, leg)).or_insert((violation, instant));
+                if violation > entry.0 {
+                    *entry = (violation, instant);
+                }
+            }
+        }
+        let mut found: BTreeSet<RowAt> =
+            worst.into_iter().map(|((place, _), (_, instant))| RowAt { row: self.row(place), instant }).collect();
+        found.retain(|r| !matches!(r.row, Row::Facet(f) if self.set.rows[f].equality));
+        found
+    }
+
+    /// The rows of some limits at every node.
+    pub(super) fn limits_at_nodes(
+        &self,
+        grid: &TimeGrid,
+        wanted: impl Fn(&Limit) -> bool,
+    ) -> impl Iterator<Item = RowAt> {
+        let nodes = 0..grid.nodes();
+        let limits = self.hover.mission.limits.iter().enumerate().filter(move |(_, limit)| wanted(limit));
+        limits.flat_map(move |(limit, _)| {
+            nodes.clone().map(move |node| RowAt { row: Row::Limit(limit), instant: node * PARTS })
+        })
+    }
+
+    /// The rows of limits on places, at every node.
+    pub(super) fn places(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
+        self.limits_at_nodes(grid, |limit| place(limit.kind)).collect()
+    }
+
+    /// The rows that each step has at every node: of limits on places, which do not depend on time, and on yaw. Yaw costs
+    /// little, and its acceleration would oscillate beyond its bounds wherever no row limits it.
+    pub(super) fn rows_everywhere(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
+        let is_yaw = |kind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration);
+        self.limits_at_nodes(grid, |limit| place(limit.kind) || is_yaw(limit.kind)).collect()
+    }
+}

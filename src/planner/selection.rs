@@ -1,0 +1,68 @@
+//! The set a planner imposes: RIP the healthy one, RCP an intersection, RSP the healthy one and the facets
+//! that the RIP plan violates.
+
+pub mod sets;
+
+use crate::admissible::row::{SetRow, row};
+use crate::admissible::{AdmissibleSet, intersection};
+use std::fmt;
+
+/// What a planner imposes on the wrench at every node.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PlanningSet {
+    pub rows: Vec<SetRow>,
+}
+
+impl PlanningSet {
+    /// The minimal description of the intersection of `sets`, measured against the healthy set's widths.
+    pub fn of(sets: &[&AdmissibleSet], healthy: &AdmissibleSet) -> Self {
+        let joint = intersection(sets);
+        let equalities = joint.equalities.iter().map(|e| {
+            let width = healthy.zonotope.width(&e.normal);
+            SetRow { normal: e.normal / width, offset: e.offset / width, equality: true, origin: Vec::new() }
+        });
+        let facets = joint.facets.iter().map(|f| row(f, healthy, f.origin.clone()));
+        PlanningSet { rows: equalities.chain(facets).collect() }
+    }
+
+    /// This set with the given facets of other sets added; planes it already has are not added twice.
+    pub fn with(&self, extra: Vec<SetRow>) -> Self {
+        let mut rows = self.rows.clone();
+        for new in extra {
+            let same = |old: &SetRow| {
+                let (a, b) = (old.normal.normalize(), new.normal.normalize());
+                old.equality == new.equality
+                    && (a - b).amax() < 1e-9
+                    && (old.offset - new.offset).abs() < 1e-9 * old.offset.abs().max(1.0)
+            };
+            match rows.iter_mut().find(|r| same(r)) {
+                Some(old) => old.origin.extend(new.origin),
+                None => rows.push(new),
+            }
+        }
+        PlanningSet { rows }
+    }
+}
+
+/// One row a line, in widths of the healthy set: coefficients of [T, tau_x, tau_y, tau_z], the bound, and the
+/// facets it stands for as `mode.facet` (mode 0 is healthy, the others in the order declared).
+impl fmt::Display for PlanningSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let n = self.rows.len();
+        writeln!(
+            f,
+            "{n} rows at every node: T, tau_x, tau_y, tau_z; the bound, in widths of the healthy set; mode.facet"
+        )?;
+        for row in &self.rows {
+            for v in row.normal.iter() {
+                let v = if v.abs() < 5e-10 { 0.0 } else { *v };
+                write!(f, "  {v:>13.9}")?;
+            }
+            let relation = if row.equality { "= " } else { "<=" };
+            let offset = if row.offset.abs() < 5e-10 { 0.0 } else { row.offset };
+            let origin: Vec<String> = row.origin.iter().map(|o| format!("{}.{}", o.mode, o.facet)).collect();
+            writeln!(f, "  {relation} {offset:>12.9}   {}", origin.join(" "))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,151 @@
+//! Which plans serve as initial guesses of a search. Every command uses the same ones, so that `plan`, `compare` and a campaign
+//! find the same plan for a planner at a time.
+
+use super::{Found, Setting, plan_found, planned_of, time};
+use crate::model::PlanModel;
+use crate::motion::outside::outside;
+use crate::planner::hover::ACCEPTED;
+use crate::planner::hover::{Decision, Planned};
+use crate::planner::selection::PlanningSet;
+use crate::planner::timing::search::{Hint, Shortest};
+use crate::planner::working_set::WorkingSet;
+use crate::solve::Effort;
+
+impl Setting<'_> {
+    /// RIP's plan at one time: from `rcp` if that is a plan at this time, else from nothing. Where that finds none and waypoint
+    /// times are searched for, from the joint RCP's plan at that time, whose set lies inside RIP's, and then from the plan at
+    /// RIP's shortest time (`own`, or a new search) if that is no longer.
+    pub(super) fn rip_at(
+        &self,
+        name: &str,
+        time: f64,
+        rcp: Option<&Planned>,
+        own: Option<&Planned>,
+    ) -> (Decision, Effort) {
+        let set = &self.sets.rip;
+        let (decision, mut effort) = self.at(name, set, time, WorkingSet::default(), rcp.as_slice());
+        let is_settled = |decision: &Decision| !matches!(decision, Decision::Inconclusive(_));
+        if is_settled(&decision) || self.model.plan.model == PlanModel::Hover || !self.model.plan.chooses_times {
+            return (decision, effort);
+        }
+        if !self.sets.names.is_empty() {
+            let (joint, spent) = self.at("RCP", &self.sets.joint, time, WorkingSet::default(), &[]);
+            effort += spent;
+            if let Some(rcp) = planned_of(&joint) {
+                let (again, spent) = self.at(name, set, time, WorkingSet::default(), &[rcp]);
+                effort += spent;
+                if is_settled(&again) {
+                    return (again, effort);
+                }
+            }
+        }
+        let searched = own.is_none().then(|| self.search(name, set, Hint::default(), WorkingSet::default()));
+        let own = own.or(searched.as_ref().and_then(plan_found)).filter(|plan| plan.grid.total <= time);
+        let (found, spent) = match own {
+            Some(own) => self.at(name, set, time, WorkingSet::default(), &[own]),
+            None => (decision, Effort::default()),
+        };
+        effort += spent;
+        effort += searched.map_or(Effort::default(), |found| found.effort);
+        (found, effort)
+    }
+
+    /// The joint RCP's plan as an initial guess at T_d: only if T_d is its own time, and not one that the spec fixes.
+    pub(super) fn at_its_time<'p>(&self, rcp: Option<&'p Planned>) -> Option<&'p Planned> {
+        rcp.filter(|_| self.fixed_time().is_none())
+    }
+
+    /// RIP's shortest time. A search for waypoint times proves nothing and may end longer than RCP's, which RIP never needs to be:
+    /// the joint RCP is searched for in parallel.
+    pub(super) fn rip_own(&self) -> Found {
+        let rip = || self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
+        if self.model.plan.model == PlanModel::Hover || !self.model.plan.chooses_times {
+            return rip();
+        }
+        let joint = || {
+            (!self.sets.names.is_empty())
+                .then(|| self.search("RCP", &self.sets.joint, Hint::default(), WorkingSet::default()))
+        };
+        let (mut rip, joint) = rayon::join(rip, joint);
+        rip.effort += joint.as_ref().map_or(Effort::default(), |found| found.effort);
+        self.at_most(rip, joint.as_ref().and_then(plan_found))
+    }
+
+    /// Plans against single modes that stay inside another mode's set as well, and are shorter than its own, are that mode's too.
+    pub(super) fn share(&self, singles: &mut [Found]) {
+        // With rotors that lag a wrench inside is not enough.
+        if self.model.thrust_lag().is_some() {
+            return;
+        }
+        let plans: Vec<Planned> = singles.iter().filter_map(plan_found).cloned().collect();
+        for (found, set) in singles.iter_mut().zip(&self.sets.singles) {
+            let own = time(found).unwrap_or(f64::INFINITY);
+            let stays_inside = |plan: &&Planned| {
+                let trajectory = plan.trajectory();
+                let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
+                out.max_violation <= ACCEPTED
+            };
+            let shorter = plans.iter().filter(|plan| plan.grid.total < own).filter(stays_inside);
+            if let Some(plan) = shorter.min_by(|a, b| a.grid.total.total_cmp(&b.grid.total)) {
+                *found = found.clone().or_shorter(plan);
+            }
+        }
+    }
+
+    /// RSP's shortest time; `hint.begins` holds the RIP plan that selects, then plans that RSP's set allows.
+    pub(super) fn rsp_own(&self, name: &str, set: &PlanningSet, hint: Hint, working_set: WorkingSet) -> Found {
+        let allowed: Vec<Planned> = hint.initial_guesses.iter().skip(1).cloned().collect();
+        let found = self.search(name, set, hint, working_set);
+        allowed.iter().fold(found, |found, plan| found.or_shorter(plan))
+    }
+
+    /// RSP's plan at one time from the initial guesses `begins`, and if that finds none from the joint RCP's plan at that time,
+    /// which RSP's set allows: `rcp`, or a new one.
+    pub(super) fn rsp_at(
+        &self,
+        name: &str,
+        set: &PlanningSet,
+        time: f64,
+        initial_guesses: &[&Planned],
+        rcp: Option<&Planned>,
+    ) -> (Decision, Effort) {
+        let (decision, mut effort) = self.at(name, set, time, WorkingSet::default(), initial_guesses);
+        if !matches!(decision, Decision::Inconclusive(_)) {
+            return (decision, effort);
+        }
+        let (joint, spent) = match rcp {
+            Some(rcp) => (Decision::Feasible(Box::new(rcp.clone())), Effort::default()),
+            None => self.at("RCP", &self.sets.joint, time, WorkingSet::default(), &[]),
+        };
+        effort += spent;
+        let Some(rcp) = planned_of(&joint) else { return (decision, effort) };
+        let (again, spent) = self.at(name, set, time, WorkingSet::default(), &[rcp]);
+        effort += spent;
+        (again, effort)
+    }
+
+    /// RIP's search, or a further one warm-started from `shortest` if that is shorter: every set lies inside the healthy one, so
+    /// its plan is one of RIP's.
+    pub(super) fn at_most(&self, rip: Found, shortest: Option<&Planned>) -> Found {
+        let is_shorter = |plan: &&Planned| time(&rip).is_none_or(|t| plan.grid.total < t);
+        let Some(better) = shortest.filter(is_shorter) else { return rip };
+        let again = self.search(
+            "RIP",
+            &self.sets.rip,
+            Hint { initial_guesses: vec![better.clone()], ..Hint::default() },
+            WorkingSet::default(),
+        );
+        let mut effort = rip.effort;
+        effort += again.effort;
+        let found = if again.result.is_ok() { again } else { rip };
+        Found { effort, ..found.or_shorter(better) }
+    }
+}
+
+/// RSP's shortest time where nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one would be
+/// RIP's alone, without anything that guards against faults.
+pub(super) fn nothing_selected_at(rip: &Planned) -> Found {
+    let shortest =
+        Shortest { time: rip.grid.total, planned: rip.clone(), infeasible_at: None, infeasible_above: Vec::new() };
+    Found { result: Ok(shortest), working_set: WorkingSet::default(), effort: Effort::default() }
+}

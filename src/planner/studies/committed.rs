@@ -1,0 +1,51 @@
+//! How long a mission is committed to each mode, by what it does after a fault.
+
+use super::Setting;
+use crate::model::AfterFault;
+use crate::motion::Trajectory;
+use crate::motion::outside::{Outside, stretches};
+use crate::planner::selection::PlanningSet;
+use crate::planner::stop::Stops;
+use rayon::prelude::*;
+use std::sync::PoisonError;
+
+impl Setting<'_> {
+    /// Until when a fault of each mode is met by what comes, s: where the mission goes on after it, the last instant outside
+    /// the mode's set; where it holds, the last one from which no stop inside it was found. In the order of `against`.
+    pub(super) fn committed(&self, trajectory: &Trajectory, outside: &[Outside]) -> Vec<f64> {
+        let against = self.model.plan.against.par_iter().zip(&self.sets.modes).zip(outside);
+        against
+            .map(|((&mode, set), out)| match self.model.after_fault(mode) {
+                AfterFault::Hold => self.without_stop(trajectory, set),
+                _ => out.committed(),
+            })
+            .collect()
+    }
+
+    /// The last instant from which no stop was found, s; 0 where there is none.
+    ///
+    /// From the end backwards, to the first node without one. While the plan stays inside, flying on to where there is a stop
+    /// is part of one, so stops are sought only at nodes after which the plan leaves the set.
+    fn without_stop(&self, trajectory: &Trajectory, set: &PlanningSet) -> f64 {
+        let model = self.model;
+        let mut stops = Stops::new(model, self.mission, &self.sets.healthy, set, trajectory.model);
+        let mut sought = |node: usize| stops.find(&trajectory.nodes[node]).is_some();
+        let last = trajectory.intervals();
+        let mut committed = 0.0;
+        // A mission that ends at rest has stopped there.
+        if !self.mission.end_at_rest && !sought(last) {
+            committed = trajectory.duration();
+        } else {
+            for node in (0..last).rev() {
+                let (outside, _) = stretches(trajectory, &model.vehicle, model.gravity, &set.rows, node);
+                let left = outside.iter().map(|s| s.to).max_by(f64::total_cmp);
+                if let Some(left) = left.filter(|_| !sought(node)) {
+                    committed = left;
+                    break;
+                }
+            }
+        }
+        *self.stopping.lock().unwrap_or_else(PoisonError::into_inner) += stops.effort;
+        committed
+    }
+}

@@ -1,0 +1,206 @@
+//! Every planner at its own shortest time and at T_d.
+
+use super::{
+    Comparison, Found, NOTHING_TO_SELECT_BY, Run, RunOutcome, Setting, hint_from, label, plan_found, planned_of, time,
+    time_below,
+};
+use crate::model::{PlanModel, PlannerKind};
+use crate::planner::hover::{Decision, Planned};
+use crate::planner::selection::PlanningSet;
+use crate::planner::studies::candidates::nothing_selected_at;
+use crate::planner::studies::order::put_in_order;
+use crate::planner::timing::search::{Hint, RESOLUTION};
+use crate::planner::working_set::WorkingSet;
+use crate::solve::Effort;
+use rayon::prelude::*;
+
+impl Setting<'_> {
+    /// How many runs [`Self::everything`] makes where there is a T_d.
+    pub(super) fn runs_of_everything(&self) -> usize {
+        let modes = self.sets.names.len();
+        let conservative = if modes > 1 { modes + 1 } else { modes };
+        2 * (conservative + 2)
+    }
+
+    /// RIP, RCP per mode, RCP jointly and RSP, at their own shortest times and at T_d.
+    pub(super) fn everything(&self) -> Comparison {
+        // RIP and the tightest RCP first, side by side: they bound all others.
+        let several = self.sets.names.len() > 1;
+        let (rip, tightest) = rayon::join(
+            || {
+                let found = self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
+                self.ended(1);
+                found
+            },
+            || {
+                (!self.sets.names.is_empty()).then(|| {
+                    let found = self.search("RCP", &self.sets.joint, Hint::default(), WorkingSet::default());
+                    self.ended(1);
+                    found
+                })
+            },
+        );
+        let mut effort = Effort::default();
+        effort += tightest.as_ref().map_or(Effort::default(), |f| f.effort);
+        let above_rip = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
+        let mut singles: Vec<Found> = Vec::new();
+        if let Some(joint) = tightest.as_ref().filter(|_| several) {
+            let initial_guesses = plan_found(joint).cloned().into_iter().collect();
+            singles = self.singles_own(&rip, Hint { feasible: time(joint), initial_guesses, ..above_rip.clone() });
+            singles.iter().for_each(|f| effort += f.effort);
+            if let Some(plan) = plan_found(joint) {
+                singles = singles.into_iter().map(|single| single.or_shorter(plan)).collect();
+            }
+            self.share(&mut singles);
+        }
+        let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
+        let joint = tightest.as_ref().filter(|_| several);
+        let others = singles.iter().copied().chain(joint).filter_map(plan_found);
+        let shortest = others.min_by(|a, b| a.grid.total.total_cmp(&b.grid.total));
+        let rip = self.at_most(rip, shortest);
+        effort += rip.effort;
+
+        let longest_single = singles.iter().filter_map(|f| time(f)).max_by(f64::total_cmp);
+        let common_time = self.fixed_time().or(joint.and_then(time)).or(longest_single);
+
+        let none: &[String] = &[];
+        let mut runs = vec![self.run(PlannerKind::Rip, none, Run::Own, self.own(&rip), &self.sets.rip)];
+        // Modes, set, and what its own search found.
+        let mut conservative: Vec<(&[String], &PlanningSet, &Found)> = Vec::new();
+        for ((&found, set), name) in singles.iter().zip(&self.sets.singles).zip(&self.sets.names) {
+            conservative.push((std::slice::from_ref(name), set, found));
+        }
+        conservative.extend(joint.map(|j| (self.sets.names.as_slice(), &self.sets.joint, j)));
+        for (against, set, found) in &conservative {
+            runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
+        }
+        let of_exact = self.model.plan.model == PlanModel::Exact;
+        let own = [Some(&rip).filter(|_| !of_exact || self.fixed_time().is_some()), tightest.as_ref()];
+        let known = own.into_iter().flatten().filter_map(plan_found).cloned().collect();
+        let mut out = Comparison { runs, common_time, known, effort, ..self.begun() };
+        if let Some(at) = common_time {
+            let binding = tightest.as_ref().and_then(plan_found);
+            let (decision, spent) = match self.model.plan.model {
+                PlanModel::Exact => self.rip_at("RIP", at, self.at_its_time(binding), plan_found(&rip)),
+                PlanModel::Hover => self.at_or_own("RIP", &self.sets.rip, at, &rip, binding),
+            };
+            out.effort += spent;
+            self.ended(1);
+            let rsp_set = match &decision {
+                Decision::Feasible(planned) => self.select(at, planned, self.at_its_time(binding), &mut out),
+                _ => self.sets.rip.clone(),
+            };
+            let selected = &out.selected;
+            let mut common =
+                vec![self.run(PlannerKind::Rip, none, Run::Common, self.common(at, &decision), &self.sets.rip)];
+            let ((rsp, rsp_common, rsp_effort), others) = rayon::join(
+                || {
+                    let (known, of) = match &tightest {
+                        Some(found) => (found, &self.sets.joint),
+                        None => (&rip, &self.sets.rip),
+                    };
+                    let working_set = known.working_set.translated(of, &rsp_set);
+                    let at_once = Some(&decision).filter(|_| selected.is_empty());
+                    self.rsp_own_and_common(
+                        &rsp_set,
+                        at,
+                        (&rip, &decision, binding),
+                        above_rip.clone(),
+                        at_once,
+                        working_set,
+                    )
+                },
+                || {
+                    let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
+                        let label = label(PlannerKind::Rcp, against);
+                        let (decision, spent) = match planned_of(&decision).filter(|plan| self.is_inside(plan, set)) {
+                            // Least cost in the healthy set is least cost in every set inside it that holds the plan.
+                            Some(rip) if of_exact => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
+                            _ => self.at_or_own(&label, set, at, found, binding),
+                        };
+                        let ending = self.common(at, &decision);
+                        self.ended(1);
+                        (self.run(PlannerKind::Rcp, against, Run::Common, ending, set), spent)
+                    };
+                    conservative.par_iter().map(work).collect::<Vec<_>>()
+                },
+            );
+            out.effort += rsp_effort;
+            for (run, spent) in others {
+                common.push(run);
+                out.effort += spent;
+            }
+            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Own, rsp, &rsp_set));
+            common.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp_common, &rsp_set));
+            out.runs.extend(common);
+        }
+        put_in_order(&mut out.runs, self.sets.names.len());
+        out
+    }
+
+    /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there. `rip_at` is RIP's
+    /// decision at T_d, which RSP's is where `nothing_selected` is that decision too; `rcp` is the joint RCP's plan at its own time,
+    /// which RSP's set allows. Without a plan of RIP there is nothing to select by, and RSP's own time is not searched for. The
+    /// own time's ending, then that at T_d.
+    fn rsp_own_and_common(
+        &self,
+        set: &PlanningSet,
+        at: f64,
+        (rip, rip_at, rcp): (&Found, &Decision, Option<&Planned>),
+        above_rip: Hint,
+        nothing_selected: Option<&Decision>,
+        working_set: WorkingSet,
+    ) -> (RunOutcome, RunOutcome, Effort) {
+        if let Some(same) = nothing_selected {
+            self.ended(2);
+            let (own, common) = match same {
+                Decision::Feasible(planned) if self.fixed_time().is_none() => {
+                    (self.own(&nothing_selected_at(planned)), self.common(at, same))
+                }
+                Decision::Feasible(_) => (self.own(rip), self.common(at, same)),
+                _ => (RunOutcome::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() }, self.without_rip(at, same)),
+            };
+            return (own, common, Effort::default());
+        }
+        if self.model.plan.model == PlanModel::Exact {
+            let first: Vec<&Planned> = planned_of(rip_at).into_iter().chain(self.at_its_time(rcp)).collect();
+            let (decision, mut effort) = self.rsp_at("RSP", set, at, &first, None);
+            self.ended(1);
+            let ending = self.common(at, &decision);
+            let initial_guesses = planned_of(rip_at).into_iter().chain(rcp).cloned().collect();
+            let hint = match self.at_its_time(rcp) {
+                Some(rcp) => hint_from(at, Decision::Feasible(Box::new(rcp.clone()))),
+                None => hint_from(at, decision),
+            };
+            let own = self.rsp_own("RSP", set, Hint { initial_guesses, ..hint }, working_set);
+            self.ended(1);
+            effort += own.effort;
+            return (self.own(&own), ending, effort);
+        }
+        // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
+        let below = at - RESOLUTION;
+        let ((decision, mut effort), shorter) = rayon::join(
+            || self.at("RSP", set, at, working_set.clone(), &[]),
+            || self.fixed_time().is_none().then(|| self.at("RSP", set, below, working_set.clone(), &[])),
+        );
+        let ending = self.common(at, &decision);
+        self.ended(1);
+        let mut hint = hint_from(at, decision);
+        if let Some((shorter, spent)) = shorter {
+            effort += spent;
+            match shorter {
+                Decision::Infeasible => hint.infeasible = Some(below),
+                feasible @ Decision::Feasible(_) => hint = hint_from(below, feasible),
+                Decision::Inconclusive(_) => {}
+            }
+        }
+        hint.infeasible = hint.infeasible.or(above_rip.infeasible);
+        let mut own = self.search("RSP", set, hint, working_set);
+        self.ended(1);
+        effort += own.effort;
+        if let Some(rcp) = rcp {
+            own = own.or_shorter(rcp);
+        }
+        (self.own(&own), ending, effort)
+    }
+}

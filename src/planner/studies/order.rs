@@ -1,0 +1,68 @@
+//! The order of times: a plan inside a smaller set is one inside a larger set, so that RIP takes no longer than RSP, RSP no
+//! longer than the joint RCP, and RCP against one mode no longer than against all.
+
+use super::{Found, PlannerRun, Run, RunOutcome, Solved};
+use crate::model::PlannerKind;
+use crate::planner::hover::Planned;
+use crate::planner::timing::search::Shortest;
+
+impl Found {
+    /// The same, or another set's plan where that is shorter and this set allows what that one does: steps that find and do not
+    /// prove can end with a longer plan for the larger set.
+    pub(super) fn or_shorter(mut self, other: &Planned) -> Found {
+        let (own, proved) = match &self.result {
+            Ok(s) => (s.time, s.infeasible_at),
+            Err(_) => (f64::INFINITY, None),
+        };
+        let time = other.grid.total;
+        if time < own {
+            let infeasible_at = proved.filter(|&below| below < time);
+            self.result = Ok(Shortest { time, planned: other.clone(), infeasible_at, infeasible_above: Vec::new() });
+        }
+        self
+    }
+}
+
+/// The order of own times, exactly. A planner's plan at T_d may be shorter than what its own search found; and from the smallest
+/// set to the largest a shorter plan of an inner set takes the place of a longer one: the joint RCP's, single modes', RSP's, RIP's.
+pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize) {
+    let common: Vec<PlannerRun> = runs.iter().filter(|run| run.run == Run::Common).cloned().collect();
+    for own in runs.iter_mut().filter(|run| run.run == Run::Own) {
+        let same = common.iter().find(|run| run.planner == own.planner && run.against == own.against);
+        if let Some(RunOutcome::Solved(at)) = same.map(|run| &run.ending) {
+            own.ending = shorter(&own.ending, at);
+        }
+    }
+    // How many sets a plan keeps to, as a rank: who keeps to fewer may take the plans of those who keep to more.
+    let rank = |run: &PlannerRun| match run.planner {
+        PlannerKind::Rcp if run.against.len() == modes => 3,
+        PlannerKind::Rcp => 2,
+        PlannerKind::Rsp => 1,
+        PlannerKind::Rip => 0,
+    };
+    let flows = |inner: &PlannerRun, outer: &PlannerRun| match outer.planner {
+        PlannerKind::Rip => true,
+        _ => rank(inner) == 3 && rank(outer) < 3,
+    };
+    let mut order: Vec<usize> = (0..runs.len()).filter(|&i| runs[i].run == Run::Own).collect();
+    order.sort_by_key(|&i| std::cmp::Reverse(rank(&runs[i])));
+    for (place, &outer) in order.iter().enumerate() {
+        for &inner in &order[..place] {
+            if let (true, RunOutcome::Solved(plan)) = (flows(&runs[inner], &runs[outer]), &runs[inner].ending) {
+                runs[outer].ending = shorter(&runs[outer].ending, plan);
+            }
+        }
+    }
+}
+
+/// An own time's ending, or another plan that its set allows where that is shorter.
+fn shorter(own: &RunOutcome, other: &Solved) -> RunOutcome {
+    let proved = match own {
+        RunOutcome::Solved(solved) if solved.time <= other.time => return own.clone(),
+        RunOutcome::Solved(solved) => solved.infeasible_at.filter(|&below| below < other.time),
+        RunOutcome::Inconclusive { .. } => None,
+        // RSP that has nothing to select by is not attempted, whatever plans there are.
+        _ => return own.clone(),
+    };
+    RunOutcome::Solved(Box::new(Solved { infeasible_at: proved, infeasible_above: Vec::new(), ..other.clone() }))
+}

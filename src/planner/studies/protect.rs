@@ -1,0 +1,252 @@
+//! `require risk <= bound`: what to protect, chosen greedily.
+//!
+//! Beginning with the healthy set alone, each step tries, for the modes that weigh most, the one facet passed last, all the
+//! facets that the plan passes, and the mode's whole set, and adds what takes away most risk per second of mission time.
+//! Greedy: a cleverer order or choice may need less time, and none is claimed to be the shortest.
+
+use super::{Comparison, Run, RunOutcome, Setting, Solved, planned_of};
+use crate::admissible::row::SetRow;
+use crate::model::PlannerKind;
+use crate::motion::outside::{Stretch, stretches};
+use crate::motion::risk::risk;
+use crate::planner::hover::{Decision, Planned};
+use crate::planner::selection::PlanningSet;
+use crate::planner::timing::search::Hint;
+use crate::planner::working_set::WorkingSet;
+use crate::solve::Effort;
+use rayon::prelude::*;
+
+/// Modes tried in a step: those that weigh most.
+const MOST_MODES: usize = 4;
+
+/// Single facets added; after them facets are only tried together, so that the steps stay few.
+const MOST_SINGLES: usize = 8;
+
+/// What is said where the required risk is not met.
+pub const UNMET: &str = "the required risk is not met";
+
+/// What a step protects.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Protection {
+    /// The healthy set alone.
+    Nothing,
+    /// The facets of a mode's set that the plan before passes at nodes, or the one that it passes last.
+    Facets { mode: String, facets: usize },
+    /// A mode's whole set.
+    Mode { mode: String },
+    /// Every mode's, where no single addition takes any risk away.
+    All,
+}
+
+/// One step of the trade-off.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Addition {
+    pub added: Protection,
+    /// Of the mission with all that is protected so far, s.
+    pub time: f64,
+    pub risk: f64,
+}
+
+/// What a step may add.
+struct Candidate {
+    added: Protection,
+    rows: Vec<SetRow>,
+    /// The modes whose whole sets these are.
+    whole: Vec<usize>,
+    /// Whether it is the one facet that the plan passes last.
+    single: bool,
+}
+
+/// A plan with all that is protected so far.
+struct Step {
+    added: Protection,
+    set: PlanningSet,
+    /// Single facets added so far.
+    singles: usize,
+    /// The modes whose whole sets are protected.
+    whole: Vec<usize>,
+    solved: Solved,
+    planned: Planned,
+    risk: f64,
+}
+
+impl Setting<'_> {
+    fn risk_of(&self, solved: &Solved) -> f64 {
+        risk(self.weights(solved))
+    }
+
+    /// Rate (1/s) and committed time (s) of each mode; one without a rate, which the spec refuses, counts for nothing.
+    fn weights(&self, solved: &Solved) -> Vec<(f64, f64)> {
+        let rates = self.model.plan.against.iter().map(|&mode| self.model.modes[mode].rate.unwrap_or(0.0));
+        rates.zip(solved.committed.iter().copied()).collect()
+    }
+
+    /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before.
+    /// `what` is tried, for whoever follows the progress.
+    fn plan_of(
+        &self,
+        what: &str,
+        set: &PlanningSet,
+        before: Option<&Step>,
+    ) -> (Result<(Solved, Planned), RunOutcome>, Effort) {
+        let initial_guesses = before.map(|step| &step.planned);
+        let time = self.fixed_time().or(before.map(|step| step.solved.time));
+        let mut effort = Effort::default();
+        let mut hint = Hint::default();
+        if let Some(time) = time {
+            let (decision, spent) = self.at(what, set, time, WorkingSet::default(), initial_guesses.as_slice());
+            effort += spent;
+            if let Some(planned) = planned_of(&decision) {
+                // What was shown infeasible for the larger set is so for this one.
+                let infeasible_at = before.and_then(|step| step.solved.infeasible_at);
+                return (Ok((Solved { infeasible_at, ..self.solved(time, planned) }, planned.clone())), effort);
+            }
+            if self.fixed_time().is_some() {
+                return (Err(self.common(time, &decision)), effort);
+            }
+            let infeasible = matches!(decision, Decision::Infeasible).then_some(time);
+            hint = Hint {
+                near: Some(time),
+                infeasible,
+                initial_guesses: initial_guesses.cloned().into_iter().collect(),
+                ..hint
+            };
+        }
+        let found = self.search(what, set, hint, WorkingSet::default());
+        effort += found.effort;
+        let ending = self.own(&found);
+        match (ending, found.result) {
+            (RunOutcome::Solved(solved), Ok(shortest)) => (Ok((*solved, shortest.planned)), effort),
+            (ending, _) => (Err(ending), effort),
+        }
+    }
+
+    /// What a step may add.
+    fn candidates(&self, step: &Step) -> Vec<Candidate> {
+        let weights = self.weights(&step.solved);
+        let mut modes: Vec<(usize, f64)> =
+            weights.iter().enumerate().map(|(m, w)| (m, w.0 * w.1)).filter(|m| m.1 > 0.0).collect();
+        modes.retain(|m| !step.whole.contains(&m.0));
+        modes.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let mut all = Vec::new();
+        for &(m, _) in modes.iter().take(MOST_MODES) {
+            let mode = self.sets.names[m].clone();
+            let rows = &self.sets.modes[m].rows;
+            let mut facets = |which: &[usize], single: bool| {
+                let added = Protection::Facets { mode: mode.clone(), facets: which.len() };
+                let rows = which.iter().map(|&f| rows[f].clone()).collect();
+                all.push(Candidate { added, rows, whole: Vec::new(), single });
+            };
+            let passed = &step.solved.outside[m].facets;
+            if !passed.is_empty() {
+                facets(passed, false);
+            }
+            let last = self.passed_last(&step.solved, m).filter(|f| step.singles < MOST_SINGLES && passed[..] != [*f]);
+            if let Some(facet) = last {
+                facets(&[facet], true);
+            }
+            let added = Protection::Mode { mode };
+            all.push(Candidate { added, rows: rows.clone(), whole: vec![m], single: false });
+        }
+        all
+    }
+
+    /// The facet of a mode's set that commits the mission longest: the one passed last, up to the last instant from which the
+    /// mission is committed. Protecting any other leaves that instant as it is.
+    fn passed_last(&self, solved: &Solved, mode: usize) -> Option<usize> {
+        let (trajectory, until) = (&solved.trajectory, solved.committed[mode]);
+        let rows = &self.sets.modes[mode].rows;
+        let before = (0..trajectory.intervals()).rev().filter(|&k| trajectory.times[k] < until);
+        let last = |k: usize| -> Option<Stretch> {
+            let (found, _) = stretches(trajectory, &self.model.vehicle, self.model.gravity, rows, k);
+            found.into_iter().filter(|s| s.from < until).max_by(|a, b| a.to.total_cmp(&b.to))
+        };
+        before.into_iter().find_map(last).map(|stretch| stretch.row)
+    }
+
+    fn tried(&self, before: &Step, candidate: Candidate) -> (Result<Step, RunOutcome>, Effort) {
+        let Candidate { added, rows, whole, single } = candidate;
+        let set = before.set.with(rows);
+        let (result, effort) = self.plan_of(&before.trying(&added), &set, Some(before));
+        let whole = before.whole.iter().copied().chain(whole).collect();
+        let step = result.map(|(solved, planned)| {
+            let risk = self.risk_of(&solved);
+            Step { added, set, whole, singles: before.singles + usize::from(single), solved, planned, risk }
+        });
+        (step, effort)
+    }
+
+    /// Protects until the risk is at most `bound`.
+    pub(super) fn protect(&self, bound: f64) -> Comparison {
+        let mut out = self.begun();
+        let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
+        let finish = |mut out: Comparison, ending: RunOutcome, set: &PlanningSet| {
+            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, which, ending, set));
+            out
+        };
+        let (first, effort) = self.plan_of("RIP", &self.sets.rip, None);
+        out.effort += effort;
+        let mut step = match first {
+            Ok((solved, planned)) => {
+                let risk = self.risk_of(&solved);
+                let set = self.sets.rip.clone();
+                Step { added: Protection::Nothing, set, whole: Vec::new(), singles: 0, solved, planned, risk }
+            }
+            Err(ending) => return finish(out, ending, &self.sets.rip),
+        };
+        loop {
+            out.trade_off.push(Addition { added: step.added.clone(), time: step.solved.time, risk: step.risk });
+            if step.risk <= bound {
+                out.selected = step.set.rows[self.sets.rip.rows.len().min(step.set.rows.len())..].to_vec();
+                return finish(out, RunOutcome::Solved(Box::new(step.solved)), &step.set);
+            }
+            let tried: Vec<(Result<Step, RunOutcome>, Effort)> =
+                self.candidates(&step).into_par_iter().map(|candidate| self.tried(&step, candidate)).collect();
+            tried.iter().for_each(|t| out.effort += t.1);
+            let gains = |next: &Step| (next.risk < step.risk).then(|| price(&step, next));
+            let best = tried
+                .into_iter()
+                .filter_map(|t| t.0.ok())
+                .filter_map(|next| Some((gains(&next)?, next)))
+                .max_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(std::cmp::Ordering::Equal));
+            let all: Vec<usize> = (0..self.sets.names.len()).collect();
+            step = match best {
+                Some((_, next)) => next,
+                None if step.whole != all => {
+                    let rows = self.sets.joint.rows.clone();
+                    let every = Candidate { added: Protection::All, rows, whole: Vec::new(), single: false };
+                    let (joint, effort) = self.tried(&step, every);
+                    out.effort += effort;
+                    match joint {
+                        Ok(next) if next.risk < step.risk => Step { whole: all, ..next },
+                        _ => return finish(out, unmet(&step), &step.set),
+                    }
+                }
+                None => return finish(out, unmet(&step), &step.set),
+            };
+        }
+    }
+}
+
+impl Step {
+    /// What is tried next, for whoever follows the progress.
+    fn trying(&self, added: &Protection) -> String {
+        let protected = match added {
+            Protection::Nothing => "nothing".into(),
+            Protection::Facets { mode, facets } => format!("{facets} facets of {mode}"),
+            Protection::Mode { mode } => mode.clone(),
+            Protection::All => "every mode".into(),
+        };
+        format!("risk {:.2e}, protecting {protected}", self.risk)
+    }
+}
+
+fn unmet(step: &Step) -> RunOutcome {
+    RunOutcome::Inconclusive { at: step.solved.time, status: UNMET.into() }
+}
+
+/// Risk taken away per second of mission time, then at all: what costs no time comes first.
+fn price(before: &Step, after: &Step) -> (f64, f64) {
+    let (gain, seconds) = (before.risk - after.risk, after.solved.time - before.solved.time);
+    (if seconds > 0.0 { gain / seconds } else { f64::INFINITY }, gain)
+}

@@ -1,0 +1,213 @@
+//! Rounds of selection, the paper's dial: step (e) of section 5.3 done again and again at one mission time.
+//!
+//! RIP is no round, RSP one. Facets passed at any node are selected, in the exact model at any instant, and stand at all of
+//! them. In the hover model, at a time at which RCP has a plan, rounds end at RCP's plan: each program is a relaxation of
+//! RCP's, and a plan that passes no facet solves it.
+
+use super::{Comparison, Progress, RunOutcome, Setting};
+use crate::admissible::row::SetRow;
+use crate::model::{Mission, Model};
+use crate::motion::Trajectory;
+use crate::planner::hover::{Decision, Planned};
+use crate::planner::selection::PlanningSet;
+use crate::planner::studies::times::with_time_of_its_end;
+use crate::planner::timing::search::RESOLUTION;
+use crate::planner::working_set::WorkingSet;
+use crate::solve::Effort;
+use std::collections::BTreeMap;
+use std::iter;
+
+/// Steps in which a time with a plan is looked for beyond T_d, each 5 % longer.
+const MOST_STEPS: usize = 20;
+
+/// What one number of rounds gives.
+#[derive(Debug, Clone)]
+pub struct Round {
+    pub rounds: usize,
+    /// Facets of the modes' sets that are selected at T_d.
+    pub selected: usize,
+    /// At T_d.
+    pub common: RunOutcome,
+    /// At the shortest time found at which the plan of this many rounds, selected there, exists.
+    pub own: RunOutcome,
+    /// The plans that each of the two selects by.
+    pub common_selected_by: Vec<Trajectory>,
+    pub own_selected_by: Vec<Trajectory>,
+}
+
+/// The plans of rounds 0, 1, ... at one time, each with the facets selected for it. Where nothing new is passed the last
+/// stands for all further rounds; where there is no plan, no further round has one.
+type Chain = Vec<(Vec<SetRow>, Decision)>;
+
+/// Rounds `first..=last` at T_d, and each at its own shortest time with the selection redone there. `common_time` is
+/// T_d; none where no mode has a plan at any time. `progress` is told the round and each mission time tried.
+pub fn rounds(
+    model: &Model,
+    mission: &Mission,
+    comparison: &mut Comparison,
+    (first, last): (usize, usize),
+    progress: Progress,
+) -> Vec<Round> {
+    let ended = with_time_of_its_end(model, mission);
+    let (model, mission) = ended.as_ref().map_or((model, mission), |(model, mission)| (model, mission));
+    let setting = Setting::new(model, mission, progress);
+    let Some(common) = comparison.common_time else { return Vec::new() };
+    let known = comparison.known.clone();
+    let mut search =
+        Search { setting: &setting, last, known: &known, chains: BTreeMap::new(), effort: Effort::default() };
+    let at_common = setting.chain(common, last, &known, &mut search.effort);
+    let mut found = Vec::new();
+    for k in first..=last {
+        let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
+        // The plan of the round before, which this one's facets are selected by, is missing.
+        let is_beyond = k >= at_common.len() && super::planned_of(decision).is_none();
+        let ending = match is_beyond {
+            true => setting.without_rip(common, decision),
+            false => setting.common(common, decision),
+        };
+        let common_selected_by = selected_by(&at_common, k);
+        let (own, own_selected_by) = match setting.fixed_time() {
+            Some(_) => (ending.clone(), common_selected_by.clone()),
+            None => search.shortest(k, common),
+        };
+        found.push(Round {
+            rounds: k,
+            selected: selected.len(),
+            common: ending,
+            own,
+            common_selected_by,
+            own_selected_by,
+        });
+    }
+    comparison.effort += search.effort;
+    found
+}
+
+/// The plans that `rounds` rounds select by: those of the rounds before, as far as they go.
+fn selected_by(chain: &Chain, rounds: usize) -> Vec<Trajectory> {
+    chain.iter().take(rounds).filter_map(|(_, decision)| super::planned_of(decision)).map(Planned::trajectory).collect()
+}
+
+struct Search<'s, 'a> {
+    setting: &'s Setting<'a>,
+    last: usize,
+    /// What plans can be begun from.
+    known: &'s [Planned],
+    /// By mission time in multiples of [`RESOLUTION`].
+    chains: BTreeMap<i64, Chain>,
+    effort: Effort,
+}
+
+impl Search<'_, '_> {
+    fn at(&mut self, ticks: i64, rounds: usize) -> Option<&Planned> {
+        let (setting, last, known, effort) = (self.setting, self.last, self.known, &mut self.effort);
+        let chain = self.chains.entry(ticks).or_insert_with(|| setting.chain(seconds(ticks), last, known, effort));
+        super::planned_of(&chain[rounds.min(chain.len() - 1)].1)
+    }
+
+    /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, for the
+    /// selection is another at each: the time found is one below which, by [`RESOLUTION`], no plan was found.
+    fn shortest(&mut self, rounds: usize, common: f64) -> (RunOutcome, Vec<Trajectory>) {
+        let mut high = (common / RESOLUTION - 1e-6).ceil() as i64;
+        let mut tried = 0;
+        let mut low = 0;
+        while self.at(high, rounds).is_none() {
+            low = high;
+            high = (high as f64 * 1.05).ceil() as i64;
+            tried += 1;
+            if tried > MOST_STEPS {
+                let status = crate::planner::scp::NOT_FOUND.into();
+                return (RunOutcome::Inconclusive { at: seconds(low), status }, Vec::new());
+            }
+        }
+        let mut stride = 2;
+        while low == 0 {
+            let down = (high - stride).max(1);
+            match self.at(down, rounds) {
+                Some(_) if down > 1 => high = down,
+                _ => low = down,
+            }
+            stride *= 2;
+        }
+        while high - low > 1 {
+            let middle = (low + high) / 2;
+            match self.at(middle, rounds) {
+                Some(_) => high = middle,
+                None => low = middle,
+            }
+        }
+        let setting = self.setting;
+        match self.at(high, rounds) {
+            Some(planned) => {
+                let ending = RunOutcome::Solved(Box::new(setting.solved(seconds(high), planned)));
+                (ending, self.chains.get(&high).map_or_else(Vec::new, |chain| selected_by(chain, rounds)))
+            }
+            None => {
+                let status = crate::planner::scp::NOT_FOUND.into();
+                (RunOutcome::Inconclusive { at: seconds(high), status }, Vec::new())
+            }
+        }
+    }
+}
+
+fn seconds(ticks: i64) -> f64 {
+    ticks as f64 / (1.0 / RESOLUTION).round()
+}
+
+impl Setting<'_> {
+    /// Step (e) as often as the spec says, from the RIP plan at T_d: RSP's set. What is selected goes to `out`.
+    /// `rcp` is a plan of the joint set, where one is known.
+    pub(super) fn select(&self, time: f64, rip: &Planned, rcp: Option<&Planned>, out: &mut Comparison) -> PlanningSet {
+        let mut planned = rip.clone();
+        for round in 1..=self.model.plan.rounds {
+            if round > 1 {
+                let set = self.sets.rip.with(out.selected.clone());
+                let (decision, effort) = {
+                    let initial_guesses: Vec<&Planned> = iter::once(&planned).chain(rcp).collect();
+                    self.at("RSP", &set, time, WorkingSet::default(), &initial_guesses)
+                };
+                out.effort += effort;
+                match decision {
+                    Decision::Feasible(next) => planned = *next,
+                    _ => break,
+                }
+            }
+            out.selected_by.push(planned.trajectory());
+            let new = self.sets.violated(self.model, &planned);
+            if new.is_empty() {
+                break;
+            }
+            out.selected.extend(new);
+        }
+        self.sets.rip.with(out.selected.clone())
+    }
+
+    /// Rounds 0 to `last` at one time, each begun from the one before or from plans that are known.
+    fn chain(&self, time: f64, last: usize, known: &[Planned], effort: &mut Effort) -> Chain {
+        let mut selected: Vec<SetRow> = Vec::new();
+        let mut chain: Chain = Vec::new();
+        let mut before: Option<Planned> = None;
+        for _ in 0..=last {
+            let set = self.sets.rip.with(selected.clone());
+            let name = format!("round {}", chain.len());
+            // As `everything` does, so that both have one plan.
+            let rcp = self.at_its_time(known.last());
+            let (decision, spent) = match &before {
+                None => self.rip_at(&name, time, rcp, known.first()),
+                Some(before) => {
+                    let first: Vec<&Planned> = iter::once(before).chain(rcp).collect();
+                    self.rsp_at(&name, &set, time, &first, None)
+                }
+            };
+            *effort += spent;
+            before = super::planned_of(&decision).cloned();
+            chain.push((selected.clone(), decision));
+            let new = before.as_ref().map_or(Vec::new(), |planned| self.sets.violated(self.model, planned));
+            if new.is_empty() {
+                break;
+            }
+            selected.extend(new);
+        }
+        chain
+    }
+}

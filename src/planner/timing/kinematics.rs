@@ -1,0 +1,247 @@
+//! How long each leg takes at least, from distances, limits and thrust alone: lower bounds for motions that keep the
+//! spec's limits at every instant, whatever the division of the time, and the planner's initial durations.
+//!
+//! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at most v
+//! and the acceleration at most a in size, a leg of length d takes at least d/v; if the vehicle rests at k of its two ends, at
+//! least `d/v + k v/(2a)` where it reaches v, and `sqrt(2 k d/a)` where it does not (time-optimal control of the double
+//! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
+//! most j asks for `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
+
+use crate::model::{Limit, LimitKind, Mission, Model, PlanModel, Waypoint};
+use crate::planner::transcription::UNBOUNDED;
+use crate::tolerance;
+use std::f64::consts::FRAC_PI_2;
+
+/// Bounds on rates and accelerations of one displacement, SI; infinite where nothing bounds them.
+#[derive(Debug, Clone, Copy)]
+struct Pace {
+    rate: f64,
+    acceleration: f64,
+    jerk: f64,
+}
+
+impl Pace {
+    /// The least time for a displacement with rest at `rests` (0 to 2) of its ends, s.
+    fn least(self, displacement: f64, rests: usize) -> f64 {
+        if displacement <= 0.0 {
+            return 0.0;
+        }
+        let (Pace { rate, acceleration, jerk }, k) = (self, rests as f64);
+        let hurried = (2.0 * k * displacement / acceleration).sqrt();
+        let smooth = ([0.0, 6.0, 32.0][rests.min(2)] * displacement / jerk).cbrt();
+        // The rate is reached if half of `k v^2/a`, what starting and stopping take, is no more than the displacement.
+        let bounded = match rate.is_finite() && 0.5 * k * rate * rate / acceleration <= displacement {
+            true => displacement / rate + 0.5 * k * rate / acceleration,
+            false => hurried,
+        };
+        bounded.max(smooth)
+    }
+}
+
+/// What the limits and the thrust allow.
+#[derive(Debug, Clone, Copy)]
+struct Paces {
+    whole: Pace,
+    horizontal: Pace,
+    up: Pace,
+    down: Pace,
+    turn: Pace,
+}
+
+impl Paces {
+    /// Of a mission under its vehicle's full thrust, with intervals at the ends that allow most; each limit widened by
+    /// `past`, in its SI unit, and all by what the check of plans lets pass ([`tolerance`]).
+    fn of(model: &Model, mission: &Mission, past: &[f64]) -> Self {
+        let upper =
+            |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
+        let most = |kind: LimitKind| {
+            let of_kind = mission.limits.iter().zip(past).filter(|(limit, _)| limit.kind == kind);
+            of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
+        };
+        let vehicle = &model.vehicle;
+        let thrust: f64 = vehicle.rotors.iter().map(|r| r.max_thrust() * r.spread.full_thrust.high).sum();
+        let g = model.gravity;
+        // |(x'', y'', z'' + g)| is at most this.
+        let force = (1.0 + tolerance::MOST_OUTSIDE) * thrust / (vehicle.mass * vehicle.mass_spread.low);
+        // Tilt is kept up to an acceleration: `|(x'', y'')| cos L - (z'' + g) sin L` is at most this share of g.
+        let out = tolerance::MOST_PAST_LIMIT * FRAC_PI_2 * g;
+        let tilt = most(LimitKind::Tilt);
+        // Exactly |(x'', y'')| is a part of the force; about hover only a limit on tilt ties it to the thrust m (z'' + g).
+        let (sideways, any) = match model.plan.model {
+            PlanModel::Exact => (force * tilt.min(FRAC_PI_2).sin() + out, force + g),
+            PlanModel::Hover if tilt < FRAC_PI_2 => (force * tilt.tan() + out / tilt.cos(), f64::INFINITY),
+            PlanModel::Hover => (f64::INFINITY, f64::INFINITY),
+        };
+        let whole = most(LimitKind::Acceleration);
+        // A climb slows under gravity alone and a descent under full thrust: the larger of the two holds for both ends.
+        let vertical = (g + tolerance::MOST_OUTSIDE * force).max(force - g).min(whole);
+        let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
+        Paces {
+            whole: Pace { rate: speed, acceleration: whole.min(any), jerk },
+            horizontal: Pace {
+                rate: speed.min(most(LimitKind::SpeedHorizontal)),
+                acceleration: whole.min(most(LimitKind::AccelerationHorizontal)).min(sideways),
+                jerk,
+            },
+            up: Pace { rate: speed.min(most(LimitKind::Climb)), acceleration: vertical, jerk },
+            down: Pace { rate: speed.min(most(LimitKind::Descent)), acceleration: vertical, jerk },
+            turn: Pace {
+                rate: most(LimitKind::YawRate),
+                acceleration: most(LimitKind::YawAcceleration),
+                jerk: f64::INFINITY,
+            },
+        }
+    }
+
+    /// The least time from one waypoint to the next with rest at `rests` of them, and along what.
+    fn leg(&self, from: &Waypoint, to: &Waypoint, rests: usize) -> LeastLeg {
+        let room = from.within + to.within + 2.0 * tolerance::MOST_MISS;
+        let yaw_room = from.yaw_within + to.yaw_within + 2.0 * tolerance::MOST_MISS;
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|i| to.position[i] - from.position[i]);
+        let all = [
+            (self.horizontal.least(x.hypot(y) - room, rests), Along::Horizontal),
+            (self.up.least(z - room, rests), Along::Up),
+            (self.down.least(-z - room, rests), Along::Down),
+            (self.turn.least((to.yaw - from.yaw).abs() - yaw_room, rests), Along::Turn),
+            (self.whole.least(x.hypot(y).hypot(z) - room, rests), Along::Line),
+        ];
+        let none = LeastLeg { seconds: 0.0, along: Along::Line };
+        all.into_iter().fold(none, |most, (seconds, along)| match seconds > most.seconds {
+            true => LeastLeg { seconds, along },
+            false => most,
+        })
+    }
+}
+
+/// The displacement that a least duration rests on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Along {
+    Line,
+    Horizontal,
+    Up,
+    Down,
+    Turn,
+}
+
+impl Along {
+    /// As reports call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Along::Line => "distance",
+            Along::Horizontal => "horizontal",
+            Along::Up => "climb",
+            Along::Down => "descent",
+            Along::Turn => "yaw",
+        }
+    }
+}
+
+/// The least duration of a leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LeastLeg {
+    /// s
+    pub seconds: f64,
+    pub along: Along,
+}
+
+/// A lower bound on a mission's time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeastTime {
+    /// With holds, s.
+    pub seconds: f64,
+    pub legs: Vec<LeastLeg>,
+    /// The first waypoint with a fixed time before which it cannot be reached, and how soon it can be, s.
+    pub too_early: Option<(usize, f64)>,
+}
+
+/// Sums are rounded down by this share.
+pub const ROUNDING: f64 = 1e-10;
+
+/// Two instants are one within this share of them.
+const SAME_TIME: f64 = 1e-9;
+
+/// The least time in which motions fly a mission that meet its waypoints, fixed times and holds and keep its limits at every
+/// instant, however the time is divided among the legs. `past` widens each limit, in its SI unit.
+pub fn least_time(model: &Model, mission: &Mission, past: &[f64]) -> LeastTime {
+    let points = &mission.waypoints;
+    let last = points.len().saturating_sub(1);
+    let paces = Paces::of(model, mission, past);
+    let rests = |i: usize| points[i].hold > 0.0 || i == 0 && mission.start_at_rest || i == last && mission.end_at_rest;
+    let mut legs = vec![LeastLeg { seconds: 0.0, along: Along::Line }; last];
+    let mut from = 0;
+    for to in 1..=last {
+        // A waypoint that asks for nothing divides no leg.
+        let asks = points[to].within < UNBOUNDED || points[to].time.is_some() || points[to].hold > 0.0;
+        if asks || to == last {
+            let resting = usize::from(rests(from)) + usize::from(rests(to));
+            legs[to - 1] = paces.leg(&points[from], &points[to], resting);
+            from = to;
+        }
+    }
+    let (mut soonest, mut too_early) = (0.0_f64, None);
+    for (i, point) in points.iter().enumerate() {
+        soonest += i.checked_sub(1).map_or(0.0, |leg| legs[leg].seconds);
+        if let Some(due) = point.time {
+            if soonest > due + 2.0 * SAME_TIME * due.max(1.0) && too_early.is_none() {
+                too_early = Some((i, soonest));
+            }
+            soonest = soonest.max(due);
+        }
+        soonest += point.hold;
+    }
+    LeastTime { seconds: (1.0 - ROUNDING) * soonest, legs, too_early }
+}
+
+impl LeastTime {
+    /// Whether a mission of `total` s is shorter than any can be.
+    pub fn is_above(&self, total: f64) -> bool {
+        self.too_early.is_some() || self.seconds > total + 2.0 * SAME_TIME * total.max(1.0)
+    }
+}
+
+/// The same within the limits as the spec has them.
+pub fn least_time_within(model: &Model, mission: &Mission) -> LeastTime {
+    least_time(model, mission, &vec![0.0; mission.limits.len()])
+}
+
+/// Of the least duration of a leg, and of what flying it from rest to rest at half of g takes, the larger is its initial
+/// duration.
+const UNHURRIED: f64 = 1.25;
+const FLOWN_THROUGH: f64 = 0.7;
+
+/// Initial durations of the legs, s: each as long as its own distance, turn and limits ask for.
+pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
+    let least = least_time_within(model, mission).legs;
+    let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity, jerk: f64::INFINITY };
+    let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
+        let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();
+        (UNHURRIED * least.seconds).max(FLOWN_THROUGH * half.least(apart, 2))
+    });
+    let durations: Vec<f64> = legs.collect();
+    // No leg is without time, as none is without a share.
+    let mean = durations.iter().sum::<f64>() / durations.len().max(1) as f64;
+    durations.into_iter().map(|d| if mean > 0.0 { d.max(0.05 * mean) } else { 1.0 }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bang-bang motions by closed form.
+    #[test]
+    fn least_times_are_those_of_bang_bang_motions() {
+        let pace = |rate: f64, acceleration: f64| Pace { rate, acceleration, jerk: f64::INFINITY };
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.max(1.0), "{a} {b}");
+        near(pace(2.0, f64::INFINITY).least(10.0, 2), 5.0);
+        near(pace(f64::INFINITY, 2.0).least(8.0, 2), 4.0); // 2 sqrt(d/a)
+        near(pace(f64::INFINITY, 2.0).least(8.0, 1), 8f64.sqrt()); // sqrt(2 d/a)
+        near(pace(f64::INFINITY, 2.0).least(8.0, 0), 0.0);
+        near(pace(3.0, 2.0).least(12.0, 2), 4.0 + 1.5);
+        near(pace(3.0, 2.0).least(12.0, 1), 4.0 + 0.75);
+        near(pace(3.0, 2.0).least(4.5, 2), 3.0); // it just reaches 3 m/s
+        assert_eq!(pace(3.0, 2.0).least(-1.0, 2), 0.0);
+        let smooth = Pace { jerk: 4.0, ..pace(f64::INFINITY, f64::INFINITY) };
+        near(smooth.least(1.0, 2), 2.0); // half a second each of 4, -4, -4, 4 m/s^3
+        near(smooth.least(18.0, 1), 3.0); // j t^3/6
+    }
+}

@@ -1,0 +1,380 @@
+//! From a mission, a profile and a planning set to a quadratic program.
+//!
+//! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input
+//! (4 for x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is
+//! exact. A derivative of order i is multiplied by tau^i, tau four of the steps beside its node, which brings all variables
+//! and the entries of the rows that join them to like size. With splines the states are eliminated: fewer variables and no
+//! joining rows, but each row couples more of them.
+
+mod mission;
+mod units;
+
+use crate::actuation::Wrench;
+use crate::model::{Mission, Model};
+use crate::motion::hover_map::{ORDER, WrenchMap};
+use crate::motion::time_grid::TimeGrid;
+use crate::motion::{NodeState, X, Y, Z};
+use crate::planner::commands::{CommandAt, CommandMaps, Slope};
+use crate::planner::limits::Widening;
+use crate::planner::selection::PlanningSet;
+use crate::planner::spline::NodeSpline;
+use crate::planner::wrench_expression::WrenchExpression;
+use crate::qp::build::{Affine, Builder};
+use crate::qp::{QuadraticProgram, RowOrigin};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// What the program is to find.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Purpose {
+    /// (48): least weighted squared inputs and waypoint distances, every tolerance (widened by `slack`, m and
+    /// rad) met.
+    Plan { slack: f64 },
+    /// The smallest sigma + epsilon J, where every waypoint is met within its tolerance plus sigma (m) and J
+    /// is the cost (48).
+    Overshoot { epsilon: f64 },
+    /// The smallest sigma + epsilon J, where facet rows are widened by sigma (a share of the healthy set's width),
+    /// limits by sigma times themselves, and sigma is at least `least`. Tolerances and positions stand.
+    Violation { epsilon: f64, least: f64 },
+}
+
+/// A row that a program may do without: an inequality of the set or a limit, at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct RowAt {
+    pub row: Row,
+    /// Instants count from 0; each interval between nodes has [`Transcription::parts`] of them.
+    pub instant: usize,
+}
+
+/// Which row; see [`RowAt`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Row {
+    /// Of the planning set, by place.
+    Facet(usize),
+    /// Of the mission, by place.
+    Limit(usize),
+    /// The thrust's vertical part is at least [`UPRIGHT`] times the weight.
+    Upright,
+    /// Of the planning set, by place, for the lead wrench of rotors that lag.
+    Command { facet: usize, slope: Slope },
+}
+
+/// Share of the weight that the vertical part of the thrust never falls below in the exact model. Nearer to free fall,
+/// and upside down, ZYX angles jump and the direction of a vanishing thrust says nothing.
+pub const UPRIGHT: f64 = 0.1;
+
+/// All that a program is made of but the choice of rows.
+pub struct Transcription<'a> {
+    pub model: &'a Model,
+    pub mission: &'a Mission,
+    /// Without holds: [`TimeGrid::flown`].
+    pub grid: &'a TimeGrid,
+    pub set: &'a PlanningSet,
+    /// One wrench map per instant; those without a row may be empty.
+    pub maps: &'a [WrenchMap],
+    /// The lead wrench at both ends of every interval, where rotors lag and rows are those of [`Self::program`].
+    pub commands: Option<&'a CommandMaps>,
+    /// The axes planned here: all four, or only x, y, z where yaw was planned first.
+    pub axes: &'a [usize],
+    /// The derivative of each axis that is its input; see `WrenchModel::orders`.
+    pub orders: [usize; 4],
+    /// Instants per interval at which rows can stand; 1 where they stand at nodes only.
+    pub parts: usize,
+    /// Of a motion that stops: the state in which a fault meets it. See [`crate::planner::stop`].
+    pub struck: Option<NodeState>,
+    /// Unit of time of the scaled variables at each node, s.
+    taus: Vec<f64>,
+    form: Form,
+}
+
+/// What the variables are.
+enum Form {
+    /// Scaled derivatives at every node.
+    Stages,
+    /// Spline coefficients, for quadruple and double integrators.
+    Splines(Arc<[NodeSpline; 2]>),
+}
+
+/// The splines of quadruple and of double integrators over a profile.
+pub(super) fn splines(grid: &TimeGrid) -> Arc<[NodeSpline; 2]> {
+    Arc::new([4, 2].map(|order| NodeSpline::new(&grid.node_times, order)))
+}
+
+impl<'a> Transcription<'a> {
+    /// With stage variables.
+    pub fn new(
+        model: &'a Model,
+        mission: &'a Mission,
+        grid: &'a TimeGrid,
+        set: &'a PlanningSet,
+        maps: &'a [WrenchMap],
+        axes: &'a [usize],
+    ) -> Self {
+        Transcription {
+            model,
+            mission,
+            grid,
+            set,
+            maps,
+            commands: None,
+            axes,
+            orders: ORDER,
+            parts: 1,
+            struck: None,
+            taus: units::units_of_time(grid),
+            form: Form::Stages,
+        }
+    }
+
+    /// The same with rows on the lead wrench, where rotors lag.
+    pub fn with_commands(self, commands: Option<&'a CommandMaps>) -> Self {
+        Transcription { commands, ..self }
+    }
+
+    /// The same mission with other integrators, and rows also between nodes.
+    pub fn with_orders(self, orders: [usize; 4], parts: usize) -> Self {
+        Transcription { orders, parts, ..self }
+    }
+
+    /// The same from the state in which a fault strikes, if one does, to rest.
+    pub(super) fn stopping_from(self, struck: Option<NodeState>) -> Self {
+        Transcription { struck, ..self }
+    }
+
+    /// The same program of other statements: limits and tolerances of `mission`, planes of `set`, each as many as before.
+    pub(super) fn of_statements(self, mission: &'a Mission, set: &'a PlanningSet) -> Self {
+        Transcription { mission, set, ..self }
+    }
+
+    /// The same program in spline coefficients.
+    pub fn in_splines(self) -> Self {
+        let splines = splines(self.grid);
+        self.in_these(splines)
+    }
+
+    /// The same program in the coefficients of splines made before ([`splines`]), of this profile.
+    pub(super) fn in_these(self, splines: Arc<[NodeSpline; 2]>) -> Self {
+        Transcription { form: Form::Splines(splines), ..self }
+    }
+
+    /// The largest entry of the cost's matrix in spline coefficients, about: snap weights of coefficients that lie a
+    /// few steps apart cancel, so a solver can only be as exact as this is small. Zero with stage variables.
+    pub(super) fn stiffness(&self) -> f64 {
+        let Form::Splines(splines) = &self.form else { return 0.0 };
+        let [quadruple, _] = &**splines;
+        let step = self.grid.steps().fold(f64::INFINITY, f64::min);
+        self.model.plan.snap_weight * step * quadruple.steepest().powi(2)
+    }
+
+    /// The spline of an axis among those for quadruple and double integrators.
+    fn spline<'s>(&self, splines: &'s [NodeSpline; 2], axis: usize) -> &'s NodeSpline {
+        &splines[usize::from(self.orders[axis] == 2)]
+    }
+
+    fn per_node(&self) -> usize {
+        self.axes.iter().map(|&a| self.orders[a] + 1).sum()
+    }
+
+    pub(super) fn nodes(&self) -> usize {
+        self.grid.nodes()
+    }
+
+    /// Instants at which rows can stand: the nodes, and those between them.
+    pub fn instants(&self) -> usize {
+        self.grid.intervals() * self.parts + 1
+    }
+
+    pub fn variables(&self) -> usize {
+        match &self.form {
+            Form::Stages => self.nodes() * self.per_node(),
+            Form::Splines(splines) => self.axes.iter().map(|&a| self.spline(splines, a).coefficients()).sum(),
+        }
+    }
+
+    /// Unit of time of the scaled variables at a node, s.
+    pub(crate) fn tau_at(&self, node: usize) -> f64 {
+        self.taus[node]
+    }
+
+    /// The same of a mean step, s.
+    pub(super) fn mean_tau(&self) -> f64 {
+        units::mean_unit(self.grid)
+    }
+
+    pub(crate) fn taus(&self) -> Vec<f64> {
+        self.taus.clone()
+    }
+
+    pub(super) fn var(&self, node: usize, axis: usize, order: usize) -> usize {
+        let before: usize = self.axes.iter().take_while(|&&a| a != axis).map(|&a| self.orders[a] + 1).sum();
+        node * self.per_node() + before + order
+    }
+
+    /// The derivative at an instant, in SI units, as an expression.
+    pub(super) fn derivative(&self, instant: usize, axis: usize, order: usize) -> Affine {
+        let (interval, part) = (instant / self.parts, instant % self.parts);
+        match part {
+            0 => self.at_node(interval, axis, order),
+            _ => self.inside(interval, part as f64 / self.parts as f64, axis, order),
+        }
+    }
+
+    /// The derivative `share` of the way through an interval, where the input's slope is constant; each variable once.
+    pub(super) fn inside(&self, interval: usize, share: f64, axis: usize, order: usize) -> Affine {
+        let times = &self.grid.node_times;
+        let t = share * (times[interval + 1] - times[interval]);
+        let r = self.orders[axis];
+        let mut sum = Affine { terms: Vec::with_capacity(r + 2), constant: 0.0 };
+        let mut power = 1.0;
+        for j in order..=r {
+            sum.gather(&self.at_node(interval, axis, j), power);
+            power *= t / (j + 1 - order) as f64;
+        }
+        // power is now t^(m+1)/(m+1)!, m = r - order; the slope of the input is (u1 - u0) share / t.
+        sum.gather(&self.at_node(interval, axis, r), -power * share / t);
+        sum.gather(&self.at_node(interval + 1, axis, r), power * share / t);
+        sum
+    }
+
+    /// The derivative at a node.
+    pub(super) fn at_node(&self, node: usize, axis: usize, order: usize) -> Affine {
+        match &self.form {
+            Form::Stages => Affine::term(self.var(node, axis, order), self.tau_at(node).powi(-(order as i32))),
+            Form::Splines(splines) => {
+                let before = self.axes.iter().take_while(|&&a| a != axis);
+                let first: usize = before.map(|&a| self.spline(splines, a).coefficients()).sum();
+                let weights = self.spline(splines, axis).at(node, order);
+                Affine { terms: weights.iter().map(|&(i, w)| (first + i, w)).collect(), constant: 0.0 }
+            }
+        }
+    }
+
+    pub(super) fn plans(&self, axis: usize) -> bool {
+        self.axes.contains(&axis)
+    }
+
+    /// Every row that a program may do without.
+    pub fn every_row(&self) -> Vec<RowAt> {
+        let facets = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality).map(Row::Facet);
+        let rows = facets.chain((0..self.mission.limits.len()).map(Row::Limit));
+        let rows = rows.flat_map(|row| (0..self.instants()).map(move |instant| RowAt { row, instant }));
+        let places = self.commands.into_iter().flat_map(BTreeMap::keys);
+        let commands = places.flat_map(|&(instant, slope)| {
+            let inequalities = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality);
+            inequalities.map(move |facet| RowAt { row: Row::Command { facet, slope }, instant })
+        });
+        rows.chain(commands).collect()
+    }
+
+    /// The program with every row.
+    pub fn full_program(&self, purpose: Purpose) -> QuadraticProgram {
+        self.program(purpose, &self.every_row())
+    }
+
+    /// The program with facets and limits only as `chosen`; equality rows of the set always stand.
+    pub fn program(&self, purpose: Purpose, chosen: &[RowAt]) -> QuadraticProgram {
+        self.program_with(purpose, chosen, None)
+    }
+
+    /// The same without the set: the limits in `chosen`, and thrust m |a + g| up to `most`, N.
+    pub(super) fn relaxed_program(&self, purpose: Purpose, chosen: &[RowAt], most: f64) -> QuadraticProgram {
+        self.program_with(purpose, chosen, Some(most))
+    }
+
+    fn program_with(&self, purpose: Purpose, chosen: &[RowAt], thrust: Option<f64>) -> QuadraticProgram {
+        let sigma = self.variables();
+        let extra = usize::from(!matches!(purpose, Purpose::Plan { .. }));
+        let widening = match purpose {
+            Purpose::Violation { .. } => Affine::term(sigma, 1.0),
+            _ => Affine::constant(0.0),
+        };
+        let mut builder = Builder::new(self.variables() + extra);
+        self.dynamics(&mut builder, &|_, _, _| Affine::default());
+        self.rest(&mut builder);
+        let mut wrenches: BTreeMap<usize, WrenchExpression> = BTreeMap::new();
+        let mut along = |instant: usize, n: &Wrench| {
+            wrenches.entry(instant).or_insert_with(|| self.wrench_expression(instant)).along(n)
+        };
+        let mut commands: BTreeMap<CommandAt, Option<WrenchExpression>> = BTreeMap::new();
+        for (facet, row) in self.set.rows.iter().enumerate().filter(|(_, r)| r.equality && thrust.is_none()) {
+            for node in 0..self.nodes() {
+                let expression = along(node * self.parts, &row.normal).plus_constant(-row.offset);
+                builder.zero(expression, RowOrigin::Facet { facet, node });
+            }
+        }
+        for &RowAt { row, instant } in chosen {
+            let node = instant / self.parts;
+            match row {
+                Row::Facet(facet) => {
+                    let row = &self.set.rows[facet];
+                    let mut expression = along(instant, &-row.normal).plus_constant(row.offset);
+                    expression.add(&widening, 1.0);
+                    builder.nonnegative(expression, RowOrigin::Facet { facet, node });
+                }
+                Row::Limit(limit) => self.limit(&mut builder, limit, instant, &Widening::by(&widening)),
+                Row::Upright => self.upright(&mut builder, instant, &Widening::by(&widening)),
+                Row::Command { facet, slope } => {
+                    let (row, at) = (&self.set.rows[facet], (instant, slope));
+                    let map = self.commands.and_then(|commands| commands.get(&at));
+                    let straight = |_, _, _| Affine::default();
+                    let lead = commands.entry(at).or_insert_with(|| self.command_expression(map?, at, &straight));
+                    // Rows that come from another grid may stand where no interval is.
+                    let Some(lead) = lead else { continue };
+                    let mut expression = lead.along(&-row.normal).plus_constant(row.offset);
+                    expression.add(&widening, 1.0);
+                    builder.nonnegative(expression, RowOrigin::Lag { facet, node, after: slope == Slope::After });
+                }
+            }
+        }
+        if let Some(most) = thrust.filter(|t| t.is_finite()) {
+            let Model { gravity, vehicle, .. } = self.model;
+            for node in 0..self.nodes() {
+                let mut cone = vec![Affine::constant(most / vehicle.mass)];
+                cone.extend([X, Y].map(|axis| self.at_node(node, axis, 2)));
+                cone.push(self.at_node(node, Z, 2).plus_constant(*gravity));
+                builder.cone(cone, RowOrigin::Thrust { node });
+            }
+        }
+        match purpose {
+            Purpose::Violation { epsilon, least } => {
+                self.waypoints(&mut builder, &Affine::constant(0.0));
+                builder.nonnegative(Affine::term(sigma, 1.0).plus_constant(-least), RowOrigin::Violation);
+                builder.linear(sigma, 1.0);
+                self.cost(&mut builder, epsilon);
+            }
+            Purpose::Plan { slack } => {
+                self.waypoints(&mut builder, &Affine::constant(slack));
+                self.cost(&mut builder, 1.0);
+            }
+            Purpose::Overshoot { epsilon } => {
+                self.waypoints(&mut builder, &Affine::term(sigma, 1.0));
+                let smallest = self.mission.waypoints.iter().map(|w| w.within).fold(f64::INFINITY, f64::min);
+                builder.nonnegative(Affine::term(sigma, 1.0).plus_constant(0.9 * smallest), RowOrigin::Overshoot);
+                builder.linear(sigma, 1.0);
+                self.cost(&mut builder, epsilon);
+            }
+        }
+        builder.finish()
+    }
+
+    /// The derivatives at every node, SI units; axes not planned here are left zero.
+    pub fn states(&self, x: &[f64]) -> Vec<NodeState> {
+        let mut states = vec![NodeState::default(); self.nodes()];
+        for (node, state) in states.iter_mut().enumerate() {
+            for &axis in self.axes {
+                for (order, value) in state[axis].iter_mut().enumerate().take(self.orders[axis] + 1) {
+                    *value = self.at_node(node, axis, order).at(x);
+                }
+            }
+        }
+        // What the rows make zero is zero, without the solver's dust.
+        for (node, axis, order) in self.at_rest() {
+            states[node][axis][order] = 0.0;
+        }
+        states
+    }
+}
+
+/// A tolerance this wide binds nothing and gets no row, m or rad: the widest that a spec may say, a thousand times
+/// further than a waypoint may lie from the origin.
+pub const UNBOUNDED: f64 = 1e9;
