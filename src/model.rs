@@ -214,6 +214,12 @@ impl Mission {
         between.iter().skip(1).any(|w| w.time.is_none())
     }
 
+    /// Samples that holds and legs need ([`Mission::least_intervals`]); fewer are warned of.
+    pub fn samples_needed(&self) -> usize {
+        let holds = self.waypoints.iter().filter(|w| w.hold > 0.0).count();
+        holds + (0..self.legs.len()).map(|leg| self.least_intervals(leg)).sum::<usize>()
+    }
+
     /// Whether all waypoints ask for the same yaw, to rounding (1e-12 rad).
     pub fn has_one_yaw(&self) -> bool {
         self.waypoints.iter().all(|w| (w.yaw - self.waypoints[0].yaw).abs() < 1e-12)

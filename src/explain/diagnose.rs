@@ -76,7 +76,7 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, mission: &M
             let [tried, asked] = [conflict.time, asked].map(number);
             format!(" in {a_mission_of}{tried} s, at which they were tried; the spec asks for {asked} s")
         }
-        (true, None) => format!(" in {a_mission_of}{} s, which is long for {it}", number(conflict.time)),
+        (true, None) => format!(" in {a_mission_of}{} s, ample time for {it}", number(conflict.time)),
         (false, _) => String::new(),
     };
     let facets = if conflict.of_selection { " and the facets that the RIP plan selects" } else { "" };
@@ -87,8 +87,12 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, mission: &M
     match (verdict == Verdict::ProvedInfeasible, places) {
         (true, 1) => format!("{verdict}{grid}: a statement of the spec cannot be met{time}"),
         (true, n) => format!("{verdict}{grid}: {n} statements of the spec cannot hold together{time}"),
-        (false, 1) => format!("{verdict}: a plan that meets a statement of the spec{time}"),
-        (false, n) => format!("{verdict}: a plan that meets {n} statements of the spec together{time}"),
+        (false, 1) => format!("{verdict}: a plan that meets this statement{time}; a guess at the cause, not a proof"),
+        (false, n) => {
+            format!(
+                "{verdict}: a plan that meets these {n} statements together{time}; a guess at the cause, not a proof"
+            )
+        }
     }
 }
 

@@ -58,8 +58,7 @@ const MOST_TILT: f64 = 89.0;
 pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> {
     let (model, mission) = (questions.model, questions.mission);
     let mut found = Vec::new();
-    let needed: usize = (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>()
-        + mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+    let needed = mission.samples_needed();
     if model.plan.samples < needed {
         found.extend(attempt(questions, Change::Samples(needed)));
     }

@@ -2,16 +2,17 @@
 
 mod fold;
 
-use super::heat;
 use super::record::{errors, rates};
 use super::table::Table;
 use super::terminal::{WIDTH, head, holds, in_planes};
+use super::{heat, least_time};
 use crate::model::{AfterFault, Mission, MissionTime, Model, PlannerKind};
 use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
 use crate::number::{fixed, number, percent, significant};
 use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, label};
+use crate::planner::timing::kinematics::least_time_within;
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
 
@@ -35,9 +36,11 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         None if comparison.modes.is_empty() => "\nWithout fault modes there is no common time T_d.\n".into(),
         None => "\nNo plan was found for any mode, so there is no common time T_d.\n".into(),
     });
-    out.push_str(&run_table(mission, comparison, Run::Common).render(2));
-    out.push_str(&notes(comparison, Run::Common));
-    out.push_str(&local_optima(comparison));
+    if comparison.runs.iter().any(|run| run.run == Run::Common) {
+        out.push_str(&run_table(mission, comparison, Run::Common).render(2));
+        out.push_str(&notes(comparison, Run::Common));
+        out.push_str(&local_optima(comparison));
+    }
     if !comparison.modes.is_empty() {
         let holds = holds(model);
         let own =
@@ -71,18 +74,21 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         }
     }
     out.push_str(&guarded(comparison));
-    out.push_str(&words(comparison));
+    out.push_str(&words(model, mission, comparison));
     out
 }
 
 /// What the verdicts of the tables mean, where some planner has no plan.
-fn words(comparison: &Comparison) -> String {
+fn words(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     let has = |verdict: Verdict| comparison.runs.iter().any(|run| run.ending.verdict() == verdict);
+    let least = least_time_within(model, mission);
+    let at_any_time = least.too_early.map(|_| {
+        format!("no plan exists at any mission time, because {}.", least_time::sentence(mission, &least, 0.0))
+    });
+    let proved = at_any_time
+        .unwrap_or("no plan exists at any of the times that `--report` lists. Each is proved on its own.".into());
     let meanings = [
-        (
-            Verdict::ProvedInfeasible,
-            "no plan exists at any of the times that `--report` lists. Each is proved on its own.",
-        ),
+        (Verdict::ProvedInfeasible, proved.as_str()),
         (Verdict::NotFound, "no plan was found; one may exist."),
         (Verdict::NotAttempted, "no plan was searched for, for no RIP plan was found to select facets by."),
     ];
@@ -106,7 +112,7 @@ fn selects(comparison: &Comparison) -> bool {
 fn guarded(comparison: &Comparison) -> String {
     let n = comparison.selected.len();
     match (selects(comparison), comparison.common_time.map(number)) {
-        _ if comparison.modes.is_empty() => String::new(),
+        _ if comparison.modes.is_empty() || comparison.common_time.is_none() => String::new(),
         (false, Some(at)) => {
             format!("\nNo RIP plan was found at T_d = {at} s to select facets by, so RSP selects none.\n")
         }
@@ -152,6 +158,9 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
 /// Under the first table: that its times were looked for beside the one that the spec fixes, and with which facets RSP's was.
 fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     let Some(at) = comparison.common_time.map(number) else { return String::new() };
+    let rip = comparison.runs.iter().find(|run| run.planner == PlannerKind::Rip && run.run == Run::Own);
+    let gap = rip.filter(|_| determined(mission).is_none()).and_then(|rip| least_time::gap(model, mission, rip));
+    let bound = gap.and_then(|gap| Some(format!("N{} for RIP).", gap.strip_prefix('n')?.strip_suffix(')')?)));
     let beside = match model.plan.time {
         MissionTime::Fixed(_) if determined(mission).is_none() => {
             Some(format!("The spec asks for {at} s; these times were looked for beside it, for comparison."))
@@ -160,7 +169,7 @@ fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String
     };
     let selected = selects(comparison)
         .then(|| format!("RSP has the facets that are selected at T_d = {at} s, at its own time too."));
-    let text: Vec<String> = beside.into_iter().chain(selected).collect();
+    let text: Vec<String> = bound.into_iter().chain(beside).chain(selected).collect();
     if text.is_empty() {
         return String::new();
     }

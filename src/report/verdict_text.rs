@@ -48,7 +48,14 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
                 THESE_TIMES | THIS_YAW => format!("; there is none {status}, and others may have one"),
                 _ => format!("; a plan may exist; the solver stopped ({status})"),
             };
-            format!("{verdict} at {} s{others} with {samples} samples{more}", number(*at))
+            let least = least_time_within(model, mission);
+            match least.is_above(*at) && !others.is_empty() {
+                true => {
+                    let below = least_time::sentence(mission, &least, *at);
+                    format!("{verdict} at any time tried with {samples} samples{more}, but {below}")
+                }
+                false => format!("{verdict} at {} s{others} with {samples} samples{more}", number(*at)),
+            }
         }
         RunOutcome::NotAttempted { why, .. } => format!("{verdict}: {why}"),
     }

@@ -28,7 +28,7 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
         });
         return;
     }
-    let needed = needed(mission);
+    let needed = mission.samples_needed();
     if samples < needed {
         let message = {
             let (samples, legs) = (plural(samples, "sample"), plural(mission.legs.len(), "leg"));
@@ -45,18 +45,12 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
     }
 }
 
-/// Samples that holds and legs need ([`Mission::least_intervals`]).
-fn needed(mission: &Mission) -> usize {
-    let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
-    holds + (0..mission.legs.len()).map(|leg| mission.least_intervals(leg)).sum::<usize>()
-}
-
 /// Where legs need more than this share of the samples, the times found depend on their number (docs/performance.md).
 const MOST_NEEDED: f64 = 0.6;
 
 /// Warns where the planner searches for times and few samples are left for the longest legs.
 pub fn warn_of_dependence(cx: &mut Context, samples: usize, given: Option<&Expr>, span: Span, mission: &Mission) {
-    let needed = needed(mission);
+    let needed = mission.samples_needed();
     if samples < needed || needed as f64 <= MOST_NEEDED * samples as f64 {
         return;
     }

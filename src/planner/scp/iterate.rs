@@ -96,6 +96,11 @@ impl Iterate {
         Iterate { grid: self.grid.clone(), states, model: self.model }
     }
 
+    /// The same with inputs changed by as little as makes its pieces join ([`Trajectory::joined`]).
+    pub fn with_joined_pieces(&self) -> Iterate {
+        self.with_states(self.trajectory().joined().nodes)
+    }
+
     /// `share` of the way from this motion's states to others at the same nodes.
     pub fn towards(&self, states: &[NodeState], share: f64) -> Vec<NodeState> {
         let blend = |from: &NodeState, to: &NodeState| -> NodeState {

@@ -327,10 +327,12 @@ impl ScpPlanner<'_, '_> {
     ) -> Option<Iterate> {
         let mut iterate = self.minimise_cost(iterate, care, working_set);
         for _ in 0..MOST_TIGHTENINGS {
-            let over = self.between_instants(&iterate);
-            let commands_over = self.commands_between_instants(&iterate);
+            // What is reported and checked is the motion whose pieces join.
+            let joined = iterate.with_joined_pieces();
+            let over = self.between_instants(&joined);
+            let commands_over = self.commands_between_instants(&joined);
             if over.is_empty() && commands_over.iter().all(|violation| *violation <= BETWEEN) {
-                return Some(iterate);
+                return Some(joined);
             }
             for (at, violation) in over {
                 let Some(place) = self.place(at.row) else { continue };

@@ -25,7 +25,7 @@ impl Setting<'_> {
         let set = &self.sets.rip;
         let (decision, mut effort) = self.at(name, set, time, WorkingSet::default(), rcp.as_slice());
         let is_settled = |decision: &Decision| !matches!(decision, Decision::Inconclusive(_));
-        if is_settled(&decision) || self.model.plan.model == PlanModel::Hover || !self.model.plan.chooses_times {
+        if is_settled(&decision) || !self.shares_candidates() {
             return (decision, effort);
         }
         if !self.sets.names.is_empty() {
@@ -55,11 +55,18 @@ impl Setting<'_> {
         rcp.filter(|_| self.fixed_time().is_none())
     }
 
+    /// Whether plans of smaller sets are initial guesses for larger ones. In the hover model a search proves that nothing shorter
+    /// exists on its grid, and where legs share the time by the paper's rule plans are those of that rule.
+    fn shares_candidates(&self) -> bool {
+        let is_exact = self.model.plan.model == PlanModel::Exact;
+        is_exact && (self.model.plan.chooses_times || !self.mission.leaves_times_free())
+    }
+
     /// RIP's shortest time. A search for waypoint times proves nothing and may end longer than RCP's, which RIP never needs to be:
     /// the joint RCP is searched for in parallel.
     pub(super) fn rip_own(&self) -> Found {
         let rip = || self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
-        if self.model.plan.model == PlanModel::Hover || !self.model.plan.chooses_times {
+        if !self.shares_candidates() {
             return rip();
         }
         let joint = || {

@@ -3,7 +3,7 @@
 use super::motion::signed_percent;
 use super::prose::terms;
 use super::verdicts::outside_cells;
-use crate::number::{number, significant};
+use crate::number::{down, number, significant};
 use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved};
 use crate::report::record::{PlannerRecord, Record};
 use maud::{Markup, html};
@@ -21,6 +21,9 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     };
     html! {
         h2 { (headline(comparison)) }
+        @if let Some(bound) = record.planners.iter().filter(|told| told.time_s.is_some()).find_map(|told| told.time_bound_s) {
+            p.note { "No motion that keeps the limits and fixed times takes less than " (down(bound, 4)) " s." }
+        }
         @for which in [Run::Common, Run::Own] {
             @if has_solved(which) {
                 div.scroll tabindex="0" role="region" aria-label=(title(which)) {

@@ -83,10 +83,10 @@ fn no_plan_at_any_time_tried_is_proved() {
     let mut early = planning(mission, PlannerKind::Rip, &[], MissionTime::Minimum);
     early.plan.samples = 40;
     up.plan.time = MissionTime::Minimum;
-    for model in [&up, &early] {
+    for (model, due) in [(&up, "at each of "), (&early, "at any mission time: no motion within the limits reaches")] {
         let (ending, text) = told(model);
         assert!(matches!(ending, RunOutcome::Infeasible { .. }), "{text}");
-        assert!(text.contains("proved infeasible at each of ") && text.contains(" times, "), "{text}");
+        assert!(text.contains(&format!("proved infeasible {due}")), "{text}");
     }
     up.mission.as_mut().unwrap().limits = vec![limit(LimitKind::Climb, 0.05)];
     let (ending, text) = told(&up);
@@ -165,6 +165,20 @@ fn exit_codes_tell_proved_from_not_found() {
     let (code, text) = plan(&format!("{up} yaw 150 deg"), "time = 1 s");
     assert_eq!(code, 4, "{text}");
     assert!(text.contains("not found at 1 s") && !text.contains("proved infeasible"), "{text}");
+}
+
+/// A waypoint that is due before any motion can be there rules out every mission time, whatever planner is asked and however
+/// legs share the time.
+#[test]
+fn a_waypoint_due_too_early_is_proved_infeasible_at_any_mission_time() {
+    let mission = "start at [0, 0, 2] m\n waypoint a at [10, 0, 6] m\n waypoint b at [20, 10, 6] m time 3 s
+        waypoint c at [30, 0, 2] m\n limits { speed <= 5 m/s; tilt <= 25 deg }";
+    for timing in ["optimal", "proportional"] {
+        let (code, text) = plan(mission, &format!("time = minimum; timing = {timing}"));
+        assert_eq!(code, 3, "{text}");
+        let due = "proved infeasible at any mission time: no motion within the limits reaches waypoint 3 before";
+        assert!(text.contains(due) && !text.contains("not found"), "{text}");
+    }
 }
 
 /// Where there is a plan at another time that is said, and no statement is blamed.
