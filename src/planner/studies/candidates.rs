@@ -12,9 +12,9 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::Effort;
 
 impl Setting<'_> {
-    /// RIP's plan at one time: from `rcp` if that is a plan at this time, else from nothing. Where that finds none and waypoint
-    /// times are searched for, from the joint RCP's plan at that time, whose set lies inside RIP's, and then from the plan at
-    /// RIP's shortest time (`own`, or a new search) if that is no longer.
+    /// RIP's plan at one time: from `rcp` if that is a plan at this time, else from nothing. Where candidates are shared, the joint
+    /// RCP's plan at that time, whose set lies inside RIP's, is the next initial guess if it costs less than RIP's or RIP has none;
+    /// and if none is found still, the plan at RIP's shortest time (`own`, or a new search) if that is no longer.
     pub(super) fn rip_at(
         &self,
         name: &str,
@@ -23,30 +23,39 @@ impl Setting<'_> {
         own: Option<&Planned>,
     ) -> (Decision, Effort) {
         let set = &self.sets.rip;
-        let (decision, mut effort) = self.at(name, set, time, WorkingSet::default(), rcp.as_slice());
-        let is_settled = |decision: &Decision| !matches!(decision, Decision::Inconclusive(_));
-        if is_settled(&decision) || !self.shares_candidates() {
-            return (decision, effort);
+        let rip = |guess: Option<&Planned>| self.at(name, set, time, WorkingSet::default(), guess.as_slice());
+        if !self.shares_candidates() {
+            return rip(rcp);
         }
-        if !self.sets.names.is_empty() {
-            let (joint, spent) = self.at("RCP", &self.sets.joint, time, WorkingSet::default(), &[]);
-            effort += spent;
-            if let Some(rcp) = planned_of(&joint) {
-                let (again, spent) = self.at(name, set, time, WorkingSet::default(), &[rcp]);
+        let joint = || self.at("RCP", &self.sets.joint, time, WorkingSet::default(), &[]);
+        let ((mut decision, mut effort), joint) = match rcp.is_none() && !self.sets.names.is_empty() {
+            true => rayon::join(|| rip(None), || Some(joint())),
+            false => (rip(rcp), None),
+        };
+        if let Some((joint, spent)) = &joint {
+            effort += *spent;
+            let costs_less = |rcp: &&Planned| match &decision {
+                Decision::Feasible(rip) => rcp.objective < rip.objective,
+                Decision::Infeasible => false,
+                Decision::Inconclusive(_) => true,
+            };
+            if let Some(rcp) = planned_of(joint).filter(costs_less) {
+                let (again, spent) = rip(Some(rcp));
                 effort += spent;
-                if is_settled(&again) {
-                    return (again, effort);
+                if let Decision::Feasible(_) = again {
+                    decision = again;
                 }
             }
         }
+        if !matches!(decision, Decision::Inconclusive(_)) {
+            return (decision, effort);
+        }
         let searched = own.is_none().then(|| self.search(name, set, Hint::default(), WorkingSet::default()));
+        effort += searched.as_ref().map_or(Effort::default(), |found| found.effort);
         let own = own.or(searched.as_ref().and_then(plan_found)).filter(|plan| plan.grid.total <= time);
-        let (found, spent) = match own {
-            Some(own) => self.at(name, set, time, WorkingSet::default(), &[own]),
-            None => (decision, Effort::default()),
-        };
+        let Some(own) = own else { return (decision, effort) };
+        let (found, spent) = rip(Some(own));
         effort += spent;
-        effort += searched.map_or(Effort::default(), |found| found.effort);
         (found, effort)
     }
 
