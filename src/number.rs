@@ -103,6 +103,24 @@ fn trim(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
+/// Adds the shortest text that reads back as the same number; no `-0`.
+pub fn push_shortest(out: &mut String, v: f64) {
+    use std::fmt::Write;
+    let v = if v == 0.0 { 0.0 } else { v };
+    let written = match v != 0.0 && (v.abs() < 1e-5 || v.abs() >= 1e15) {
+        true => write!(out, "{v:e}"),
+        false => write!(out, "{v}"),
+    };
+    written.expect("a string takes what is written");
+}
+
+/// The shortest text that reads back as the same number; no `-0`.
+pub fn shortest(v: f64) -> String {
+    let mut text = String::new();
+    push_shortest(&mut text, v);
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,22 +156,4 @@ mod tests {
         assert_eq!(shares, ["0", "14.6", "99.5", "99.95", "99.95", "99.96", "99.999", "99.99996", "100"]);
         assert_eq!([0.0, 0.0049, 0.005, 1.2].map(short_seconds), ["< 0.01", "< 0.01", "0.01", "1.20"]);
     }
-}
-
-/// Adds the shortest text that reads back as the same number; no `-0`.
-pub fn push_shortest(out: &mut String, v: f64) {
-    use std::fmt::Write;
-    let v = if v == 0.0 { 0.0 } else { v };
-    let written = match v != 0.0 && (v.abs() < 1e-5 || v.abs() >= 1e15) {
-        true => write!(out, "{v:e}"),
-        false => write!(out, "{v}"),
-    };
-    written.expect("a string takes what is written");
-}
-
-/// The shortest text that reads back as the same number; no `-0`.
-pub fn shortest(v: f64) -> String {
-    let mut text = String::new();
-    push_shortest(&mut text, v);
-    text
 }

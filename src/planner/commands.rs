@@ -82,7 +82,7 @@ impl Transcription<'_> {
         Some(rise.times(1.0 / h))
     }
 
-    /// The lead wrench of states at a node, by the maps of [`Self::leads`]; `None` without them or without such an
+    /// The lead wrench of states at a node, by the maps of [`Self::commands`]; `None` without them or without such an
     /// interval.
     pub(super) fn command_wrench(&self, states: &[NodeState], at: CommandAt) -> Option<Wrench> {
         let map = self.commands?.get(&at)?;

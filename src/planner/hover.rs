@@ -45,7 +45,7 @@ const MOST_ROUNDS: usize = 30;
 /// The share of [`Purpose::Overshoot`]'s objective that the inputs' cost may take at most, m.
 const COST_SHARE: f64 = 1e-3;
 
-/// The share of [`Purpose::Excess`]'s objective that the inputs' cost may take at most.
+/// The share of [`Purpose::Violation`]'s objective that the inputs' cost may take at most.
 const EXCESS_COST: f64 = 0.05;
 
 /// A mission laid out in time, with yaw planned: all that does not depend on the planner.
@@ -90,7 +90,7 @@ pub enum Decision {
     Inconclusive(String),
 }
 
-/// How far a mission time is from one at which a plan exists, as a share; see [`Purpose::Excess`].
+/// How far a mission time is from one at which a plan exists, as a share; see [`Purpose::Violation`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Violation {
     /// Positive: rows and limits would have to be wider by this share. Negative: all keep this distance.

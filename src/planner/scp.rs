@@ -64,7 +64,7 @@ const ALL_AXES: [usize; 4] = [X, Y, Z, YAW];
 /// How far a step may go: where the last one told the truth the next may go further.
 #[derive(Debug, Clone, Copy)]
 struct ProximalWeight {
-    /// Weight of changed accelerations; see [`Step::proximity`].
+    /// Weight of changed accelerations; see [`Step::proximal_weight`].
     weight: f64,
 }
 
@@ -103,7 +103,7 @@ struct Weights {
     penalty: f64,
     /// See [`Step::smoothing`].
     smoothing: f64,
-    /// See [`Step::calming`].
+    /// See [`Step::input_weight`].
     input_weight: f64,
 }
 
@@ -131,7 +131,7 @@ pub struct ScpPlanner<'e, 'a> {
     multipliers: BTreeMap<usize, Wrench>,
     /// Proximity at which the next steps towards the least cost begin.
     proximal_weight_of_cost_phase: f64,
-    /// [`Step::calming`] of motions that nearly fit; 0 once it has kept one from fitting.
+    /// [`Step::input_weight`] of motions that nearly fit; 0 once it has kept one from fitting.
     input_weight: f64,
     /// Where rotors lag.
     lag: Option<Lag>,

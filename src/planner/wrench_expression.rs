@@ -43,7 +43,7 @@ impl Transcription<'_> {
         WrenchExpression::of(map.constant, parts)
     }
 
-    /// The lead wrench by its map; `bend` as in [`Self::lead_derivative`]. `None` where there is no such interval.
+    /// The lead wrench by its map; `bend` as in [`Self::command_derivative`]. `None` where there is no such interval.
     pub(super) fn command_expression(
         &self,
         map: &WrenchMap,

@@ -38,7 +38,7 @@ struct LeadLine {
 /// What one step needs of the lead wrench.
 pub(super) struct CommandLinearisation {
     lines: BTreeMap<CommandAt, LeadLine>,
-    /// See [`Lag::bends`].
+    /// See [`Lag::local_tightening`].
     local_tightening: Vec<f64>,
     /// Curvature of the Lagrangian, as in [`Step::curvature`], over [`LEAD_FLAT`].
     curvature: Vec<(CommandAt, CommandState, Vec<LeadFlatState>)>,

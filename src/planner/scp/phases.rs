@@ -8,7 +8,7 @@ pub(super) const FEASIBILITY_PHASE_WEIGHT: f64 = 0.1;
 /// Most steps to restore feasibility; over each [`PATIENCE`] of them the excess has to fall to this share of what it was.
 const MOST_FEASIBILITY_STEPS: usize = 12;
 const PATIENCE: usize = 2;
-/// See [`Step::calming`].
+/// See [`Step::input_weight`].
 pub(super) const INPUT_WEIGHT: f64 = 1e-3;
 const MOST_REJECTED: usize = 3;
 const FALL: f64 = 0.4;
@@ -244,7 +244,7 @@ impl ScpPlanner<'_, '_> {
         }
     }
 
-    /// The steps of [`Self::settle`] from `best`, which is inside, and keeps the cheapest motion inside that they meet. Also the
+    /// The steps of [`Self::minimise_cost`] from `best`, which is inside, and keeps the cheapest motion inside that they meet. Also the
     /// motion that they end with, where that is outside and cheaper.
     fn lower(
         &mut self,

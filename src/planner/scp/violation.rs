@@ -8,7 +8,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.wrench.wrench(&self.hover.model.vehicle, self.hover.model.gravity, state)
     }
 
-    /// How far a row is passed; a flat set's plane is kept to within [`BACK_OFF`] on both sides.
+    /// How far a row is passed; a flat set's plane is kept to within [`TIGHTENING`] on both sides.
     pub(super) fn violation_of_row(&self, facet: usize, wrench: &Wrench) -> f64 {
         let row = &self.set.rows[facet];
         let violation = if row.equality { row.violation(wrench) - TIGHTENING } else { row.violation(wrench) };
@@ -69,7 +69,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         if violation > 0.0 { violation } else { self.violation(iterate) }
     }
 
-    /// Place among the facets and limits of [`Self::excesses`].
+    /// Place among the facets and limits of [`Self::violations`].
     pub(super) fn row(&self, place: usize) -> Row {
         let (facets, limits) = (self.set.rows.len(), self.hover.mission.limits.len());
         match place {
