@@ -331,7 +331,7 @@ impl<'a> HoverPlanner<'a> {
         self.generate_within(layout, set, purpose, working_set, ACCEPTED)
     }
 
-    /// The same for any other share. An excess is not pursued below its `least`, nor more closely than a fifth of
+    /// The same for any other share. A violation is not pursued below its `least`, nor more closely than a fifth of
     /// itself: far from zero it need not be known well.
     fn generate_within(
         &mut self,

@@ -1,6 +1,6 @@
 //! Plans under a wrench that is not linear in the motion, by successive convexification.
 //!
-//! Each step solves a convex program with the wrench linear about the last motion, its curvature weighed by the last
+//! Each step solves a convex program with the wrench linear about the last iterate, its curvature weighed by the last
 //! multipliers (sequential quadratic programming with the convex part of the Lagrangian's Hessian: Nocedal and Wright,
 //! *Numerical Optimization*, chapter 18; for trajectories Mao, Szmuk and Acikmese, CDC 2016). Steps restore feasibility
 //! at one mission time, then lower the cost there; shorter times are tried from the smooth plan of the last.
@@ -49,10 +49,10 @@ pub const TIGHTENING: f64 = 1e-4;
 /// Instants per interval at which a plan is checked, and at which rows can stand: those at which reports look.
 pub use crate::motion::outside::PARTS;
 
-/// Rows of the last motion with less slack than this stand in the next step from its beginning.
+/// Rows of the last iterate with less slack than this stand in the next step from its beginning.
 const NEAR: f64 = 0.1;
 
-/// Where [`Transcription::stiffness`] is larger than this times the motion's cost, steps use stage variables. (Measured on five
+/// Where [`Transcription::stiffness`] is larger than this times the iterate's cost, steps use stage variables. (Measured on five
 /// missions at 100 to 400 samples: 102 s in all instead of 110 s with 1e8, with the same times to 0.2 % or shorter ones.)
 const MOST_STIFFNESS: f64 = 1e10;
 
@@ -148,7 +148,7 @@ struct Stepped {
     changes: Vec<f64>,
 }
 
-/// The wrench about a motion, at the instants that have rows.
+/// The wrench about an iterate, at the instants that have rows.
 struct Linearisation {
     maps: Vec<WrenchMap>,
     wrenches: Vec<Wrench>,
@@ -191,7 +191,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         form.with_orders(self.wrench.orders(), PARTS).stopping_from(self.hover.struck)
     }
 
-    /// The wrench about a motion, at the instants of `pool` and, where the set is flat, at the nodes.
+    /// The wrench about an iterate, at the instants of `working_set` and, where the set is flat, at the nodes.
     fn linearise(&self, iterate: &Iterate, working_set: &BTreeSet<RowAt>) -> Linearisation {
         let instants = iterate.grid.intervals() * PARTS + 1;
         let mut linear = Linearisation {
@@ -216,7 +216,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         linear
     }
 
-    /// The convex part of the Lagrangian's curvature about a motion, by the last multipliers.
+    /// The convex part of the Lagrangian's curvature about an iterate, by the last multipliers.
     fn curvature(&self, iterate: &Iterate) -> Vec<(usize, NodeState, Vec<FlatState>)> {
         let tau = self.transcription(&iterate.grid, &[]).mean_tau();
         let at = |(&instant, n): (&usize, &Wrench)| {
@@ -245,7 +245,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.lag.iter_mut().for_each(|lag| lag.multipliers.clear());
     }
 
-    /// Solves one step about a motion. Rows that it passes are found afterwards, and stand in the next one: solving the same
+    /// Solves one step about an iterate. Rows that it passes are found afterwards, and stand in the next one: solving the same
     /// lines again with them takes more programs in all (measured).
     fn step(
         &mut self,

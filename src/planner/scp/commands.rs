@@ -1,4 +1,4 @@
-//! Rotors that lag, in the steps: the planning set's facets for the lead wrench c = w + tau w'. It jumps where the inputs bend,
+//! Rotors that lag, in the steps: the planning set's facets for the commanded wrench c = w + tau w'. It jumps where the inputs bend,
 //! so at a node rows stand on both its sides. Equalities of a flat set are not repeated: where w stays in a plane, w' does.
 
 use super::*;
@@ -15,9 +15,9 @@ use crate::qp::build::{Affine, Builder};
 pub(super) struct Lag {
     /// s
     tau: f64,
-    /// What each row of the set keeps free for the lead wrench beyond its back-off, because that bends between the instants.
+    /// What each row of the set keeps free for the commanded wrench beyond its tightening, because that bends between the instants.
     pub local_tightening: Vec<f64>,
-    /// Of the last program: the sum of multiplier times normal of the rows on the lead wrench, where they stand.
+    /// Of the last program: the sum of multiplier times normal of the rows on the commanded wrench, where they stand.
     pub multipliers: BTreeMap<CommandAt, Wrench>,
 }
 
@@ -27,7 +27,7 @@ impl Lag {
     }
 }
 
-/// The lead wrench about a motion, to first order.
+/// The commanded wrench about an iterate, to first order.
 struct LeadLine {
     map: WrenchMap,
     wrench: Wrench,
@@ -35,7 +35,7 @@ struct LeadLine {
     duration_change: Wrench,
 }
 
-/// What one step needs of the lead wrench.
+/// What one step needs of the commanded wrench.
 pub(super) struct CommandLinearisation {
     lines: BTreeMap<CommandAt, LeadLine>,
     /// See [`Lag::local_tightening`].
@@ -45,20 +45,20 @@ pub(super) struct CommandLinearisation {
 }
 
 impl ScpPlanner<'_, '_> {
-    /// A state of a motion within an interval, with the slopes there.
+    /// A state of an iterate within an interval, with the slopes there.
     fn sloped(&self, iterate: &Iterate, interval: usize, state: &NodeState) -> CommandState {
         let times = &iterate.grid.node_times;
         let ends = [&iterate.states[interval], &iterate.states[interval + 1]];
         with_slopes(state, ends, times[interval + 1] - times[interval], self.wrench.orders())
     }
 
-    /// The derivatives of a motion where a lead wrench is taken; `None` where there is no such interval.
+    /// The derivatives of an iterate where a commanded wrench is taken; `None` where there is no such interval.
     fn command_state(&self, iterate: &Iterate, at: CommandAt) -> Option<CommandState> {
         let interval = interval_of(at, PARTS, iterate.grid.intervals())?;
         Some(self.sloped(iterate, interval, &iterate.at(at.0)))
     }
 
-    /// The excess of each row of the set for the lead wrench, with what it keeps free between instants.
+    /// The violation of each row of the set for the commanded wrench, with what it keeps free between instants.
     fn command_violations<'s>(&'s self, lag: &'s Lag, state: &CommandState) -> impl Iterator<Item = f64> + 's {
         let wrench = self.wrench.lead(&self.hover.model.vehicle, self.hover.model.gravity, lag.tau, state);
         self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, bend))| {
@@ -69,7 +69,7 @@ impl ScpPlanner<'_, '_> {
         })
     }
 
-    /// The largest excess of the lead wrench at an instant, on both its sides; below all others where no rotor lags.
+    /// The largest violation of the commanded wrench at an instant, on both its sides; below all others where no rotor lags.
     pub(super) fn lead_excess_at(&self, iterate: &Iterate, instant: usize) -> f64 {
         let Some(lag) = &self.lag else { return f64::NEG_INFINITY };
         let sides = [Slope::Before, Slope::After].into_iter();
@@ -79,7 +79,7 @@ impl ScpPlanner<'_, '_> {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The excess of one row on the lead wrench, as it stands.
+    /// The violation of one row on the commanded wrench, as it stands.
     pub(super) fn lead_excess_of(&self, iterate: &Iterate, facet: usize, at: CommandAt) -> f64 {
         let Some((lag, state)) = self.lag.as_ref().zip(self.command_state(iterate, at)) else {
             return f64::NEG_INFINITY;
@@ -88,7 +88,7 @@ impl ScpPlanner<'_, '_> {
         self.violation_of_row(facet, &self.wrench.lead(vehicle, *gravity, lag.tau, &state))
     }
 
-    /// Rows on the lead wrench with an excess over `threshold`, on both sides of a node.
+    /// Rows on the commanded wrench with a violation over `threshold`, on both sides of a node.
     pub(super) fn command_rows_at_node(&self, iterate: &Iterate, node: usize, threshold: f64) -> Vec<RowAt> {
         let Some(lag) = &self.lag else { return Vec::new() };
         let instant = node * PARTS;
@@ -101,7 +101,7 @@ impl ScpPlanner<'_, '_> {
         found
     }
 
-    /// Within an interval each row on the lead wrench that is passed, where it is passed most.
+    /// Within an interval each row on the commanded wrench that is passed, where it is passed most.
     pub(super) fn command_rows_between(&self, iterate: &Iterate, interval: usize) -> Vec<RowAt> {
         let Some(lag) = &self.lag else { return Vec::new() };
         let mut worst: Vec<(f64, usize)> = vec![(0.0, 0); self.set.rows.len()];
@@ -118,7 +118,7 @@ impl ScpPlanner<'_, '_> {
         passed.map(|(facet, (_, instant))| RowAt { row: row(facet), instant }).collect()
     }
 
-    /// The largest excess of each row for the lead wrench on a grid [`FINER`] times finer than the instants, as they stand.
+    /// The largest violation of each row for the commanded wrench on a grid [`FINER`] times finer than the instants, as they stand.
     pub(super) fn commands_between_instants(&self, iterate: &Iterate) -> Vec<f64> {
         let Some(lag) = &self.lag else { return Vec::new() };
         let mut worst = vec![f64::NEG_INFINITY; self.set.rows.len()];
@@ -135,7 +135,7 @@ impl ScpPlanner<'_, '_> {
         worst
     }
 
-    /// The lead wrench about a motion where `pool` has rows on it; `None` where no rotor lags.
+    /// The commanded wrench about an iterate where `working_set` has rows on it; `None` where no rotor lags.
     pub(super) fn command_lines(
         &self,
         iterate: &Iterate,
@@ -170,7 +170,7 @@ impl ScpPlanner<'_, '_> {
 }
 
 impl Transcription<'_> {
-    /// (71) for the lead wrench, without sigma; `known` are the expressions made before.
+    /// (71) for the commanded wrench, without sigma; `known` are the expressions made before.
     pub(super) fn command_row(
         &self,
         step: &Step,
@@ -192,7 +192,7 @@ impl Transcription<'_> {
         Some(slack)
     }
 
-    /// Adds the curvature of the Lagrangian in the lead wrench to the objective.
+    /// Adds the curvature of the Lagrangian in the commanded wrench to the objective.
     pub(super) fn curve_commands(&self, builder: &mut Builder, commands: &CommandLinearisation) {
         let straight = |_, _, _| Affine::default();
         for (at, from, factors) in &commands.curvature {

@@ -11,31 +11,31 @@ const FURTHER: f64 = 1.5;
 const SHRINK: f64 = 0.4;
 const LEAST_REACH: f64 = 0.01;
 
-/// Proximity of steps that choose times, and their weight of the excess against the relative time: where it is cheap, time is
-/// bought with an excess that no motion of those durations can be rid of.
+/// Proximal weight of steps that choose times, and their weight of the violation against the relative time: where it is cheap, time is
+/// bought with a violation that no motion of those durations can be rid of.
 const PROXIMAL_WEIGHT: f64 = 0.1;
 /// Factor by which the proximal weight grows after a step that fails and falls after one that succeeds.
 const FURTHER_OFF: f64 = 10.0;
 const PENALTY: f64 = 100.0;
 
-/// Weights of the cost relative to the last motion's, one after the other. Smooth motions stay clear of attitudes at which the
+/// Weights of the cost relative to the last iterate's, one after the other. Smooth motions stay clear of attitudes at which the
 /// wrench bends most, and come far by few steps; the shortest motions cost many times what smooth ones do.
 pub(super) const FULL_GRID: [f64; 3] = [0.05, 0.01, 0.002];
 /// On the coarse grid, whose result is the initial guess on the full one.
 pub(super) const COARSE_GRID: [f64; 1] = [0.05];
-/// Where the weights after the first have gained nothing: minimising the cost has left so smooth a motion that a small share of
+/// Where the weights after the first have gained nothing: minimising the cost has left so smooth an iterate that a small share of
 /// time is not worth the multiple of its cost (measured: `ferry_octo` at 150 samples ended 1.6 % longer).
 const LAST_RESORT: f64 = 0.0002;
 /// From another set's plan, whose waypoint times are optimised already.
 pub(super) const WARM_START: [f64; 1] = [0.002];
 
-/// Where the lines promise less than this share of the time, the next weight's turn has come.
+/// Where the linear model predicts less than this share of the time, the next weight's turn has come.
 const SMALL: f64 = 1e-3;
 
-/// A change of many durations is far from a motion at first, and worth more patience than a change of one time.
+/// A change of many durations is far from a trajectory at first, and worth more patience than a change of one time.
 const HOPELESS: f64 = 0.3;
 
-/// On another grid a motion is flown slower by the first of these factors that lets it be restored.
+/// On another grid an iterate is flown slower by the first of these factors that lets it be restored.
 const SLOWER: [f64; 4] = [1.0, 1.002, 1.005, 1.01];
 
 /// Most steps.
@@ -47,7 +47,7 @@ impl ScpPlanner<'_, '_> {
         self.hover.model.plan.chooses_times && self.hover.mission.leaves_times_free()
     }
 
-    /// Steps in which each leg has its own change of duration; each is made a motion again with those durations and kept
+    /// Steps in which each leg has its own change of duration; each is restored with those durations and kept
     /// where the mission has become shorter, so the time never grows. They end at `target` s of flight. `smoothing` holds the
     /// weights of the cost: [`FULL_GRID`], [`COARSE_GRID`] or [`WARM_START`].
     pub(super) fn optimise_durations(
@@ -76,7 +76,7 @@ impl ScpPlanner<'_, '_> {
         iterate
     }
 
-    /// The motion on the grid that its durations ask for, where some leg has longer pieces than that ([`is_coarser`]); as it
+    /// The iterate on the grid that its durations ask for, where some leg has longer pieces than that ([`is_coarser`]); as it
     /// is where it cannot be restored there.
     pub(super) fn on_its_own_grid(&mut self, iterate: Iterate, working_set: &mut BTreeSet<RowAt>) -> Iterate {
         let mission = self.hover.mission;

@@ -16,7 +16,7 @@ const LEAST_REACH: f64 = 0.01;
 const PROXIMAL_WEIGHT: f64 = 0.1;
 const MOST_STEPS: usize = 20;
 
-/// A motion whose durations have just changed is worth more patience than one at a time that stands.
+/// An iterate whose durations have just changed is worth more patience than one at a time that stands.
 const HOPELESS: f64 = 0.3;
 
 /// The changes of durations nearest to these, as factors, that keep the sum of durations of each span.
@@ -63,7 +63,7 @@ impl ScpPlanner<'_, '_> {
         (0..self.hover.mission.legs.len()).map(|leg| if alone(leg) { None } else { own.next() }).collect()
     }
 
-    /// A motion that takes `flown` s in all: slower or faster on all legs alike, or where times are fixed on those after the last
+    /// An iterate that takes `flown` s in all: slower or faster on all legs alike, or where times are fixed on those after the last
     /// of them. The latter is joined at waypoints to first order only. As it is where there are no such legs.
     pub(super) fn lasting(&self, iterate: &Iterate, flown: f64) -> Iterate {
         let from = self.spans().last().map_or(0, |span| span.end);
@@ -80,7 +80,7 @@ impl ScpPlanner<'_, '_> {
         iterate.stepped(&iterate.states, &changes)
     }
 
-    /// A motion whose legs have just changed by different shares, joined at its waypoints by one step towards the least excess.
+    /// An iterate whose legs have just changed by different shares, joined at its waypoints by one step towards the least violation.
     pub(super) fn joined(&mut self, iterate: &Iterate, working_set: &mut BTreeSet<RowAt>) -> Option<Iterate> {
         // Where inputs are small their relative changes make programs that the solver cannot solve.
         [INPUT_WEIGHT, 0.0].into_iter().find_map(|input_weight| {
@@ -97,7 +97,7 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// A plan at a mission time whose legs divide the time between fixed times as no rule does: about as a mission without fixed
-    /// times does, and from there, and from the divisions `begun`, by steps towards the least excess.
+    /// times does, and from there, and from the divisions `begun`, by steps towards the least violation.
     pub(super) fn divided_anew(&mut self, total: f64, begun: &[TimeGrid]) -> Option<Planned> {
         let samples = self.hover.model.plan.samples;
         let fastest = self.durations_without_fixed_times().and_then(|legs| self.lay_out(Some(&legs), total, samples));
@@ -125,7 +125,7 @@ impl ScpPlanner<'_, '_> {
         iterate.map(|iterate| iterate.grid.segments.iter().map(|s| s.duration).collect())
     }
 
-    /// Steps towards the least excess in which the legs of each span divide its time anew, until the motion can be restored
+    /// Steps towards the least violation in which the legs of each span divide its time anew, until the iterate can be restored
     /// with the durations that it has.
     fn restore_feasibility_dividing_anew(
         &mut self,

@@ -29,7 +29,7 @@ const WORTH: f64 = 0.8;
 /// Times are as good as equal within this share.
 const ROUNDING: f64 = 1e-12;
 
-/// Where a motion found elsewhere cannot be restored at its own time, it is flown slower by these factors.
+/// Where an iterate found elsewhere cannot be restored at its own time, it is flown slower by these factors.
 const SLOWER: [f64; 10] = [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5];
 
 /// What is said where no plan is found and none is shown impossible.
@@ -58,7 +58,7 @@ impl ScpPlanner<'_, '_> {
         self.hover.mission.waypoints.iter().map(|w| w.hold).sum()
     }
 
-    /// The motion's path in its own shares of time, about as fast as stays inside at the nodes. `None` where no slowing
+    /// The iterate's path in its own shares of time, about as fast as stays inside at the nodes. `None` where no slowing
     /// down helps.
     pub(super) fn timed(&self, iterate: &Iterate) -> Option<Iterate> {
         let form = self.transcription(&iterate.grid, &[]);
@@ -88,7 +88,7 @@ impl ScpPlanner<'_, '_> {
         Some(iterate.slower(high))
     }
 
-    /// The motion at the first of [`SLOWER`] times at which it can be restored.
+    /// The iterate at the first of [`SLOWER`] times at which it can be restored.
     pub(super) fn restore_feasibility_slower(
         &mut self,
         iterate: &Iterate,
@@ -97,7 +97,7 @@ impl ScpPlanner<'_, '_> {
         SLOWER.into_iter().find_map(|factor| self.restore_feasibility_at(iterate, factor, working_set))
     }
 
-    /// The motion `factor` times slower, made to fit.
+    /// The iterate `factor` times slower, made to fit.
     fn restore_feasibility_at(
         &mut self,
         iterate: &Iterate,
@@ -111,7 +111,7 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// Shorter and shorter times down to `target` s of flight, each from the plan of least cost at the last: smooth motions
-    /// stay clear of the attitudes at which the wrench bends most. First as much shorter as the lines allow, then by small
+    /// stay clear of the attitudes at which the wrench bends most. First as much shorter as the linear model allows, then by small
     /// steps whether or not they do.
     pub(super) fn descend(
         &mut self,
@@ -139,7 +139,7 @@ impl ScpPlanner<'_, '_> {
                 }
                 None => {
                     step *= SHRINK;
-                    // The nearer to the least cost, the further a motion can be hastened, and the wrench may bend to where the
+                    // The nearer to the least cost, the further an iterate can be shortened, and the wrench may bend to where the
                     // lines do not reach: tried once.
                     if step < least && !minimised {
                         iterate = self.minimise_cost(iterate, CLOSER, working_set);
@@ -152,13 +152,13 @@ impl ScpPlanner<'_, '_> {
         iterate
     }
 
-    /// A plan of the mission as a motion to begin from.
+    /// A plan of the mission as an iterate to begin from.
     pub(super) fn motion_of(&self, planned: &Planned) -> Iterate {
         let grid = planned.grid.flown();
         Iterate { states: planned.grid.without_holds(&planned.states), grid, model: self.wrench }
     }
 
-    /// A motion inside the set made from other plans, the first that will do flown least slower.
+    /// An iterate inside the set made from other plans, the first that will do flown least slower.
     pub(super) fn slowed(
         &mut self,
         initial_guesses: &[&Planned],
@@ -232,8 +232,8 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// Whether there is a plan at a mission time, for questions that are asked by the dozen: what the relaxation proves, else
-    /// a motion made to fit, begun from the relaxation's own, which keeps every limit, and then from the smooth one. It is
-    /// made (roughly) the cheapest where it is to be `settled`, or where it does not fit otherwise.
+    /// an iterate made to fit, begun from the relaxation's own, which keeps every limit, and then from the smooth one. It is
+    /// made (roughly) the cheapest where it is to be `minimised`, or where it does not fit otherwise.
     pub fn attempt(&mut self, total: f64, minimised: bool) -> Decision {
         if self.is_too_short(total) {
             return Decision::Infeasible;
@@ -303,7 +303,7 @@ impl ScpPlanner<'_, '_> {
         from_plans.or_else(|| self.first(total - self.held()).and_then(|first| self.brought_to(first, total)))
     }
 
-    /// The plan of least cost at a mission time, from a motion inside the set at another: with all legs changed alike, and if
+    /// The plan of least cost at a mission time, from an iterate inside the set at another: with all legs changed alike, and if
     /// that fails and durations are the planner's, with each leg shortened by itself.
     fn brought_to(&mut self, first: Iterate, total: f64) -> Option<Planned> {
         let flown = total - self.held();
@@ -336,7 +336,7 @@ impl ScpPlanner<'_, '_> {
             .find_map(|care| self.kept(inside.clone(), total, care, &mut working_set.clone()))
     }
 
-    /// A motion made to fit, and the plan of least cost about it.
+    /// An iterate made to fit, and the plan of least cost about it.
     pub(super) fn kept_near(
         &mut self,
         iterate: Iterate,
@@ -348,7 +348,7 @@ impl ScpPlanner<'_, '_> {
         self.kept(inside, total, care, working_set)
     }
 
-    /// The plan of least cost about a motion inside the set, with holds.
+    /// The plan of least cost about an iterate inside the set, with holds.
     fn kept(
         &mut self,
         iterate: Iterate,
@@ -357,7 +357,7 @@ impl ScpPlanner<'_, '_> {
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Planned> {
         let mut minimised = self.minimise_cost_between_instants(iterate, care, working_set)?;
-        // Interpolation at other nodes leaves rounding errors where the motion rests.
+        // Interpolation at other nodes leaves rounding errors where the iterate rests.
         for (node, axis, order) in self.transcription(&minimised.grid, &[]).at_rest() {
             minimised.states[node][axis][order] = 0.0;
         }

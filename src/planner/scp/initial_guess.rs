@@ -4,7 +4,7 @@ use super::*;
 use crate::planner::scp::given_time::{COARSE_STEP, LEAST_COARSE};
 use crate::planner::timing::kinematics;
 
-/// A motion of the coarse grid is worth more patience on the full one, as long as the lines leave no more excess than this.
+/// An iterate of the coarse grid is worth more patience on the full one, as long as the linear model predicts no more violation than this.
 const NEARLY_THERE: f64 = 0.3;
 
 /// If the full grid has more than `FINER` times as many intervals as the medium grid, durations are optimised on the medium grid
@@ -33,7 +33,7 @@ impl ScpPlanner<'_, '_> {
         (self.chooses_times() && self.hover.model.plan.samples as f64 > FINER * medium as f64).then_some(medium)
     }
 
-    /// A motion inside the set on a grid with `samples` intervals, near one on another grid.
+    /// An iterate inside the set on a grid with `samples` intervals, near one on another grid.
     fn refined(&mut self, iterate: Iterate, samples: usize) -> Option<Iterate> {
         let durations: Vec<f64> = iterate.grid.segments.iter().map(|s| s.duration).collect();
         let fine = self.lay_out(Some(&durations), iterate.grid.total + self.held(), samples)?;
@@ -46,7 +46,7 @@ impl ScpPlanner<'_, '_> {
         if let Some(restored) = self.restore_feasibility_slower(&same, &mut BTreeSet::new()) {
             return Some(restored);
         }
-        // Flown slower a motion near its limits need not come nearer to the set; a smooth one in the same shares of time does.
+        // Flown slower an iterate near its limits need not come nearer to the set; a smooth one in the same shares of time does.
         let smooth = self.smooth(&fine)?;
         let timed = self.timed(&smooth)?;
         self.restore_feasibility_slower(&timed, &mut BTreeSet::new())
@@ -58,7 +58,7 @@ impl ScpPlanner<'_, '_> {
         self.coarse(Some(&initial), 0.0)
     }
 
-    /// A motion inside the set on the coarse grid, about as fast as `near` s of flight, from legs with these shares of the time, or
+    /// An iterate inside the set on the coarse grid, about as fast as `near` s of flight, from legs with these shares of the time, or
     /// with shares by length.
     fn coarse(&mut self, shares: Option<&[f64]>, near: f64) -> Option<Iterate> {
         self.hover.effort.starts += 1;
@@ -72,7 +72,7 @@ impl ScpPlanner<'_, '_> {
             iterate = iterate.slower(near / iterate.grid.total);
         }
         iterate = self.restore_feasibility_slower(&iterate, &mut working_set)?;
-        // At a given time the motion need not be the shortest: all legs are first shortened alike.
+        // At a given time the iterate need not be the shortest: all legs are first shortened alike.
         if near > 0.0 || !self.chooses_times() {
             iterate = self.descend(iterate, (COARSE_STEP, LEAST_COARSE), near, &mut working_set);
         }

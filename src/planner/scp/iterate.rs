@@ -1,4 +1,4 @@
-//! A motion over a mission without its holds, and what changes of time do to it.
+//! An iterate over a mission without its holds, and what changes of time do to it.
 
 use super::PARTS;
 use crate::motion::time_grid::TimeGrid;
@@ -59,7 +59,7 @@ impl Iterate {
         }
     }
 
-    /// The motion that a step leads to: its states are those of the old time, and each leg takes longer by its relative
+    /// The iterate that a step leads to: its states are those of the old time, and each leg takes longer by its relative
     /// change. Where legs change by different shares it is joined at waypoints to first order only.
     pub fn stepped(&self, states: &[NodeState], changes: &[f64]) -> Iterate {
         let mut changed = states.to_vec();
@@ -74,7 +74,7 @@ impl Iterate {
     }
 
     /// Whether each interval ends with the position, the velocity and so on at which the next begins, to 1e-5 of their largest size
-    /// (1e-5 in SI units where that is more; the solver is no more exact): a motion of [`Self::stepped`] whose legs changed
+    /// (1e-5 in SI units where that is more; the solver is no more exact): an iterate of [`Self::stepped`] whose legs changed
     /// by different shares does not.
     pub fn is_joined(&self) -> bool {
         let times = &self.grid.node_times;
@@ -101,7 +101,7 @@ impl Iterate {
         self.with_states(self.trajectory().joined().nodes)
     }
 
-    /// `share` of the way from this motion's states to others at the same nodes.
+    /// `share` of the way from this iterate's states to others at the same nodes.
     pub fn towards(&self, states: &[NodeState], share: f64) -> Vec<NodeState> {
         let blend = |from: &NodeState, to: &NodeState| -> NodeState {
             std::array::from_fn(|axis| std::array::from_fn(|m| from[axis][m] + share * (to[axis][m] - from[axis][m])))

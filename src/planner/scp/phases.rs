@@ -1,11 +1,12 @@
-//! Sequences of steps at one mission time: into the set, then down to the least cost there.
+//! The two phases at one mission time: the feasibility phase, which restores an iterate to the set, and the cost phase, which
+//! minimises the cost (48) there.
 
 use super::*;
 
-/// Proximity of steps that restore feasibility: they seek nearly the nearest motion that does.
+/// Proximal weight of the feasibility phase: small, so that its steps end near the nearest feasible iterate.
 pub(super) const FEASIBILITY_PHASE_WEIGHT: f64 = 0.1;
 
-/// Most steps to restore feasibility; over each [`PATIENCE`] of them the excess has to fall to this share of what it was.
+/// Most steps of the feasibility phase; over each [`PATIENCE`] of them the violation has to fall to the share [`FALL`].
 const MOST_FEASIBILITY_STEPS: usize = 12;
 const PATIENCE: usize = 2;
 /// See [`Step::input_weight`].
@@ -13,51 +14,50 @@ pub(super) const INPUT_WEIGHT: f64 = 1e-3;
 const MOST_REJECTED: usize = 3;
 const FALL: f64 = 0.4;
 
-/// Below this excess rows at other instants take turns, and each step that adds them is worth its while.
+/// Below this violation the phase goes on although progress is slow: each step adds rows at other instants.
 const NEARLY: f64 = 1e-2;
 
-/// Where even the lines leave this much excess, restoring is given up: what comes after takes many steps to nothing, or to
-/// a motion at the edge of what flies (measured).
+/// If the linear model itself predicts this much violation, the feasibility phase ends without success: further steps fail, or
+/// reach an iterate at the edge of what can be flown (measured).
 const HOPELESS: f64 = 1e-2;
 
-/// Restoration is given up where the linear model predicts more excess than the first, and more than this share of what it
-/// predicted two steps before (measured: such sequences took all their steps and failed).
+/// The feasibility phase also ends where the linear model predicts more violation than the first of these, and more than the
+/// second times what it predicted two steps before (measured: such sequences took all their steps and failed).
 const UNAVOIDABLE: f64 = 2e-4;
 const STEADY: f64 = 0.9;
 
-/// Proximity at which steps towards the least cost begin.
+/// Initial proximal weight of the cost phase.
 pub(super) const COST_PHASE_WEIGHT: f64 = 0.03;
 
-/// And at which they begin at most, where the last ones found the motion to bend much.
+/// The largest initial weight, if the last cost phase had to raise it.
 const MOST_COST_PHASE_WEIGHT: f64 = 1e3;
 
-/// And where they go on from a motion that was restored.
+/// The largest weight after the feasibility phase has restored an iterate.
 const MOST_WEIGHT_AFTER_RESTORATION: f64 = 1.0;
 
-/// Steps to another time.
+/// How far a step shortens the duration.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shorter {
-    /// By as much as the lines about the motion allow, at most by the first share of the time. Where they allow less than the
-    /// second, they allow nothing.
+    /// By as much as the linear model allows, at most by the first share of the duration; less than the second share is a failure.
     UpTo(f64, f64),
-    /// By this share, even where the lines leave some excess: what bends may still be restored.
+    /// By this share, even if the linear model predicts a violation: the feasibility phase may still remove it.
     By(f64),
 }
 
-/// Their weight of the excess; and, where the time is the lines' to choose and where it is not, their proximity and the weight of
-/// the relative cost.
+/// Penalty weight of these steps; and their proximal weight with the weight of the relative cost, if the program chooses the
+/// duration and if it is given.
 const SHORTENING_PENALTY: f64 = 20.0;
 const FREE_DURATION: (f64, f64) = (3.0, 0.01);
 const GIVEN_DURATION: (f64, f64) = (1.0, 0.05);
 
-/// Weight of the excess against the relative cost, at first.
+/// Initial penalty weight of the cost phase: the violation against the relative cost.
 const PENALTY: f64 = 6.0;
 
-/// Its growth where the cost tempts steps out of the set, and the most.
+/// Its growth if the cost outweighs the penalty, and its largest value.
 const PENALTY_GROWTH: f64 = 5.0;
 const MOST_PENALTY: f64 = 1e4;
 
-/// A step that keeps less than this share of itself is not worth a try.
+/// The line search ends below this share of a step.
 const LEAST_SHARE: f64 = 0.05;
 
 /// What may be passed between the instants, in widths of the healthy set or shares of a limit; on a grid so much finer; by
@@ -68,7 +68,7 @@ pub(super) const FINER: usize = 4;
 const BENT: f64 = 1.5;
 const MOST_TIGHTENINGS: usize = 8;
 
-/// How closely the least cost is sought.
+/// Stopping rule of the cost phase.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StoppingRule {
     steps: usize,
@@ -98,8 +98,8 @@ impl ScpPlanner<'_, '_> {
         Durations { legs: vec![None; self.hover.mission.legs.len()], range: (0.0, 0.0), spans: Vec::new() }
     }
 
-    /// A motion made to fit in a shorter time: the lines about the motion as it was tell how, for the motion merely flown
-    /// faster can be far outside, where they say nothing.
+    /// Shortens all durations alike: one program about the iterate as it is, because the same iterate flown faster can be far
+    /// outside the set, where the linear model predicts nothing; then the feasibility phase.
     pub(super) fn shorten_alike(
         &mut self,
         iterate: &Iterate,
@@ -123,7 +123,8 @@ impl ScpPlanner<'_, '_> {
         self.restore_feasibility(iterate.stepped(&stepped.states, &stepped.changes), working_set)
     }
 
-    /// Steps towards the least excess, until the motion is inside at every instant. `None` where it does not get there.
+    /// The feasibility phase: steps that minimise the violation, until the iterate is inside at every instant. `None` if it does
+    /// not converge.
     pub(super) fn restore_feasibility(
         &mut self,
         iterate: Iterate,
@@ -132,7 +133,7 @@ impl ScpPlanner<'_, '_> {
         self.restore_feasibility_unless(iterate, HOPELESS, working_set)
     }
 
-    /// The same, given up where the lines leave more excess than `hopeless`.
+    /// The same, ended if the linear model predicts more violation than `hopeless`.
     pub(super) fn restore_feasibility_unless(
         &mut self,
         mut iterate: Iterate,
@@ -142,7 +143,7 @@ impl ScpPlanner<'_, '_> {
         let durations = self.durations_stand();
         let mut proximal = ProximalWeight { weight: FEASIBILITY_PHASE_WEIGHT };
         let mut violation = self.violation_by(&iterate, working_set);
-        // A motion that nearly fits has no need of other inputs.
+        // An iterate that nearly fits has no need of other inputs.
         let input_weight = if violation < NEARLY { self.input_weight } else { 0.0 };
         let mut weights = Weights { objective: Objective::Violation, penalty: 1.0, smoothing: 0.0, input_weight };
         let mut history = Vec::new();
@@ -209,8 +210,8 @@ impl ScpPlanner<'_, '_> {
         Some(iterate)
     }
 
-    /// Steps towards the least cost. Both the motion given and the one returned are inside at every instant; in between
-    /// merit is the cost and a penalty on the excess.
+    /// The cost phase. The iterate given and the one returned are inside at every instant; iterates in between are judged by the
+    /// merit function, the cost and a penalty on the violation.
     pub(super) fn minimise_cost(
         &mut self,
         iterate: Iterate,
@@ -227,7 +228,7 @@ impl ScpPlanner<'_, '_> {
         loop {
             let outside = self.lower(&mut best, &mut descent, care.small, working_set);
             self.proximal_weight_of_cost_phase = descent.proximal.weight.min(MOST_COST_PHASE_WEIGHT);
-            // Where the last motion is still outside, the nearest one inside may well be the best, or lead to it.
+            // Where the last iterate is still outside, the nearest one inside may well be the best, or lead to it.
             let mut known = working_set.clone();
             let Some(inside) = outside.and_then(|outside| self.restore_feasibility(outside, &mut known)) else {
                 return best.1;
@@ -244,8 +245,8 @@ impl ScpPlanner<'_, '_> {
         }
     }
 
-    /// The steps of [`Self::minimise_cost`] from `best`, which is inside, and keeps the cheapest motion inside that they meet. Also the
-    /// motion that they end with, where that is outside and cheaper.
+    /// The steps of [`Self::minimise_cost`] from `best`, which is inside and is replaced by the cheapest iterate inside that they
+    /// meet. Returns the last iterate if it is outside and cheaper.
     fn lower(
         &mut self,
         best: &mut (f64, Iterate),
@@ -259,9 +260,9 @@ impl ScpPlanner<'_, '_> {
             *left -= 1;
             let here = self.cost(&at);
             let Some(stepped) = self.step(&at, &durations, *proximal, *weights, working_set) else { break };
-            // A sigma within the back-off is inside.
+            // A sigma within the tightening is inside.
             let sigma = stepped.sigma - TIGHTENING;
-            // Linearisation that leave an excess were tempted by the cost: asked again, with less temptation.
+            // The cost outweighs the penalty: the penalty is raised and the subproblem solved again.
             if sigma > 0.0 && weights.penalty < MOST_PENALTY {
                 weights.penalty *= PENALTY_GROWTH;
                 continue;
@@ -275,7 +276,7 @@ impl ScpPlanner<'_, '_> {
             };
             let expected = was - merit(self.cost(&at.with_states(stepped.states.clone())), sigma);
             if expected <= 0.0 && sigma <= 0.0 {
-                break; // the lines themselves promise nothing
+                break; // the linear model predicts no gain
             }
             let mut share = 1.0;
             let (mut cost, mut now, mut reached) = towards(self, working_set, share);
@@ -293,7 +294,7 @@ impl ScpPlanner<'_, '_> {
                 _ => proximal.shared(share),
             };
             if gained > 0.0 {
-                // Measured again, with the instants that the pool has now.
+                // Measured again, with the instants that the working set has now.
                 at = reached;
                 violation = self.violation_by(&at, working_set);
             }
@@ -304,8 +305,8 @@ impl ScpPlanner<'_, '_> {
         (violation > 0.0 && self.cost(&at) < best.0).then_some(at)
     }
 
-    /// Settles, and looks between the instants until no row is passed there by more than [`BETWEEN`]. `None` where that does
-    /// not end. What rows keep free for it is this motion's own: other times and other grids have instants of theirs.
+    /// The cost phase, then constraint tightening until no row is violated between the instants by more than [`BETWEEN`]. `None` if
+    /// this does not converge. The tightening belongs to this iterate: other durations and grids have other instants.
     pub(super) fn minimise_cost_between_instants(
         &mut self,
         iterate: Iterate,
@@ -318,7 +319,8 @@ impl ScpPlanner<'_, '_> {
         kept
     }
 
-    /// Rows that are passed between the instants keep that much more free at the instants beside, and the motion is restored.
+    /// Rows that are violated between the instants are tightened by as much at the instants beside, and the feasibility phase is
+    /// repeated.
     fn tighten_until_inside(
         &mut self,
         iterate: Iterate,
@@ -327,7 +329,7 @@ impl ScpPlanner<'_, '_> {
     ) -> Option<Iterate> {
         let mut iterate = self.minimise_cost(iterate, care, working_set);
         for _ in 0..MOST_TIGHTENINGS {
-            // What is reported and checked is the motion whose pieces join.
+            // What is reported and checked is the iterate whose pieces join.
             let joined = iterate.with_joined_pieces();
             let over = self.between_instants(&joined);
             let commands_over = self.commands_between_instants(&joined);
@@ -350,8 +352,8 @@ impl ScpPlanner<'_, '_> {
         None
     }
 
-    /// The rows passed by more than [`BETWEEN`] on a grid [`FINER`] times finer than the instants, each at the instant before
-    /// with its largest excess until the next.
+    /// The rows violated by more than [`BETWEEN`] on a grid [`FINER`] times finer than the instants, each at the instant before
+    /// with its largest violation until the next.
     fn between_instants(&self, iterate: &Iterate) -> Vec<(RowAt, f64)> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut over: BTreeMap<RowAt, f64> = BTreeMap::new();
@@ -376,7 +378,7 @@ impl ScpPlanner<'_, '_> {
         self.transcription(&iterate.grid, &[]).cost_of(&iterate.states)
     }
 
-    /// Drops the rows that a motion keeps well clear of.
+    /// Drops the rows that an iterate keeps well clear of.
     fn prune(&self, iterate: &Iterate, working_set: &mut BTreeSet<RowAt>) {
         let form = self.transcription(&iterate.grid, &[]);
         working_set.retain(|r| {

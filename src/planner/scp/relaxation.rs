@@ -1,6 +1,6 @@
 //! What any plan must satisfy whatever its attitude: a convex relaxation whose infeasibility is a proof.
 //!
-//! The motion keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within the
+//! The iterate keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within the
 //! largest thrust of the set. Torques are left free.
 
 use super::*;

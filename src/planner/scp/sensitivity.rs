@@ -17,7 +17,7 @@ pub const PLACE: f64 = 0.1;
 pub const YAW_PLACE: f64 = std::f64::consts::PI / 180.0;
 pub const SPEED: f64 = 0.1;
 
-/// The relative weight of the cost, the weight of the excess, the proximal weight, and the largest relative change of a
+/// The relative weight of the cost, the weight of the violation, the proximal weight, and the largest relative change of a
 /// duration. With less weight on the cost the program is far from the plan, whose cost near the shortest time rises steeply, and
 /// gives acceleration limits too little (measured against plans of relaxed specs: tests/it/exact/binding.rs).
 const SMOOTHING: f64 = 0.05;

@@ -67,7 +67,7 @@ impl ScpPlanner<'_, '_> {
         self.rounded_up(&iterate, care, &mut working_set)
     }
 
-    /// The plan of least cost about a motion, at its time rounded up to [`GRID`]: flown a little slower a plan is one still, or
+    /// The plan of least cost about an iterate, at its time rounded up to [`GRID`]: flown a little slower a plan is one still, or
     /// nearly always.
     fn rounded_up(
         &mut self,

@@ -1,12 +1,12 @@
-//! Steps to a motion that stops inside the set: short attempts, for they are asked by the dozen.
+//! Steps to an iterate that stops inside the set: short attempts, for they are asked by the dozen.
 
 use super::*;
 
-/// Proximity of steps: where the wrench is linear in the motion a step need not stay near.
+/// Proximal weight of steps: where the wrench is linear in the motion a step need not stay near.
 const LINEAR: f64 = 1e-5;
 const CURVED: f64 = 0.1;
 
-/// Most steps; over each [`PATIENCE`] of them the excess has to fall by half.
+/// Most steps; over each [`PATIENCE`] of them the violation has to fall by half.
 const MOST_STEPS: usize = 8;
 const PATIENCE: usize = 2;
 
@@ -26,7 +26,7 @@ impl ScpPlanner<'_, '_> {
         self.stop_by_steps(other, f64::INFINITY)
     }
 
-    /// With an infinite `excess` the motion is none of this mission, and the first step is taken whole.
+    /// With an infinite `violation` the iterate is none of this mission, and the first step is taken whole.
     fn stop_by_steps(&mut self, mut iterate: Iterate, mut violation: f64) -> Option<Iterate> {
         let durations = self.durations_stand();
         let linear = matches!(self.wrench, WrenchModel::HoverAt(_));

@@ -1,6 +1,6 @@
-//! One convex program of the sequence: the wrench linear about the last motion, time free or fixed.
+//! One convex program of the sequence: the wrench linear about the last iterate, time free or fixed.
 //!
-//! Variables are the derivatives at the nodes as if no duration changed, the excess sigma, and a relative change
+//! Variables are the derivatives at the nodes as if no duration changed, the violation sigma, and a relative change
 //! delta of each leg's duration that may change. A derivative of order m in the new time is D (1 + delta)^-m, so
 //! the wrench along the leg changes by -m dw/dD D delta to first order. The variable is epsilon, with (1 + delta)^4 =
 //! 1 + 4 epsilon: rows times that factor hold the snap, whose torques bind first, without any error.
@@ -26,7 +26,7 @@ use std::ops::Range;
 pub enum Objective {
     /// The shortest time.
     Time,
-    /// The smallest excess.
+    /// The smallest violation.
     Violation,
     /// The smallest cost (48).
     Cost,
@@ -44,14 +44,14 @@ pub struct Step<'s> {
     pub legs: &'s [Option<usize>],
     /// Curvature of the Lagrangian: at each instant squares |factor . (s' - s)|^2 / 2 to be added to the objective.
     pub curvature: &'s [(usize, NodeState, Vec<FlatState>)],
-    /// Weight of the squared relative change of accelerations, which keeps the step where the lines are true.
+    /// Weight of the squared relative change of accelerations, which keeps the step where the linear model holds.
     pub proximal_weight: f64,
     /// Weight of the squared relative change of inputs. On a fine grid accelerations that change by less than the solver can see
     /// still hide inputs that change by much.
     pub input_weight: f64,
-    /// Weight of the excess.
+    /// Weight of the violation.
     pub penalty: f64,
-    /// Weight of the cost (48), relative to that of the last motion.
+    /// Weight of the cost (48), relative to that of the last iterate.
     pub smoothing: f64,
     /// Least and largest relative change of a duration.
     pub range: (f64, f64),
@@ -104,7 +104,7 @@ impl Transcription<'_> {
     }
 
     /// The program of one step, with the rows `chosen`; the set's equality rows always stand, at nodes. Also the row of
-    /// the program that each facet in `chosen` became, for the wrench or the lead wrench.
+    /// the program that each facet in `chosen` became, for the wrench or the commanded wrench.
     pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
         let sigma = self.variables();
         let violation = Affine::term(sigma, 1.0);
@@ -176,7 +176,7 @@ impl Transcription<'_> {
         (program, places)
     }
 
-    /// What derivatives on the later side of a waypoint have more than on the earlier: both legs share the motion in
+    /// What derivatives on the later side of a waypoint have more than on the earlier: both legs share the iterate in
     /// the new time, `D (1 - m delta) = D' (1 - m delta')` to first order.
     pub(super) fn bend(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
         if node == 0 || order == 0 {
@@ -239,7 +239,7 @@ impl Transcription<'_> {
         factors.iter().map(change).collect()
     }
 
-    /// Keeps the inputs near those of the last motion; each is compared to its mean square, those of the coordinates together.
+    /// Keeps the inputs near those of the last iterate; each is compared to its mean square, those of the coordinates together.
     fn stay_near_inputs(&self, builder: &mut Builder, step: &Step) {
         let steps: Vec<f64> = self.grid.steps().collect();
         let square = |axis: usize, k: usize| {
@@ -269,7 +269,7 @@ impl Transcription<'_> {
         }
     }
 
-    /// Keeps accelerations, and psi, near those of the last motion: there the wrench's curvature lies.
+    /// Keeps accelerations, and psi, near those of the last iterate: there the wrench's curvature lies.
     fn stay_near(&self, builder: &mut Builder, step: &Step) {
         let g = self.model.gravity;
         let mut steps: Vec<f64> = self.grid.steps().collect();

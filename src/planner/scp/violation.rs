@@ -1,4 +1,4 @@
-//! How far a motion passes facets and limits, and which rows the next step needs for it.
+//! How far an iterate passes facets and limits, and which rows the next step needs for it.
 
 use super::*;
 use crate::model::LimitKind;
@@ -16,7 +16,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         if violation.is_nan() { f64::INFINITY } else { violation }
     }
 
-    /// The excess of every facet and then of every limit for one state.
+    /// The violation of every facet and then of every limit for one state.
     pub(super) fn violations<'s>(
         &'s self,
         form: &'s Transcription<'s>,
@@ -47,19 +47,19 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.violations(form, state).enumerate().map(move |(place, violation)| (place, violation + bend(place)))
     }
 
-    /// The largest excess of facets and limits at an instant.
+    /// The largest violation of facets and limits at an instant.
     pub(super) fn violation_at(&self, form: &Transcription, state: &NodeState, instant: usize) -> f64 {
         self.violations_at(form, state, instant).map(|e| e.1).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The largest excess over all instants.
+    /// The largest violation over all instants.
     pub(super) fn violation(&self, iterate: &Iterate) -> f64 {
         let form = self.transcription(&iterate.grid, &[]);
         let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.lead_excess_at(iterate, i));
         (0..form.instants()).map(at).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The largest excess at the nodes and at the instants of `pool`, and where that is none, over all instants.
+    /// The largest violation at the nodes and at the instants of `working_set`, and where that is none, over all instants.
     pub(super) fn violation_by(&self, iterate: &Iterate, working_set: &BTreeSet<RowAt>) -> f64 {
         let form = self.transcription(&iterate.grid, &[]);
         let between: BTreeSet<usize> = working_set.iter().map(|r| r.instant).filter(|i| i % PARTS != 0).collect();
@@ -79,7 +79,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         }
     }
 
-    /// The inverse of [`Self::row`]; rows on the lead wrench have no place there.
+    /// The inverse of [`Self::row`]; rows on the commanded wrench have no place there.
     pub(super) fn place(&self, row: Row) -> Option<usize> {
         match row {
             Row::Facet(facet) => Some(facet),
@@ -99,7 +99,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             .unwrap_or(0.0)
     }
 
-    /// Rows with an excess over `threshold` at nodes. Equality rows always stand.
+    /// Rows with a violation over `threshold` at nodes. Equality rows always stand.
     pub(super) fn rows_at_nodes(&self, iterate: &Iterate, threshold: f64) -> BTreeSet<RowAt> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut found = BTreeSet::new();
@@ -136,7 +136,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         found
     }
 
-    /// Each row that a motion violates, on each leg at the instant of its largest violation.
+    /// Each row that an iterate violates, on each leg at the instant of its largest violation.
     pub(super) fn rows_violated_most(&self, iterate: &Iterate) -> BTreeSet<RowAt> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut worst: BTreeMap<(usize, usize), (f64, usize)> = BTreeMap::new();
