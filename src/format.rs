@@ -33,7 +33,7 @@ pub fn format(file: FileId, source: &Source) -> Checked<String> {
     let tokens = token::tokens(&source.text, &roles);
     let mut lines = line::lines(&tokens, &roles);
     column::line_up(&mut lines);
-    let mut text: String = lines.iter().map(|line| line.to_string()).collect();
+    let mut text: String = lines.iter().map(ToString::to_string).collect();
     if source.text.split_once('\n').is_some_and(|(first, _)| first.ends_with('\r')) {
         text = text.replace('\n', "\r\n");
     }

@@ -4,6 +4,7 @@
 
 use crate::source::visible;
 use crate::syntax::MAX_FILE_BYTES;
+use std::fmt;
 use std::fs::{File, OpenOptions};
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::{Path, PathBuf};
@@ -47,16 +48,37 @@ impl Kind {
 }
 
 /// Why a file that is there is not read; within an [`Error`].
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum Refused {
-    #[error("it is not a regular file")]
     NotRegular,
-    #[error("its name does not end in {}", .0.endings_in_words())]
+    /// Its name does not end as those of the kind do.
     Ending(Kind),
     /// A link to a file of another kind.
-    #[error("it is a link to `{}`, whose name does not end in {}", visible::line(&.target.display().to_string()), .kind.endings_in_words())]
-    Elsewhere { target: PathBuf, kind: Kind },
+    Elsewhere {
+        target: PathBuf,
+        kind: Kind,
+    },
 }
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refused::NotRegular => write!(f, "it is not a regular file"),
+            Refused::Ending(kind) => write!(f, "its name does not end in {}", kind.endings_in_words()),
+            Refused::Elsewhere { target, kind } => {
+                let target = target.display().to_string();
+                write!(
+                    f,
+                    "it is a link to `{}`, whose name does not end in {}",
+                    visible::line(&target),
+                    kind.endings_in_words()
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for Refused {}
 
 impl From<Refused> for Error {
     fn from(refused: Refused) -> Self {

@@ -240,7 +240,7 @@ impl QuadraticProgram {
     /// How far `s` lies outside K: the largest of |s| on zero rows, -s on nonnegative rows and |s_rest| - s_0
     /// on cones.
     pub fn cone_violation(&self, s: &[f64]) -> f64 {
-        self.outside(s, |v| v.abs())
+        self.outside(s, f64::abs)
     }
 
     /// The same for the dual cone, in which the rows of {0} are free.

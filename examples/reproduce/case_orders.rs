@@ -324,7 +324,7 @@ fn third_violations(plans: &Plans, first: &Plans) -> Rows {
     let rip_inside: Vec<String> = modes.iter().filter(|m| plans.outside("RIP", m).rows == 0).cloned().collect();
     let others: Vec<&str> = in_paper.iter().copied().filter(|p| *p != "RCP M3").collect();
     let keep_m3: Vec<String> =
-        others.iter().filter(|p| plans.outside(p, "M3").rows == 0).map(|p| p.to_string()).collect();
+        others.iter().filter(|p| plans.outside(p, "M3").rows == 0).map(ToString::to_string).collect();
     let m3 = others.len() - keep_m3.len();
     let [m2_by, m5_by] = ["M2", "M5"].map(|m| at_least_one(m, &in_paper));
     let [early, late] = [first, plans].map(|p| p.outside("RIP", "M1").rows);

@@ -32,7 +32,7 @@ impl Allocator {
         let full: Vec<Wrench> = (0..actuation.rotors()).map(|k| actuation.full(k)).collect();
         let extent = full.iter().fold(Wrench::zeros(), |sum, g| sum + g.abs());
         let scale = extent.map(|e| if e > 1e-12 * extent.max() { 1.0 / e } else { 0.0 });
-        let strongest = vehicle.rotors.iter().map(|r| r.max_thrust()).fold(0.0, f64::max);
+        let strongest = vehicle.rotors.iter().map(super::super::model::Rotor::max_thrust).fold(0.0, f64::max);
         let most: Vec<f64> = vehicle.rotors.iter().map(|r| r.max_thrust() / strongest).collect();
         let least = vehicle.rotors.iter().map(|r| r.idle_thrust() / strongest).collect();
         let columns = full.iter().zip(&most).map(|(g, most)| g.component_mul(&scale) / *most).collect();

@@ -80,7 +80,7 @@ impl<'a> Knowledge<'a> {
     ) -> Self {
         let rotors = &model.vehicle.rotors;
         let n = rotors.len();
-        let full: f64 = rotors.iter().map(|r| r.max_thrust()).sum();
+        let full: f64 = rotors.iter().map(super::super::model::Rotor::max_thrust).sum();
         let share = (model.vehicle.mass * model.gravity / full).min(1.0);
         let estimator = (simulation.detection == Detection::Estimator).then(|| {
             let sample = period * estimator_ticks as f64;

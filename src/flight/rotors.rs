@@ -28,7 +28,11 @@ impl Rotors {
         let rotors = &model.vehicle.rotors;
         let n = rotors.len();
         Rotors {
-            columns: Actuation::of(&model.vehicle).effectiveness.column_iter().map(|c| c.into_owned()).collect(),
+            columns: Actuation::of(&model.vehicle)
+                .effectiveness
+                .column_iter()
+                .map(nalgebra::Matrix::into_owned)
+                .collect(),
             max_speed: rotors.iter().map(|r| r.max_speed).collect(),
             remaining: rotors.iter().map(|r| (-0.5 * h / r.lag()).exp()).collect(),
             speed: vec![0.0; n],

@@ -87,7 +87,7 @@ impl Roles {
                 self.body(body);
             }
             Statement::Start(clauses) | Statement::Waypoint(clauses) | Statement::Strike(clauses) => {
-                self.clauses(clauses)
+                self.clauses(clauses);
             }
             Statement::Hold { duration, .. } => self.expr(duration),
             Statement::Require { at_most, .. } => self.expr(at_most),
@@ -167,7 +167,7 @@ impl Roles {
                 self.unit(unit);
             }
             ExprKind::Interval { value: left, by: right } | ExprKind::Range { low: left, high: right } => {
-                self.both(left, right)
+                self.both(left, right);
             }
         }
     }

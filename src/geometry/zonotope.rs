@@ -56,7 +56,7 @@ impl<const D: usize> Zonotope<D> {
 
     /// Point of the set nearest to `w` in the plain Euclidean norm.
     pub fn nearest(&self, w: &SVector<f64, D>) -> SVector<f64, D> {
-        let size = self.generators.iter().map(|g| g.norm()).sum::<f64>() + w.norm();
+        let size = self.generators.iter().map(nalgebra::Matrix::norm).sum::<f64>() + w.norm();
         let shifted = Zonotope { center: self.center - w, generators: self.generators.clone() };
         let start = shifted.lowest(&shifted.center);
         w + super::nearest::nearest_to_origin(start, |v| shifted.lowest(v), 1e-13 * size)

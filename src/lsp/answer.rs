@@ -9,7 +9,6 @@ use super::server::Server;
 use super::workspace::Spec;
 use super::{actions, formatting, hints, outline, tokens};
 use crate::source::{FileId, Span};
-use gen_lsp_types as lsp;
 use gen_lsp_types::*;
 use lsp_server::{ErrorCode, RequestId, Response};
 use serde_json::Value;
@@ -89,7 +88,7 @@ pub fn answer(server: &mut Server, request: lsp_server::Request) -> Option<Respo
 }
 
 /// Reads the parameters, answers, and wraps the answer up.
-fn respond<R: lsp::Request>(
+fn respond<R: Request>(
     id: RequestId,
     params: Value,
     answer: impl FnOnce(R::Params) -> Answered<R::Result>,

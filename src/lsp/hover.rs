@@ -238,7 +238,7 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
             }
         }
         Kind::Waypoint => {
-            parts.extend(position(spec, definition).map(|reading| format!("at {}", valued(spec, reading))))
+            parts.extend(position(spec, definition).map(|reading| format!("at {}", valued(spec, reading))));
         }
         Kind::Parameter => {}
     }

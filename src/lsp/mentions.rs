@@ -163,7 +163,7 @@ impl<'a> Walk<'a> {
                 self.note(name.span, What::Field(place));
                 match relation {
                     LimitRelation::AtMost(expr) | LimitRelation::AtLeast(expr) | LimitRelation::In(expr) => {
-                        self.expr(expr)
+                        self.expr(expr);
                     }
                 }
             }

@@ -83,7 +83,7 @@ impl Names {
                 Statement::Every { prefix, doc, .. } => self.add(Kind::Modes, prefix, span, doc, None),
                 Statement::Curve { parameter, doc, .. } => self.add(Kind::Parameter, parameter, span, doc, None),
                 Statement::Waypoint(Clauses { name: Some(name), doc, .. }) => {
-                    self.add(Kind::Waypoint, name, span, doc, None)
+                    self.add(Kind::Waypoint, name, span, doc, None);
                 }
                 _ => {}
             }

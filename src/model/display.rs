@@ -175,7 +175,7 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
 impl LimitKind {
     /// Its name in the language, the unit one writes, and that unit in SI.
     pub fn words(self) -> (&'static str, &'static str, f64) {
-        let degree = std::f64::consts::PI / 180.0;
+        let degree = PI / 180.0;
         match self {
             LimitKind::X => ("x", "m", 1.0),
             LimitKind::Y => ("y", "m", 1.0),

@@ -45,7 +45,7 @@ impl Modes {
             match statement {
                 Statement::Block(mode) => self.single(cx, mode, rotors),
                 Statement::Every { count, effect, prefix, body, doc, span } => {
-                    self.every(cx, count, effect, prefix, body, doc, *span, rotors)
+                    self.every(cx, count, effect, prefix, body, doc, *span, rotors);
                 }
                 Statement::Broken(span) => {
                     self.incomplete = true;

@@ -116,7 +116,7 @@ pub fn is_coarser(mission: &Mission, nodes: &[f64], fewest: usize) -> bool {
         Spacing::Graded => MOST_LONGER_GRADED,
     };
     let pieces = |piece: &[f64]| (share(piece[1]) - share(piece[0])) * fewest as f64;
-    nodes.windows(2).any(|piece| pieces(piece).partial_cmp(&most).is_none_or(|order| order.is_gt()))
+    nodes.windows(2).any(|piece| pieces(piece).partial_cmp(&most).is_none_or(std::cmp::Ordering::is_gt))
 }
 
 /// Pieces in proportion to durations, but none below what its leg needs; where there are too few for that, none below one.

@@ -149,6 +149,6 @@ pub fn stretch(trajectory: &Trajectory, model: &Model) -> Stretch {
     Stretch {
         tilt: peak(trajectory, |s| tilt(s, model.gravity)),
         least_thrust: Peak { value: -least.value, at: least.at },
-        full_thrust: model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum(),
+        full_thrust: model.vehicle.rotors.iter().map(super::super::model::Rotor::max_thrust).sum(),
     }
 }

@@ -72,7 +72,7 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
         true if model.plan.model == PlanModel::Hover => times::with_times_before(model, mission, scope, progress),
         _ => with_times(model, mission, scope, progress),
     };
-    if let Some(about) = outcome::proofs_are_about(model, mission) {
+    if let Some(about) = proofs_are_about(model, mission) {
         let setting = Setting::new(model, mission, None);
         let least = least_time_within(model, mission);
         let has_no_yaw = |at: f64| about == THIS_YAW && setting.with_engine("", |e| e.is_hopeless(at)).0;

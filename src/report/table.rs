@@ -8,7 +8,7 @@ pub struct Table {
 
 impl Table {
     pub fn new(headings: &[&str]) -> Self {
-        Table { rows: vec![headings.iter().map(|h| h.to_string()).collect()] }
+        Table { rows: vec![headings.iter().map(ToString::to_string).collect()] }
     }
 
     pub fn row(&mut self, cells: Vec<String>) {

@@ -236,7 +236,7 @@ impl Builder<'_> {
                     match word.is_some_and(|word| place.has_braceless(word)) {
                         // `start at { 0, 0, 2 } m`: neither what the braces hold nor what follows them is a statement.
                         true => {
-                            self.settle(self.text.len() - self.text[span.end as usize..].trim_start_matches(' ').len())
+                            self.settle(self.text.len() - self.text[span.end as usize..].trim_start_matches(' ').len());
                         }
                         false => drop(self.body(body, Place::Unknown)),
                     }

@@ -251,7 +251,7 @@ fn phrases(expected: &Expected, has_body: bool) -> Vec<String> {
         Expected::End if has_body => &["`{`"],
         Expected::End => &["the end of the statement"],
     };
-    words.iter().map(|word| word.to_string()).collect()
+    words.iter().map(ToString::to_string).collect()
 }
 
 fn is_name(c: char) -> bool {

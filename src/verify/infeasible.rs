@@ -75,7 +75,7 @@ pub(super) fn decide(
     }
     let most = rows.largest()?;
     // Zero contradicts nothing either, and what is not a number contradicts nothing.
-    if most.high.partial_cmp(&0.0).is_none_or(|order| order.is_ge()) {
+    if most.high.partial_cmp(&0.0).is_none_or(std::cmp::Ordering::is_ge) {
         let why = format!("the rows, weighted, add up to {} at most, which contradicts nothing", number(most.high));
         return Err(Rejection { span: Some(mission.span), ..Rejection::new("that there is no plan", why) }.into());
     }

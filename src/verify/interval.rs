@@ -22,7 +22,7 @@ const MOST_ANGLE: f64 = 1e6;
 
 /// Whether a number is above another; what is no number is above everything.
 pub fn exceeds(x: f64, most: f64) -> bool {
-    x.partial_cmp(&most).is_none_or(|order| order.is_gt())
+    x.partial_cmp(&most).is_none_or(std::cmp::Ordering::is_gt)
 }
 
 impl Interval {

@@ -331,7 +331,7 @@ impl Truth {
 
 /// Whether a number is above another; what is no number is above everything.
 fn exceeds(x: f64, most: f64) -> bool {
-    x.partial_cmp(&most).is_none_or(|order| order.is_gt())
+    x.partial_cmp(&most).is_none_or(std::cmp::Ordering::is_gt)
 }
 
 fn most(rows: &[SetRow], wrench: &Wrench) -> f64 {

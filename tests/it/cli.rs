@@ -194,7 +194,7 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     let told = err(&ran);
     assert!(told.contains("mavc::plan::conflict") && told.contains("cannot hold together"), "{told}");
     assert!(told.contains("waypoint at [3, 1, 4] m") && told.contains("in 0.7 s"), "{told}");
-    let record: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
     let conflict = &record["conflict"];
     let list = |of: &str, member: &str| -> Vec<String> {
         let members = conflict[of].as_array().unwrap().iter();
@@ -211,7 +211,7 @@ fn no_plan_in_time_ends_with_3_and_a_report() {
     let ran = mavc_with(&["plan", "-", "-o", text(&table), "--report", text(&report), "--set", &set], HOP);
     assert_eq!(code(&ran), 0, "{}{}", out(&ran), err(&ran));
     assert!(!err(&ran).contains("mavc::plan::conflict"), "{}", err(&ran));
-    let record: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
+    let record: Value = serde_json::from_str(&std::fs::read_to_string(&report).unwrap()).unwrap();
     assert!(record["conflict"].is_null());
 }
 

@@ -86,7 +86,7 @@ fn rank(points: &[Wrench], scale: &Wrench) -> usize {
 }
 
 fn size(set: &Set) -> f64 {
-    set.center.norm() + set.generators.iter().map(|g| g.norm()).sum::<f64>()
+    set.center.norm() + set.generators.iter().map(nalgebra::Matrix::norm).sum::<f64>()
 }
 
 /// A point of the box around the set, a little larger than it.

@@ -138,7 +138,7 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     model.plan.samples = 40;
     let [healthy, weak] = [AdmissibleSet::healthy(&model), AdmissibleSet::of_mode(&model, 0)];
     let mission = dive();
-    let idle: f64 = model.vehicle.rotors.iter().map(|r| r.idle_thrust()).sum();
+    let idle: f64 = model.vehicle.rotors.iter().map(mavc::model::Rotor::idle_thrust).sum();
     assert!(hover(&model)[0] > idle);
 
     let plan = shortest(&model);

@@ -99,3 +99,32 @@ fn the_checker_sees_neither_the_planner_nor_reports() {
         assert!(!rooms["verify"].contains(forbidden), "verify imports {forbidden}");
     }
 }
+
+/// The names below a heading of Cargo.toml such as `[dependencies]`.
+fn dependencies(manifest: &str, heading: &str) -> Vec<String> {
+    let lines = manifest.lines().skip_while(|line| *line != heading).skip(1).take_while(|line| !line.starts_with('['));
+    lines.filter_map(|line| Some(line.split_once(" = ")?.0.replace('-', "_"))).collect()
+}
+
+#[test]
+fn every_dependency_is_used() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest = fs::read_to_string(root.join("Cargo.toml")).unwrap();
+    let text = |folders: &[&str]| -> String {
+        let files = folders.iter().flat_map(|folder| sources(&root.join(folder)));
+        files.map(|file| fs::read_to_string(file).unwrap()).collect()
+    };
+    let (library, all) = (text(&["src"]), text(&["src", "tests", "benches"]));
+    for (heading, least, text) in [
+        ("[dependencies]", 20, &library),
+        ("[target.'cfg(unix)'.dependencies]", 1, &library),
+        ("[dev-dependencies]", 3, &all),
+    ] {
+        let names = dependencies(&manifest, heading);
+        assert!(names.len() >= least, "{heading} was not read: {names:?}");
+        for name in names {
+            let is_used = [format!("{name}::"), format!("use {name};")].iter().any(|path| text.contains(path));
+            assert!(is_used, "{heading} {name} is used nowhere");
+        }
+    }
+}

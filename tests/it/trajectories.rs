@@ -223,7 +223,7 @@ proptest! {
         ][which]
             .clone();
         let actuation = Actuation::of(&model.vehicle);
-        let most: Vec<f64> = model.vehicle.rotors.iter().map(|r| r.max_thrust()).collect();
+        let most: Vec<f64> = model.vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).collect();
         let n = most.len();
         model.vehicle.rotors.iter_mut().zip(&idle).for_each(|(r, share)| r.min_speed = share.sqrt() * r.max_speed);
         let least: Vec<f64> = (0..n).map(|k| idle[k] * most[k]).collect();

@@ -125,7 +125,7 @@ pub fn mission(waypoints: Vec<Waypoint>) -> Mission {
         name: "test".into(),
         doc: None,
         legs: vec![Leg { share: 1.0 }; waypoints.len() - 1],
-        spacing: mavc::model::grid::Spacing::Even,
+        spacing: grid::Spacing::Even,
         waypoints,
         start_at_rest: true,
         end_at_rest: true,

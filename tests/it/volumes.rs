@@ -81,7 +81,7 @@ proptest! {
         let middle = set.center + 0.5 * set.generators.iter().sum::<Wrench>();
         let tiled = set.volume();
         let by_rows = set.facets().volume(&middle, &set.scale());
-        let size: f64 = set.generators.iter().map(|g| g.norm()).sum();
+        let size: f64 = set.generators.iter().map(nalgebra::Matrix::norm).sum();
         prop_assert!((tiled - by_rows).abs() < 1e-9 * size.powi(4), "{tiled} {by_rows}");
     }
 
@@ -108,7 +108,7 @@ proptest! {
         let middle = set.center + 0.5 * set.generators.iter().sum::<Wrench>();
         let by_rows = set.facets().shadow(Some(&middle), &set.scale());
         let by_generators = without_yaw(&set).facets();
-        let size: f64 = set.generators.iter().map(|g| g.norm()).sum();
+        let size: f64 = set.generators.iter().map(nalgebra::Matrix::norm).sum();
         prop_assert_eq!(by_rows.equalities.len(), by_generators.equalities.len());
         if by_rows.equalities.is_empty() {
             // One set to 1e-9 of its size: each row supports it, and none of its facets is missing; nor is one too many, but

@@ -89,7 +89,7 @@ impl ScpPlanner<'_, '_> {
     /// The largest thrust that the set allows with any torques.
     fn most_thrust(&mut self) -> MostThrust {
         let mut builder = Builder::new(4);
-        let scale = self.hover.model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum::<f64>();
+        let scale = self.hover.model.vehicle.rotors.iter().map(crate::model::Rotor::max_thrust).sum::<f64>();
         // Thrust in units of full thrust, torques in those of the rows.
         let sides = |equality: bool| if equality { &[1.0, -1.0][..] } else { &[1.0] };
         let mut of_row = Vec::new();

@@ -112,7 +112,7 @@ impl Setting<'_> {
     pub(super) fn rsp_own(&self, name: &str, set: &PlanningSet, hint: Hint, working_set: WorkingSet) -> Found {
         let allowed: Vec<Planned> = hint.initial_guesses.iter().skip(1).cloned().collect();
         let found = self.search(name, set, hint, working_set);
-        allowed.iter().fold(found, |found, plan| found.or_shorter(plan))
+        allowed.iter().fold(found, Found::or_shorter)
     }
 
     /// RSP's plan at one time from the initial guesses `begins`, and if that finds none from the joint RCP's plan at that time,

@@ -141,7 +141,7 @@ impl FlightRecord {
                 highest_rank: r.highest_rank,
                 median_condition: r.median_condition,
             }),
-            alike: alike.iter().map(|group| group.iter().map(|name| name.to_string()).collect()).collect(),
+            alike: alike.iter().map(|group| group.iter().map(ToString::to_string).collect()).collect(),
             warnings: caveats(model, solved),
         }
     }

@@ -289,8 +289,8 @@ fn wrench(model: &Model, solved: &Solved) -> Vec<Chart> {
     let trajectory = &solved.trajectory;
     let of = |s: &NodeState, axis: usize| trajectory.wrench(&model.vehicle, model.gravity, s)[axis];
     let (most, least) = (peak(trajectory, |s| of(s, 0)), peak(trajectory, |s| -of(s, 0)));
-    let full: f64 = model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum();
-    let idle: f64 = model.vehicle.rotors.iter().map(|r| r.idle_thrust()).sum();
+    let full: f64 = model.vehicle.rotors.iter().map(crate::model::Rotor::max_thrust).sum();
+    let idle: f64 = model.vehicle.rotors.iter().map(crate::model::Rotor::idle_thrust).sum();
     let clean = |v: f64| if v.abs() < 1e-6 * full { 0.0 } else { v };
     let thrust = Chart {
         id: "thrust",

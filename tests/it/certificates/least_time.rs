@@ -38,7 +38,7 @@ fn claiming(model: &Model, waypoint: usize, soonest_s: f64) -> Certificate {
 /// Missions whose least time has a closed form, up to the tolerances of waypoints and of the check.
 fn closed_forms() -> Vec<(Model, f64)> {
     let full = octocopter("PPNNPPNN");
-    let force: f64 = full.vehicle.rotors.iter().map(|r| r.max_thrust()).sum::<f64>() / full.vehicle.mass;
+    let force: f64 = full.vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).sum::<f64>() / full.vehicle.mass;
     let leans = 20f64.to_radians();
     let tilted = force * leans.sin();
     vec![

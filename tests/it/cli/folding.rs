@@ -45,7 +45,7 @@ fn runs_with_one_plan_take_one_line_that_names_them_all() {
     assert!(own.iter().any(|row| row.starts_with("  RCP W1 ")), "{said}");
     assert!(own.iter().any(|row| row.starts_with("  RCP worn ")), "{said}");
     // Reports have every run.
-    let record: serde_json::Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap();
+    let record: Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).unwrap();
     let planners = record["planners"].as_array().unwrap();
     assert_eq!(planners.len(), 2 * (1 + 7 + 1 + 1));
     // RCP's runs that ended without a plan are told together, too.

@@ -82,7 +82,7 @@ fn no_stop_leads_into_the_ground() {
             // A stop that knows of no ground.
             let far = -1000.0;
             let strikes = |[_, height, ..]: &[f64; 4]| height + far <= ground;
-            saved += usize::from(self::way(plan, begin, false, far).iter().any(strikes));
+            saved += usize::from(way(plan, begin, false, far).iter().any(strikes));
         }
     }
     assert!(saved > 10, "only {saved} stops would have struck the ground: the test shows little");

@@ -56,7 +56,7 @@ fn climb(model: PlanModel, tau: Option<f64>) -> Model {
 
 /// Accelerations up and down that the healthy octocopter can give level, m/s^2.
 fn reach(model: &Model) -> (f64, f64) {
-    let full: f64 = model.vehicle.rotors.iter().map(|r| r.max_thrust()).sum();
+    let full: f64 = model.vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).sum();
     (full / model.vehicle.mass - model.gravity, model.gravity)
 }
 

@@ -68,7 +68,7 @@ fn followed(model: &Model, plan: &Trajectory) -> Followed {
     let vehicle = &model.vehicle;
     let allocator = Allocator::new(vehicle);
     let tau = model.thrust_lag();
-    let most: Vec<f64> = vehicle.rotors.iter().map(|r| r.max_thrust()).collect();
+    let most: Vec<f64> = vehicle.rotors.iter().map(mavc::model::Rotor::max_thrust).collect();
     let mut f = allocator.thrusts(&plan.wrench(vehicle, model.gravity, &plan.nodes[0]));
     let mut motors = Motors::at(model, &f);
     let mut out = Followed { behind: 0.0, missed: 0.0, slowest: f64::INFINITY, clipped: false };

@@ -64,7 +64,7 @@ fn rotors_that_may_not_stop_are_not_commanded_to() {
     let tau = model.thrust_lag().unwrap();
     let plan = planned(&model);
     let leads = leads(&model, &plan, tau);
-    let idle: f64 = model.vehicle.rotors.iter().map(|r| r.idle_thrust()).sum();
+    let idle: f64 = model.vehicle.rotors.iter().map(mavc::model::Rotor::idle_thrust).sum();
     let least = leads.iter().map(|c| c[0]).fold(f64::INFINITY, f64::min);
     // After the loss seven rotors idle, before it eight: both sets are kept.
     assert!(least > idle * (1.0 - 1e-4), "{least} N, {idle} N at idle");

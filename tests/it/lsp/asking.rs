@@ -177,7 +177,7 @@ fn a_list_is_offered_what_it_does_not_have() {
     assert!(inside.contains(&"weak2") && !inside.contains(&"worn") && !inside.contains(&"weak1"), "{inside:?}");
     assert!(!inside.contains(&"all"), "{inside:?}");
     let whole =
-        labels(&offers(&SPEC.replace("[worn, weak1]", "|"))[0]).iter().map(|l| l.to_string()).collect::<Vec<_>>();
+        labels(&offers(&SPEC.replace("[worn, weak1]", "|"))[0]).iter().map(ToString::to_string).collect::<Vec<_>>();
     assert!(whole.contains(&"all".to_string()) && whole.contains(&"where".to_string()), "{whole:?}");
     let planners = offers("campaign { planners = [rip, |] }\n");
     assert_eq!(labels(&planners[0]), ["rcp", "rsp"]);

@@ -41,7 +41,7 @@ fn families_and_ranges_are_the_modes_they_declare() {
         ("[W2 .. W3, worn, L]", &["W2", "W3", "worn", "L1", "L2", "L3", "L4"]),
         ("[L, W1]", &["L1", "L2", "L3", "L4", "W1"]),
     ] {
-        assert_eq!(chosen(against), (wanted.iter().map(|s| s.to_string()).collect(), vec![]), "{against}");
+        assert_eq!(chosen(against), (wanted.iter().map(ToString::to_string).collect(), vec![]), "{against}");
     }
     // As an option of the command line, too.
     let read = |_: &std::path::Path| Err(std::io::Error::from(std::io::ErrorKind::NotFound));
