@@ -82,7 +82,9 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
 fn words(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     let has = |verdict: Verdict| comparison.runs.iter().any(|run| run.ending.verdict() == verdict);
     let least = least_time_within(model, mission);
-    let at_any_time = least.too_early.map(|_| {
+    // The last waypoint's time is the mission's.
+    let is_of_all = least.too_early.is_some_and(|(waypoint, _)| waypoint + 1 < mission.waypoints.len());
+    let at_any_time = is_of_all.then(|| {
         format!("no plan exists at any mission time, because {}.", least_time::sentence(mission, &least, 0.0))
     });
     let proved = at_any_time
@@ -157,18 +159,19 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
 
 /// Under the first table: that its times were looked for beside the one that the spec fixes, and with which facets RSP's was.
 fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
-    let Some(at) = comparison.common_time.map(number) else { return String::new() };
     let rip = comparison.runs.iter().find(|run| run.planner == PlannerKind::Rip && run.run == Run::Own);
     let gap = rip.filter(|_| determined(mission).is_none()).and_then(|rip| least_time::gap(model, mission, rip));
-    let bound = gap.and_then(|gap| Some(format!("N{} for RIP).", gap.strip_prefix('n')?.strip_suffix(')')?)));
-    let beside = match model.plan.time {
-        MissionTime::Fixed(_) if determined(mission).is_none() => {
-            Some(format!("The spec asks for {at} s; these times were looked for beside it, for comparison."))
-        }
-        _ => None,
-    };
-    let selected = selects(comparison)
-        .then(|| format!("RSP has the facets that are selected at T_d = {at} s, at its own time too."));
+    let bound = gap.map(|gap| format!("For RIP, {gap}."));
+    let at = comparison.common_time.map(number);
+    let is_beside = matches!(model.plan.time, MissionTime::Fixed(_)) && determined(mission).is_none();
+    let beside = at
+        .as_ref()
+        .filter(|_| is_beside)
+        .map(|at| format!("The spec asks for {at} s; these times were looked for beside it, for comparison."));
+    let selected = at
+        .as_ref()
+        .filter(|_| selects(comparison))
+        .map(|at| format!("RSP has the facets that are selected at T_d = {at} s, at its own time too."));
     let text: Vec<String> = bound.into_iter().chain(beside).chain(selected).collect();
     if text.is_empty() {
         return String::new();

@@ -231,9 +231,9 @@ impl ScpPlanner<'_, '_> {
         }
     }
 
-    /// Whether there is a plan at a mission time, for questions that are asked by the dozen: what the relaxation proves, else
-    /// an iterate made to fit, begun from the relaxation's own, which keeps every limit, and then from the smooth one. It is
-    /// made (roughly) the cheapest where it is to be `minimised`, or where it does not fit otherwise.
+    /// A quick decision at a mission time, for callers that need dozens. A proof by the relaxation is returned as it is; otherwise
+    /// the feasibility phase runs with two initial guesses, the relaxation's solution, which keeps every limit, and the
+    /// minimum-snap motion. If `minimised`, or with the second guess, a short cost phase follows.
     pub fn attempt(&mut self, total: f64, minimised: bool) -> Decision {
         if self.is_too_short(total) {
             return Decision::Infeasible;

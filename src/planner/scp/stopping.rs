@@ -21,7 +21,7 @@ impl ScpPlanner<'_, '_> {
         self.stop_by_steps(smooth, violation)
     }
 
-    /// The same begun from a stop found elsewhere, which begins in another state.
+    /// The same with a known stop from another state as the initial guess.
     pub fn stop_about(&mut self, other: Iterate) -> Option<Iterate> {
         self.stop_by_steps(other, f64::INFINITY)
     }
