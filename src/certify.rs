@@ -10,7 +10,7 @@ mod plan;
 use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
 use crate::model::{Mission, MissionTime, Model, PlanModel};
 use crate::motion::time_grid::determined;
-use crate::planner::studies::{Comparison, RunOutcome, Verification};
+use crate::planner::studies::{Comparison, PlanOutcome, Proof, Verification};
 use crate::planner::timing::kinematics::{ROUNDING, least_time_within};
 use crate::verify::{self, Settings};
 
@@ -26,8 +26,8 @@ pub fn of(
     comparison: &Comparison,
     spec_sha256: String,
 ) -> Result<Certificate, String> {
-    match comparison.runs.last().map(|run| (run, &run.ending)) {
-        Some((_, RunOutcome::Solved(solved))) => {
+    match comparison.runs.last().map(|run| (run, &run.outcome)) {
+        Some((_, PlanOutcome::Planned(solved))) => {
             let mut certificate = plan::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
             if let Claim::Plan(claim) = &mut certificate.claim {
                 // A time that the spec lays down needs no bound.
@@ -43,7 +43,7 @@ pub fn of(
                 Err(refusal) => Err(refusal.sentence()),
             }
         }
-        Some((_, RunOutcome::Infeasible { at, .. })) if least_time_within(model, mission).is_above(*at) => {
+        Some((_, PlanOutcome::Infeasible(Proof { at, .. }))) if least_time_within(model, mission).is_above(*at) => {
             too_early(model, mission, spec_sha256)
         }
         _ => by_multipliers(model, mission, comparison, spec_sha256),
@@ -60,11 +60,13 @@ pub fn by_multipliers(
     comparison: &Comparison,
     spec_sha256: String,
 ) -> Result<Certificate, String> {
-    match comparison.runs.last().map(|run| (run, &run.ending)) {
-        Some((run, RunOutcome::Infeasible { at, .. })) if has_one_time(model, mission) => {
+    match comparison.runs.last().map(|run| (run, &run.outcome)) {
+        Some((run, PlanOutcome::Infeasible(Proof { at, .. }))) if has_one_time(model, mission) => {
             infeasible::certificate(model, mission, run, *at, (&comparison.selected_by, spec_sha256))
         }
-        Some((_, RunOutcome::Infeasible { .. })) => Err("no plan at many times is more than a certificate says".into()),
+        Some((_, PlanOutcome::Infeasible(Proof { .. }))) => {
+            Err("no plan at many times is more than a certificate says".into())
+        }
         _ => Err("no plan was found, and none was proved infeasible".into()),
     }
 }

@@ -5,7 +5,7 @@ use super::markdown::{fixed, none, paragraph, printed, table};
 use super::paper_plans::{Common, Own, TABLE_8, TABLE_9, TABLE_10, TABLE_11, TABLE_12, TABLE_13, WAYPOINTS};
 use super::plans::{self, Plans, name};
 use mavc::motion::outside::Outside;
-use mavc::planner::studies::{PlannerRun, Run, RunOutcome};
+use mavc::planner::studies::{PlanOutcome, PlannerRun, Run};
 use mavc::report::record::errors;
 
 /// Both tables of a case.
@@ -70,9 +70,9 @@ fn own_times(table_number: usize, plans: &Plans, paper: &[Own]) -> String {
 }
 
 fn time(run: &PlannerRun) -> String {
-    match &run.ending {
-        RunOutcome::Solved(s) => seconds(s.time),
-        ending => ending.verdict().word().into(),
+    match &run.outcome {
+        PlanOutcome::Planned(s) => seconds(s.time),
+        outcome => outcome.verdict().word().into(),
     }
 }
 

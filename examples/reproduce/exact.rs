@@ -9,7 +9,7 @@ use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
 use mavc::motion::Z;
 use mavc::motion::checks::stretch;
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::studies::{PlannerRun, Run, Scope, Solved, compare};
+use mavc::planner::studies::{MissionPlan, PlannerRun, Run, Scope, compare};
 use mavc::planner::transcription::UPRIGHT;
 
 /// Heads the part that takes long to compute; it ends the page.
@@ -47,7 +47,7 @@ pub struct Exactly {
 const POINTS: usize = 64;
 
 /// Against what the plan keeps in its own model.
-pub fn exactly(solved: &Solved, model: &Model, rows: &[SetRow]) -> Exactly {
+pub fn exactly(solved: &MissionPlan, model: &Model, rows: &[SetRow]) -> Exactly {
     let mut found = Exactly { worst: f64::NEG_INFINITY, outside: 0.0, falling: 0.0 };
     let trajectory = &solved.trajectory;
     for k in 0..trajectory.intervals() {
@@ -71,12 +71,12 @@ pub fn exactly(solved: &Solved, model: &Model, rows: &[SetRow]) -> Exactly {
 }
 
 /// The largest tilt of a plan.
-pub fn degrees(solved: &Solved, model: &Model) -> String {
+pub fn degrees(solved: &MissionPlan, model: &Model) -> String {
     fixed(stretch(&solved.trajectory, model).tilt.value.to_degrees(), 0)
 }
 
 fn hover_plans() -> String {
-    let row = |number: usize, plans: &Plans, run: &PlannerRun, solved: &Solved| {
+    let row = |number: usize, plans: &Plans, run: &PlannerRun, solved: &MissionPlan| {
         let found = exactly(solved, &plans.model, &run.set.rows);
         vec![
             number.to_string(),
@@ -124,7 +124,7 @@ pub fn exact_case(number: usize, planner: PlannerKind, time: MissionTime) -> Mod
 }
 
 /// The plan of the model's own planner.
-pub fn plan(model: &Model) -> Option<(PlannerRun, Solved)> {
+pub fn plan(model: &Model) -> Option<(PlannerRun, MissionPlan)> {
     let mission = model.mission.as_ref().unwrap_or_else(|| panic!("a mission"));
     let run = compare(model, mission, Scope::Plan, None).runs.pop()?;
     let solved = plans::solved(&run)?.clone();

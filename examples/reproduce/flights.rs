@@ -5,7 +5,7 @@ use super::markdown::{fixed, paragraph, table};
 use super::specs;
 use mavc::flight::{Flight, Sortie, fly};
 use mavc::model::Model;
-use mavc::planner::studies::{RunOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, compare};
 
 /// Errors below the first are small: the arm of the vehicle, about. Above the second, its width, it does not track.
 const SMALL: f64 = 0.2;
@@ -21,7 +21,7 @@ fn flown(figure: &str) -> Flown {
     let model: Model = specs::paper(figure);
     let mission = model.mission.clone().expect("the figures fly a mission");
     let comparison = compare(&model, &mission, Scope::Plan, None);
-    let Some(RunOutcome::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
+    let Some(PlanOutcome::Planned(solved)) = comparison.runs.last().map(|r| &r.outcome) else {
         panic!("{figure} has no plan");
     };
     let sortie = Sortie::along(&model, &solved.trajectory, &model.simulation.faults, model.simulation.seed);

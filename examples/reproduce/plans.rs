@@ -3,7 +3,7 @@
 use super::specs;
 use mavc::model::{Mission, Model, PlannerKind};
 use mavc::motion::outside::Outside;
-use mavc::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Scope, Solved, compare, label};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, Scope, compare, label};
 use mavc::report::record::{Errors, errors};
 use std::sync::OnceLock;
 
@@ -40,12 +40,12 @@ impl Plans {
     }
 
     /// The planner's plan, where it has one.
-    pub fn found(&self, planner: &str, which: Run) -> Option<&Solved> {
+    pub fn found(&self, planner: &str, which: Run) -> Option<&MissionPlan> {
         self.runs(which).find(|r| name(r) == planner).and_then(solved)
     }
 
     /// The same where the page cannot do without.
-    pub fn plan(&self, planner: &str, which: Run) -> &Solved {
+    pub fn plan(&self, planner: &str, which: Run) -> &MissionPlan {
         self.found(planner, which).unwrap_or_else(|| panic!("{planner} has no plan ({which:?})"))
     }
 
@@ -75,9 +75,9 @@ impl Plans {
     }
 }
 
-pub fn solved(run: &PlannerRun) -> Option<&Solved> {
-    match &run.ending {
-        RunOutcome::Solved(s) => Some(s),
+pub fn solved(run: &PlannerRun) -> Option<&MissionPlan> {
+    match &run.outcome {
+        PlanOutcome::Planned(s) => Some(s),
         _ => None,
     }
 }

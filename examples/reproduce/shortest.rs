@@ -5,7 +5,7 @@ use crate::document::exact::{PLANNERS, degrees, exact_case, exactly, plan};
 use crate::document::markdown::{fixed, none, paragraph, table};
 use crate::document::plans;
 use mavc::model::MissionTime;
-use mavc::planner::studies::{Run, Solved};
+use mavc::planner::studies::{MissionPlan, Run};
 
 /// What stands under `exact::SHORTEST`.
 pub fn section() -> String {
@@ -15,7 +15,7 @@ pub fn section() -> String {
         let before = hover.plan(planner, Run::Own);
         let model = exact_case(number, kind, MissionTime::Minimum);
         let found = plan(&model);
-        let or_none = |of: &dyn Fn(&Solved) -> String| found.as_ref().map_or_else(none, |(_, s)| of(s));
+        let or_none = |of: &dyn Fn(&MissionPlan) -> String| found.as_ref().map_or_else(none, |(_, s)| of(s));
         rows.push(vec![
             number.to_string(),
             planner.into(),

@@ -6,7 +6,7 @@ use crate::admissible::row::{SetRow, row};
 use crate::model::{FaultMode, Model, PlannerKind};
 use crate::motion::Trajectory;
 use crate::motion::outside::{Outside, outside};
-use crate::planner::studies::{Comparison, RunOutcome};
+use crate::planner::studies::{Comparison, PlanOutcome};
 use crate::verdict::Verdict;
 use sha2::{Digest, Sha256};
 use std::fmt;
@@ -28,13 +28,13 @@ pub struct Plan {
 pub struct Missing {
     pub planner: PlannerKind,
     /// `None` where it was not run: RCP where no mode is to be stood, or any planner where there is no common time.
-    pub ending: Option<RunOutcome>,
+    pub outcome: Option<PlanOutcome>,
 }
 
 impl Missing {
     /// On the plan at the common time.
     pub fn verdict(&self) -> Verdict {
-        self.ending.as_ref().map_or(Verdict::NotAttempted, RunOutcome::verdict)
+        self.outcome.as_ref().map_or(Verdict::NotAttempted, PlanOutcome::verdict)
     }
 }
 
@@ -83,8 +83,8 @@ impl<'a> Design<'a> {
         let mut missing = Vec::new();
         for &planner in &model.campaign.planners {
             let run = comparison.runs.iter().find(|r| r.planner == planner);
-            match run.map(|r| (&r.ending, &r.against)) {
-                Some((RunOutcome::Solved(solved), against)) => {
+            match run.map(|r| (&r.outcome, &r.against)) {
+                Some((PlanOutcome::Planned(solved), against)) => {
                     plans.push(Plan {
                         planner,
                         against: against.clone(),
@@ -92,7 +92,7 @@ impl<'a> Design<'a> {
                         trajectory: solved.trajectory.clone(),
                     });
                 }
-                other => missing.push(Missing { planner, ending: other.map(|(ending, _)| ending.clone()) }),
+                other => missing.push(Missing { planner, outcome: other.map(|(outcome, _)| outcome.clone()) }),
             }
         }
         let Some(time) = comparison.common_time.filter(|_| !plans.is_empty()) else { return Err(missing) };

@@ -1,6 +1,6 @@
 //! Rows as Parquet: the columns of the CSV, typed, in row groups of bounded size. Empty cells are nulls.
 
-use super::rows::{Ending, Row, header};
+use super::rows::{FlightOutcome, Row, header};
 use parquet::basic::Compression;
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::{ParquetError, Result};
@@ -74,15 +74,15 @@ fn group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, rows: &[Row]) ->
     columns.text(|r| Some(r.mode.clone()), false)?;
     columns.optional(|r| r.fault_time)?;
     columns.count(|r| r.seed)?;
-    let outcome = |r: &Row| match r.ending {
-        Ending::Flown => "flown",
-        Ending::Landed => "landed",
-        Ending::Lost(_) => "lost",
-        Ending::Diverged => "diverged",
+    let outcome = |r: &Row| match r.outcome {
+        FlightOutcome::Flown => "flown",
+        FlightOutcome::Landed => "landed",
+        FlightOutcome::Lost(_) => "lost",
+        FlightOutcome::Diverged => "diverged",
     };
     columns.text(|r| Some(outcome(r).into()), false)?;
-    let cause = |r: &Row| match r.ending {
-        Ending::Lost(cause) => Some(cause.name().to_string()),
+    let cause = |r: &Row| match r.outcome {
+        FlightOutcome::Lost(cause) => Some(cause.name().to_string()),
         _ => None,
     };
     columns.text(cause, true)?;

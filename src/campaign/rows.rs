@@ -72,7 +72,7 @@ pub struct Row {
     /// s; `None` for a flight without a fault.
     pub fault_time: Option<f64>,
     pub seed: usize,
-    pub ending: Ending,
+    pub outcome: FlightOutcome,
     /// s
     pub end: f64,
     /// m
@@ -96,7 +96,7 @@ pub struct Row {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ending {
+pub enum FlightOutcome {
     Flown,
     Landed,
     Lost(Cause),
@@ -116,11 +116,11 @@ impl Row {
             mode: mode.into(),
             fault_time,
             seed: case.seed,
-            ending: match flight.outcome {
-                Outcome::Flown => Ending::Flown,
-                Outcome::Landed { .. } => Ending::Landed,
-                Outcome::Lost { cause, .. } => Ending::Lost(cause),
-                Outcome::Diverged { .. } => Ending::Diverged,
+            outcome: match flight.outcome {
+                Outcome::Flown => FlightOutcome::Flown,
+                Outcome::Landed { .. } => FlightOutcome::Landed,
+                Outcome::Lost { cause, .. } => FlightOutcome::Lost(cause),
+                Outcome::Diverged { .. } => FlightOutcome::Diverged,
             },
             end: flight.end,
             rms_error: flight.rms_error,
@@ -140,11 +140,11 @@ impl Row {
     }
 
     pub fn is_lost(&self) -> bool {
-        matches!(self.ending, Ending::Lost(_))
+        matches!(self.outcome, FlightOutcome::Lost(_))
     }
 
     pub fn is_survived(&self) -> bool {
-        matches!(self.ending, Ending::Flown | Ending::Landed)
+        matches!(self.outcome, FlightOutcome::Flown | FlightOutcome::Landed)
     }
 
     /// Lost before the fault could strike.
@@ -175,11 +175,11 @@ impl Row {
     /// All cells but the checksum.
     fn cells(&self) -> String {
         let optional = |v: Option<f64>| v.map(shortest).unwrap_or_default();
-        let (outcome, cause) = match self.ending {
-            Ending::Flown => ("flown", ""),
-            Ending::Landed => ("landed", ""),
-            Ending::Lost(cause) => ("lost", cause.name()),
-            Ending::Diverged => ("diverged", ""),
+        let (outcome, cause) = match self.outcome {
+            FlightOutcome::Flown => ("flown", ""),
+            FlightOutcome::Landed => ("landed", ""),
+            FlightOutcome::Lost(cause) => ("lost", cause.name()),
+            FlightOutcome::Diverged => ("diverged", ""),
         };
         format!(
             "{},{},{},{},{},{},{},{outcome},{cause},{},{},{},{},{},{},{},{},{},{},{},{},{}",
@@ -227,11 +227,11 @@ impl Row {
         let count = |k: usize| cells[k].parse::<usize>().map_err(|_| wrong(k));
         let float = |k: usize| cells[k].parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(k));
         let optional = |k: usize| if cells[k].is_empty() { Ok(None) } else { float(k).map(Some) };
-        let ending = match (cells[7], Cause::ALL.into_iter().find(|c| c.name() == cells[8])) {
-            ("flown", None) if cells[8].is_empty() => Ending::Flown,
-            ("landed", None) if cells[8].is_empty() => Ending::Landed,
-            ("lost", Some(cause)) => Ending::Lost(cause),
-            ("diverged", None) if cells[8].is_empty() => Ending::Diverged,
+        let outcome = match (cells[7], Cause::ALL.into_iter().find(|c| c.name() == cells[8])) {
+            ("flown", None) if cells[8].is_empty() => FlightOutcome::Flown,
+            ("landed", None) if cells[8].is_empty() => FlightOutcome::Landed,
+            ("lost", Some(cause)) => FlightOutcome::Lost(cause),
+            ("diverged", None) if cells[8].is_empty() => FlightOutcome::Diverged,
             _ => return Err(format!("{:?} with cause {:?} is no outcome", cells[7], cells[8])),
         };
         Ok(Row {
@@ -242,7 +242,7 @@ impl Row {
             mode: cells[4].into(),
             fault_time: optional(5)?,
             seed: count(6)?,
-            ending,
+            outcome,
             end: float(9)?,
             rms_error: float(10)?,
             max_error: float(11)?,

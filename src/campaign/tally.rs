@@ -1,7 +1,7 @@
 //! Counts and sums over rows that pass by; their number does not depend on that of seeds.
 
 use super::cases::{Case, Cases};
-use super::rows::{Ending, Row};
+use super::rows::{FlightOutcome, Row};
 use super::statistics::Moments;
 use crate::flight::Cause;
 
@@ -58,14 +58,14 @@ impl Group {
 
     fn add(&mut self, row: &Row) {
         self.flights += 1;
-        match row.ending {
-            Ending::Flown => self.flown += 1,
-            Ending::Landed => self.landed += 1,
-            Ending::Lost(cause) => {
+        match row.outcome {
+            FlightOutcome::Flown => self.flown += 1,
+            FlightOutcome::Landed => self.landed += 1,
+            FlightOutcome::Lost(cause) => {
                 let of_cause = Cause::ALL.iter().zip(&mut self.lost).filter(|(known, _)| **known == cause);
                 of_cause.for_each(|(_, count)| *count += 1);
             }
-            Ending::Diverged => self.diverged += 1,
+            FlightOutcome::Diverged => self.diverged += 1,
         }
         self.lost_before += usize::from(row.is_lost_before());
         if row.is_survived() {
@@ -103,7 +103,7 @@ impl Tally {
         if let Some(strike) = case.strike {
             let at = (case.planner * self.cases.modes + strike.mode) * self.cases.times + strike.time;
             let cell = &mut self.cells[at];
-            let diverged = row.ending == Ending::Diverged;
+            let diverged = row.outcome == FlightOutcome::Diverged;
             let struck = !diverged && !row.is_lost_before();
             cell.flights += 1;
             cell.diverged += usize::from(diverged);

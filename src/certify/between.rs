@@ -6,7 +6,7 @@ use crate::admissible::row::SetRow;
 use crate::model::{Limit, Mission, Model};
 use crate::motion::checks::past_as_checked;
 use crate::motion::{NodeState, Trajectory};
-use crate::planner::studies::{PlannerRun, Solved};
+use crate::planner::studies::{MissionPlan, PlannerRun};
 use crate::verify::Premises;
 use crate::verify::cost::Purse;
 use crate::verify::interval::Interval;
@@ -68,7 +68,7 @@ pub const COMMANDS: &str = "commands";
 /// The wrench first, then each limit in the spec's order, then the commands of lagging rotors. With rows linear over each
 /// piece (the hover model with one yaw) the nodes decide; all else is proved in intervals or looked at on a grid. The rows
 /// count as kept within what `mavc verify` accepts, so that both say the same.
-pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> Vec<Between> {
+pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &MissionPlan) -> Vec<Between> {
     let trajectory = &solved.trajectory;
     let kind = model_of(trajectory);
     let setting = Setting::new(model, mission, kind, Premises::default());

@@ -4,7 +4,7 @@ use super::plan::certificate;
 use crate::model::{Mission, MissionTime, Model, Plan, PlannerKind};
 use crate::motion::Trajectory;
 use crate::planner::studies::rounds::Round;
-use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Verification};
+use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Verification};
 use crate::verify::{self, Refusal, Settings};
 
 /// Decides every plan of a comparison. What fails is not a plan: its run ends without one, and says why.
@@ -13,7 +13,7 @@ pub fn check(model: &Model, mission: &Mission, comparison: &mut Comparison) {
     for run in &mut comparison.runs {
         let asked = asked_of(model, mission, run, risk_required);
         let selected_by = if run.planner == PlannerKind::Rsp { &comparison.selected_by[..] } else { &[] };
-        decide(&asked, &mut run.ending, selected_by);
+        decide(&asked, &mut run.outcome, selected_by);
     }
 }
 
@@ -42,15 +42,15 @@ pub fn is_plan(model: &Model, mission: &Mission, time: f64, motion: &Trajectory,
 }
 
 /// Decides a plan of a model at the nodes.
-fn decide(asked: &Model, ending: &mut RunOutcome, selected_by: &[Trajectory]) {
-    let RunOutcome::Solved(solved) = ending else { return };
+fn decide(asked: &Model, outcome: &mut PlanOutcome, selected_by: &[Trajectory]) {
+    let PlanOutcome::Planned(solved) = outcome else { return };
     let certificate = certificate(&solved.trajectory, selected_by, String::new());
     match verify::decide_at_nodes(&certificate, asked, Settings::default()) {
         Ok(verdict) if verdict.undecided.is_empty() => solved.verification = Verification::Passed,
         Ok(verdict) => solved.verification = Verification::Undecided(verdict.undecided.join("; ")),
         Err(refusal @ Refusal::Budget { .. }) => solved.verification = Verification::Undecided(refusal.sentence()),
         Err(Refusal::Rejected(rejection)) => {
-            *ending = RunOutcome::Failed { at: solved.time, why: rejection.sentence() };
+            *outcome = PlanOutcome::NotFound(NotFound::Check { at: solved.time, why: rejection.sentence() });
         }
     }
 }

@@ -79,7 +79,7 @@ pub fn compare(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
 fn compared_code(model: &Model, mission: &Mission, comparison: &Comparison) -> u8 {
     let is_fixed = determined(mission).is_some() || matches!(model.plan.time, MissionTime::Fixed(_));
     let asked = |run: &&PlannerRun| !is_fixed || run.run == Run::Common;
-    let any = |verdict: Verdict| comparison.runs.iter().filter(asked).any(|r| r.ending.verdict() == verdict);
+    let any = |verdict: Verdict| comparison.runs.iter().filter(asked).any(|r| r.outcome.verdict() == verdict);
     match (any(Verdict::NotFound), any(Verdict::Found), any(Verdict::ProvedInfeasible)) {
         (false, true, _) => FINE,
         (false, false, true) => NO_PLAN,

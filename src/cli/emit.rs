@@ -7,7 +7,7 @@ use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::diagnostic::{Severity, sort};
 use crate::model::{FlightBlocks, Mission, Model};
 use crate::planner::hover::{FEASIBLE, HoverPlanner};
-use crate::planner::studies::{PlannerRun, RunOutcome, Scope, compare};
+use crate::planner::studies::{NotFound, PlanOutcome, PlannerRun, Proof, Scope, compare};
 use crate::planner::transcription::{Purpose, Transcription};
 use crate::qp::{QuadraticProgram, mps};
 use crate::source::visible;
@@ -79,12 +79,12 @@ fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Option
         files::print(&run.set.to_string())?;
         return Ok(FINE);
     }
-    let time = match &run.ending {
-        RunOutcome::Solved(s) => s.time,
-        RunOutcome::Infeasible { at, .. }
-        | RunOutcome::Inconclusive { at, .. }
-        | RunOutcome::Failed { at, .. }
-        | RunOutcome::NotAttempted { at, .. } => *at,
+    let time = match &run.outcome {
+        PlanOutcome::Planned(s) => s.time,
+        PlanOutcome::Infeasible(Proof { at, .. })
+        | PlanOutcome::NotFound(NotFound::Search { at, .. })
+        | PlanOutcome::NotFound(NotFound::Check { at, .. })
+        | PlanOutcome::NotAttempted { at, .. } => *at,
     };
     let Some(program) = program(model, mission, run, time) else {
         return Err(format!("the mission cannot be laid out over {time} s"));

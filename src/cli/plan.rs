@@ -10,7 +10,7 @@ use crate::certify::{self, between};
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::explain::{self, Explanation};
 use crate::model::{FlightBlocks, Mission, Model};
-use crate::planner::studies::{Comparison, RunOutcome, Scope, compare as compare_planners};
+use crate::planner::studies::{Comparison, NotFound, PlanOutcome, Scope, compare as compare_planners};
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::page::{self, Kind, Subject};
 use crate::report::record::Record;
@@ -38,10 +38,11 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
         return refused(&loaded, &model, &report, &html, args.html.as_deref(), options);
     };
-    let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(RunOutcome::Solved(_)));
+    let solved = matches!(comparison.runs.last().map(|r| &r.outcome), Some(PlanOutcome::Planned(_)));
     // Where only the required risk is not met there is a plan for every statement that could be blamed.
     // A motion that fails the check is the planner's failure, and no statement of the spec is to blame for it.
-    let is_failed = matches!(comparison.runs.last().map(|r| &r.ending), Some(RunOutcome::Failed { .. }));
+    let is_failed =
+        matches!(comparison.runs.last().map(|r| &r.outcome), Some(PlanOutcome::NotFound(NotFound::Check { .. })));
     let found_at: Vec<f64> = nearby(&model, &mission, &comparison, options).times().collect();
     // Nor is one where the planner has a plan at another time.
     let is_elsewhere = !found_at.is_empty();
@@ -56,8 +57,8 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         (target, certificate)
     });
     let begin = Instant::now();
-    let plan = comparison.runs.last().and_then(|run| match &run.ending {
-        RunOutcome::Solved(solved) => Some((run, solved)),
+    let plan = comparison.runs.last().and_then(|run| match &run.outcome {
+        PlanOutcome::Planned(solved) => Some((run, solved)),
         _ => None,
     });
     progress.say("looking for a proof of every instant".into());
@@ -66,8 +67,8 @@ pub fn plan(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
     timing(options, "prove", begin);
     let begin = Instant::now();
     let mut results = Vec::new();
-    let code = match comparison.runs.last().map(|r| &r.ending) {
-        Some(RunOutcome::Solved(solved)) => {
+    let code = match comparison.runs.last().map(|r| &r.outcome) {
+        Some(PlanOutcome::Planned(solved)) => {
             if table.is_some() {
                 let header = trajectory_csv::header(model.vehicle.rotors.len());
                 let rows = trajectory_csv::count(&solved.trajectory, rate);
@@ -300,7 +301,7 @@ pub(super) fn plan_for(
 
 /// The exit code where the last run has no plan.
 pub(super) fn no_plan_code(comparison: &Comparison) -> u8 {
-    match comparison.runs.last().map(|r| r.ending.verdict()) {
+    match comparison.runs.last().map(|r| r.outcome.verdict()) {
         Some(Verdict::ProvedInfeasible) => NO_PLAN,
         _ => INCONCLUSIVE,
     }

@@ -8,7 +8,7 @@ use crate::diagnostic::sort;
 use crate::flight::{Outcome, Sample, Sortie, fly, longest, twins};
 use crate::model::{FlightBlocks, Model, coarse_step, past_the_end, too_many_steps};
 use crate::number::number;
-use crate::planner::studies::{RunOutcome, Scope};
+use crate::planner::studies::{PlanOutcome, Scope};
 use crate::report::flight::{FlightRecord, Log, Told, text};
 use crate::report::page::{self, Kind, Track};
 use crate::report::record::Record;
@@ -29,7 +29,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let Some(comparison) = plan_for(&loaded, &model, &mission, Scope::Plan, options) else {
         return refused(&loaded, &model, &report, &html, args.html.as_deref(), options);
     };
-    let Some(RunOutcome::Solved(solved)) = comparison.runs.last().map(|r| &r.ending) else {
+    let Some(PlanOutcome::Planned(solved)) = comparison.runs.last().map(|r| &r.outcome) else {
         // Where nothing is flown the report is that of the plan.
         if ![&report, &html].into_iter().flatten().any(Target::is_stdout) {
             files::print_painted(&terminal::plan(&model, &mission, &comparison, spec::colored(&std::io::stdout())))?;

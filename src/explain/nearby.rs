@@ -5,7 +5,7 @@ use crate::certify;
 use crate::model::{Mission, MissionTime, Model};
 use crate::motion::time_grid::determined;
 use crate::planner::scp::NOT_FOUND;
-use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, RunOutcome, Scope, compare};
+use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, Scope, compare};
 use crate::solve::Effort;
 
 /// Shares of the time asked for that are tried, the nearest first, where the shortest time found is no longer than that, or where
@@ -29,10 +29,10 @@ impl Nearby {
 /// The time asked for where none was found there and nothing was proved; `None` of all else.
 fn asked_for(model: &Model, mission: &Mission, comparison: &Comparison) -> Option<f64> {
     let MissionTime::Fixed(time) = model.plan.time else { return None };
-    let is_open = match &comparison.runs.last()?.ending {
-        RunOutcome::Inconclusive { status, .. } => status == NOT_FOUND,
-        RunOutcome::NotAttempted { why, .. } => why == NOTHING_TO_SELECT_BY,
-        RunOutcome::Failed { .. } => true,
+    let is_open = match &comparison.runs.last()?.outcome {
+        PlanOutcome::NotFound(NotFound::Search { status, .. }) => status == NOT_FOUND,
+        PlanOutcome::NotAttempted { why, .. } => why == NOTHING_TO_SELECT_BY,
+        PlanOutcome::NotFound(NotFound::Check { .. }) => true,
         _ => false,
     };
     (is_open && determined(mission).is_none() && model.plan.require_risk.is_none()).then_some(time)
@@ -48,7 +48,7 @@ pub fn nearby(model: &Model, mission: &Mission, comparison: &Comparison, tell: &
         let mut found = compare(&other, mission, Scope::Plan, None);
         effort += found.effort;
         certify::check(&other, mission, &mut found);
-        found.runs.last().and_then(|run| run.ending.solved()).map(|solved| solved.time)
+        found.runs.last().and_then(|run| run.outcome.plan()).map(|solved| solved.time)
     };
     tell(asked);
     let shortest = plan_at(MissionTime::Minimum);

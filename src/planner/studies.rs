@@ -11,8 +11,8 @@ pub mod rounds;
 mod times;
 
 pub use outcome::{
-    Comparison, PlannerRun, Run, RunOutcome, Scope, Solved, THESE_TIMES, THIS_YAW, Verification, label,
-    proofs_are_about,
+    Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run, Scope, THESE_TIMES, THIS_YAW, Verification,
+    label, proofs_are_about,
 };
 
 use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
@@ -77,7 +77,7 @@ pub fn compare(model: &Model, mission: &Mission, scope: Scope, progress: Progres
         let least = least_time_within(model, mission);
         let has_no_yaw = |at: f64| about == THIS_YAW && setting.with_engine("", |e| e.is_hopeless(at)).0;
         let is_hopeless = |at: f64| least.is_above(at) || has_no_yaw(at);
-        comparison.runs.iter_mut().for_each(|run| run.ending.weaken(about, is_hopeless));
+        comparison.runs.iter_mut().for_each(|run| run.outcome.weaken(about, is_hopeless));
     }
     comparison
 }
@@ -170,7 +170,7 @@ impl<'a> Setting<'a> {
         }
     }
 
-    fn solved(&self, time: f64, planned: &Planned) -> Solved {
+    fn solved(&self, time: f64, planned: &Planned) -> MissionPlan {
         let trajectory = planned.trajectory();
         let outside: Vec<Outside> = self
             .sets
@@ -179,7 +179,7 @@ impl<'a> Setting<'a> {
             .map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows))
             .collect();
         let committed = if self.weighs_risk { self.committed(&trajectory, &outside) } else { Vec::new() };
-        Solved {
+        MissionPlan {
             time,
             trajectory,
             committed,
@@ -193,33 +193,37 @@ impl<'a> Setting<'a> {
         }
     }
 
-    fn own(&self, found: &Found) -> RunOutcome {
+    fn own(&self, found: &Found) -> PlanOutcome {
         match &found.result {
-            Ok(s) => RunOutcome::Solved(Box::new(Solved {
+            Ok(s) => PlanOutcome::Planned(Box::new(MissionPlan {
                 infeasible_at: s.infeasible_at,
                 infeasible_above: s.infeasible_above.clone(),
                 ..self.solved(s.time, &s.planned)
             })),
-            Err(NoTime::Infeasible { times }) => RunOutcome::proved_infeasible(times),
-            Err(NoTime::Inconclusive { at, status }) => RunOutcome::Inconclusive { at: *at, status: status.clone() },
+            Err(NoTime::Infeasible { times }) => PlanOutcome::proved_infeasible(times),
+            Err(NoTime::Inconclusive { at, status }) => {
+                PlanOutcome::NotFound(NotFound::Search { at: *at, status: status.clone() })
+            }
         }
     }
 
     /// The same with what limits the time found.
-    fn own_with_binding(&self, found: &Found, set: &PlanningSet) -> RunOutcome {
-        let mut ending = self.own(found);
-        if let (RunOutcome::Solved(solved), Some(planned)) = (&mut ending, plan_found(found)) {
+    fn own_with_binding(&self, found: &Found, set: &PlanningSet) -> PlanOutcome {
+        let mut outcome = self.own(found);
+        if let (PlanOutcome::Planned(solved), Some(planned)) = (&mut outcome, plan_found(found)) {
             let (binding, _) = self.with_engine("", |e| ScpPlanner::new(e, planned.model, set).binding(planned));
             solved.binding = binding.unwrap_or_default();
         }
-        ending
+        outcome
     }
 
-    fn common(&self, time: f64, decision: &Decision) -> RunOutcome {
+    fn common(&self, time: f64, decision: &Decision) -> PlanOutcome {
         match decision {
-            Decision::Feasible(planned) => RunOutcome::Solved(Box::new(self.solved(time, planned))),
-            Decision::Infeasible => RunOutcome::proved_infeasible(&[time]),
-            Decision::Inconclusive(status) => RunOutcome::Inconclusive { at: time, status: status.clone() },
+            Decision::Feasible(planned) => PlanOutcome::Planned(Box::new(self.solved(time, planned))),
+            Decision::Infeasible => PlanOutcome::proved_infeasible(&[time]),
+            Decision::Inconclusive(status) => {
+                PlanOutcome::NotFound(NotFound::Search { at: time, status: status.clone() })
+            }
         }
     }
 
@@ -228,10 +232,10 @@ impl<'a> Setting<'a> {
         planner: PlannerKind,
         against: &[String],
         run: Run,
-        ending: RunOutcome,
+        outcome: PlanOutcome,
         set: &PlanningSet,
     ) -> PlannerRun {
-        PlannerRun { planner, against: against.to_vec(), run, ending, set: set.clone() }
+        PlannerRun { planner, against: against.to_vec(), run, outcome, set: set.clone() }
     }
 
     /// A comparison without runs, at the spec's time where it has one.
@@ -258,9 +262,9 @@ impl<'a> Setting<'a> {
             PlannerKind::Rcp => (self.sets.joint.clone(), "RCP", Vec::new()),
             PlannerKind::Rsp => match self.rsp_set(&mut out) {
                 Ok((set, initial_guesses)) => (set, "RSP", initial_guesses),
-                Err(ending) => {
+                Err(outcome) => {
                     let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
-                    out.runs.push(self.run(kind, &self.sets.names, which, ending, &self.sets.rip));
+                    out.runs.push(self.run(kind, &self.sets.names, which, outcome, &self.sets.rip));
                     return out;
                 }
             },
@@ -275,7 +279,7 @@ impl<'a> Setting<'a> {
             None if kind == PlannerKind::Rip => self.rip_at(name, time, None, None),
             None => self.at(name, &set, time, WorkingSet::default(), &begun),
         };
-        let (run, ending, effort) = match self.fixed_time() {
+        let (run, outcome, effort) = match self.fixed_time() {
             Some(time) => {
                 let (decision, effort) = at(time);
                 (Run::Common, self.common(time, &decision), effort)
@@ -310,13 +314,13 @@ impl<'a> Setting<'a> {
             }
         };
         out.effort += effort;
-        out.runs.push(self.run(kind, against, run, ending, &set));
+        out.runs.push(self.run(kind, against, run, outcome, &set));
         out
     }
 
     /// Steps (c) to (e) for RSP alone: T_d, the RIP plan there, and the healthy set with what it violates; and plans to
     /// begin RSP's from, RIP's and then RCP's.
-    fn rsp_set(&self, out: &mut Comparison) -> Result<(PlanningSet, Vec<Planned>), RunOutcome> {
+    fn rsp_set(&self, out: &mut Comparison) -> Result<(PlanningSet, Vec<Planned>), PlanOutcome> {
         let joint = self.seek_common_time(out);
         let rcp = joint.as_ref().and_then(plan_found);
         let Some(time) = out.common_time else {
@@ -324,11 +328,11 @@ impl<'a> Setting<'a> {
             out.effort += found.effort;
             return Err(match self.own(&found) {
                 // Nothing is shown of RSP itself: the modes' sets are smaller than RSP's, and may not even be proved infeasible.
-                RunOutcome::Solved(s) => RunOutcome::NotAttempted { at: s.time, why: NO_COMMON_TIME.into() },
-                RunOutcome::Inconclusive { at, .. } => {
-                    RunOutcome::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() }
+                PlanOutcome::Planned(s) => PlanOutcome::NotAttempted { at: s.time, why: NO_COMMON_TIME.into() },
+                PlanOutcome::NotFound(NotFound::Search { at, .. }) => {
+                    PlanOutcome::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() }
                 }
-                ending => ending,
+                outcome => outcome,
             });
         };
         let (decision, effort) = self.rip_at("RIP", time, rcp, None);

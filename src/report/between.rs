@@ -7,12 +7,12 @@ use crate::certify::between::{Between, COMMANDS, GRID, Shown, WRENCH};
 use crate::model::Model;
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::percent;
-use crate::planner::studies::Solved;
+use crate::planner::studies::MissionPlan;
 use crate::tolerance::MOST_PAST_LIMIT;
 
 /// Proved for every instant, or checked on a grid; `found` is of the wrench, of each limit in the mission's order, and of what
 /// lagging rotors are commanded. Limits that the plan passes are left to the caveats, which say by how much and when.
-pub fn between(model: &Model, solved: &Solved, found: &[Between]) -> String {
+pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String {
     let (facets, limits): (Vec<&Between>, Vec<&Between>) =
         found.iter().partition(|b| b.rows == WRENCH || b.rows == COMMANDS);
     let linear = solved.trajectory.model != WrenchModel::Exact;

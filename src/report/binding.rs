@@ -4,7 +4,7 @@ use super::table::Table;
 use crate::model::{Limit, LimitKind, Mission, Model};
 use crate::number::{fixed, number, significant};
 use crate::planner::scp::sensitivity::Statement;
-use crate::planner::studies::Solved;
+use crate::planner::studies::MissionPlan;
 use serde::Serialize;
 
 /// What would give back less than this is left out, s.
@@ -37,7 +37,7 @@ pub struct StatementRecord {
     pub gives_back_s: f64,
 }
 
-pub fn records(model: &Model, mission: &Mission, solved: &Solved) -> Vec<BindingRecord> {
+pub fn records(model: &Model, mission: &Mission, solved: &MissionPlan) -> Vec<BindingRecord> {
     let legs = solved.binding.iter().enumerate().map(|(leg, binding)| {
         let counted = binding.statements.iter().filter(|(_, seconds)| *seconds >= LEAST);
         BindingRecord {
@@ -97,7 +97,7 @@ fn bound(limit: &Limit) -> String {
 }
 
 /// One line for each leg that something limits; nothing where no time was searched for.
-pub fn text(model: &Model, mission: &Mission, solved: &Solved) -> String {
+pub fn text(model: &Model, mission: &Mission, solved: &MissionPlan) -> String {
     let records = records(model, mission, solved);
     let mut table = Table::new(&["leg", "takes", "limited by"]);
     let last_fixed = last_fixed(mission);

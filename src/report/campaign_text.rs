@@ -12,7 +12,7 @@ use crate::campaign::tally::{Cell, Group, Tally};
 use crate::flight::Cause;
 use crate::model::{Detection, Simulation};
 use crate::number::{fixed, number, part_of_all, percent, significant};
-use crate::planner::studies::RunOutcome;
+use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use std::cmp::Reverse;
 
 /// Columns of running text and of maps.
@@ -267,12 +267,12 @@ fn mark(cells: &[Cell]) -> char {
 /// The planners without a plan.
 pub fn left_out(missing: &[Missing]) -> String {
     let mut out = String::new();
-    for one @ Missing { planner, ending } in missing {
-        let why = match ending {
-            Some(RunOutcome::Infeasible { at, .. } | RunOutcome::Inconclusive { at, .. }) => {
+    for one @ Missing { planner, outcome } in missing {
+        let why = match outcome {
+            Some(PlanOutcome::Infeasible(Proof { at, .. }) | PlanOutcome::NotFound(NotFound::Search { at, .. })) => {
                 format!("a plan of {} s with these samples", number(*at))
             }
-            Some(RunOutcome::NotAttempted { why, .. }) => why.clone(),
+            Some(PlanOutcome::NotAttempted { why, .. }) => why.clone(),
             _ => "there is no mode to plan against, or no common time".into(),
         };
         let verdict = one.verdict();

@@ -4,7 +4,7 @@ use crate::model::{LimitKind, Model};
 use crate::motion::checks::{Excess, coarser_legs, limit_excesses, past_as_checked, peak, stretch};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, percent, significant};
-use crate::planner::studies::Solved;
+use crate::planner::studies::MissionPlan;
 use crate::tolerance::{MOST_PAST_LIMIT, USUAL_SPEED};
 use serde::Serialize;
 
@@ -36,7 +36,7 @@ pub enum CaveatKind {
 }
 
 /// The limits that a plan passes between its samples by more than the check of plans lets pass, in the spec's order.
-pub fn passed(model: &Model, solved: &Solved) -> Vec<Excess> {
+pub fn passed(model: &Model, solved: &MissionPlan) -> Vec<Excess> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
     let mut passed = limit_excesses(&solved.trajectory, model, 0.0);
     passed.retain(|excess| {
@@ -48,7 +48,7 @@ pub fn passed(model: &Model, solved: &Solved) -> Vec<Excess> {
 }
 
 /// A grid of fewer pieces than the spec's samples make.
-fn coarser(model: &Model, solved: &Solved) -> Option<Caveat> {
+fn coarser(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     let mission = model.mission.as_ref()?;
     let (legs, samples) = (coarser_legs(&solved.trajectory, mission, model.plan.samples), model.plan.samples);
     let message = format!(
@@ -62,7 +62,7 @@ fn coarser(model: &Model, solved: &Solved) -> Option<Caveat> {
 }
 
 /// An unusually high speed in a mission that does not limit it. Plans ignore air resistance.
-fn too_fast(model: &Model, solved: &Solved) -> Option<Caveat> {
+fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     let mut limits = model.mission.as_ref()?.limits.iter();
     if limits.any(|limit| limit.kind == LimitKind::Speed) {
         return None;
@@ -80,7 +80,7 @@ fn too_fast(model: &Model, solved: &Solved) -> Option<Caveat> {
 }
 
 /// Passed limits first, in the spec's order.
-pub fn caveats(model: &Model, solved: &Solved) -> Vec<Caveat> {
+pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
     let passed = passed(model, solved).into_iter().map(|e| {
         let (name, unit, factor) = limits[e.limit].kind.name_and_unit();

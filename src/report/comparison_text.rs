@@ -11,7 +11,7 @@ use crate::motion::risk::rated_risk;
 use crate::motion::time_grid::determined;
 use crate::number::{fixed, number, percent, significant};
 use crate::planner::studies::rounds::Round;
-use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, label};
+use crate::planner::studies::{Comparison, PlanOutcome, PlannerRun, Proof, Run, label};
 use crate::planner::timing::kinematics::least_time_within;
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
@@ -46,7 +46,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         let own =
             if determined(mission).is_some() { "each planner alone" } else { "each planner at its shortest time" };
         let has_plans = |which: Run| {
-            comparison.runs.iter().any(|run| run.run == which && matches!(run.ending, RunOutcome::Solved(_)))
+            comparison.runs.iter().any(|run| run.run == which && matches!(run.outcome, PlanOutcome::Planned(_)))
         };
         for (run, title) in [(Run::Own, own), (Run::Common, "all planners at T_d")] {
             if !has_plans(run) {
@@ -65,7 +65,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
                 "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
             );
             for fold in folded(comparison, Run::Common) {
-                if let RunOutcome::Solved(solved) = fold.ending() {
+                if let PlanOutcome::Planned(solved) = fold.outcome() {
                     out.push_str(&format!("  {}\n", fold.short_name()));
                     out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
                 }
@@ -80,7 +80,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
 
 /// What the verdicts of the tables mean, where some planner has no plan.
 fn words(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
-    let has = |verdict: Verdict| comparison.runs.iter().any(|run| run.ending.verdict() == verdict);
+    let has = |verdict: Verdict| comparison.runs.iter().any(|run| run.outcome.verdict() == verdict);
     let least = least_time_within(model, mission);
     // The last waypoint's time is the mission's.
     let is_of_all = least.too_early.is_some_and(|(waypoint, _)| waypoint + 1 < mission.waypoints.len());
@@ -107,7 +107,7 @@ fn at_common(comparison: &Comparison, planner: PlannerKind) -> Option<&PlannerRu
 /// Whether facets were selected at all: RIP's plan at T_d selects them.
 fn selects(comparison: &Comparison) -> bool {
     let rip = at_common(comparison, PlannerKind::Rip);
-    !comparison.modes.is_empty() && rip.is_none_or(|run| matches!(run.ending, RunOutcome::Solved(_)))
+    !comparison.modes.is_empty() && rip.is_none_or(|run| matches!(run.outcome, PlanOutcome::Planned(_)))
 }
 
 /// How many facets RSP guards, and what it lacks where it has no plan.
@@ -123,8 +123,8 @@ fn guarded(comparison: &Comparison) -> String {
             let planes = in_planes(comparison);
             let mut text =
                 format!("\nRSP guards {n} facet{plural} of the fault sets{planes} beside the healthy set's.\n");
-            if let Some(RunOutcome::Infeasible { at, .. }) =
-                at_common(comparison, PlannerKind::Rsp).map(|run| &run.ending)
+            if let Some(PlanOutcome::Infeasible(Proof { at, .. })) =
+                at_common(comparison, PlannerKind::Rsp).map(|run| &run.outcome)
             {
                 let at = number(*at);
                 text += &format!("RSP is proved infeasible in {at} s; its own shortest time is in the first table.\n");
@@ -137,8 +137,8 @@ fn guarded(comparison: &Comparison) -> String {
 /// What the column of risks means, in one line where all of them are zero; nothing where no mode has a rate.
 fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
     let rates = rates(model);
-    let risks = comparison.runs.iter().filter_map(|run| match &run.ending {
-        RunOutcome::Solved(solved) => rated_risk(&rates, &solved.committed),
+    let risks = comparison.runs.iter().filter_map(|run| match &run.outcome {
+        PlanOutcome::Planned(solved) => rated_risk(&rates, &solved.committed),
         _ => None,
     });
     match (rates.iter().any(Option::is_some), holds(model)) {
@@ -187,7 +187,7 @@ fn local_optima(comparison: &Comparison) -> String {
         .runs
         .iter()
         .filter(|run| run.run == Run::Common)
-        .filter_map(|run| Some((run, run.ending.solved()?.objective)))
+        .filter_map(|run| Some((run, run.outcome.plan()?.objective)))
         .collect();
     let is_joint = |run: &PlannerRun| run.planner == PlannerKind::Rcp && run.against.len() == all;
     let lies_inside = |inner: &PlannerRun, outer: &PlannerRun| match outer.planner {
@@ -218,11 +218,11 @@ fn local_optima(comparison: &Comparison) -> String {
 fn common_time(model: &Model, mission: &Mission, comparison: &Comparison) -> &'static str {
     let jointly = |run: &&PlannerRun| run.planner == PlannerKind::Rcp && run.against.len() == comparison.modes.len();
     let joint = comparison.runs.iter().filter(|run| run.run == Run::Own).find(jointly);
-    match (model.plan.time, joint.map(|run| &run.ending)) {
+    match (model.plan.time, joint.map(|run| &run.outcome)) {
         _ if determined(mission).is_some() => "the time that the mission's fixed times give",
         (MissionTime::Fixed(_), _) => "the time that the spec asks for",
-        (_, Some(RunOutcome::Solved(_))) if comparison.modes.len() == 1 => "RCP's shortest time",
-        (_, Some(RunOutcome::Solved(_))) => "the shortest time of RCP against all modes jointly",
+        (_, Some(PlanOutcome::Planned(_))) if comparison.modes.len() == 1 => "RCP's shortest time",
+        (_, Some(PlanOutcome::Planned(_))) => "the shortest time of RCP against all modes jointly",
         _ => "the largest of RCP's shortest times against single modes",
     }
 }
@@ -254,8 +254,8 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
     let n = mission.waypoints.len() as f64;
     for fold in folded(comparison, which) {
         let name = fold.short_name();
-        match fold.ending() {
-            RunOutcome::Solved(s) => {
+        match fold.outcome() {
+            PlanOutcome::Planned(s) => {
                 let e = errors(mission, s);
                 table.row(vec![
                     name,
@@ -268,7 +268,7 @@ fn run_table(mission: &Mission, comparison: &Comparison, which: Run) -> Table {
                     fold.rows(),
                 ]);
             }
-            ending => table.row(vec![name, ending.verdict().word().into()]),
+            outcome => table.row(vec![name, outcome.verdict().word().into()]),
         }
     }
     table
@@ -283,7 +283,7 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
     }
     let mut table = Table::new(&headings);
     for fold in folded(comparison, which) {
-        let RunOutcome::Solved(s) = fold.ending() else { continue };
+        let PlanOutcome::Planned(s) = fold.outcome() else { continue };
         let mut cells = vec![fold.short_name()];
         let modes = s.outside.iter().zip(&s.committed).zip(&model.plan.against);
         cells.extend(modes.map(|((o, committed), &mode)| match (o.last, model.after_fault(mode)) {
@@ -321,19 +321,19 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
     for round in rounds {
         let mut cells = vec![round.rounds.to_string(), round.selected.to_string()];
         match &round.common {
-            RunOutcome::Solved(s) => {
+            PlanOutcome::Planned(s) => {
                 let e = errors(mission, s);
                 cells.extend([significant(e.position, 4), significant(e.yaw, 3), significant(100.0 * e.largest, 3)]);
                 cells.push(number(s.objective));
                 cells.push(s.smallest_margin().map_or("-".into(), percent));
                 cells.push(fixed(s.outside.iter().map(|o| o.seconds).fold(0.0, f64::max), 2));
             }
-            ending => cells.extend([ending.verdict().word(), "", "", "", "", ""].map(String::from)),
+            outcome => cells.extend([outcome.verdict().word(), "", "", "", "", ""].map(String::from)),
         }
         cells.push(match &round.own {
             _ if !is_free => "-".into(),
-            RunOutcome::Solved(s) => number(s.time),
-            ending => ending.verdict().word().into(),
+            PlanOutcome::Planned(s) => number(s.time),
+            outcome => outcome.verdict().word().into(),
         });
         table.row(cells);
     }

@@ -4,7 +4,7 @@ use super::caveats::passed;
 use crate::model::{Mission, Model};
 use crate::motion::time_grid::has_fixed_times;
 use crate::number::{down, down_but_above, percent};
-use crate::planner::studies::{PlannerRun, RunOutcome};
+use crate::planner::studies::{PlanOutcome, PlannerRun};
 use crate::planner::timing::kinematics::{LeastTime, least_time, least_time_within};
 
 /// Of the bound itself, which is rounded down.
@@ -14,7 +14,7 @@ const DIGITS: usize = 4;
 /// nodes the bound lets all motions exceed them as far.
 pub fn beside(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
     let mut past = vec![0.0; mission.limits.len()];
-    if let RunOutcome::Solved(solved) = &run.ending {
+    if let PlanOutcome::Planned(solved) = &run.outcome {
         for excess in passed(model, solved) {
             past[excess.limit] = excess.by;
         }
@@ -39,7 +39,7 @@ pub fn sentence(mission: &Mission, least: &LeastTime, total: f64) -> String {
 
 /// The bound and the gap to it, after a shortest time found; `None` where the bound says nothing.
 pub fn gap(model: &Model, mission: &Mission, run: &PlannerRun) -> Option<String> {
-    let solved = run.ending.solved()?;
+    let solved = run.outcome.plan()?;
     let least = beside(model, mission, run);
     if least.seconds <= 0.0 || least.is_above(solved.time) {
         return None;

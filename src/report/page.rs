@@ -26,7 +26,7 @@ mod waypoint_table;
 use crate::admissible::verdict::analyze_each;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Mission, Model};
-use crate::planner::studies::{Comparison, Run, RunOutcome};
+use crate::planner::studies::{Comparison, PlanOutcome, Run};
 use crate::report::campaign_record::CampaignRecord;
 use crate::report::flight::FlightRecord;
 use crate::report::record::Record;
@@ -142,7 +142,7 @@ pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
 
 /// The run that the page shows first: the spec's own planner at T_d, else the last one that has a plan.
 fn shown_first(model: &Model, comparison: &Comparison) -> Option<usize> {
-    let solved = |i: &usize| matches!(comparison.runs[*i].ending, RunOutcome::Solved(_));
+    let solved = |i: &usize| matches!(comparison.runs[*i].outcome, PlanOutcome::Planned(_));
     let own = |i: &usize| comparison.runs[*i].planner == model.plan.planner;
     let common = |i: &usize| comparison.runs[*i].run == Run::Common;
     let all = || (0..comparison.runs.len()).filter(solved);

@@ -13,7 +13,7 @@ use crate::motion::YAW;
 use crate::motion::risk::rated_risk;
 use crate::planner::studies::protect::{Addition, Protection};
 use crate::planner::studies::rounds::Round;
-use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved, Verification};
+use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run, Verification};
 use crate::verdict::Verdict;
 use serde::Serialize;
 
@@ -90,7 +90,7 @@ pub struct RoundRecord {
 
 impl RoundRecord {
     pub fn new(mission: &Mission, round: &Round) -> Self {
-        let common = round.common.solved();
+        let common = round.common.plan();
         let e = common.map(|s| errors(mission, s));
         RoundRecord {
             rounds: round.rounds,
@@ -99,9 +99,9 @@ impl RoundRecord {
             objective: common.map(|s| s.objective),
             position_error_m: e.map(|e| e.position),
             yaw_error_rad: e.map(|e| e.yaw),
-            smallest_margin: common.and_then(Solved::smallest_margin),
+            smallest_margin: common.and_then(MissionPlan::smallest_margin),
             outside_s: common.iter().flat_map(|s| s.outside.iter().map(|o| o.seconds)).collect(),
-            own_time_s: round.own.solved().map(|s| s.time),
+            own_time_s: round.own.plan().map(|s| s.time),
         }
     }
 }
@@ -179,7 +179,7 @@ pub struct Errors {
     pub largest: f64,
 }
 
-pub fn errors(mission: &Mission, solved: &Solved) -> Errors {
+pub fn errors(mission: &Mission, solved: &MissionPlan) -> Errors {
     let mut e = Errors { position: 0.0, yaw: 0.0, largest: 0.0 };
     for (w, &node) in mission.waypoints.iter().zip(&solved.trajectory.waypoint_nodes) {
         let state = &solved.trajectory.nodes[node];
@@ -257,8 +257,8 @@ impl CheckRecord {
 }
 
 fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> PlannerRecord {
-    let nodes = match &run.ending {
-        RunOutcome::Solved(solved) => solved.trajectory.times.len(),
+    let nodes = match &run.outcome {
+        PlanOutcome::Planned(solved) => solved.trajectory.times.len(),
         _ => model.plan.samples + 1,
     };
     let mut record = PlannerRecord {
@@ -268,16 +268,18 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
             Run::Own => "own",
             Run::Common => "common",
         },
-        verdict: run.ending.verdict(),
+        verdict: run.outcome.verdict(),
         statement: statement(model, mission, comparison, run),
         time_bound_s: Some(least_time::beside(model, mission, run).seconds),
         rows: run.set.rows.len() * nodes,
         ..PlannerRecord::default()
     };
-    match &run.ending {
-        RunOutcome::Infeasible { proved, .. } => record.proved_infeasible_s = proved.clone(),
-        RunOutcome::Inconclusive { .. } | RunOutcome::Failed { .. } | RunOutcome::NotAttempted { .. } => {}
-        RunOutcome::Solved(solved) => {
+    match &run.outcome {
+        PlanOutcome::Infeasible(Proof { proved, .. }) => record.proved_infeasible_s = proved.clone(),
+        PlanOutcome::NotFound(NotFound::Search { .. })
+        | PlanOutcome::NotFound(NotFound::Check { .. })
+        | PlanOutcome::NotAttempted { .. } => {}
+        PlanOutcome::Planned(solved) => {
             let e = errors(mission, solved);
             record.proved_infeasible_s = solved.infeasible_at.iter().chain(&solved.infeasible_above).copied().collect();
             record.waypoints = waypoints(mission, solved);

@@ -16,7 +16,7 @@ use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, number, part_of_all, percent, short_seconds, significant};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Protection;
-use crate::planner::studies::{Comparison, PlannerRun, RunOutcome, Solved, label};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, label};
 
 /// Columns of running text.
 pub const WIDTH: usize = 110;
@@ -64,7 +64,7 @@ pub(crate) fn in_planes(comparison: &Comparison) -> String {
 /// The report of `mavc plan`: the last run is the one written out. `color`: whether strips are coloured.
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
-    let solved = matches!(comparison.runs.last().map(|r| &r.ending), Some(RunOutcome::Solved(_)));
+    let solved = matches!(comparison.runs.last().map(|r| &r.outcome), Some(PlanOutcome::Planned(_)));
     if let Some(time) = comparison
         .common_time
         .filter(|_| solved && model.plan.planner == PlannerKind::Rsp && model.plan.require_risk.is_none())
@@ -99,8 +99,8 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
     }
     for run in &comparison.runs {
         out.push('\n');
-        match &run.ending {
-            RunOutcome::Solved(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved, color)),
+        match &run.outcome {
+            PlanOutcome::Planned(solved) => out.push_str(&solved_run(model, mission, comparison, run, solved, color)),
             _ => {
                 let text =
                     format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));
@@ -143,7 +143,7 @@ fn solved_run(
     mission: &Mission,
     comparison: &Comparison,
     run: &PlannerRun,
-    solved: &Solved,
+    solved: &MissionPlan,
     color: bool,
 ) -> String {
     let text = format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run));
@@ -179,7 +179,7 @@ fn solved_run(
 }
 
 /// RSP guards facets, and its plan may leave a set elsewhere.
-fn unguarded(model: &Model, comparison: &Comparison, solved: &Solved) -> String {
+fn unguarded(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> String {
     if model.plan.planner != PlannerKind::Rsp || model.plan.require_risk.is_some() {
         return String::new();
     }
@@ -212,7 +212,7 @@ pub(super) fn holds(model: &Model) -> bool {
 }
 
 /// What the modes' rates make of the time committed to them; nothing where no mode has a rate.
-fn risk_lines(model: &Model, comparison: &Comparison, solved: &Solved) -> String {
+fn risk_lines(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> String {
     let rates = rates(model);
     let Some(risk) = rated_risk(&rates, &solved.committed) else { return String::new() };
     let without = rates.iter().filter(|r| r.is_none()).count();
@@ -269,7 +269,7 @@ pub(super) fn not_looked_at(model: &Model) -> String {
 }
 
 /// Which modes the risk counts only for what lies between samples. Where RCP imposes them it is what the grid leaves.
-fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison, solved: &Solved) -> String {
+fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison, solved: &MissionPlan) -> String {
     let counts = |i: &usize| {
         let out = &solved.outside[*i];
         rates[*i].is_some_and(|r| r > 0.0) && out.last == Some(solved.committed[*i]) && out.positions == 0
@@ -289,11 +289,11 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
 }
 
 /// The facets of a mode that the plan violates, as RSP selects them: in the exact model at any instant, else at nodes.
-pub(super) fn counted(solved: &Solved, out: &Outside) -> usize {
+pub(super) fn counted(solved: &MissionPlan, out: &Outside) -> usize {
     if solved.trajectory.model == WrenchModel::Exact { out.passed.len() } else { out.facets.len() }
 }
 
-fn mode_table(model: &Model, comparison: &Comparison, solved: &Solved) -> Table {
+fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> Table {
     let mut headings = vec!["mode", "facets", "positions", "worst", "outside", "last outside"];
     let holds = holds(model);
     if holds {

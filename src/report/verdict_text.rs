@@ -6,15 +6,17 @@ use crate::motion::time_grid::determined;
 use crate::number::number;
 use crate::planner::scp::NOT_FOUND;
 use crate::planner::studies::protect::UNMET;
-use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved, THESE_TIMES, THIS_YAW, Verification};
+use crate::planner::studies::{
+    Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run, THESE_TIMES, THIS_YAW, Verification,
+};
 use crate::planner::timing::kinematics::least_time_within;
 
 /// `proved infeasible at 12 s with 200 samples`: the verdict on a run, for which times, and under which conditions.
 pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> String {
-    let verdict = run.ending.verdict();
+    let verdict = run.outcome.verdict();
     let samples = model.plan.samples;
-    match &run.ending {
-        RunOutcome::Solved(solved) => {
+    match &run.outcome {
+        PlanOutcome::Planned(solved) => {
             let undecided = match &solved.verification {
                 Verification::Undecided(why) => format!("; not decided by the check of plans: {why}"),
                 Verification::None | Verification::Passed => String::new(),
@@ -22,11 +24,11 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             let time = shown_of_time(model, mission, comparison, run, solved);
             format!("{verdict}, {} s{time}{undecided}", number(solved.time))
         }
-        RunOutcome::Failed { at, why } => {
+        PlanOutcome::NotFound(NotFound::Check { at, why }) => {
             format!("{verdict}: the motion planned for {} s fails the check of plans: {why}", number(*at))
         }
         // Where several times are proved one by one, which these are says more.
-        RunOutcome::Infeasible { at, proved }
+        PlanOutcome::Infeasible(Proof { at, proved })
             if (model.plan.chooses_times || proved.len() == 1) && least_time_within(model, mission).is_above(*at) =>
         {
             let least = least_time_within(model, mission);
@@ -34,13 +36,13 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             let which = if is_of_all { "any mission time".to_string() } else { format!("{} s", number(*at)) };
             format!("{verdict} at {which}: {}", least_time::sentence(mission, &least, *at))
         }
-        RunOutcome::Infeasible { proved, .. } => {
+        PlanOutcome::Infeasible(Proof { proved, .. }) => {
             format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))
         }
-        RunOutcome::Inconclusive { at, status } if status == UNMET => {
+        PlanOutcome::NotFound(NotFound::Search { at, status }) if status == UNMET => {
             format!("{verdict}: a plan that keeps the required risk, in up to {} s", number(*at))
         }
-        RunOutcome::Inconclusive { at, status } => {
+        PlanOutcome::NotFound(NotFound::Search { at, status }) => {
             let others =
                 if run.run == Run::Own && determined(mission).is_none() { " or any other time tried" } else { "" };
             let more = match status.as_str() {
@@ -57,7 +59,7 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
                 false => format!("{verdict} at {} s{others} with {samples} samples{more}", number(*at)),
             }
         }
-        RunOutcome::NotAttempted { why, .. } => format!("{verdict}: {why}"),
+        PlanOutcome::NotAttempted { why, .. } => format!("{verdict}: {why}"),
     }
 }
 
@@ -86,7 +88,7 @@ fn shown_of_time(
     mission: &Mission,
     comparison: &Comparison,
     run: &PlannerRun,
-    solved: &Solved,
+    solved: &MissionPlan,
 ) -> String {
     match (run.run, solved.infeasible_at) {
         (Run::Own, Some(below)) => {

@@ -4,7 +4,7 @@ use super::table::Table;
 use crate::model::{Mission, Waypoint};
 use crate::motion::YAW;
 use crate::number::{DIGITS, percent, significant};
-use crate::planner::studies::Solved;
+use crate::planner::studies::MissionPlan;
 use crate::verify::plan::MOST_MISS;
 use serde::Serialize;
 use std::cmp::Ordering;
@@ -34,7 +34,7 @@ pub struct WaypointRecord {
 }
 
 impl WaypointRecord {
-    fn new(index: usize, waypoint: &Waypoint, solved: &Solved) -> Self {
+    fn new(index: usize, waypoint: &Waypoint, solved: &MissionPlan) -> Self {
         let node = solved.trajectory.waypoint_nodes[index];
         let state = &solved.trajectory.nodes[node];
         let distance = (0..3).map(|i| (state[i][0] - waypoint.position[i]).powi(2)).sum::<f64>().sqrt();
@@ -86,7 +86,7 @@ impl WaypointRecord {
 }
 
 /// Every waypoint of a plan, in the order of flight.
-pub fn waypoints(mission: &Mission, solved: &Solved) -> Vec<WaypointRecord> {
+pub fn waypoints(mission: &Mission, solved: &MissionPlan) -> Vec<WaypointRecord> {
     mission.waypoints.iter().enumerate().map(|(i, w)| WaypointRecord::new(i, w, solved)).collect()
 }
 

@@ -113,7 +113,7 @@ fn planned(model: &Model) -> Comparison {
 fn certified(model: &Model) -> Option<Certificate> {
     let (mission, found) = (model.mission.as_ref().unwrap(), planned(model));
     // Multipliers, where a bound on the time would show it more simply.
-    let of = match found.runs.last().is_some_and(|run| run.ending.solved().is_some()) {
+    let of = match found.runs.last().is_some_and(|run| run.outcome.plan().is_some()) {
         true => mavc::certify::of,
         false => mavc::certify::by_multipliers,
     };

@@ -11,7 +11,7 @@ use mavc::explain::statement::statements;
 use mavc::explain::{Change, Explanation, Statement, explain};
 use mavc::model::{FileSet, Mission, MissionTime, Model, elaborate, load, parse_override};
 use mavc::motion::time_grid::determined;
-use mavc::planner::studies::{RunOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Proof, Scope, compare};
 use mavc::source::Span;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -51,26 +51,26 @@ impl Text {
     }
 
     /// How `mavc plan` ends.
-    fn ending(&self) -> RunOutcome {
+    fn outcome(&self) -> PlanOutcome {
         let (_, model) = self.model();
         let comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-        comparison.runs.last().unwrap().ending.clone()
+        comparison.runs.last().unwrap().outcome.clone()
     }
 
     /// How it ends at its own time, or at some long ones where it fixes none.
-    fn endings(&self) -> Vec<RunOutcome> {
+    fn outcomes(&self) -> Vec<PlanOutcome> {
         let (_, model) = self.model();
         let fixed = determined(model.mission.as_ref().unwrap()).is_some() || model.plan.time != MissionTime::Minimum;
         let at = |time: &str| {
             let mut text = self.clone();
             text.set("plan.time", time);
-            text.ending()
+            text.outcome()
         };
-        if fixed { vec![self.ending()] } else { FREE.iter().map(|time| at(time)).collect() }
+        if fixed { vec![self.outcome()] } else { FREE.iter().map(|time| at(time)).collect() }
     }
 
     fn plans(&self) -> bool {
-        matches!(self.ending(), RunOutcome::Solved(_))
+        matches!(self.outcome(), PlanOutcome::Planned(_))
     }
 
     /// Replaces what a place of the text covers by what `edit` makes of it.
@@ -243,8 +243,8 @@ fn corpus() -> Vec<PathBuf> {
 fn every_spec_names_its_conflict() {
     assert!(CASES.len() >= 15, "{}", CASES.len());
     for Case { path, text, files, model, explanation } in CASES.iter() {
-        let ending = text.ending();
-        assert!(matches!(ending, RunOutcome::Infeasible { .. }), "{}: {}", text.name, short(&ending));
+        let outcome = text.outcome();
+        assert!(matches!(outcome, PlanOutcome::Infeasible(Proof { .. })), "{}: {}", text.name, short(&outcome));
         let mission = model.mission.as_ref().unwrap();
         let first = text.files[&text.name].lines().next().unwrap();
         let wanted: Vec<&str> = first.strip_prefix("// conflict: ").unwrap().split(", ").collect();
@@ -355,24 +355,24 @@ fn no_statement_can_be_spared() {
         for statement in all.into_iter().filter(|s| !named.contains(s)) {
             alone.leave_out_of(text, statement);
         }
-        let endings = alone.endings();
-        let told: Vec<String> = endings.iter().map(short).collect();
-        let none = endings.iter().all(|ending| matches!(ending, RunOutcome::Infeasible { .. }));
+        let outcomes = alone.outcomes();
+        let told: Vec<String> = outcomes.iter().map(short).collect();
+        let none = outcomes.iter().all(|outcome| matches!(outcome, PlanOutcome::Infeasible(Proof { .. })));
         assert!(none, "{:?}\n{:#?}\n{told:?}", alone.overrides, alone.files);
         for &statement in named {
             let mut fewer = alone.clone();
             fewer.leave_out_of(text, statement);
-            let endings = fewer.endings();
-            let told: Vec<String> = endings.iter().map(short).collect();
-            let any = endings.iter().any(|ending| matches!(ending, RunOutcome::Solved(_)));
+            let outcomes = fewer.outcomes();
+            let told: Vec<String> = outcomes.iter().map(short).collect();
+            let any = outcomes.iter().any(|outcome| matches!(outcome, PlanOutcome::Planned(_)));
             assert!(any, "{:?} {statement:?}\n{:#?}\n{told:?}", fewer.overrides, fewer.files);
         }
     }
 }
 
-fn short(ending: &RunOutcome) -> String {
-    match ending {
-        RunOutcome::Solved(solved) => format!("solved in {} s", solved.time),
+fn short(outcome: &PlanOutcome) -> String {
+    match outcome {
+        PlanOutcome::Planned(solved) => format!("solved in {} s", solved.time),
         other => format!("{other:?}"),
     }
 }

@@ -11,7 +11,7 @@ mod verdicts;
 
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKind};
-use mavc::planner::studies::{Comparison, PlannerRun, RunOutcome, Scope, Solved, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Scope, compare};
 
 /// An octocopter with another inertia about each axis, planned for in the exact model.
 fn vehicle() -> Model {
@@ -53,9 +53,9 @@ fn last(comparison: &Comparison) -> &PlannerRun {
     comparison.runs.last().unwrap()
 }
 
-fn solved(run: &PlannerRun) -> &Solved {
-    match &run.ending {
-        RunOutcome::Solved(solved) => solved,
+fn solved(run: &PlannerRun) -> &MissionPlan {
+    match &run.outcome {
+        PlanOutcome::Planned(solved) => solved,
         other => panic!("{:?}: {other:?}", run.planner),
     }
 }

@@ -8,7 +8,7 @@ use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::{Allocation, FaultMode, Mission, Model, PlannerKind};
 use mavc::planner::hover::{Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
-use mavc::planner::studies::{Run, RunOutcome, Scope, Solved, compare};
+use mavc::planner::studies::{MissionPlan, PlanOutcome, Run, Scope, compare};
 use mavc::planner::working_set::WorkingSet;
 use proptest::prelude::*;
 
@@ -162,18 +162,18 @@ fn conservative_plans_keep_to_the_healthy_set_as_well() {
     // Every planner at its own time: none takes less than RIP, for the healthy set bounds them all.
     let comparison = compare(&model, &mission, Scope::Everything, None);
     let own = comparison.runs.iter().filter(|r| r.run == Run::Own);
-    let times: Vec<f64> = own.map(|r| solved(&r.ending).time).collect();
+    let times: Vec<f64> = own.map(|r| solved(&r.outcome).time).collect();
     assert!(times.len() == 3 && times.iter().all(|t| *t >= times[0]), "{times:?}");
 }
 
-fn solved(ending: &RunOutcome) -> &Solved {
-    match ending {
-        RunOutcome::Solved(solved) => solved,
+fn solved(outcome: &PlanOutcome) -> &MissionPlan {
+    match outcome {
+        PlanOutcome::Planned(solved) => solved,
         other => panic!("{other:?}"),
     }
 }
 
-fn shortest(model: &Model) -> Solved {
+fn shortest(model: &Model) -> MissionPlan {
     let comparison = compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-    solved(&comparison.runs[0].ending).clone()
+    solved(&comparison.runs[0].outcome).clone()
 }

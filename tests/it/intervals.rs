@@ -7,7 +7,7 @@ use mavc::admissible::interval::{Certainty, guaranteed, possible, robust};
 use mavc::admissible::verdict::{Verdict, analyze};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::model::{MissionTime, Model, PlannerKind, RotorSpread, Spread};
-use mavc::planner::studies::{RunOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use proptest::prelude::*;
 
 fn about(share: f64) -> Spread {
@@ -202,8 +202,8 @@ fn plans_hold_for_every_value() {
     assert_eq!(diagnose(&model), vec![]);
     let plan = |model: &Model| {
         let comparison = compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-        match &comparison.runs[0].ending {
-            RunOutcome::Solved(plan) => plan.trajectory.clone(),
+        match &comparison.runs[0].outcome {
+            PlanOutcome::Planned(plan) => plan.trajectory.clone(),
             other => panic!("{other:?}"),
         }
     };

@@ -11,7 +11,7 @@ use crate::vehicles::{mission, octocopter, waypoint};
 use mavc::actuation::Wrench;
 use mavc::model::{Mission, MissionTime, Model, PlanModel, PlanRotors, PlannerKind};
 use mavc::motion::Trajectory;
-use mavc::planner::studies::{Comparison, RunOutcome, Scope, Solved, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare};
 
 /// The model with rotors whose thrusts are planned to follow in `tau` s.
 pub fn lagging(mut model: Model, tau: f64) -> Model {
@@ -55,9 +55,9 @@ fn compared(model: &Model) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
 }
 
-fn solved(comparison: &Comparison) -> &Solved {
-    match &comparison.runs.last().unwrap().ending {
-        RunOutcome::Solved(solved) => solved,
+fn solved(comparison: &Comparison) -> &MissionPlan {
+    match &comparison.runs.last().unwrap().outcome {
+        PlanOutcome::Planned(solved) => solved,
         other => panic!("{other:?}"),
     }
 }

@@ -7,7 +7,7 @@ use mavc::admissible::row::VIOLATED;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
-use mavc::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Scope, Solved, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Proof, Run, Scope, compare};
 use mavc::planner::timing::search::RESOLUTION;
 use mavc::planner::working_set::WorkingSet;
 
@@ -15,9 +15,9 @@ fn run(model: &Model, scope: Scope) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), scope, None)
 }
 
-fn solved(run: &PlannerRun) -> &Solved {
-    match &run.ending {
-        RunOutcome::Solved(s) => s,
+fn solved(run: &PlannerRun) -> &MissionPlan {
+    match &run.outcome {
+        PlanOutcome::Planned(s) => s,
         other => panic!("{:?} {:?}: {other:?}", run.planner, run.against),
     }
 }
@@ -172,7 +172,9 @@ fn a_fixed_time_is_the_common_time() {
     let found = solved(&comparison.runs[0]);
     assert_eq!((found.time, found.infeasible_at), (24.0, None));
     model.plan.time = MissionTime::Fixed(12.0);
-    assert!(matches!(run(&model, Scope::Plan).runs[0].ending, RunOutcome::Infeasible { at, .. } if at == 12.0));
+    assert!(
+        matches!(run(&model, Scope::Plan).runs[0].outcome, PlanOutcome::Infeasible(Proof { at, .. }) if at == 12.0)
+    );
 }
 
 #[test]

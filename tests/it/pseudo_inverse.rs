@@ -6,7 +6,7 @@ use mavc::admissible::verdict::{Verdict, analyze, analyze_all};
 use mavc::admissible::{AdmissibleSet, hover};
 use mavc::flight::allocate::{Allocator, Belief};
 use mavc::model::{Allocation, MissionTime, Model, PlannerKind};
-use mavc::planner::studies::{RunOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
@@ -174,7 +174,7 @@ fn plans_ask_for_nothing_that_is_clipped() {
     model.plan.samples = 60;
     model.plan.time = MissionTime::Fixed(24.0);
     let comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-    let RunOutcome::Solved(plan) = &comparison.runs[0].ending else { panic!("{:?}", comparison.runs[0].ending) };
+    let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else { panic!("{:?}", comparison.runs[0].outcome) };
     for w in plan.trajectory.node_wrenches(&model.vehicle, model.gravity) {
         for mode in [0, 2] {
             assert!(room(&model, mode, &w) > -1e-5);
@@ -190,7 +190,9 @@ fn plans_ask_for_nothing_that_is_clipped() {
 fn what_is_given_away_costs_time() {
     let time = |model: &Model| {
         let comparison = compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-        let RunOutcome::Solved(plan) = &comparison.runs[0].ending else { panic!("{:?}", comparison.runs[0].ending) };
+        let PlanOutcome::Planned(plan) = &comparison.runs[0].outcome else {
+            panic!("{:?}", comparison.runs[0].outcome)
+        };
         plan.time
     };
     let mut model = octocopter("PPNNPPNN");

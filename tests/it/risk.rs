@@ -8,7 +8,7 @@ use mavc::motion::nearness::nearness;
 use mavc::motion::risk::{rated_risk, risk};
 use mavc::planner::hover::ACCEPTED;
 use mavc::planner::studies::protect::{Protection, UNMET};
-use mavc::planner::studies::{Comparison, RunOutcome, Scope, Solved, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, Proof, Scope, compare};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -16,9 +16,9 @@ fn run(model: &Model, scope: Scope) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), scope, None)
 }
 
-fn solved(comparison: &Comparison) -> &Solved {
-    match &comparison.runs.last().unwrap().ending {
-        RunOutcome::Solved(s) => s,
+fn solved(comparison: &Comparison) -> &MissionPlan {
+    match &comparison.runs.last().unwrap().outcome {
+        PlanOutcome::Planned(s) => s,
         other => panic!("{other:?}"),
     }
 }
@@ -137,12 +137,15 @@ fn a_risk_that_cannot_be_kept_is_told_with_the_best_curve() {
     let mut model = required(0.0, MissionTime::Fixed(16.2));
     model.plan.samples = 100;
     let found = run(&model, Scope::Plan);
-    let ending = &found.runs[0].ending;
-    assert!(matches!(ending, RunOutcome::Inconclusive { status, .. } if status == UNMET), "{ending:?}");
+    let outcome = &found.runs[0].outcome;
+    assert!(
+        matches!(outcome, PlanOutcome::NotFound(NotFound::Search { status, .. }) if status == UNMET),
+        "{outcome:?}"
+    );
     assert!(!found.trade_off.is_empty());
     // Where there is no plan at all, no risk is to blame.
     let early = run(&required(0.0, MissionTime::Fixed(12.0)), Scope::Plan);
-    assert!(matches!(early.runs[0].ending, RunOutcome::Infeasible { .. }) && early.trade_off.is_empty());
+    assert!(matches!(early.runs[0].outcome, PlanOutcome::Infeasible(Proof { .. })) && early.trade_off.is_empty());
 }
 
 /// A short way in the exact model, at 1.12 times the shortest time that is found for the healthy vehicle.

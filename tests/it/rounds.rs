@@ -10,7 +10,7 @@ use mavc::motion::outside::PARTS;
 use mavc::planner::hover::{ACCEPTED, Decision, HoverPlanner};
 use mavc::planner::selection::PlanningSet;
 use mavc::planner::studies::rounds::rounds;
-use mavc::planner::studies::{Comparison, Run, RunOutcome, Scope, Solved, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Run, Scope, compare};
 use mavc::planner::timing::search::Hint;
 use mavc::planner::working_set::WorkingSet;
 
@@ -18,9 +18,9 @@ fn run(model: &Model, scope: Scope) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), scope, None)
 }
 
-fn only(comparison: &Comparison) -> &Solved {
-    match &comparison.runs.last().unwrap().ending {
-        RunOutcome::Solved(s) => s,
+fn only(comparison: &Comparison) -> &MissionPlan {
+    match &comparison.runs.last().unwrap().outcome {
+        PlanOutcome::Planned(s) => s,
         other => panic!("{other:?}"),
     }
 }
@@ -74,8 +74,8 @@ fn rounds_side_by_side() {
     for round in ["round 0", "round 1"] {
         assert!(told.iter().any(|(name, time)| name == round && (time - at).abs() < 1e-9), "{told:?}");
     }
-    let solved = |ending: &RunOutcome| match ending {
-        RunOutcome::Solved(s) => Some(s.clone()),
+    let solved = |outcome: &PlanOutcome| match outcome {
+        PlanOutcome::Planned(s) => Some(s.clone()),
         _ => None,
     };
     assert_eq!(found.iter().map(|r| r.rounds).collect::<Vec<_>>(), [0, 1, 2, 3]);
@@ -85,7 +85,7 @@ fn rounds_side_by_side() {
     assert!(found.windows(2).all(|w| w[0].selected <= w[1].selected));
     assert_eq!((found[0].selected, found[1].selected), (0, comparison.selected.len()));
     let rip = comparison.runs.iter().find(|r| r.planner == PlannerKind::Rip).unwrap();
-    let RunOutcome::Solved(rip) = &rip.ending else { panic!("RIP has a plan") };
+    let PlanOutcome::Planned(rip) = &rip.outcome else { panic!("RIP has a plan") };
     let own = solved(&found[0].own).unwrap();
     assert!((own.time - rip.time).abs() < 0.05 + 1e-9, "{} {}", own.time, rip.time);
     // Each own time is one at which so many rounds, begun there, have a plan; and is no shorter than RIP's.
@@ -238,7 +238,7 @@ fn rsp_without_facets_is_rip() {
     assert!(all.selected.is_empty(), "{:?}", all.selected);
     let plan = |planner: PlannerKind, which: Run| {
         let run = all.runs.iter().find(|r| r.planner == planner && r.run == which).unwrap();
-        let RunOutcome::Solved(solved) = &run.ending else { panic!("{:?}", run.ending) };
+        let PlanOutcome::Planned(solved) = &run.outcome else { panic!("{:?}", run.outcome) };
         solved.trajectory.clone()
     };
     for which in [Run::Common, Run::Own] {

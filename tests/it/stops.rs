@@ -8,7 +8,7 @@ use mavc::motion::{NodeState, X, Y, YAW, Z};
 use mavc::planner::scp::Iterate;
 use mavc::planner::selection::sets::PlanningSets;
 use mavc::planner::stop::Stops;
-use mavc::planner::studies::{Comparison, RunOutcome, Scope, Solved, compare};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, Scope, compare};
 use mavc::source::Span;
 use nalgebra::Vector3;
 
@@ -16,9 +16,9 @@ fn run(model: &Model) -> Comparison {
     compare(model, model.mission.as_ref().unwrap(), Scope::Plan, None)
 }
 
-fn solved(comparison: &Comparison) -> &Solved {
-    match &comparison.runs.last().unwrap().ending {
-        RunOutcome::Solved(s) => s,
+fn solved(comparison: &Comparison) -> &MissionPlan {
+    match &comparison.runs.last().unwrap().outcome {
+        PlanOutcome::Planned(s) => s,
         other => panic!("{other:?}"),
     }
 }

@@ -6,7 +6,7 @@ use mavc::admissible::AdmissibleSet;
 use mavc::admissible::edge::{EDGE, Place};
 use mavc::admissible::verdict::analyze;
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
-use mavc::planner::studies::{Run, RunOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Proof, Run, Scope, compare};
 use mavc::report::record::Record;
 use mavc::report::waypoints::{WaypointRecord, headline, listed, table, waypoints};
 use mavc::report::{comparison_text, terminal};
@@ -96,7 +96,7 @@ fn what_is_proved_of_many_times_is_proved_of_each() {
     for model in [PlanModel::Exact, PlanModel::Hover] {
         up.plan.model = model;
         let comparison = compare(&up, up.mission.as_ref().unwrap(), Scope::Plan, None);
-        let RunOutcome::Infeasible { at, proved } = &comparison.runs[0].ending else { panic!("{model:?}") };
+        let PlanOutcome::Infeasible(Proof { at, proved }) = &comparison.runs[0].outcome else { panic!("{model:?}") };
         assert!(proved.len() > 3 && proved.last() == Some(at) && proved.is_sorted(), "{model:?} {proved:?}");
         let record = Record::new(&up, up.mission.as_ref().unwrap(), &comparison, String::new());
         assert_eq!(&record.planners[0].proved_infeasible_s, proved);
@@ -106,7 +106,7 @@ fn what_is_proved_of_many_times_is_proved_of_each() {
             let mut fixed = up.clone();
             fixed.plan.time = MissionTime::Fixed(time);
             let comparison = compare(&fixed, fixed.mission.as_ref().unwrap(), Scope::Plan, None);
-            assert_eq!(comparison.runs[0].ending.verdict(), Verdict::ProvedInfeasible, "{model:?}, {time} s");
+            assert_eq!(comparison.runs[0].outcome.verdict(), Verdict::ProvedInfeasible, "{model:?}, {time} s");
         }
     }
 }
@@ -128,14 +128,14 @@ fn rsp_without_a_common_time_is_not_attempted() {
     let mission = model.mission.as_ref().unwrap();
     let plan = compare(&model, mission, Scope::Plan, None);
     assert!(plan.common_time.is_none());
-    assert_eq!(plan.runs.last().unwrap().ending.verdict(), Verdict::NotAttempted, "{:?}", plan.runs);
+    assert_eq!(plan.runs.last().unwrap().outcome.verdict(), Verdict::NotAttempted, "{:?}", plan.runs);
     let text = terminal::plan(&model, mission, &plan, false);
     assert!(text.contains("RSP: not attempted: ") && !text.contains("proved infeasible"), "{text}");
     // RCP against the mode is searched for, and RIP has a plan.
     let all = compare(&model, mission, Scope::Everything, None);
     let verdict = |planner: PlannerKind| {
         let run = all.runs.iter().find(|run| run.planner == planner && run.run == Run::Own);
-        run.map(|run| run.ending.verdict())
+        run.map(|run| run.outcome.verdict())
     };
     assert_eq!(verdict(PlannerKind::Rip), Some(Verdict::Found));
     assert_eq!(verdict(PlannerKind::Rcp), Some(Verdict::NotFound));
@@ -159,11 +159,11 @@ fn rsp_without_a_plan_of_rip_is_not_attempted_but_where_that_is_proved() {
         for (planner, verdict) in [PlannerKind::Rip, PlannerKind::Rsp].into_iter().zip(verdicts) {
             model.plan.planner = planner;
             let comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-            assert_eq!(comparison.runs[0].ending.verdict(), verdict, "{planner:?} in {time} s");
+            assert_eq!(comparison.runs[0].outcome.verdict(), verdict, "{planner:?} in {time} s");
         }
         let all = compare(&model, model.mission.as_ref().unwrap(), Scope::Everything, None);
         let rsp = all.runs.iter().find(|run| run.planner == PlannerKind::Rsp && run.run == Run::Common).unwrap();
-        assert_eq!(rsp.ending.verdict(), verdicts[1], "{time} s");
+        assert_eq!(rsp.outcome.verdict(), verdicts[1], "{time} s");
     }
 }
 
@@ -221,7 +221,7 @@ fn moved(by: f64, yaw_by: f64) -> Vec<WaypointRecord> {
     (model.plan.time, model.plan.samples) = (MissionTime::Fixed(6.0), 20);
     let flown = model.mission.as_ref().unwrap();
     let comparison = compare(&model, flown, Scope::Plan, None);
-    let solved = comparison.runs[0].ending.solved().unwrap();
+    let solved = comparison.runs[0].outcome.plan().unwrap();
     let end = solved.trajectory.nodes.last().unwrap();
     let mut asked = flown.clone();
     let last = &mut asked.waypoints[1];

@@ -1,7 +1,7 @@
 //! T_d, the mission time at which planners are compared, and all planners at it: what a campaign flies.
 
 use super::{
-    Comparison, Found, NOTHING_TO_SELECT_BY, Run, RunOutcome, Setting, plan_found, planned_of, time, time_below,
+    Comparison, Found, NOTHING_TO_SELECT_BY, PlanOutcome, Run, Setting, plan_found, planned_of, time, time_below,
 };
 use crate::model::PlannerKind;
 use crate::planner::hover::{Decision, Planned};
@@ -43,12 +43,12 @@ impl Setting<'_> {
                 self.common(time, &decision)
             }
         };
-        let ending = self.common(time, &rip_decision);
-        out.runs.push(self.run(PlannerKind::Rip, &[], Run::Common, ending, &self.sets.rip));
+        let outcome = self.common(time, &rip_decision);
+        out.runs.push(self.run(PlannerKind::Rip, &[], Run::Common, outcome, &self.sets.rip));
         if let Some((decision, effort)) = rcp {
             out.effort += effort;
-            let ending = self.common(time, &decision);
-            out.runs.push(self.run(PlannerKind::Rcp, &self.sets.names, Run::Common, ending, &self.sets.joint));
+            let outcome = self.common(time, &decision);
+            out.runs.push(self.run(PlannerKind::Rcp, &self.sets.names, Run::Common, outcome, &self.sets.joint));
         }
         out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, Run::Common, rsp, &rsp_set));
         out
@@ -78,10 +78,10 @@ impl Setting<'_> {
 
     /// RSP where RIP was not planned at T_d = `time`: every plan of RSP is one of RIP, so a proof for RIP is one for RSP; without
     /// a proof there is nothing to select facets by, and RSP is not searched for.
-    pub(super) fn without_rip(&self, time: f64, rip: &Decision) -> RunOutcome {
+    pub(super) fn without_rip(&self, time: f64, rip: &Decision) -> PlanOutcome {
         match rip {
-            Decision::Infeasible => RunOutcome::proved_infeasible(&[time]),
-            _ => RunOutcome::NotAttempted { at: time, why: NOTHING_TO_SELECT_BY.into() },
+            Decision::Infeasible => PlanOutcome::proved_infeasible(&[time]),
+            _ => PlanOutcome::NotAttempted { at: time, why: NOTHING_TO_SELECT_BY.into() },
         }
     }
 }

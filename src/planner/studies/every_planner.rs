@@ -1,7 +1,7 @@
 //! Every planner at its own shortest time and at T_d.
 
 use super::{
-    Comparison, Found, NOTHING_TO_SELECT_BY, Run, RunOutcome, Setting, hint_from, label, plan_found, planned_of, time,
+    Comparison, Found, NOTHING_TO_SELECT_BY, PlanOutcome, Run, Setting, hint_from, label, plan_found, planned_of, time,
     time_below,
 };
 use crate::model::{PlanModel, PlannerKind};
@@ -118,9 +118,9 @@ impl Setting<'_> {
                             Some(rip) if of_exact => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
                             _ => self.at_or_own(&label, set, at, found, binding),
                         };
-                        let ending = self.common(at, &decision);
+                        let outcome = self.common(at, &decision);
                         self.ended(1);
-                        (self.run(PlannerKind::Rcp, against, Run::Common, ending, set), spent)
+                        (self.run(PlannerKind::Rcp, against, Run::Common, outcome, set), spent)
                     };
                     conservative.par_iter().map(work).collect::<Vec<_>>()
                 },
@@ -150,7 +150,7 @@ impl Setting<'_> {
         above_rip: Hint,
         nothing_selected: Option<&Decision>,
         working_set: WorkingSet,
-    ) -> (RunOutcome, RunOutcome, Effort) {
+    ) -> (PlanOutcome, PlanOutcome, Effort) {
         if let Some(same) = nothing_selected {
             self.ended(2);
             let (own, common) = match same {
@@ -158,7 +158,7 @@ impl Setting<'_> {
                     (self.own(&nothing_selected_at(planned)), self.common(at, same))
                 }
                 Decision::Feasible(_) => (self.own(rip), self.common(at, same)),
-                _ => (RunOutcome::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() }, self.without_rip(at, same)),
+                _ => (PlanOutcome::NotAttempted { at, why: NOTHING_TO_SELECT_BY.into() }, self.without_rip(at, same)),
             };
             return (own, common, Effort::default());
         }
@@ -166,7 +166,7 @@ impl Setting<'_> {
             let first: Vec<&Planned> = planned_of(rip_at).into_iter().chain(self.at_its_time(rcp)).collect();
             let (decision, mut effort) = self.rsp_at("RSP", set, at, &first, None);
             self.ended(1);
-            let ending = self.common(at, &decision);
+            let outcome = self.common(at, &decision);
             let initial_guesses = planned_of(rip_at).into_iter().chain(rcp).cloned().collect();
             let hint = match self.at_its_time(rcp) {
                 Some(rcp) => hint_from(at, Decision::Feasible(Box::new(rcp.clone()))),
@@ -175,7 +175,7 @@ impl Setting<'_> {
             let own = self.rsp_own("RSP", set, Hint { initial_guesses, ..hint }, working_set);
             self.ended(1);
             effort += own.effort;
-            return (self.own(&own), ending, effort);
+            return (self.own(&own), outcome, effort);
         }
         // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
         let below = at - RESOLUTION;
@@ -183,7 +183,7 @@ impl Setting<'_> {
             || self.at("RSP", set, at, working_set.clone(), &[]),
             || self.fixed_time().is_none().then(|| self.at("RSP", set, below, working_set.clone(), &[])),
         );
-        let ending = self.common(at, &decision);
+        let outcome = self.common(at, &decision);
         self.ended(1);
         let mut hint = hint_from(at, decision);
         if let Some((shorter, spent)) = shorter {
@@ -201,6 +201,6 @@ impl Setting<'_> {
         if let Some(rcp) = rcp {
             own = own.or_shorter(rcp);
         }
-        (self.own(&own), ending, effort)
+        (self.own(&own), outcome, effort)
     }
 }

@@ -1,7 +1,7 @@
 //! The order of times: a plan inside a smaller set is one inside a larger set, so that RIP takes no longer than RSP, RSP no
 //! longer than the joint RCP, and RCP against one mode no longer than against all.
 
-use super::{Found, PlannerRun, Run, RunOutcome, Solved};
+use super::{Found, MissionPlan, NotFound, PlanOutcome, PlannerRun, Run};
 use crate::model::PlannerKind;
 use crate::planner::hover::Planned;
 use crate::planner::timing::search::Shortest;
@@ -29,8 +29,8 @@ pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize) {
     let common: Vec<PlannerRun> = runs.iter().filter(|run| run.run == Run::Common).cloned().collect();
     for own in runs.iter_mut().filter(|run| run.run == Run::Own) {
         let same = common.iter().find(|run| run.planner == own.planner && run.against == own.against);
-        if let Some(RunOutcome::Solved(at)) = same.map(|run| &run.ending) {
-            own.ending = shorter(&own.ending, at);
+        if let Some(PlanOutcome::Planned(at)) = same.map(|run| &run.outcome) {
+            own.outcome = shorter(&own.outcome, at);
         }
     }
     // How many sets a plan keeps to, as a rank: who keeps to fewer may take the plans of those who keep to more.
@@ -48,21 +48,21 @@ pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize) {
     order.sort_by_key(|&i| std::cmp::Reverse(rank(&runs[i])));
     for (place, &outer) in order.iter().enumerate() {
         for &inner in &order[..place] {
-            if let (true, RunOutcome::Solved(plan)) = (flows(&runs[inner], &runs[outer]), &runs[inner].ending) {
-                runs[outer].ending = shorter(&runs[outer].ending, plan);
+            if let (true, PlanOutcome::Planned(plan)) = (flows(&runs[inner], &runs[outer]), &runs[inner].outcome) {
+                runs[outer].outcome = shorter(&runs[outer].outcome, plan);
             }
         }
     }
 }
 
 /// An own time's ending, or another plan that its set allows where that is shorter.
-fn shorter(own: &RunOutcome, other: &Solved) -> RunOutcome {
+fn shorter(own: &PlanOutcome, other: &MissionPlan) -> PlanOutcome {
     let proved = match own {
-        RunOutcome::Solved(solved) if solved.time <= other.time => return own.clone(),
-        RunOutcome::Solved(solved) => solved.infeasible_at.filter(|&below| below < other.time),
-        RunOutcome::Inconclusive { .. } => None,
+        PlanOutcome::Planned(solved) if solved.time <= other.time => return own.clone(),
+        PlanOutcome::Planned(solved) => solved.infeasible_at.filter(|&below| below < other.time),
+        PlanOutcome::NotFound(NotFound::Search { .. }) => None,
         // RSP that has nothing to select by is not attempted, whatever plans there are.
         _ => return own.clone(),
     };
-    RunOutcome::Solved(Box::new(Solved { infeasible_at: proved, infeasible_above: Vec::new(), ..other.clone() }))
+    PlanOutcome::Planned(Box::new(MissionPlan { infeasible_at: proved, infeasible_above: Vec::new(), ..other.clone() }))
 }

@@ -18,66 +18,74 @@ pub enum Run {
     Common,
 }
 
-/// What a planner's run ended in.
+/// The outcome of one planner's search for a plan.
 #[derive(Debug, Clone)]
-pub enum RunOutcome {
-    Solved(Box<Solved>),
-    /// Proved, at each of these mission times by itself; nothing is claimed of others.
-    Infeasible {
-        /// The longest, s.
-        at: f64,
-        /// All of them, s, ascending.
-        proved: Vec<f64>,
-    },
-    /// No plan was found, and at some time tried none was proved infeasible.
-    Inconclusive {
-        at: f64,
-        status: String,
-    },
-    /// A motion was found that fails the check of finished plans ([`crate::certify::check`]).
-    Failed {
-        at: f64,
-        why: String,
-    },
-    /// No plan was searched for: what the search begins with is missing.
+pub enum PlanOutcome {
+    /// A plan was found, and it passed the check of finished plans ([`crate::certify::check`]).
+    Planned(Box<MissionPlan>),
+    /// Proved: no plan exists at certain mission times.
+    Infeasible(Proof),
+    /// No plan was found, and nothing was proved.
+    NotFound(NotFound),
+    /// No plan was searched for, because a plan that the search starts from was not found.
     NotAttempted {
-        /// Where it would have been searched for, s.
+        /// The mission time of the search that was not made, s.
         at: f64,
         /// A clause for people.
         why: String,
     },
 }
 
-impl RunOutcome {
+/// The mission times at which no plan exists, each proved by itself; nothing is claimed about other times.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Proof {
+    /// The longest of them, s.
+    pub at: f64,
+    /// All of them, s, ascending.
+    pub proved: Vec<f64>,
+}
+
+/// Why no plan was found, where none was proved infeasible.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NotFound {
+    /// The search ended without a plan, at a mission time of `at` s.
+    Search { at: f64, status: String },
+    /// The trajectory found at a mission time of `at` s fails the check of finished plans ([`crate::certify::check`]).
+    Check { at: f64, why: String },
+}
+
+impl PlanOutcome {
     pub fn verdict(&self) -> Verdict {
         match self {
-            RunOutcome::Solved(_) => Verdict::Found,
-            RunOutcome::Infeasible { .. } => Verdict::ProvedInfeasible,
-            RunOutcome::Inconclusive { .. } | RunOutcome::Failed { .. } => Verdict::NotFound,
-            RunOutcome::NotAttempted { .. } => Verdict::NotAttempted,
+            PlanOutcome::Planned(_) => Verdict::Found,
+            PlanOutcome::Infeasible(Proof { .. }) => Verdict::ProvedInfeasible,
+            PlanOutcome::NotFound(NotFound::Search { .. }) | PlanOutcome::NotFound(NotFound::Check { .. }) => {
+                Verdict::NotFound
+            }
+            PlanOutcome::NotAttempted { .. } => Verdict::NotAttempted,
         }
     }
 
     /// The plan, where there is one.
-    pub fn solved(&self) -> Option<&Solved> {
+    pub fn plan(&self) -> Option<&MissionPlan> {
         match self {
-            RunOutcome::Solved(solved) => Some(solved),
+            PlanOutcome::Planned(solved) => Some(solved),
             _ => None,
         }
     }
 
     /// A proof that is not about all that the spec leaves open is none, unless there is one for its longest time by itself.
     pub(super) fn weaken(&mut self, about: &'static str, is_hopeless: impl Fn(f64) -> bool) {
-        if let RunOutcome::Solved(solved) = self
+        if let PlanOutcome::Planned(solved) = self
             && about == THESE_TIMES
         {
             solved.infeasible_at = solved.infeasible_at.filter(|&at| is_hopeless(at));
             solved.infeasible_above.retain(|&at| is_hopeless(at));
         }
-        if let RunOutcome::Infeasible { at, .. } = *self
+        if let PlanOutcome::Infeasible(Proof { at, .. }) = *self
             && !is_hopeless(at)
         {
-            *self = RunOutcome::Inconclusive { at, status: about.into() };
+            *self = PlanOutcome::NotFound(NotFound::Search { at, status: about.into() });
         }
     }
 
@@ -86,7 +94,7 @@ impl RunOutcome {
         let mut proved = times.to_vec();
         proved.sort_by(f64::total_cmp);
         proved.dedup();
-        RunOutcome::Infeasible { at: proved.last().copied().unwrap_or(0.0), proved }
+        PlanOutcome::Infeasible(Proof { at: proved.last().copied().unwrap_or(0.0), proved })
     }
 }
 
@@ -106,7 +114,7 @@ pub fn proofs_are_about(model: &Model, mission: &Mission) -> Option<&'static str
 
 /// A plan with what is reported of it.
 #[derive(Debug, Clone)]
-pub struct Solved {
+pub struct MissionPlan {
     pub time: f64,
     pub trajectory: Trajectory,
     /// Value of (48).
@@ -140,7 +148,7 @@ pub enum Verification {
     Undecided(String),
 }
 
-impl Solved {
+impl MissionPlan {
     /// The smallest margin to any mode's set, in widths of the healthy set; `None` without modes.
     pub fn smallest_margin(&self) -> Option<f64> {
         self.outside.iter().map(|o| -o.max_violation).min_by(f64::total_cmp)
@@ -153,7 +161,7 @@ pub struct PlannerRun {
     /// Mode names; empty for RIP.
     pub against: Vec<String>,
     pub run: Run,
-    pub ending: RunOutcome,
+    pub outcome: PlanOutcome,
     /// What is imposed on the wrench at each node.
     pub set: PlanningSet,
 }

@@ -4,7 +4,7 @@
 //! facets that the plan passes, and the mode's whole set, and adds what takes away most risk per second of mission time.
 //! Greedy: a cleverer order or choice may need less time, and none is claimed to be the shortest.
 
-use super::{Comparison, Run, RunOutcome, Setting, Solved, planned_of};
+use super::{Comparison, MissionPlan, NotFound, PlanOutcome, Run, Setting, planned_of};
 use crate::admissible::row::SetRow;
 use crate::model::PlannerKind;
 use crate::motion::outside::{Stretch, stretches};
@@ -65,18 +65,18 @@ struct Step {
     singles: usize,
     /// The modes whose whole sets are protected.
     whole: Vec<usize>,
-    solved: Solved,
+    solved: MissionPlan,
     planned: Planned,
     risk: f64,
 }
 
 impl Setting<'_> {
-    fn risk_of(&self, solved: &Solved) -> f64 {
+    fn risk_of(&self, solved: &MissionPlan) -> f64 {
         risk(self.weights(solved))
     }
 
     /// Rate (1/s) and committed time (s) of each mode; one without a rate, which the spec refuses, counts for nothing.
-    fn weights(&self, solved: &Solved) -> Vec<(f64, f64)> {
+    fn weights(&self, solved: &MissionPlan) -> Vec<(f64, f64)> {
         let rates = self.model.plan.against.iter().map(|&mode| self.model.modes[mode].rate.unwrap_or(0.0));
         rates.zip(solved.committed.iter().copied()).collect()
     }
@@ -88,7 +88,7 @@ impl Setting<'_> {
         what: &str,
         set: &PlanningSet,
         before: Option<&Step>,
-    ) -> (Result<(Solved, Planned), RunOutcome>, Effort) {
+    ) -> (Result<(MissionPlan, Planned), PlanOutcome>, Effort) {
         let initial_guesses = before.map(|step| &step.planned);
         let time = self.fixed_time().or(before.map(|step| step.solved.time));
         let mut effort = Effort::default();
@@ -99,7 +99,7 @@ impl Setting<'_> {
             if let Some(planned) = planned_of(&decision) {
                 // What was shown infeasible for the larger set is so for this one.
                 let infeasible_at = before.and_then(|step| step.solved.infeasible_at);
-                return (Ok((Solved { infeasible_at, ..self.solved(time, planned) }, planned.clone())), effort);
+                return (Ok((MissionPlan { infeasible_at, ..self.solved(time, planned) }, planned.clone())), effort);
             }
             if self.fixed_time().is_some() {
                 return (Err(self.common(time, &decision)), effort);
@@ -114,10 +114,10 @@ impl Setting<'_> {
         }
         let found = self.search(what, set, hint, WorkingSet::default());
         effort += found.effort;
-        let ending = self.own(&found);
-        match (ending, found.result) {
-            (RunOutcome::Solved(solved), Ok(shortest)) => (Ok((*solved, shortest.planned)), effort),
-            (ending, _) => (Err(ending), effort),
+        let outcome = self.own(&found);
+        match (outcome, found.result) {
+            (PlanOutcome::Planned(solved), Ok(shortest)) => (Ok((*solved, shortest.planned)), effort),
+            (outcome, _) => (Err(outcome), effort),
         }
     }
 
@@ -153,7 +153,7 @@ impl Setting<'_> {
 
     /// The facet of a mode's set that commits the mission longest: the one passed last, up to the last instant from which the
     /// mission is committed. Protecting any other leaves that instant as it is.
-    fn passed_last(&self, solved: &Solved, mode: usize) -> Option<usize> {
+    fn passed_last(&self, solved: &MissionPlan, mode: usize) -> Option<usize> {
         let (trajectory, until) = (&solved.trajectory, solved.committed[mode]);
         let rows = &self.sets.modes[mode].rows;
         let before = (0..trajectory.intervals()).rev().filter(|&k| trajectory.times[k] < until);
@@ -164,7 +164,7 @@ impl Setting<'_> {
         before.into_iter().find_map(last).map(|stretch| stretch.row)
     }
 
-    fn tried(&self, before: &Step, candidate: Candidate) -> (Result<Step, RunOutcome>, Effort) {
+    fn tried(&self, before: &Step, candidate: Candidate) -> (Result<Step, PlanOutcome>, Effort) {
         let Candidate { added, rows, whole, single } = candidate;
         let set = before.set.with(rows);
         let (result, effort) = self.plan_of(&before.trying(&added), &set, Some(before));
@@ -180,8 +180,8 @@ impl Setting<'_> {
     pub(super) fn protect(&self, bound: f64) -> Comparison {
         let mut out = self.begun();
         let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
-        let finish = |mut out: Comparison, ending: RunOutcome, set: &PlanningSet| {
-            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, which, ending, set));
+        let finish = |mut out: Comparison, outcome: PlanOutcome, set: &PlanningSet| {
+            out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, which, outcome, set));
             out
         };
         let (first, effort) = self.plan_of("RIP", &self.sets.rip, None);
@@ -192,15 +192,15 @@ impl Setting<'_> {
                 let set = self.sets.rip.clone();
                 Step { added: Protection::Nothing, set, whole: Vec::new(), singles: 0, solved, planned, risk }
             }
-            Err(ending) => return finish(out, ending, &self.sets.rip),
+            Err(outcome) => return finish(out, outcome, &self.sets.rip),
         };
         loop {
             out.trade_off.push(Addition { added: step.added.clone(), time: step.solved.time, risk: step.risk });
             if step.risk <= bound {
                 out.selected = step.set.rows[self.sets.rip.rows.len().min(step.set.rows.len())..].to_vec();
-                return finish(out, RunOutcome::Solved(Box::new(step.solved)), &step.set);
+                return finish(out, PlanOutcome::Planned(Box::new(step.solved)), &step.set);
             }
-            let tried: Vec<(Result<Step, RunOutcome>, Effort)> =
+            let tried: Vec<(Result<Step, PlanOutcome>, Effort)> =
                 self.candidates(&step).into_par_iter().map(|candidate| self.tried(&step, candidate)).collect();
             tried.iter().for_each(|t| out.effort += t.1);
             let gains = |next: &Step| (next.risk < step.risk).then(|| price(&step, next));
@@ -241,8 +241,8 @@ impl Step {
     }
 }
 
-fn unmet(step: &Step) -> RunOutcome {
-    RunOutcome::Inconclusive { at: step.solved.time, status: UNMET.into() }
+fn unmet(step: &Step) -> PlanOutcome {
+    PlanOutcome::NotFound(NotFound::Search { at: step.solved.time, status: UNMET.into() })
 }
 
 /// Risk taken away per second of mission time, then at all: what costs no time comes first.

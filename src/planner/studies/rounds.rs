@@ -4,7 +4,7 @@
 //! them. In the hover model, at a time at which RCP has a plan, rounds end at RCP's plan: each program is a relaxation of
 //! RCP's, and a plan that passes no facet solves it.
 
-use super::{Comparison, Progress, RunOutcome, Setting};
+use super::{Comparison, NotFound, PlanOutcome, Progress, Setting};
 use crate::admissible::row::SetRow;
 use crate::model::{Mission, Model};
 use crate::motion::Trajectory;
@@ -27,9 +27,9 @@ pub struct Round {
     /// Facets of the modes' sets that are selected at T_d.
     pub selected: usize,
     /// At T_d.
-    pub common: RunOutcome,
+    pub common: PlanOutcome,
     /// At the shortest time found at which the plan of this many rounds, selected there, exists.
-    pub own: RunOutcome,
+    pub own: PlanOutcome,
     /// The plans that each of the two selects by.
     pub common_selected_by: Vec<Trajectory>,
     pub own_selected_by: Vec<Trajectory>,
@@ -61,19 +61,19 @@ pub fn rounds(
         let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
         // The plan of the round before, which this one's facets are selected by, is missing.
         let is_beyond = k >= at_common.len() && super::planned_of(decision).is_none();
-        let ending = match is_beyond {
+        let outcome = match is_beyond {
             true => setting.without_rip(common, decision),
             false => setting.common(common, decision),
         };
         let common_selected_by = selected_by(&at_common, k);
         let (own, own_selected_by) = match setting.fixed_time() {
-            Some(_) => (ending.clone(), common_selected_by.clone()),
+            Some(_) => (outcome.clone(), common_selected_by.clone()),
             None => search.shortest(k, common),
         };
         found.push(Round {
             rounds: k,
             selected: selected.len(),
-            common: ending,
+            common: outcome,
             own,
             common_selected_by,
             own_selected_by,
@@ -107,7 +107,7 @@ impl Search<'_, '_> {
 
     /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, for the
     /// selection is another at each: the time found is one below which, by [`RESOLUTION`], no plan was found.
-    fn shortest(&mut self, rounds: usize, common: f64) -> (RunOutcome, Vec<Trajectory>) {
+    fn shortest(&mut self, rounds: usize, common: f64) -> (PlanOutcome, Vec<Trajectory>) {
         let mut high = (common / RESOLUTION - 1e-6).ceil() as i64;
         let mut tried = 0;
         let mut low = 0;
@@ -117,7 +117,7 @@ impl Search<'_, '_> {
             tried += 1;
             if tried > MOST_STEPS {
                 let status = crate::planner::scp::NOT_FOUND.into();
-                return (RunOutcome::Inconclusive { at: seconds(low), status }, Vec::new());
+                return (PlanOutcome::NotFound(NotFound::Search { at: seconds(low), status }), Vec::new());
             }
         }
         let mut stride = 2;
@@ -139,12 +139,12 @@ impl Search<'_, '_> {
         let setting = self.setting;
         match self.at(high, rounds) {
             Some(planned) => {
-                let ending = RunOutcome::Solved(Box::new(setting.solved(seconds(high), planned)));
-                (ending, self.chains.get(&high).map_or_else(Vec::new, |chain| selected_by(chain, rounds)))
+                let outcome = PlanOutcome::Planned(Box::new(setting.solved(seconds(high), planned)));
+                (outcome, self.chains.get(&high).map_or_else(Vec::new, |chain| selected_by(chain, rounds)))
             }
             None => {
                 let status = crate::planner::scp::NOT_FOUND.into();
-                (RunOutcome::Inconclusive { at: seconds(high), status }, Vec::new())
+                (PlanOutcome::NotFound(NotFound::Search { at: seconds(high), status }), Vec::new())
             }
         }
     }

@@ -52,7 +52,7 @@ pub(super) fn with_time_of_its_end(model: &Model, mission: &Mission) -> Option<(
 }
 
 fn is_solved(comparison: &Comparison) -> bool {
-    comparison.runs.last().is_some_and(|run| run.ending.solved().is_some())
+    comparison.runs.last().is_some_and(|run| run.outcome.plan().is_some())
 }
 
 /// The second where it has a plan, with what both took.

@@ -3,7 +3,7 @@
 use super::name_of;
 use crate::model::PlannerKind;
 use crate::motion::outside::Outside;
-use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved};
+use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run};
 use crate::report::terminal::WIDTH;
 
 /// Names in the first column take no more room than this; where they need more, a note below the table has them.
@@ -33,10 +33,10 @@ pub fn folded(comparison: &Comparison, which: Run) -> Vec<Fold<'_>> {
 
 /// Whether two runs have one plan, or are RCP for single modes that ended without one in the same way.
 fn are_alike(one: &PlannerRun, other: &PlannerRun) -> bool {
-    match (&one.ending, &other.ending) {
-        (RunOutcome::Solved(a), RunOutcome::Solved(b)) => have_one_plan(a, b),
-        (RunOutcome::Infeasible { .. }, RunOutcome::Infeasible { .. })
-        | (RunOutcome::Inconclusive { .. }, RunOutcome::Inconclusive { .. }) => {
+    match (&one.outcome, &other.outcome) {
+        (PlanOutcome::Planned(a), PlanOutcome::Planned(b)) => have_one_plan(a, b),
+        (PlanOutcome::Infeasible(Proof { .. }), PlanOutcome::Infeasible(Proof { .. }))
+        | (PlanOutcome::NotFound(NotFound::Search { .. }), PlanOutcome::NotFound(NotFound::Search { .. })) => {
             is_of_one_mode(one) && is_of_one_mode(other)
         }
         _ => false,
@@ -44,7 +44,7 @@ fn are_alike(one: &PlannerRun, other: &PlannerRun) -> bool {
 }
 
 /// Whether two plans are one but for what the solver's last digits differ by: at every node, and in what is said of the sets.
-fn have_one_plan(a: &Solved, b: &Solved) -> bool {
+fn have_one_plan(a: &MissionPlan, b: &MissionPlan) -> bool {
     let same_outside = |(p, q): (&Outside, &Outside)| {
         near(p.max_violation, q.max_violation, MARGIN)
             && near(p.seconds, q.seconds, SECONDS)
@@ -65,8 +65,8 @@ fn is_of_one_mode(run: &PlannerRun) -> bool {
 }
 
 impl Fold<'_> {
-    pub fn ending(&self) -> &RunOutcome {
-        &self.runs[0].ending
+    pub fn outcome(&self) -> &PlanOutcome {
+        &self.runs[0].outcome
     }
 
     /// `RIP, RCP M1, M3 .. M6, RSP`: all runs by name, modes that follow each other as ranges.

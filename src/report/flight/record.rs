@@ -2,7 +2,7 @@
 
 use crate::flight::{Flight, Outcome};
 use crate::model::{Detection, Model, Strike};
-use crate::planner::studies::Solved;
+use crate::planner::studies::MissionPlan;
 use crate::report::caveats::{Caveat, caveats};
 use crate::verdict::SIMULATED;
 use serde::Serialize;
@@ -11,7 +11,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy)]
 pub struct Told<'a> {
     pub model: &'a Model,
-    pub solved: &'a Solved,
+    pub solved: &'a MissionPlan,
     pub strikes: &'a [Strike],
     pub flight: &'a Flight,
     /// Groups of modes that the estimator cannot tell apart with the planned speeds, by name.

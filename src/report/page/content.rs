@@ -9,7 +9,7 @@ use crate::admissible::{AdmissibleSet, hover};
 use crate::model::{Model, PlannerKind};
 use crate::motion::nearness::nearness;
 use crate::number::number;
-use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved, label};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, label};
 use serde::Serialize;
 
 /// Cells of a heat strip.
@@ -115,12 +115,12 @@ impl Content {
     /// Of plans: those that have a place on a page of reasonable size, the first ones first, and always the one shown first.
     pub fn of_plans(subject: &Subject, comparison: &Comparison, shown: &[ShownSet], record: &impl Serialize) -> Self {
         let first = shown_first(subject.model, comparison);
-        let solved: Vec<(usize, &PlannerRun, &Solved)> = comparison
+        let solved: Vec<(usize, &PlannerRun, &MissionPlan)> = comparison
             .runs
             .iter()
             .enumerate()
-            .filter_map(|(i, run)| match &run.ending {
-                RunOutcome::Solved(s) => Some((i, run, s.as_ref())),
+            .filter_map(|(i, run)| match &run.outcome {
+                PlanOutcome::Planned(s) => Some((i, run, s.as_ref())),
                 _ => None,
             })
             .collect();
@@ -204,7 +204,7 @@ fn planner_name(run: &PlannerRun) -> String {
 }
 
 /// Of several plans those at one time are drawn, which can be laid side by side, or all where there is no such time.
-fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &Solved)]) -> Option<String> {
+fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &MissionPlan)]) -> Option<String> {
     let is_common = |run: &PlannerRun| run.run == Run::Common;
     match among {
         [_] => Some(String::new()),
@@ -215,7 +215,7 @@ fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &Solved)]) -> Opti
     }
 }
 
-fn run_content(subject: &Subject, label: String, solved: &Solved, shown: &[ShownSet], most: usize) -> RunContent {
+fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[ShownSet], most: usize) -> RunContent {
     let Subject { model, mission, .. } = *subject;
     let trajectory = &solved.trajectory;
     let strip = |set: usize, s: &ShownSet| Strip {

@@ -10,7 +10,7 @@ use crate::model::{LimitKind, Mission, Model};
 use crate::motion::checks::peak;
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z, roll_pitch, tilt};
 use crate::number::{fixed, percent, significant};
-use crate::planner::studies::Solved;
+use crate::planner::studies::MissionPlan;
 use crate::report::record::errors;
 
 /// Where the plan leaves its nodes farther apart, instants between them are shown too, so that curves look as they are.
@@ -45,7 +45,7 @@ fn states(trajectory: &Trajectory, most: usize) -> Vec<(f64, NodeState)> {
 }
 
 /// Columns of a motion: SI units but for angles, which are in degrees, and margins in percent of the healthy set's width.
-pub fn columns(model: &Model, solved: &Solved, shown: &[ShownSet], most: usize) -> Columns {
+pub fn columns(model: &Model, solved: &MissionPlan, shown: &[ShownSet], most: usize) -> Columns {
     let trajectory = &solved.trajectory;
     let states = states(trajectory, most);
     let mut columns = Columns::new();
@@ -111,7 +111,7 @@ fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
 }
 
 /// The charts of a plan, each with what it shows as its headline.
-pub fn charts(model: &Model, mission: &Mission, solved: &Solved, shown: &[ShownSet]) -> Vec<Chart> {
+pub fn charts(model: &Model, mission: &Mission, solved: &MissionPlan, shown: &[ShownSet]) -> Vec<Chart> {
     let mut charts = Vec::new();
     if shown.iter().any(|s| s.against.is_some()) {
         charts.push(margins(solved, shown));
@@ -130,7 +130,7 @@ fn at(value: f64, unit: &str, t: f64) -> String {
     format!("{} {unit} at {} s", significant(value, 3), fixed(t, 2))
 }
 
-fn margins(solved: &Solved, shown: &[ShownSet]) -> Chart {
+fn margins(solved: &MissionPlan, shown: &[ShownSet]) -> Chart {
     let sets = || shown.iter().enumerate().filter_map(|(i, s)| Some((i, s, s.against?)));
     let least = nearest(solved).and_then(|n| sets().find(|(.., against)| *against == n));
     let headline = match least.map(|(_, s, against)| (s, -solved.outside[against].max_violation)) {
@@ -152,7 +152,7 @@ fn margins(solved: &Solved, shown: &[ShownSet]) -> Chart {
 }
 
 /// Of the modes planned against the one with the smallest margin; of those that no report tells apart the first.
-pub fn nearest(solved: &Solved) -> Option<usize> {
+pub fn nearest(solved: &MissionPlan) -> Option<usize> {
     let worst = solved.outside.iter().map(|o| o.max_violation).max_by(f64::total_cmp)?;
     // Thousandths of a percent, as the columns of margins have them.
     solved.outside.iter().position(|o| o.max_violation >= worst - 1e-5)
@@ -168,7 +168,7 @@ pub fn signed_percent(share: f64) -> String {
     }
 }
 
-fn position(mission: &Mission, solved: &Solved) -> Chart {
+fn position(mission: &Mission, solved: &MissionPlan) -> Chart {
     let e = errors(mission, solved);
     let n = mission.waypoints.len();
     Chart {
@@ -191,7 +191,7 @@ fn allowed(mission: &Mission, kind: LimitKind) -> String {
     }
 }
 
-fn speed(mission: &Mission, solved: &Solved) -> Chart {
+fn speed(mission: &Mission, solved: &MissionPlan) -> Chart {
     let kinds = [LimitKind::Speed, LimitKind::SpeedHorizontal, LimitKind::Climb, LimitKind::Descent];
     let top = peak(&solved.trajectory, |s| norm(s, &[X, Y, Z], 1));
     let mut lines = vec![Line::new("speed", "speed"), Line::new("climb", "climb")];
@@ -209,7 +209,7 @@ fn speed(mission: &Mission, solved: &Solved) -> Chart {
     }
 }
 
-fn tilts(model: &Model, mission: &Mission, solved: &Solved) -> Chart {
+fn tilts(model: &Model, mission: &Mission, solved: &MissionPlan) -> Chart {
     let top = peak(&solved.trajectory, |s| tilt(s, model.gravity));
     let reached = at(top.value.to_degrees(), "deg", top.at);
     Chart {
@@ -223,7 +223,7 @@ fn tilts(model: &Model, mission: &Mission, solved: &Solved) -> Chart {
     }
 }
 
-fn yaw(mission: &Mission, solved: &Solved) -> Option<Chart> {
+fn yaw(mission: &Mission, solved: &MissionPlan) -> Option<Chart> {
     let kinds = [LimitKind::Yaw, LimitKind::YawRate, LimitKind::YawAcceleration];
     let fixed = mission.has_one_yaw() && !mission.limits.iter().any(|l| kinds.contains(&l.kind));
     let top = peak(&solved.trajectory, |s| s[YAW][1].abs());
@@ -248,7 +248,7 @@ const RARE: [(&str, &str, &str, &[LimitKind]); 4] = [
 
 fn rare(
     mission: &Mission,
-    solved: &Solved,
+    solved: &MissionPlan,
     id: &'static str,
     title: &'static str,
     unit: &'static str,
@@ -285,7 +285,7 @@ fn rare(
     })
 }
 
-fn wrench(model: &Model, solved: &Solved) -> Vec<Chart> {
+fn wrench(model: &Model, solved: &MissionPlan) -> Vec<Chart> {
     let trajectory = &solved.trajectory;
     let of = |s: &NodeState, axis: usize| trajectory.wrench(&model.vehicle, model.gravity, s)[axis];
     let (most, least) = (peak(trajectory, |s| of(s, 0)), peak(trajectory, |s| -of(s, 0)));
@@ -330,7 +330,7 @@ fn wrench(model: &Model, solved: &Solved) -> Vec<Chart> {
     std::iter::once(thrust).chain(torques.into_iter().enumerate().map(torque)).collect()
 }
 
-fn rotors(model: &Model, solved: &Solved) -> Chart {
+fn rotors(model: &Model, solved: &MissionPlan) -> Chart {
     let rotors = &model.vehicle.rotors;
     let allocator = Allocator::new(&model.vehicle);
     let top = peak(&solved.trajectory, |s| {

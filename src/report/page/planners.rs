@@ -4,7 +4,7 @@ use super::motion::signed_percent;
 use super::prose::terms;
 use super::verdicts::outside_cells;
 use crate::number::{down, number, significant};
-use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
 use crate::report::record::{PlannerRecord, Record};
 use maud::{Markup, html};
 
@@ -83,13 +83,13 @@ fn meanings(has_modes: bool, has_risk: bool) -> Vec<(&'static str, &'static str)
 
 /// What the comparison comes to.
 fn headline(comparison: &Comparison) -> String {
-    let stays = |s: &Solved| s.outside.iter().all(|o| o.last.is_none());
-    let common: Vec<(&PlannerRun, &Solved)> = comparison
+    let stays = |s: &MissionPlan| s.outside.iter().all(|o| o.last.is_none());
+    let common: Vec<(&PlannerRun, &MissionPlan)> = comparison
         .runs
         .iter()
         .filter(|r| r.run == Run::Common)
-        .filter_map(|r| match &r.ending {
-            RunOutcome::Solved(s) => Some((r, s.as_ref())),
+        .filter_map(|r| match &r.outcome {
+            PlanOutcome::Planned(s) => Some((r, s.as_ref())),
             _ => None,
         })
         .collect();
@@ -109,7 +109,7 @@ fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) 
         (n, "rcp") if n > 1 => "RCP jointly".to_string(),
         _ => crate::planner::studies::label(run.planner, &run.against),
     };
-    let RunOutcome::Solved(solved) = &run.ending else {
+    let PlanOutcome::Planned(solved) = &run.outcome else {
         let columns = 6 + if has_modes { 3 } else { 0 } + usize::from(has_risk);
         return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (told.verdict) } } };
     };

@@ -8,7 +8,7 @@ use crate::admissible::edge::Place;
 use crate::admissible::row::SetRow;
 use crate::model::Model;
 use crate::planner::selection::PlanningSet;
-use crate::planner::studies::{Comparison, RunOutcome};
+use crate::planner::studies::{Comparison, PlanOutcome};
 use serde::Serialize;
 
 /// Rows of all sets shown together: a page stays small.
@@ -66,8 +66,8 @@ impl SetContent {
 /// that some plan comes nearest to the edges of), then other declared modes as long as there is room.
 pub fn shown(model: &Model, comparison: &Comparison) -> Vec<ShownSet> {
     let nearest = |against: &usize| {
-        let margins = comparison.runs.iter().filter_map(|run| match &run.ending {
-            RunOutcome::Solved(s) => s.outside.get(*against).map(|o| -o.max_violation),
+        let margins = comparison.runs.iter().filter_map(|run| match &run.outcome {
+            PlanOutcome::Planned(s) => s.outside.get(*against).map(|o| -o.max_violation),
             _ => None,
         });
         margins.fold(f64::INFINITY, f64::min)

@@ -7,7 +7,7 @@ use crate::certify::between::Shown;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::number::{fixed, number, percent, short_seconds, significant};
-use crate::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Solved, label};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, label};
 use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
 use crate::report::least_time;
 use crate::report::record::{PlannerRecord, Record};
@@ -50,12 +50,12 @@ impl Figure {
 /// Of `mavc plan`: the last run is the one written out.
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &Record) -> Found {
     let (Some(run), Some(told)) = (comparison.runs.last(), record.planners.last()) else { return Found::default() };
-    match &run.ending {
-        RunOutcome::Solved(solved) => {
+    match &run.outcome {
+        PlanOutcome::Planned(solved) => {
             let name = label(run.planner, &run.against);
             let headline = format!(
                 "{name}: {}, a plan of {}\u{a0}s that {} {}",
-                run.ending.verdict(),
+                run.outcome.verdict(),
                 number(solved.time),
                 meets(&told.waypoints),
                 outside(comparison, solved)
@@ -82,12 +82,12 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
 
 /// Of `mavc compare`.
 pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
-    let solved: Vec<(&PlannerRun, &Solved)> = comparison
+    let solved: Vec<(&PlannerRun, &MissionPlan)> = comparison
         .runs
         .iter()
         .filter(|r| r.run == Run::Own)
-        .filter_map(|r| match &r.ending {
-            RunOutcome::Solved(s) => Some((r, s.as_ref())),
+        .filter_map(|r| match &r.outcome {
+            PlanOutcome::Planned(s) => Some((r, s.as_ref())),
             _ => None,
         })
         .collect();
@@ -174,7 +174,7 @@ fn capital(text: &str) -> String {
 }
 
 /// `and stays inside the sets of all modes planned against`, or when it does not.
-fn outside(comparison: &Comparison, solved: &Solved) -> String {
+fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
     let mut left: Vec<(&String, f64)> = comparison
         .modes
         .iter()
@@ -193,7 +193,7 @@ fn outside(comparison: &Comparison, solved: &Solved) -> String {
     }
 }
 
-fn time(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> Figure {
+fn time(model: &Model, mission: &Mission, run: &PlannerRun, solved: &MissionPlan) -> Figure {
     let gap = least_time::gap(model, mission, run).filter(|_| model.plan.chooses_times);
     let gap = gap.map_or(String::new(), |gap| format!("; {gap}"));
     let note = match (run.run, solved.infeasible_at) {
@@ -206,7 +206,7 @@ fn time(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Solved) -> 
     Figure::new("Mission time", format!("{} s", number(solved.time)), note)
 }
 
-fn margin(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
+fn margin(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
     let mode = nearest(solved)?;
     let (name, outside) = (comparison.modes.get(mode)?, &solved.outside[mode]);
     let margin = -outside.max_violation;
@@ -214,7 +214,7 @@ fn margin(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
     Some(Figure::new("Smallest margin", signed_percent(margin), note).bad_if(outside.last.is_some()))
 }
 
-fn stays(comparison: &Comparison, solved: &Solved) -> Option<Figure> {
+fn stays(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
     let worst = comparison
         .modes
         .iter()

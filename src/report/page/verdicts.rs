@@ -7,7 +7,7 @@ use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::Model;
 use crate::motion::outside::Outside;
 use crate::number::{down, fixed, short_seconds, significant};
-use crate::planner::studies::{Comparison, RunOutcome, Solved};
+use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome};
 use crate::report::terminal::holds;
 use maud::{Markup, html};
 
@@ -27,8 +27,8 @@ struct Row<'a> {
 /// With the last run that has a plan; `analyses` healthy first.
 pub fn section(model: &Model, comparison: &Comparison, analyses: &[ModeAnalysis]) -> Markup {
     let shown = super::shown_first(model, comparison);
-    let solved = shown.and_then(|i| match &comparison.runs[i].ending {
-        RunOutcome::Solved(solved) => Some((super::content::run_label(comparison, i, solved.time), solved.as_ref())),
+    let solved = shown.and_then(|i| match &comparison.runs[i].outcome {
+        PlanOutcome::Planned(solved) => Some((super::content::run_label(comparison, i, solved.time), solved.as_ref())),
         _ => None,
     });
     table(model, analyses, solved.as_ref().map(|(label, s)| (label.as_str(), *s)))
@@ -51,7 +51,7 @@ fn headline(analyses: &[ModeAnalysis]) -> String {
     }
 }
 
-fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Solved)>) -> Markup {
+fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &MissionPlan)>) -> Markup {
     let row = |index: usize| {
         let place = index.checked_sub(1).and_then(|m| model.plan.against.iter().position(|&a| a == m));
         let of_plan = place.zip(solved);

@@ -6,15 +6,15 @@ use mavc::certify::between::{Between, Shown, WRENCH, between};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::motion::checks::past;
 use mavc::motion::{NodeState, tilt};
-use mavc::planner::studies::{Comparison, RunOutcome, Solved};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome};
 use mavc::report::between as words;
 use mavc::report::caveats::{CaveatKind, caveats};
 use mavc::verify::Scope;
 use mavc::verify::plan::{MOST_OUTSIDE, MOST_PAST_LIMIT};
 
-fn solved(comparison: &Comparison) -> &Solved {
-    match &comparison.runs.last().unwrap().ending {
-        RunOutcome::Solved(solved) => solved,
+fn solved(comparison: &Comparison) -> &MissionPlan {
+    match &comparison.runs.last().unwrap().outcome {
+        PlanOutcome::Planned(solved) => solved,
         other => panic!("{other:?}"),
     }
 }
@@ -24,7 +24,7 @@ fn told(model: &Model, comparison: &Comparison) -> Vec<Between> {
 }
 
 /// The largest value over the flight, at points that no grid of the reports has.
-fn largest(solved: &Solved, quantity: impl Fn(&NodeState) -> f64) -> f64 {
+fn largest(solved: &MissionPlan, quantity: impl Fn(&NodeState) -> f64) -> f64 {
     let t = &solved.trajectory;
     let looks = (0..t.intervals()).flat_map(|k| (0..=97).map(move |i| (k, f64::from(i) / 97.0)));
     looks
@@ -90,7 +90,7 @@ fn plans_say_what_is_proved() {
 }
 
 /// The same motion in a part of the time.
-fn hurry(plan: &mut Solved, factor: f64) {
+fn hurry(plan: &mut MissionPlan, factor: f64) {
     plan.trajectory.times.iter_mut().for_each(|t| *t *= factor);
     for axis in plan.trajectory.nodes.iter_mut().flatten() {
         axis.iter_mut().enumerate().for_each(|(order, d)| *d /= factor.powi(order as i32));
@@ -129,7 +129,7 @@ fn some_facets_proved_are_counted() {
         let mut model = hop(planner, 8.0);
         model.plan.model = PlanModel::Exact;
         let mut comparison = planned(&model);
-        let RunOutcome::Solved(plan) = &mut comparison.runs.last_mut().unwrap().ending else { panic!("no plan") };
+        let PlanOutcome::Planned(plan) = &mut comparison.runs.last_mut().unwrap().outcome else { panic!("no plan") };
         hurry(plan, factor);
         let found = told(&model, &comparison);
         let (plan, rows) = (solved(&comparison), &comparison.runs.last().unwrap().set.rows);
@@ -156,7 +156,7 @@ fn what_does_not_hold_is_not_proved() {
     let model = hop(PlannerKind::Rip, 7.2);
     let mut comparison = planned(&model);
     let run = comparison.runs.last_mut().unwrap();
-    let RunOutcome::Solved(plan) = &mut run.ending else { panic!("no plan") };
+    let PlanOutcome::Planned(plan) = &mut run.outcome else { panic!("no plan") };
     hurry(plan, 0.3);
     let found = told(&model, &comparison);
     assert_true(&model, &comparison, &found);

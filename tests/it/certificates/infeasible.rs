@@ -4,7 +4,7 @@ use super::{Numbers, SHA, certified, decide, hop, planned, verify};
 use crate::vehicles::{inspection, paper_case};
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, RowRecord, Side};
 use mavc::model::{Allocation, MissionTime, Model, PlannerKind};
-use mavc::planner::studies::RunOutcome;
+use mavc::planner::studies::{PlanOutcome, Proof};
 use mavc::planner::timing::kinematics::least_time_within;
 
 fn claim(certificate: &mut Certificate) -> &mut InfeasibleClaim {
@@ -15,7 +15,7 @@ fn claim(certificate: &mut Certificate) -> &mut InfeasibleClaim {
 }
 
 fn is_infeasible(model: &Model) -> bool {
-    matches!(planned(model).runs[0].ending, RunOutcome::Infeasible { .. })
+    matches!(planned(model).runs[0].outcome, PlanOutcome::Infeasible(Proof { .. }))
 }
 
 /// Every kind of row, and a time just below the independent threshold of 15.526 s.

@@ -10,7 +10,7 @@ use mavc::certify::between::{COMMANDS, Shown, between};
 use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
 use mavc::motion::CommandState;
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::studies::RunOutcome;
+use mavc::planner::studies::PlanOutcome;
 use mavc::verify::interval::Interval;
 use mavc::verify::lag::constant;
 use mavc::verify::motion::Motion;
@@ -161,7 +161,7 @@ fn lagging_plans_are_certified() {
         assert!(commanded.iter().any(throughout), "{which}: {commanded:?}");
         // What the report says of commands is what dense samples say.
         let run = comparison.runs.last().unwrap();
-        let RunOutcome::Solved(solved) = &run.ending else { panic!("no plan") };
+        let PlanOutcome::Planned(solved) = &run.outcome else { panic!("no plan") };
         let told = between(&model, mission, run, solved);
         let told = told.iter().find(|b| b.rows == COMMANDS).unwrap();
         let (plan, tau) = (&solved.trajectory, model.thrust_lag().unwrap());
@@ -211,7 +211,7 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
         ..instant.clone()
     };
     let time = 1.03 * shortest(&instant);
-    assert!(matches!(planned(&fixed(time)).runs[0].ending, RunOutcome::Solved(_)));
+    assert!(matches!(planned(&fixed(time)).runs[0].outcome, PlanOutcome::Planned(_)));
     let model = lagging(fixed(time), 0.3);
     let certificate = certified(&model).expect("no plan");
     let verdict = decide(&certificate, &model).unwrap();
@@ -239,7 +239,7 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
     // At a time that has a plan they show nothing.
     let long = 3.0 * time;
     let enough = lagging(fixed(long), 0.3);
-    assert!(matches!(planned(&enough).runs[0].ending, RunOutcome::Solved(_)));
+    assert!(matches!(planned(&enough).runs[0].outcome, PlanOutcome::Planned(_)));
     refused(&|_| (), &enough, "contradicts nothing");
     // Rotors that lag less have one at this time, and the multipliers do not stand there.
     assert!(decide(&certificate, &lagging(fixed(time), 1e-6)).is_err());

@@ -122,7 +122,7 @@ fn plans_stay_above_their_bounds() {
         let model = shipped(name);
         let mission = model.mission.clone().unwrap();
         let found = planned(&model);
-        let Some(solved) = found.runs.last().unwrap().ending.solved() else { panic!("{name}") };
+        let Some(solved) = found.runs.last().unwrap().outcome.plan() else { panic!("{name}") };
         assert!(bound(&model) > 0.0 && bound(&model) < solved.time, "{name}: {} {}", bound(&model), solved.time);
         let certificate = mavc::certify::of(&model, &mission, &found, SHA.into()).unwrap();
         let Claim::Plan(claim) = &certificate.claim else { panic!("{name}") };

@@ -4,7 +4,7 @@ use super::{Numbers, SHA, certified, decide, planned, verify};
 use crate::vehicles::{limit, lost, mission, octocopter, waypoint};
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, RowRecord, Side};
 use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
-use mavc::planner::studies::RunOutcome;
+use mavc::planner::studies::{PlanOutcome, Proof};
 
 /// One leg from rest to rest in the exact model.
 fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model {
@@ -60,7 +60,7 @@ fn impossible() -> Vec<(Model, &'static str)> {
 #[test]
 fn what_no_attitude_could_do_is_certified() {
     for (model, why) in impossible() {
-        assert!(matches!(planned(&model).runs[0].ending, RunOutcome::Infeasible { .. }), "{why}");
+        assert!(matches!(planned(&model).runs[0].outcome, PlanOutcome::Infeasible(Proof { .. })), "{why}");
         let certificate =
             mavc::certify::by_multipliers(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
         let certificate = certificate.unwrap_or_else(|no| panic!("{why}: {no}"));
@@ -80,7 +80,7 @@ fn no_multipliers_refute_an_exact_plan() {
     let mut numbers = Numbers(12);
     let limits = [(LimitKind::Speed, 1.5), (LimitKind::Tilt, 0.3), (LimitKind::Jerk, 20.0)];
     let (short, long) = (hop([2.0, 0.5, 2.4], 0.2, &limits, 1.2), hop([2.0, 0.5, 2.4], 0.2, &limits, 5.0));
-    assert!(matches!(planned(&long).runs[0].ending, RunOutcome::Solved(_)));
+    assert!(matches!(planned(&long).runs[0].outcome, PlanOutcome::Planned(_)));
     let certificate = certified(&short).expect("no plan of 1.2 s");
     let moved = certificate;
     assert_eq!(decide(&moved, &long).unwrap_err().claim, "that there is no plan");
@@ -176,7 +176,7 @@ fn what_ends_in_motion_is_certified_within_limits() {
         (moving([0.0, 65.0, 2.0], &[(LimitKind::Jerk, 40.0)], 2.0), "thrust"),
     ];
     for (model, why) in models {
-        assert!(matches!(planned(&model).runs[0].ending, RunOutcome::Infeasible { .. }), "{why}");
+        assert!(matches!(planned(&model).runs[0].outcome, PlanOutcome::Infeasible(Proof { .. })), "{why}");
         let certificate =
             mavc::certify::by_multipliers(&model, model.mission.as_ref().unwrap(), &planned(&model), SHA.into());
         let certificate = certificate.unwrap_or_else(|no| panic!("{why}: {no}"));
@@ -184,7 +184,7 @@ fn what_ends_in_motion_is_certified_within_limits() {
         // At four times the time there is a plan, and the multipliers show nothing.
         let mut longer = model.clone();
         longer.plan.time = MissionTime::Fixed(if why == "speed, by far" { 20.0 } else { 8.0 });
-        assert!(matches!(planned(&longer).runs[0].ending, RunOutcome::Solved(_)), "{why}");
+        assert!(matches!(planned(&longer).runs[0].outcome, PlanOutcome::Planned(_)), "{why}");
         assert_eq!(decide(&certificate, &longer).unwrap_err().claim, "that there is no plan", "{why}");
     }
 }
@@ -193,7 +193,7 @@ fn what_ends_in_motion_is_certified_within_limits() {
 #[test]
 fn what_the_relaxation_cannot_say_is_not_written() {
     let unlimited = moving([40.0, 0.0, 2.0], &[], 0.9);
-    assert!(matches!(planned(&unlimited).runs[0].ending, RunOutcome::Infeasible { .. }));
+    assert!(matches!(planned(&unlimited).runs[0].outcome, PlanOutcome::Infeasible(Proof { .. })));
     assert!(certified(&unlimited).is_none());
     let short = hop([2.2, 0.0, 2.0], 0.0, &[(LimitKind::Speed, 1.0)], 2.0);
     let certificate = certified(&short).unwrap();

@@ -175,7 +175,7 @@ fn intervals_hold_their_instants() {
 fn pieces_are_the_planners() {
     let model = super::hop(mavc::model::PlannerKind::Rip, 8.0);
     let comparison = super::planned(&model);
-    let mavc::planner::studies::RunOutcome::Solved(solved) = &comparison.runs[0].ending else { panic!("no plan") };
+    let mavc::planner::studies::PlanOutcome::Planned(solved) = &comparison.runs[0].outcome else { panic!("no plan") };
     let trajectory: &Trajectory = &solved.trajectory;
     let certificate = super::certified(&model).unwrap();
     let mavc::certificate::Claim::Plan(claim) = &certificate.claim else { panic!("not of a plan") };

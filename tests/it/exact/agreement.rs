@@ -5,7 +5,7 @@ use super::{last, planning, solved};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::model::grid::Spacing;
 use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
-use mavc::planner::studies::{Comparison, PlannerRun, Run, RunOutcome, Scope, compare};
+use mavc::planner::studies::{Comparison, PlanOutcome, PlannerRun, Run, Scope, compare};
 use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::SeedableRng;
@@ -125,7 +125,7 @@ fn longer_times_have_plans() {
         let is_missed = |factor: &f64| {
             let mut model = free(mission.clone(), PlannerKind::Rip);
             model.plan.time = MissionTime::Fixed(factor * shortest);
-            !matches!(last(&found(&model, Scope::Plan)).ending, RunOutcome::Solved(_))
+            !matches!(last(&found(&model, Scope::Plan)).outcome, PlanOutcome::Planned(_))
         };
         [1.02, 1.05, 1.1, 1.3, 2.0].into_iter().filter(is_missed).map(|factor| (seed, factor)).collect()
     };

@@ -4,9 +4,9 @@ use super::{Model, last, planning, solved};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::model::{LimitKind, Mission, MissionTime, PlannerKind};
 use mavc::planner::scp::sensitivity::Statement;
-use mavc::planner::studies::{Scope, Solved, compare};
+use mavc::planner::studies::{MissionPlan, Scope, compare};
 
-fn planned(mission: Mission, chooses_times: bool) -> Solved {
+fn planned(mission: Mission, chooses_times: bool) -> MissionPlan {
     let mut model: Model = planning(mission, PlannerKind::Rip, &[], MissionTime::Minimum);
     model.plan.samples = 40;
     model.plan.chooses_times = chooses_times;

@@ -5,7 +5,7 @@ use super::{last, planning, solved, turning};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::model::grid::Spacing;
 use mavc::model::{Leg, LimitKind, Mission, MissionTime, Model, PlannerKind};
-use mavc::planner::studies::RunOutcome;
+use mavc::planner::studies::{PlanOutcome, Proof};
 use std::sync::LazyLock;
 
 /// Legs of very different lengths.
@@ -41,8 +41,8 @@ fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
         let first = f64::from(percent) / 100.0;
         let legs = vec![Leg { share: first }, Leg { share: 1.0 - first }];
         let comparison = super::compared(&quick(Mission { legs, ..uneven() }, false));
-        match &last(&comparison).ending {
-            RunOutcome::Solved(solved) => Some(solved.time),
+        match &last(&comparison).outcome {
+            PlanOutcome::Planned(solved) => Some(solved.time),
             _ => None,
         }
     };
@@ -116,7 +116,7 @@ fn legs_between_fixed_times_divide_their_time_anew() {
     // The same divisions for the planner to keep.
     for legs in [[1.0; 4].map(|share| Leg { share }), [0.5, 4.0, 12.0, 3.0].map(|share| Leg { share })] {
         let kept = quick(Mission { legs: legs.to_vec(), ..mission.clone() }, false);
-        assert!(!matches!(last(&super::compared(&kept)).ending, RunOutcome::Solved(_)), "{legs:?}");
+        assert!(!matches!(last(&super::compared(&kept)).outcome, PlanOutcome::Planned(_)), "{legs:?}");
     }
 }
 
@@ -127,11 +127,14 @@ fn a_proof_covers_every_division_of_time() {
     let at = |mission: Mission, chooses_times: bool| {
         let mut model = quick(mission, chooses_times);
         model.plan.time = MissionTime::Fixed(2.3);
-        last(&super::compared(&model)).ending.clone()
+        last(&super::compared(&model)).outcome.clone()
     };
     let legs = vec![Leg { share: 0.27 }, Leg { share: 0.73 }];
     let given = at(Mission { legs, ..uneven() }, false);
     let chosen = at(uneven(), true);
-    assert!(!matches!(given, RunOutcome::Infeasible { .. }), "{given:?}");
-    assert!(!matches!(chosen, RunOutcome::Infeasible { .. }), "{chosen:?}, but {given:?} with legs of 27 % and 73 %");
+    assert!(!matches!(given, PlanOutcome::Infeasible(Proof { .. })), "{given:?}");
+    assert!(
+        !matches!(chosen, PlanOutcome::Infeasible(Proof { .. })),
+        "{chosen:?}, but {given:?} with legs of 27 % and 73 %"
+    );
 }

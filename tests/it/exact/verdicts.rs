@@ -8,7 +8,7 @@ use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::hover::{Decision, HoverPlanner, Planned};
 use mavc::planner::scp::{NOT_FOUND, ScpPlanner};
 use mavc::planner::selection::sets::PlanningSets;
-use mavc::planner::studies::RunOutcome;
+use mavc::planner::studies::{NotFound, PlanOutcome, Proof};
 use mavc::report::terminal;
 use mavc::report::verdict_text::elsewhere;
 use std::io::Write;
@@ -22,10 +22,10 @@ fn hop(to: [f64; 3], turn: f64, limits: &[(LimitKind, f64)], time: f64) -> Model
     model
 }
 
-fn told(model: &Model) -> (RunOutcome, String) {
+fn told(model: &Model) -> (PlanOutcome, String) {
     let comparison = compared(model);
     let text = terminal::plan(model, model.mission.as_ref().unwrap(), &comparison, false);
-    (last(&comparison).ending.clone(), text)
+    (last(&comparison).outcome.clone(), text)
 }
 
 /// Speed, jerk, tilt and full thrust bound what any attitude and any torque can do: closed forms say that the way is too far.
@@ -43,8 +43,8 @@ fn what_no_attitude_could_do_is_proved() {
         (hop([0.0, 0.0, 2.2 + 0.81 / (2.0 * (1.0 / up + 1.0 / down))], 0.0, &[], 0.9), "thrust"),
         (hop([0.0, 0.0, 2.0], 1.0, &[(LimitKind::YawRate, 0.4)], 2.0), "yaw rate"),
     ] {
-        let (ending, text) = told(&model);
-        assert!(matches!(ending, RunOutcome::Infeasible { .. }), "{why}: {text}");
+        let (outcome, text) = told(&model);
+        assert!(matches!(outcome, PlanOutcome::Infeasible(Proof { .. })), "{why}: {text}");
         assert!(text.contains(": proved infeasible at "), "{text}");
         assert!(
             text.contains(" s with 20 samples") || text.contains(": no motion within the limits takes less than "),
@@ -65,8 +65,8 @@ fn what_its_parts_have_a_mission_has() {
         let mission = Mission { limits, ..mission(points.to_vec()) };
         let mut model = planning(mission, PlannerKind::Rip, &[], MissionTime::Fixed(time));
         model.plan.samples = 200;
-        let (ending, text) = told(&model);
-        assert!(matches!(ending, RunOutcome::Solved(_)), "held {held} s, in {time} s: {text}");
+        let (outcome, text) = told(&model);
+        assert!(matches!(outcome, PlanOutcome::Planned(_)), "held {held} s, in {time} s: {text}");
     }
 }
 
@@ -84,13 +84,13 @@ fn no_plan_at_any_time_tried_is_proved() {
     early.plan.samples = 40;
     up.plan.time = MissionTime::Minimum;
     for (model, due) in [(&up, "at each of "), (&early, "at any mission time: no motion within the limits reaches")] {
-        let (ending, text) = told(model);
-        assert!(matches!(ending, RunOutcome::Infeasible { .. }), "{text}");
+        let (outcome, text) = told(model);
+        assert!(matches!(outcome, PlanOutcome::Infeasible(Proof { .. })), "{text}");
         assert!(text.contains(&format!("proved infeasible {due}")), "{text}");
     }
     up.mission.as_mut().unwrap().limits = vec![limit(LimitKind::Climb, 0.05)];
-    let (ending, text) = told(&up);
-    assert!(matches!(&ending, RunOutcome::Solved(solved) if solved.time > 58.0), "{text}");
+    let (outcome, text) = told(&up);
+    assert!(matches!(&outcome, PlanOutcome::Planned(solved) if solved.time > 58.0), "{text}");
 }
 
 /// The time of the last waypoint is the mission's, whoever says it.
@@ -101,7 +101,7 @@ fn the_last_waypoints_time_is_the_plans() {
     by_waypoint.plan.time = MissionTime::Minimum;
     by_waypoint.mission.as_mut().unwrap().waypoints[1].time = Some(5.0);
     let [one, other] = [by_plan, by_waypoint].map(|model| told(&model).0);
-    let (RunOutcome::Solved(one), RunOutcome::Solved(other)) = (&one, &other) else { panic!("{one:?}, {other:?}") };
+    let (PlanOutcome::Planned(one), PlanOutcome::Planned(other)) = (&one, &other) else { panic!("{one:?}, {other:?}") };
     assert_eq!((one.time, one.objective), (other.time, other.objective));
     assert_eq!(one.trajectory, other.trajectory);
 }
@@ -115,8 +115,11 @@ fn what_only_torques_forbid_is_not_found() {
     let [psi, t] = [2.6 - 2.0 * 0.05, 1.0];
     let largest = 4.0 * 1.3678e-7 * 874.0 * 874.0;
     assert!(4.0 * model.vehicle.inertia[2] * psi / (t * t) > largest, "the turn is possible");
-    let (ending, text) = told(&model);
-    assert!(matches!(&ending, RunOutcome::Inconclusive { status, .. } if status == NOT_FOUND), "{ending:?}");
+    let (outcome, text) = told(&model);
+    assert!(
+        matches!(&outcome, PlanOutcome::NotFound(NotFound::Search { status, .. }) if status == NOT_FOUND),
+        "{outcome:?}"
+    );
     assert!(text.contains("not found at 1 s with 20 samples"), "{text}");
     assert!(!text.contains("proved"), "{text}");
 }

@@ -5,7 +5,7 @@ use mavc::flight::reference::{Course, DESCENT, Stop};
 use mavc::flight::{Outcome, Sortie, fly};
 use mavc::model::{AfterFault, Detection, FaultMode, Model, elaborate, load, parse_override};
 use mavc::motion::Trajectory;
-use mavc::planner::studies::{RunOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use std::sync::LazyLock;
 
 /// Specs, and what keeps their plans quick to make: any plan will do.
@@ -31,8 +31,8 @@ fn planned(name: &'static str, settings: &[&str]) -> (&'static str, Model, Traje
     let overrides: Vec<_> = settings.iter().map(|s| parse_override(s, &mut files.sources).unwrap()).collect();
     let model = elaborate(&files, &overrides).value.unwrap_or_else(|| panic!("{name}"));
     let mut comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-    match comparison.runs.pop().unwrap().ending {
-        RunOutcome::Solved(solved) => (name, model, solved.trajectory),
+    match comparison.runs.pop().unwrap().outcome {
+        PlanOutcome::Planned(solved) => (name, model, solved.trajectory),
         other => panic!("{name}: {other:?}"),
     }
 }

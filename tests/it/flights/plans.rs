@@ -4,7 +4,7 @@ use super::strike;
 use mavc::flight::{Flight, Outcome, Sample, Sortie, fly};
 use mavc::model::{AfterFault, Controller, Detection, MissionTime, Model, PlannerKind, elaborate, load};
 use mavc::motion::Trajectory;
-use mavc::planner::studies::{RunOutcome, Scope, compare};
+use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use std::sync::LazyLock;
 
 static CASE: LazyLock<(Model, Trajectory)> =
@@ -17,8 +17,8 @@ fn planned(name: &str, change: impl FnOnce(&mut Model)) -> (Model, Trajectory) {
     let mut model = elaborate(&files, &[]).value.unwrap();
     change(&mut model);
     let mut comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-    match comparison.runs.remove(0).ending {
-        RunOutcome::Solved(solved) => (model, solved.trajectory),
+    match comparison.runs.remove(0).outcome {
+        PlanOutcome::Planned(solved) => (model, solved.trajectory),
         other => panic!("{other:?}"),
     }
 }
