@@ -1,4 +1,4 @@
-#![doc = include_str!("ARCHITECTURE.md")]
+#![doc = include_str!("lib.md")]
 
 pub mod actuation;
 pub mod admissible;
@@ -17,13 +17,30 @@ pub mod lsp;
 pub mod model;
 pub mod motion;
 pub mod number;
+pub mod observer;
+pub mod pipeline;
 pub mod planner;
 pub mod qp;
 pub mod report;
 pub mod solve;
 pub mod source;
+pub mod spec;
 pub mod syntax;
 pub mod tolerance;
 pub mod unit;
 pub mod verdict;
 pub mod verify;
+
+pub use certificate::Certificate;
+pub use diagnostic::{Diagnostic, Severity};
+pub use observer::Observer;
+pub use pipeline::{
+    Explained, NoFlight, Planning, Refusal, Rejected, Task, Uncertified, analyze, campaign, certify, check, compare,
+    compile, explain, fly, format, plan, verify,
+};
+pub use planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof};
+pub use spec::{CompileError, Compiled, Compiler, Spec};
+pub use verdict::Verdict;
+
+/// A commented spec that plans as it is written: what `mavc new` writes.
+pub const TEMPLATE: &str = include_str!("template.mav");

@@ -1,5 +1,6 @@
 //! What was found, told: the record (`--report`), text for the terminal, and the trajectory table.
 
+pub mod analysis_record;
 pub mod analysis_text;
 pub mod between;
 pub mod binding;
@@ -17,4 +18,5 @@ pub mod table;
 pub mod terminal;
 pub mod trajectory_csv;
 pub mod verdict_text;
+pub mod verification_text;
 pub mod waypoints;

@@ -1,55 +1,31 @@
-use super::spec::{self, timing};
-use super::sweep::{Flip, Subject, Sweep};
-use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files};
-use crate::admissible::verdict::{ModeAnalysis, analyze_each};
+//! `mavc analyze`
+
+use super::progress::Watch;
+use super::{AnalyzeArgs, FINE, Format, Options, Problem, SPEC_ERRORS, files, spec};
 use crate::model::FlightBlocks;
+use crate::observer::timed;
+use crate::pipeline::{Sweep, analyze};
+use crate::report::analysis_record::AnalysisRecord;
 use crate::report::analysis_text;
 use crate::source::visible;
-use serde::Serialize;
-use std::time::Instant;
 
-#[derive(Serialize)]
-struct Record<'a> {
-    schema: u32,
-    vehicle: &'a str,
-    rotors: usize,
-    modes: &'a [ModeAnalysis],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    flips: Option<&'a [Flip]>,
-}
-
-/// `mavc analyze`
 pub fn run(args: &AnalyzeArgs, options: &Options) -> Result<u8, Problem> {
-    let mut loaded = spec::read(&args.spec, FlightBlocks::Unused, options)?;
-    loaded.tell(options);
-    let Some(model) = &loaded.model else { return Ok(SPEC_ERRORS) };
-    let begin = Instant::now();
-    let modes = analyze_each(model);
-    timing(options, "verdicts", begin);
-    let flips = match &args.sweep {
-        Some(text) => {
-            let subject = Subject { files: &loaded.files, set: &args.spec.set, model, modes: &modes };
-            Some(Sweep::run(text, &subject)?)
-        }
-        None => None,
-    };
+    let watch = Watch::new(options);
+    let (spec, mut told) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
+    told.tell(options);
+    let Some(spec) = &spec else { return Ok(SPEC_ERRORS) };
+    let modes = timed(&watch, "verdicts", || analyze(spec));
+    let sweep = args.sweep.as_ref().map(|text| Sweep::run(text, spec, &modes)).transpose()?;
     match args.format {
         Format::Json => {
-            let record = Record {
-                schema: 2,
-                vehicle: &model.vehicle.name,
-                rotors: model.vehicle.rotors.len(),
-                modes: &modes,
-                flips: flips.as_ref().map(|f| f.flips.as_slice()),
-            };
+            let record = AnalysisRecord::new(spec.model(), &modes, sweep.as_ref().map(|sweep| sweep.flips.as_slice()));
             let text = serde_json::to_string(&record).map_err(|e| e.to_string())?;
-            let text = visible::json(text);
-            files::print(&(text + "\n"))?;
+            files::print(&(visible::json(text) + "\n"))?;
         }
-        Format::Human => match &flips {
-            None => files::print(&analysis_text::analysis(model, &modes))?,
-            Some(f) => files::print(&f.to_text(model))?,
-        },
+        Format::Human => files::print(&match &sweep {
+            None => analysis_text::analysis(spec.model(), &modes),
+            Some(sweep) => sweep.to_text(spec.model()),
+        })?,
     }
     Ok(FINE)
 }

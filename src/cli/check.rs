@@ -1,10 +1,12 @@
+use super::progress::Watch;
+use super::spec::{self, Told};
 use super::{CheckArgs, CheckFormat, Deny, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, SpecArgs};
-use super::{files, spec, specs, usage, watch};
-use crate::admissible::diagnose::{diagnose, is_too_large};
+use super::{files, specs, usage, watch};
+use crate::admissible::diagnose::is_too_large;
 use crate::diagnostic::{Diagnostic, Severity, sort};
-use crate::flight::twins;
 use crate::model::FlightBlocks;
 use crate::number::plural;
+use crate::pipeline::check;
 use crate::report::table::Table;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -64,7 +66,7 @@ struct Tally {
 
 impl Tally {
     /// Counts the diagnostics of one spec and takes out those told before; how many these were.
-    fn take(&mut self, loaded: &mut spec::Loaded) -> usize {
+    fn take(&mut self, loaded: &mut Told) -> usize {
         let (errors, warnings) = count(&loaded.diagnostics);
         self.with_problems += usize::from(errors + warnings > 0);
         let before = loaded.diagnostics.len();
@@ -106,16 +108,16 @@ fn one(
     tally: &mut Tally,
     used: &mut Vec<String>,
 ) -> Result<u8, Problem> {
-    let mut loaded = spec::read(&SpecArgs { spec: name.into(), set: args.set.clone() }, FlightBlocks::Used, options)?;
+    let args_of_spec = SpecArgs { spec: name.into(), set: args.set.clone() };
+    let (spec, mut loaded) = spec::read(&args_of_spec, FlightBlocks::Used, &Watch::new(options))?;
     used.extend(loaded.files.names());
     let mut code = if loaded.has_errors() { SPEC_ERRORS } else { FINE };
-    if let Some(model) = &loaded.model {
-        let answers = diagnose(model);
-        if answers.iter().any(|d| d.severity == Severity::Error) {
-            code = if is_too_large(&answers) { SPEC_ERRORS } else { NO_PLAN };
+    if let Some(spec) = &spec {
+        let found = check(spec);
+        if found.iter().any(|d| d.severity == Severity::Error) {
+            code = if is_too_large(&found) { SPEC_ERRORS } else { NO_PLAN };
         }
-        loaded.diagnostics.extend(answers);
-        loaded.diagnostics.extend(twins::diagnose(model));
+        loaded.diagnostics.extend(found);
         sort(&mut loaded.diagnostics);
     }
     let (errors, warnings) = count(&loaded.diagnostics);
@@ -134,9 +136,9 @@ fn one(
             }
         }
     }
-    if let Some(model) = loaded.model.as_ref().filter(|_| args.explain_defaults) {
+    if let Some(spec) = spec.as_ref().filter(|_| args.explain_defaults) {
         let mut table = Table::new(&["field", "default", "why"]);
-        for d in &model.defaults {
+        for d in &spec.model().defaults {
             table.row(vec![d.field.clone(), d.value.clone(), d.reason.clone()]);
         }
         files::print(&table.render_left(0))?;

@@ -1,140 +1,95 @@
-use super::plan::no_mission;
-use super::spec::{self, Loaded};
-use super::{EmitArgs, EmitFormat, FINE, INCONCLUSIVE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
+//! `mavc emit`: what one stage of the compiler makes of a spec.
+
+use super::progress::Watch;
+use super::spec::{self, Start, Told};
+use super::{EmitArgs, EmitFormat, FINE, NO_PLAN, Options, Problem, SPEC_ERRORS, Stage, USAGE, files};
 use crate::actuation::Actuation;
 use crate::admissible::AdmissibleSet;
-use crate::admissible::diagnose::{diagnose, is_too_large};
-use crate::diagnostic::{Severity, sort};
-use crate::model::{FlightBlocks, Mission, Model};
-use crate::planner::hover::{FEASIBLE, HoverPlanner};
-use crate::planner::studies::{NotFound, PlanOutcome, PlannerRun, Proof, Scope, compare};
-use crate::planner::transcription::{Purpose, Transcription};
-use crate::qp::{QuadraticProgram, mps};
+use crate::diagnostic::sort;
+use crate::model::FlightBlocks;
+use crate::observer::Silent;
+use crate::pipeline::Task;
+use crate::qp::mps;
 use crate::source::visible;
-use serde::Serialize;
+use crate::spec::Spec;
 
 /// MPS cannot say a second-order cone.
 pub const NO_CONES_IN_MPS: &str = "mavc::emit::cones";
 
-/// `mavc emit`
 pub fn run(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
     if args.stage != Stage::Qp && args.format != EmitFormat::Text {
         return Err("--format json and mps are for the stage qp".into());
     }
+    let watch = Watch::new(options);
     if args.stage == Stage::Ast {
-        return ast(args, options);
+        return ast(spec::parse(&args.spec, &watch)?, options);
     }
     // The model is printed with how it is flown; the other stages need no flight.
     let flights = if args.stage == Stage::Model { FlightBlocks::Used } else { FlightBlocks::Unused };
-    let mut loaded = spec::read(&args.spec, flights, options)?;
-    let Some(model) = loaded.model.clone() else {
-        loaded.tell(options);
-        return Ok(SPEC_ERRORS);
-    };
-    match args.stage {
-        Stage::Ast => {}
-        Stage::Model => files::print(&model.to_string())?,
-        Stage::Actuation => files::print(&Actuation::of(&model.vehicle).to_string())?,
-        Stage::Sets => {
-            for (k, set) in AdmissibleSet::each(&model).enumerate() {
-                files::print(&format!("{}{set}", if k > 0 { "\n" } else { "" }))?;
-            }
-        }
-        Stage::Constraints | Stage::Qp => return planned(args, &mut loaded, &model, options),
+    let (spec, mut told) = spec::read(&args.spec, flights, &watch)?;
+    if let (Some(spec), Stage::Constraints | Stage::Qp) = (&spec, args.stage) {
+        return planned(args, spec, &mut told, options);
     }
-    loaded.tell(options);
-    Ok(FINE)
+    if let Some(spec) = &spec {
+        match args.stage {
+            Stage::Model => files::print(&spec.model().to_string())?,
+            Stage::Actuation => files::print(&Actuation::of(&spec.model().vehicle).to_string())?,
+            Stage::Sets => {
+                for (k, set) in AdmissibleSet::each(spec.model()).enumerate() {
+                    files::print(&format!("{}{set}", if k > 0 { "\n" } else { "" }))?;
+                }
+            }
+            Stage::Ast | Stage::Constraints | Stage::Qp => {}
+        }
+    }
+    told.tell(options);
+    Ok(if spec.is_some() { FINE } else { SPEC_ERRORS })
 }
 
 /// The stage that needs no meaning, only syntax.
-fn ast(args: &EmitArgs, options: &Options) -> Result<u8, Problem> {
-    let (mut loaded, _) = spec::parse(&args.spec, options)?;
-    sort(&mut loaded.diagnostics);
-    loaded.tell(options);
-    if loaded.has_errors() {
+fn ast(mut told: Told, options: &Options) -> Result<u8, Problem> {
+    sort(&mut told.diagnostics);
+    told.tell(options);
+    if told.has_errors() {
         return Ok(SPEC_ERRORS);
     }
-    for file in &loaded.files.files {
-        let name = visible::line(&loaded.files.sources.get(file.file).name);
+    for file in &told.files.files {
+        let name = visible::line(&told.files.sources.get(file.file).name);
         files::print(&format!("// {name}\n{file}"))?;
     }
     Ok(FINE)
 }
 
 /// The stages that need the planner's choice of rows and a mission time.
-fn planned(args: &EmitArgs, loaded: &mut Loaded, model: &Model, options: &Options) -> Result<u8, Problem> {
-    let answers = diagnose(model);
-    let is_too_large = is_too_large(&answers);
-    loaded.diagnostics.extend(answers);
-    loaded.diagnostics.extend(no_mission(model));
-    sort(&mut loaded.diagnostics);
-    loaded.tell(options);
-    let Some(mission) = model.mission.as_ref().filter(|_| !is_too_large) else { return Ok(SPEC_ERRORS) };
-    if loaded.diagnostics.iter().any(|d| d.severity == Severity::Error) {
-        return Ok(NO_PLAN);
-    }
-    let comparison = compare(model, mission, Scope::Plan, None);
-    let Some(run) = comparison.runs.last() else { return Ok(INCONCLUSIVE) };
+fn planned(args: &EmitArgs, spec: &Spec, told: &mut Told, options: &Options) -> Result<u8, Problem> {
+    let task = match told.start(Some(spec), Task::new, options) {
+        Start::Task(task) => task,
+        Start::Refused => return Ok(NO_PLAN),
+        Start::Ended(code) => return Ok(code),
+    };
+    let planning = task.plan(&Silent);
     if args.stage == Stage::Constraints {
-        files::print(&run.set.to_string())?;
+        files::print(&planning.set().to_string())?;
         return Ok(FINE);
     }
-    let time = match &run.outcome {
-        PlanOutcome::Planned(s) => s.time,
-        PlanOutcome::Infeasible(Proof { at, .. })
-        | PlanOutcome::NotFound(NotFound::Search { at, .. })
-        | PlanOutcome::NotFound(NotFound::Check { at, .. })
-        | PlanOutcome::NotAttempted { at, .. } => *at,
-    };
-    let Some(program) = program(model, mission, run, time) else {
-        return Err(format!("the mission cannot be laid out over {time} s"));
+    let Some(program) = task.program(&planning) else {
+        return Err(format!("the mission cannot be laid out over {} s", planning.time()));
     };
     match args.format {
-        EmitFormat::Text => files::print(&summary(&program, time))?,
+        EmitFormat::Text => files::print(&format!("mission time {} s\n{}", program.time_s, program.program))?,
         EmitFormat::Json => {
-            let text = serde_json::to_string(&Exported::of(&program, time)).map_err(|e| e.to_string())?;
-            let text = visible::json(text);
-            files::print(&(text + "\n"))?;
+            let text = serde_json::to_string(&program).map_err(|e| e.to_string())?;
+            files::print(&(visible::json(text) + "\n"))?;
         }
-        EmitFormat::Mps => match mps::render(&program, "mavc") {
+        EmitFormat::Mps => match mps::render(&program.program, "mavc") {
             Some(text) => files::print(&text)?,
             None => {
                 files::tell(&format!(
-                    "error[{NO_CONES_IN_MPS}]: this program has second-order cones, and MPS cannot say them\n  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e6km`) and without limits on\n        norms there are none\n"
+                    "error[{NO_CONES_IN_MPS}]: this program has second-order cones, and MPS cannot express them\n  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e6km`) and without limits on\n        norms there are none\n"
                 ));
                 return Ok(USAGE);
             }
         },
     }
     Ok(FINE)
-}
-
-/// The full-row program of a run at a mission time.
-fn program(model: &Model, mission: &Mission, run: &PlannerRun, time: f64) -> Option<QuadraticProgram> {
-    let healthy = AdmissibleSet::healthy(model);
-    let mut engine = HoverPlanner::new(model, mission, &healthy);
-    let layout = engine.layout(time, model.plan.samples).ok()??;
-    let maps = layout.yaw.maps(model, layout.flown.nodes());
-    let leads = layout.commands(model);
-    let transcription = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes());
-    Some(transcription.with_commands(leads.as_ref()).full_program(Purpose::Plan { slack: FEASIBLE }))
-}
-
-/// The program as exported: minimise 1/2 x'P x + q'x + constant subject to A x + s = b, s in the cones.
-#[derive(Serialize)]
-struct Exported<'a> {
-    schema: u32,
-    time_s: f64,
-    #[serde(flatten)]
-    program: &'a QuadraticProgram,
-}
-
-impl<'a> Exported<'a> {
-    fn of(program: &'a QuadraticProgram, time_s: f64) -> Self {
-        Exported { schema: 1, time_s, program }
-    }
-}
-
-fn summary(program: &QuadraticProgram, time: f64) -> String {
-    format!("mission time {time} s\n{program}")
 }

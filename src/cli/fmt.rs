@@ -43,7 +43,7 @@ fn one(name: &str, check: bool, options: &Options) -> Result<u8, Problem> {
     if name == "-" || !is_same {
         // The file behind a descriptor may be open for reading only, so its text goes to standard output.
         let target = if is_descriptor(name) { "-" } else { name };
-        write(&[(&Target::new(Path::new(target))?, text)])?;
+        write(&[(&Target::new(Path::new(target))?, &text)])?;
     }
     Ok(FINE)
 }

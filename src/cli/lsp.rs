@@ -1,11 +1,11 @@
 use super::{FINE, Problem, USAGE, files};
-use crate::lsp::{FlightOutcome, serve_stdio};
+use crate::lsp::{Ending, serve_stdio};
 
 /// `mavc lsp`
 pub fn run() -> Result<u8, Problem> {
     match serve_stdio() {
-        Ok(FlightOutcome::Agreed) => Ok(FINE),
-        Ok(FlightOutcome::Abrupt) => Ok(USAGE),
+        Ok(Ending::Agreed) => Ok(FINE),
+        Ok(Ending::Abrupt) => Ok(USAGE),
         Err(error) => Err(format!("the conversation with the editor broke off: {}", files::reason(&error))),
     }
 }

@@ -10,7 +10,7 @@ pub fn run(file: &Path, options: &Options) -> Result<u8, Problem> {
         return Err(format!("{name} exists; nothing was written"));
     }
     let target = Target::new(file)?;
-    write(&[(&target, include_str!("../template.mav").to_string())])?;
+    write(&[(&target, crate::TEMPLATE)])?;
     if !options.quiet && !target.is_stdout() {
         // The file is there, told or not.
         let _ = files::print(&format!("{name} written. Next: mavc plan {name} -o traj.csv\n"));

@@ -3,12 +3,17 @@
 
 mod lines;
 
-use super::Options;
+use super::{Options, files};
+use crate::flight::Flight;
+use crate::number::number;
+use crate::observer::Observer;
+use crate::solve::Effort;
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use lines::Lines;
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Where progress is shown.
@@ -20,8 +25,8 @@ enum Shown {
 }
 
 impl Shown {
-    fn new(options: &Options, bar: impl FnOnce() -> ProgressBar) -> Self {
-        match (options.quiet, std::io::stderr().is_terminal()) {
+    fn new(quiet: bool, bar: impl FnOnce() -> ProgressBar) -> Self {
+        match (quiet, std::io::stderr().is_terminal()) {
             (true, _) => Shown::Nowhere,
             (false, true) => Shown::Bar(bar()),
             (false, false) => Shown::Lines(Lines::new()),
@@ -37,13 +42,26 @@ impl Shown {
     }
 }
 
-/// Of planning.
-pub struct Progress {
-    shown: Shown,
+/// Follows a run: progress while something is done, and with `--timings` what each stage took.
+pub struct Watch {
+    quiet: bool,
+    timings: bool,
+    /// While something is done.
+    shown: Mutex<Option<Shown>>,
 }
 
-impl Progress {
+impl Watch {
     pub fn new(options: &Options) -> Self {
+        Watch { quiet: options.quiet, timings: options.timings, shown: Mutex::new(None) }
+    }
+
+    fn shown(&self) -> MutexGuard<'_, Option<Shown>> {
+        self.shown.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Observer for Watch {
+    fn begins(&self, what: &str) {
         let bar = || {
             let bar = ProgressBar::new_spinner();
             if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}  [{elapsed}]") {
@@ -52,25 +70,56 @@ impl Progress {
             bar.enable_steady_tick(Duration::from_millis(100));
             bar
         };
-        Progress { shown: Shown::new(options, bar) }
-    }
-
-    /// A planner tries a mission time, s.
-    pub fn tell(&self, planner: &str, time: f64) {
-        self.say(format!("{planner}: is {time:.2} s enough?"));
-    }
-
-    /// What is done now.
-    pub fn say(&self, message: String) {
-        match &self.shown {
-            Shown::Bar(bar) => bar.set_message(message),
-            Shown::Lines(lines) => lines.tell(message),
+        match self.shown().get_or_insert_with(|| Shown::new(self.quiet, bar)) {
+            Shown::Bar(bar) => bar.set_message(what.to_string()),
+            Shown::Lines(lines) => lines.tell(what.to_string()),
             Shown::Nowhere => {}
         }
     }
 
-    pub fn done(self) {
-        self.shown.done();
+    fn tries(&self, planner: &str, time: f64) {
+        self.begins(&format!("{planner}: is {time:.2} s enough?"));
+    }
+
+    fn ended(&self, stage: &str, took: Duration) {
+        if let Some(shown) = self.shown().take() {
+            shown.done();
+        }
+        if self.timings {
+            files::tell(&format!("{stage:<10} {:>9.2} ms\n", took.as_secs_f64() * 1e3));
+        }
+    }
+
+    fn solved(&self, effort: &Effort) {
+        if !self.timings {
+            return;
+        }
+        let Effort { solves, iterations, starts, .. } = effort;
+        let starts = match starts {
+            0 => String::new(),
+            1 => ", 1 start".into(),
+            starts => format!(", {starts} starts"),
+        };
+        let milliseconds = effort.time.as_secs_f64() * 1e3;
+        let line = format!("{milliseconds:>9.2} ms in {solves} solves, {iterations} iterations{starts}");
+        files::tell(&format!("{:<10} {line}\n", "  solver"));
+    }
+
+    fn flown(&self, flight: &Flight, took: Duration, is_recorded: bool) {
+        if self.timings {
+            let seconds = took.as_secs_f64();
+            let with_log = if is_recorded { ", with its log" } else { "" };
+            let pace = number((flight.end / seconds).round());
+            let step = number((1e9 * seconds / flight.steps.max(1) as f64).round());
+            files::tell(&format!("{:<10} {pace:>9} simulated seconds a second, {step} ns a step{with_log}\n", ""));
+        }
+    }
+
+    fn asked(&self, variants: Option<usize>, effort: &Effort) {
+        if self.timings {
+            let variants = variants.map_or(String::new(), |n| format!("{n} questions, "));
+            files::tell(&format!("{:<10} {variants}{} solves\n", "  solver", effort.solves));
+        }
     }
 }
 
@@ -101,7 +150,7 @@ impl Flights {
             bar.enable_steady_tick(Duration::from_millis(200));
             bar
         };
-        Flights { shown: Shown::new(options, bar), before: done, done: AtomicUsize::new(done), all, begin }
+        Flights { shown: Shown::new(options.quiet, bar), before: done, done: AtomicUsize::new(done), all, begin }
     }
 
     pub fn more(&self, flights: usize) {

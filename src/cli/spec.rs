@@ -1,23 +1,30 @@
-//! From a file name to a model, with every diagnostic on the way.
+//! Reading specs for commands, and telling what was found in them.
 
-use super::{Options, Problem, SpecArgs, files, links};
+use super::progress::Watch;
+use super::{Options, Problem, SPEC_ERRORS, SpecArgs, files, links};
 use crate::diagnostic::{Diagnostic, Severity, render_linked, render_short, sort, to_json_line};
-use crate::input::read_named;
-use crate::model::{
-    FileSet, FlightBlocks, Model, OVERRIDE, Override, elaborate_for, entries, load_among, parse_override,
-};
+use crate::model::{FileSet, FlightBlocks};
+use crate::pipeline::{Refusal, Task};
 use crate::source::{SourceMap, visible};
-use sha2::{Digest, Sha256};
+use crate::spec::{Compiled, Compiler, Parsed, Spec};
+use crate::syntax::MAX_FILE_BYTES;
 use std::borrow::Cow;
 use std::io::IsTerminal;
-use std::time::Instant;
+use std::sync::Arc;
 
-/// A spec as far as it could be understood.
-pub struct Loaded {
-    pub files: FileSet,
-    /// `None` where an error stands in the way.
-    pub model: Option<Model>,
+/// What is known about a spec that was read, beside the spec itself.
+pub struct Told {
+    pub files: Arc<FileSet>,
     pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Whether a command can go on to plan.
+pub enum Start<'s> {
+    Task(Box<Task<'s>>),
+    /// A mode that the plan must tolerate leaves no hover: the report says that nothing was planned.
+    Refused,
+    /// With this exit code.
+    Ended(u8),
 }
 
 /// The spec as messages call it.
@@ -30,57 +37,29 @@ pub fn shown(spec: &str) -> Cow<'_, str> {
     visible::line(name(spec))
 }
 
-/// Reads and parses: no model yet, and no diagnostic that needs one.
-pub fn parse(args: &SpecArgs, options: &Options) -> Result<(Loaded, Vec<Override>), Problem> {
-    let begin = Instant::now();
-    let bytes = files::read_spec(&args.spec, crate::syntax::MAX_FILE_BYTES)?;
-    let name = name(&args.spec);
-    let (mut files, mut diagnostics) = load_among(name, &bytes, &read_named, &entries);
-    let mut overrides = Vec::new();
-    for text in &args.set {
-        match parse_override(text, &mut files.sources) {
-            Ok(o) => overrides.push(o),
-            Err(d) => diagnostics.push(d),
-        }
-    }
-    timing(options, "parse", begin);
-    Ok((Loaded { files, model: None, diagnostics }, overrides))
+fn compiler<'a>(args: &SpecArgs, watch: &'a Watch) -> Compiler<'a> {
+    args.set.iter().fold(Compiler::new().observed_by(watch), Compiler::set)
 }
 
-/// Reads, parses and elaborates, for a command that may fly nothing.
-pub fn read(args: &SpecArgs, flights: FlightBlocks, options: &Options) -> Result<Loaded, Problem> {
-    let (Loaded { files, mut diagnostics, .. }, overrides) = parse(args, options)?;
-    let begin = Instant::now();
-    let checked = elaborate_for(&files, &overrides, flights);
-    let broken = diagnostics.iter().any(|d| d.severity == Severity::Error) || checked.has_errors();
-    let model = checked.value.filter(|_| !broken);
-    diagnostics.extend(checked.diagnostics);
-    // Until every `--set` is understood, the spec is not the one that is meant, and warnings may be about the other.
-    let of_set = |d: &Diagnostic| files.sources.get(d.span.file).name == OVERRIDE;
-    if diagnostics.iter().any(|d| d.severity == Severity::Error && of_set(d)) {
-        diagnostics.retain(|d| d.severity == Severity::Error);
-    }
-    sort(&mut diagnostics);
-    timing(options, "model", begin);
-    Ok(Loaded { files, model, diagnostics })
+/// Reads and parses: no spec yet, and no diagnostic that needs one.
+pub fn parse(args: &SpecArgs, watch: &Watch) -> Result<Told, Problem> {
+    let bytes = files::read_spec(&args.spec, MAX_FILE_BYTES)?;
+    let Parsed { files, diagnostics, .. } = compiler(args, watch).parse(name(&args.spec), &bytes);
+    Ok(Told { files: Arc::new(files), diagnostics })
 }
 
-/// Hexadecimal digits of a finished hash.
-pub fn hex(hash: Sha256) -> String {
-    hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
+/// Reads and compiles, for a command that may fly nothing. The spec is missing where it has errors.
+pub fn read(args: &SpecArgs, flights: FlightBlocks, watch: &Watch) -> Result<(Option<Spec>, Told), Problem> {
+    let bytes = files::read_spec(&args.spec, MAX_FILE_BYTES)?;
+    let compiler = match flights {
+        FlightBlocks::Used => compiler(args, watch),
+        FlightBlocks::Unused => compiler(args, watch).without_flights(),
+    };
+    let Compiled { spec, diagnostics, files } = compiler.text(name(&args.spec), &bytes);
+    Ok((spec, Told { files, diagnostics }))
 }
 
-impl Loaded {
-    /// Hash of all files that were read, each with its length, in the order they were named.
-    pub fn sha256(&self) -> String {
-        let mut hash = Sha256::new();
-        for (_, source) in self.files.sources.iter() {
-            hash.update((source.text.len() as u64).to_le_bytes());
-            hash.update(source.text.as_bytes());
-        }
-        hex(hash)
-    }
-
+impl Told {
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
@@ -103,12 +82,41 @@ impl Loaded {
         self.diagnostics.iter().map(|d| to_json_line(d, &self.files.sources) + "\n").collect()
     }
 
-    /// Tells errors, and unless quiet all else, on standard error.
+    /// Tells errors, and unless quiet everything else, on standard error.
     pub fn tell(&mut self, options: &Options) {
         if options.quiet {
             self.diagnostics.retain(|d| d.severity == Severity::Error);
         }
         files::tell_as_it_is(&self.human(&std::io::stderr()));
+    }
+
+    /// Tells what is new on standard error; what was told before is not repeated, and stays for the page.
+    pub fn tell_new(&mut self, found: Vec<Diagnostic>, options: &Options) {
+        let earlier = std::mem::replace(&mut self.diagnostics, found);
+        self.tell(options);
+        self.diagnostics.splice(0..0, earlier);
+    }
+
+    /// The task of a spec that was read, by [`Task::new`] or [`Task::to_compare`], once everything is told.
+    pub fn start<'s>(
+        &mut self,
+        spec: Option<&'s Spec>,
+        prepare: fn(&'s Spec) -> Result<Task<'s>, Refusal>,
+        options: &Options,
+    ) -> Start<'s> {
+        let prepared = spec.map(prepare);
+        let remarks = prepared.as_ref().map_or(&[][..], |task| match task {
+            Ok(task) => task.remarks(),
+            Err(refusal) => refusal.diagnostics(),
+        });
+        self.diagnostics.extend_from_slice(remarks);
+        sort(&mut self.diagnostics);
+        self.tell(options);
+        match prepared {
+            Some(Ok(task)) => Start::Task(Box::new(task)),
+            Some(Err(Refusal::Intolerable(_))) => Start::Refused,
+            Some(Err(Refusal::NoMission(_) | Refusal::TooLarge(_))) | None => Start::Ended(SPEC_ERRORS),
+        }
     }
 }
 
@@ -124,10 +132,4 @@ pub fn human(diagnostics: &[Diagnostic], sources: &SourceMap, stream: &impl IsTe
 /// Colour where the stream is a terminal and NO_COLOR is not set.
 pub fn colored(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
-}
-
-pub fn timing(options: &Options, stage: &str, begin: Instant) {
-    if options.timings {
-        files::tell(&format!("{stage:<10} {:>9.2} ms\n", begin.elapsed().as_secs_f64() * 1e3));
-    }
 }

@@ -141,7 +141,7 @@ impl Pieces<'_> {
 }
 
 /// Writes results. Files appear together, once each of them and all else could be written.
-pub fn write(results: &[(&Target, String)]) -> Result<(), Problem> {
+pub fn write(results: &[(&Target, &str)]) -> Result<(), Problem> {
     let mut whole = Vec::new();
     for (target, text) in results {
         let attempt = match &target.place {

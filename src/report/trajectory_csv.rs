@@ -52,6 +52,15 @@ pub fn few_enough(name: &str, rows: u64, header: &str) -> Result<(), String> {
     }
 }
 
+/// The table of a plan, with rows at a rate (Hz) or one for each node.
+///
+/// # Errors
+/// It would have too many numbers.
+pub fn table(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Result<String, String> {
+    few_enough("trajectory", count(trajectory, rate), &header(model.vehicle.rotors.len()))?;
+    Ok(render(trajectory, model, rate))
+}
+
 /// The names of the columns.
 pub fn header(rotors: usize) -> String {
     let mut header = String::from(

@@ -1,9 +1,10 @@
 //! What comes of planners side by side.
 
 use crate::admissible::row::SetRow;
-use crate::model::{Mission, Model, PlanModel, PlannerKind};
+use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
+use crate::motion::time_grid::determined;
 use crate::planner::hover::Planned;
 use crate::planner::scp::sensitivity::LegBinding;
 use crate::planner::selection::PlanningSet;
@@ -187,6 +188,21 @@ pub struct Comparison {
     /// be begun from.
     pub known: Vec<Planned>,
     pub effort: Effort,
+}
+
+impl Comparison {
+    /// Whether there is a plan at the time that the spec asks for, or at any planner's own time where it asks for none. A
+    /// run that found nothing leaves the question open, whatever the others gave.
+    pub fn verdict(&self, model: &Model, mission: &Mission) -> Verdict {
+        let is_fixed = determined(mission).is_some() || matches!(model.plan.time, MissionTime::Fixed(_));
+        let asked = |run: &&PlannerRun| !is_fixed || run.run == Run::Common;
+        let any = |verdict: Verdict| self.runs.iter().filter(asked).any(|run| run.outcome.verdict() == verdict);
+        match (any(Verdict::NotFound), any(Verdict::Found), any(Verdict::ProvedInfeasible)) {
+            (false, true, _) => Verdict::Found,
+            (false, false, true) => Verdict::ProvedInfeasible,
+            _ => Verdict::NotFound,
+        }
+    }
 }
 
 /// Which runs are wanted.

@@ -1,7 +1,9 @@
 //! The flight log: one row an instant, SI units.
 
 use crate::flight::Sample;
-use crate::report::trajectory_csv::push_row;
+use crate::model::Model;
+use crate::number::number;
+use crate::report::trajectory_csv::{few_enough, push_row};
 
 /// Collects rows as CSV.
 #[derive(Debug, Clone)]
@@ -11,11 +13,34 @@ pub struct Log {
     every: usize,
     count: usize,
     row: Vec<f64>,
+    /// Where the rate is not the one asked for.
+    pub remark: Option<String>,
 }
+
+/// Rows of the log a second, where nothing is asked for.
+const RATE: f64 = 100.0;
 
 impl Log {
     pub fn new(rotors: usize, every: usize) -> Self {
-        Log { csv: Self::header(rotors) + "\n", every: every.max(1), count: 0, row: Vec::new() }
+        Log { csv: Self::header(rotors) + "\n", every: every.max(1), count: 0, row: Vec::new(), remark: None }
+    }
+
+    /// Of a flight of at most `duration` s, with rows at about `rate` Hz: the controller acts a whole number of times
+    /// between two rows.
+    ///
+    /// # Errors
+    /// It would have too many numbers.
+    pub fn at(model: &Model, rate: Option<f64>, duration: f64) -> Result<Self, String> {
+        let control = model.simulation.control_rate;
+        let every = (control / rate.unwrap_or(RATE)).round().max(1.0);
+        let rotors = model.vehicle.rotors.len();
+        few_enough("log", (duration * control / every).ceil() as u64, &Self::header(rotors))?;
+        let got = control / every;
+        let remark = rate.filter(|asked| (got - asked).abs() > 1e-6 * asked).map(|asked| {
+            let [asked, got, control] = [asked, got, control].map(number);
+            format!("the log has rows at {got} Hz, not {asked}: the controller acts at {control} Hz")
+        });
+        Ok(Log { remark, ..Log::new(rotors, every as usize) })
     }
 
     /// The names of the columns.

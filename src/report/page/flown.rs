@@ -4,8 +4,9 @@ use super::chart::{Bound, Chart, Columns, Line, column};
 use super::content::{DIVERGED as DIVERGED_AT, LOST, Mark, Phase, RunContent};
 use super::motion::WRENCH;
 use crate::admissible::hover;
-use crate::flight::Sample;
+use crate::flight::{Sample, Sortie};
 use crate::model::Model;
+use crate::motion::Trajectory;
 use crate::number::{fixed, number, significant};
 use crate::report::flight::{
     DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, to_its_end, turned,
@@ -25,6 +26,11 @@ pub struct Track {
 }
 
 impl Track {
+    /// For a flight along a plan.
+    pub fn along(model: &Model, trajectory: &Trajectory) -> Self {
+        Track::new(model, Sortie::along(model, trajectory, &[], 0).duration)
+    }
+
     /// For a flight of `duration` s.
     pub fn new(model: &Model, duration: f64) -> Self {
         let samples = duration * model.simulation.control_rate;

@@ -1,7 +1,7 @@
 //! A client that keeps what it is told, and a spec with a cursor in it.
 
 use lsp_server::{Connection, Message, Notification, Request, RequestId, Response};
-use mavc::lsp::{FlightOutcome, serve};
+use mavc::lsp::{Ending, serve};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
@@ -14,7 +14,7 @@ const STUCK: Duration = Duration::from_secs(60);
 
 pub struct Client {
     connection: Connection,
-    server: Option<JoinHandle<FlightOutcome>>,
+    server: Option<JoinHandle<Ending>>,
     requests: i32,
     /// The last diagnostics told of each text.
     pub told: BTreeMap<String, Vec<Value>>,
@@ -132,13 +132,13 @@ impl Client {
     }
 
     /// Says `exit` and no more.
-    pub fn stop_at_once(mut self) -> FlightOutcome {
+    pub fn stop_at_once(mut self) -> Ending {
         self.note("exit", Value::Null);
         self.server.take().unwrap().join().expect("the server ends without a panic")
     }
 
     /// Ends the conversation as agreed.
-    pub fn stop(mut self) -> FlightOutcome {
+    pub fn stop(mut self) -> Ending {
         self.ask("shutdown", Value::Null).unwrap();
         self.note("exit", Value::Null);
         self.server.take().unwrap().join().expect("the server ends without a panic")

@@ -3,7 +3,7 @@
 
 use super::client::{Client, SPEC};
 use lsp_server::{Connection, Message, Notification, Request, RequestId};
-use mavc::lsp::{FlightOutcome, serve};
+use mavc::lsp::{Ending, serve};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::io::Write;
@@ -133,7 +133,7 @@ proptest! {
             }
         }
         prop_assert!(client.mistakes().is_empty());
-        prop_assert_eq!(client.stop(), FlightOutcome::Agreed);
+        prop_assert_eq!(client.stop(), Ending::Agreed);
     }
 }
 
@@ -166,9 +166,9 @@ fn questions_that_nobody_knows_and_late_ones_are_refused() {
     assert_eq!(client.ask("textDocument/hover", nowhere.clone()), Ok(Value::Null));
     client.ask("shutdown", Value::Null).unwrap();
     assert_eq!(client.ask("textDocument/hover", nowhere).unwrap_err().0, -32600);
-    assert_eq!(client.stop_at_once(), FlightOutcome::Agreed);
+    assert_eq!(client.stop_at_once(), Ending::Agreed);
     let client = Client::start();
-    assert_eq!(client.stop_at_once(), FlightOutcome::Abrupt);
+    assert_eq!(client.stop_at_once(), Ending::Abrupt);
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn requests_before_initialize_are_refused_in_words() {
     let error = refused.response_result.unwrap_err();
     assert_eq!((error.code, error.message.as_str()), (-32002, "`textDocument/hover` came before `initialize`"));
     ours.sender.send(Notification::new("exit".into(), Value::Null).into()).unwrap();
-    assert_eq!(server.join().unwrap(), FlightOutcome::Abrupt);
+    assert_eq!(server.join().unwrap(), Ending::Abrupt);
 }
 
 /// What `mavc lsp` answers to an input, and how it ends.

@@ -1,14 +1,17 @@
-//! `mavc analyze --sweep`: where verdicts flip as one field varies.
+//! Where verdicts flip as one field of a spec varies.
 
-use super::Problem;
 use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
 use crate::diagnostic::{Diagnostic, Severity, nearest};
-use crate::model::{FileSet, FlightBlocks, Model, elaborate_for, parse_override};
+use crate::model::{FileSet, Model};
 use crate::number::significant;
 use crate::report::terminal;
+use crate::spec::Spec;
 use crate::syntax::ast::Item;
 use serde::Serialize;
+
+/// Why a sweep is not made, in one sentence.
+type Problem = String;
 
 /// All rotors together lift less than the vehicle weighs.
 const TOO_HEAVY: &str = "mavc::vehicle::too_heavy";
@@ -129,28 +132,24 @@ fn range(text: &str) -> Option<Range<'_>> {
     Some(Range { field: field.trim(), low: parse(low)?, high: parse(high)?, unit })
 }
 
-/// The spec under a sweep, and what was found of it as it stands.
-pub struct Subject<'a> {
-    pub files: &'a FileSet,
-    /// The command line's `--set`s.
-    pub set: &'a [String],
-    pub model: &'a Model,
-    pub modes: &'a [ModeAnalysis],
+/// The spec under a sweep, and what was found of it as it is written.
+struct Subject<'a> {
+    spec: &'a Spec,
+    modes: &'a [ModeAnalysis],
 }
 
 impl Subject<'_> {
     /// Every mode's verdict with the field set to a value, in the order of the modes.
     fn verdicts(&self, path: &str, value: f64, unit: &str) -> Result<Vec<Standing>, Problem> {
-        let mut files = self.files.clone();
-        let mut overrides = Vec::new();
-        for text in self.set.iter().cloned().chain([format!("{path}={value}{unit}")]) {
-            overrides.push(parse_override(&text, &mut files.sources).map_err(|d| d.message)?);
-        }
-        let checked = elaborate_for(&files, &overrides, FlightBlocks::Unused);
-        if let Some(model) = checked.value {
-            return Ok(analyze_each(&model).iter().map(|m| Standing { verdict: m.verdict, hover: m.hover }).collect());
-        }
-        let mut errors = checked.diagnostics.iter().filter(|d| d.severity == Severity::Error);
+        let standings = |spec: Spec| {
+            let modes = analyze_each(spec.model());
+            modes.iter().map(|m| Standing { verdict: m.verdict, hover: m.hover }).collect()
+        };
+        let error = match self.spec.set(&format!("{path}={value}{unit}")) {
+            Ok(spec) => return Ok(standings(spec)),
+            Err(error) => error,
+        };
+        let mut errors = error.diagnostics.iter().filter(|d| d.severity == Severity::Error);
         match errors.find(|d| !self.is_too_heavy(d)) {
             Some(d) => Err(format!("at {}{unit}: {}", significant(value, 6), d.message)),
             None => Ok(vec![Standing { verdict: Verdict::Unstable, hover: Place::Outside }; self.modes.len()]),
@@ -159,20 +158,25 @@ impl Subject<'_> {
 
     /// A vehicle too heavy for all its rotors is an answer here, not a mistake: no mode lifts more than they do.
     fn is_too_heavy(&self, error: &Diagnostic) -> bool {
-        error.code == TOO_HEAVY && error.labels.iter().any(|label| label.span == self.model.vehicle.span)
+        error.code == TOO_HEAVY && error.labels.iter().any(|label| label.span == self.spec.model().vehicle.span)
     }
 }
 
 impl Sweep {
-    /// Sweeps what `text` says, such as `mass=1.5..2.5kg`.
-    pub fn run(text: &str, subject: &Subject) -> Result<Sweep, Problem> {
+    /// Sweeps what `text` says, such as `mass=1.5..2.5kg`: a field of the vehicle, gravity or a `let`, and a range in one
+    /// unit. `modes` are the analyses of the spec as it is written ([`crate::analyze`]).
+    ///
+    /// # Errors
+    /// The text has another shape, no verdict depends on the field, or the spec has errors at a value of it.
+    pub fn run(text: &str, spec: &Spec, modes: &[ModeAnalysis]) -> Result<Sweep, Problem> {
+        let subject = Subject { spec, modes };
         let fail = |why: String| format!("--sweep {text}: {why}");
         let Range { field, low, high, unit } =
             range(text).ok_or_else(|| fail("write a field and a range such as mass=1.5..2.5kg".into()))?;
         if low.partial_cmp(&high) != Some(std::cmp::Ordering::Less) {
             return Err(fail("the range must rise".into()));
         }
-        let path = path(field, subject.files).map_err(fail)?;
+        let path = path(field, spec.files()).map_err(fail)?;
         let at = |value: f64| subject.verdicts(&path, value, unit).map_err(fail);
         let start = at(low)?;
         let mut flips = Vec::new();

@@ -1,0 +1,95 @@
+//! Where the rows, the report and the page of a campaign go.
+
+use super::{CampaignArgs, output, parquet};
+use crate::cli::results::{self, apart};
+use crate::cli::spec::Told;
+use crate::cli::target::{Target, write};
+use crate::cli::{Options, Problem, files};
+use crate::report::campaign_record::CampaignRecord;
+use crate::report::page::{self, Subject};
+use crate::spec::Spec;
+use std::path::Path;
+
+/// Apart from each other.
+pub struct Places<'a> {
+    pub rows: Option<Target>,
+    report: Option<Target>,
+    page: Option<Target>,
+    page_name: Option<&'a Path>,
+    /// Rows that were flown before, which are read.
+    read: Option<&'a Path>,
+}
+
+impl<'a> Places<'a> {
+    /// Finds every place, before minutes of work.
+    pub fn new(args: &'a CampaignArgs) -> Result<Self, Problem> {
+        let target = |name: Option<&Path>| name.map(Target::new).transpose();
+        let (rows, report) = (target(args.output.as_deref())?, target(args.report.as_deref())?);
+        args.output.as_deref().map_or(Ok(()), parquet::is_possible)?;
+        let page = target(args.html.as_deref())?;
+        rows_apart(&rows, &report)?;
+        rows_apart(&rows, &page)?;
+        apart("the page", "--html", &page, &[&report])?;
+        Ok(Places { rows, report, page, page_name: args.html.as_deref(), read: args.rows.as_deref() })
+    }
+
+    /// Refuses places where a result would replace a file that is read.
+    pub fn spare(&self, told: &Told) -> Result<(), Problem> {
+        let read = || told.files.sources.iter().map(|(_, source)| source.name.as_str());
+        [&self.rows, &self.report, &self.page].into_iter().flatten().try_for_each(|t| t.must_spare(read()))?;
+        let rows = self.read.and_then(Path::to_str);
+        [&self.report, &self.page].into_iter().flatten().try_for_each(|target| target.must_spare(rows))
+    }
+
+    fn is_stdout(target: &Option<Target>) -> bool {
+        target.as_ref().is_some_and(Target::is_stdout)
+    }
+
+    /// Prints the text for people: beside rows or a page on standard output on standard error, beside a report nowhere.
+    pub fn print(&self, text: &str) -> Result<(), Problem> {
+        match (Self::is_stdout(&self.report), Self::is_stdout(&self.page) || Self::is_stdout(&self.rows)) {
+            (true, _) => Ok(()),
+            (false, true) => {
+                files::tell(text);
+                Ok(())
+            }
+            (false, false) => files::print(text),
+        }
+    }
+
+    /// Prints the text for people, unless standard output takes the report or the page.
+    pub fn print_alone(&self, text: &str) -> Result<(), Problem> {
+        match Self::is_stdout(&self.report) || Self::is_stdout(&self.page) {
+            true => Ok(()),
+            false => files::print(text),
+        }
+    }
+
+    /// Writes report and page, and says where the page is.
+    pub fn write(&self, spec: &Spec, told: &Told, record: &CampaignRecord, options: &Options) -> Result<(), Problem> {
+        let report =
+            self.report.as_ref().map(|target| Ok::<_, Problem>((target, results::json(record)?))).transpose()?;
+        let page = self.page.as_ref().zip(spec.mission()).map(|(target, mission)| {
+            let subject =
+                Subject { model: spec.model(), mission, sources: spec.sources(), diagnostics: &told.diagnostics };
+            (target, page::campaign(&subject, record))
+        });
+        let made: Vec<_> = report.iter().chain(&page).map(|(target, text)| (*target, text.as_str())).collect();
+        write(&made)?;
+        let is_silent = [&self.rows, &self.report, &self.page].into_iter().any(Self::is_stdout) || options.quiet;
+        match self.page_name.filter(|_| !is_silent) {
+            Some(name) => files::print(&format!("Page written to {}\n", files::shown(name))),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Rows, what is still being written of them, and another result must be in different places.
+fn rows_apart(rows: &Option<Target>, other: &Option<Target>) -> Result<(), Problem> {
+    let (Some(rows), Some(other)) = (rows, other) else { return Ok(()) };
+    let part = rows.file().map(output::part_of);
+    if rows.is_same(other) || part.is_some() && part.as_deref() == other.file() {
+        return Err("the rows and the report would go to one place: give -o and --report two names".into());
+    }
+    Ok(())
+}

@@ -1,0 +1,85 @@
+//! The pipeline: one function for each question about a [`Spec`]. The crate's root re-exports them.
+
+mod certificates;
+mod flights;
+mod records;
+mod stages;
+mod sweep;
+mod tasks;
+
+pub use certificates::{Rejected, Uncertified, certify, verify, verify_within};
+pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, sized};
+pub use stages::Program;
+pub use sweep::{Flip, Sweep};
+pub use tasks::{Explained, NO_MISSION, Planning, Refusal, Task, compare, explain, no_mission, plan};
+
+use crate::admissible::diagnose::diagnose;
+use crate::admissible::verdict::{ModeAnalysis, analyze_each};
+use crate::diagnostic::{Checked, Diagnostic, sort};
+use crate::flight::twins;
+use crate::source::{FileId, Source};
+use crate::spec::{Compiled, Compiler, Spec};
+use std::io::{Error, ErrorKind};
+
+/// Compiles the text of a spec: syntax, names, units and ranges are checked, and every mistake is reported at once.
+///
+/// The text may not name other files; [`Compiler`] reads those, takes overrides, and compiles files.
+///
+/// ```
+/// let compiled = mavc::compile("vehicle quad { mass = 1.8 m }");
+/// assert!(compiled.spec.is_none());
+/// let codes: Vec<_> = compiled.diagnostics.iter().map(|d| d.code).collect();
+/// assert!(codes.contains(&"mavc::unit::mismatch"), "{}", compiled.render());
+/// ```
+pub fn compile(text: &str) -> Compiled {
+    let no_files = |_: &std::path::Path| Err(Error::new(ErrorKind::NotFound, "a text names no files"));
+    Compiler::new().reading(&no_files).text("<spec>", text.as_bytes())
+}
+
+/// Lays a spec's text out in the one way of `mavc fmt`: indentation, blanks and columns. Its meaning, its statements'
+/// order, their line breaks and every comment stay (docs/formatting.md).
+///
+/// # Errors
+/// The text has errors of syntax, which are the diagnostics given, or would grow beyond the size of a file.
+///
+/// ```
+/// assert_eq!(mavc::format("let  m=2 kg").unwrap(), "let m = 2 kg\n");
+/// assert_eq!(mavc::format("let m = = 2").unwrap_err()[0].code, "mavc::syntax::unexpected");
+/// ```
+pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
+    let Checked { value, diagnostics } = crate::format::format(FileId::default(), &Source::new("<spec>", text));
+    value.ok_or(diagnostics)
+}
+
+/// What remains of the vehicle in each fault mode: the verdict, the margins of hover (N, N m), the heaviest mass (kg) and
+/// the headroom. The healthy vehicle comes first, then every declared mode in its order.
+///
+/// The verdicts are those of section 3 of the paper: ACAI (31) for controllability, the rank of the controllability
+/// matrix, and the residual of the nearest admissible wrench.
+///
+/// ```
+/// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
+/// let modes = mavc::analyze(&spec);
+/// assert_eq!(modes.len(), 1 + spec.model().modes.len());
+/// assert_eq!(modes[0].verdict.name(), "controllable");
+/// # Ok::<(), mavc::CompileError>(())
+/// ```
+pub fn analyze(spec: &Spec) -> Vec<ModeAnalysis> {
+    analyze_each(spec.model())
+}
+
+/// What the admissible sets and the estimator show about a spec: fault modes that the plan must tolerate but cannot, hover
+/// on the edge of a set, modes that an estimator cannot tell apart. `mavc check` reports these with the diagnostics of
+/// [`compile`].
+///
+/// ```
+/// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
+/// assert!(mavc::check(&spec).iter().all(|d| d.severity != mavc::Severity::Error));
+/// # Ok::<(), mavc::CompileError>(())
+/// ```
+pub fn check(spec: &Spec) -> Vec<Diagnostic> {
+    let mut diagnostics = diagnose(spec.model());
+    diagnostics.extend(twins::diagnose(spec.model()));
+    sort(&mut diagnostics);
+    diagnostics
+}

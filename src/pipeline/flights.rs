@@ -1,0 +1,157 @@
+//! Flights along plans: one with the faults that the spec names, or a whole campaign.
+
+use super::tasks::{Planning, Refusal, Task};
+use crate::campaign::cases::{MAX_FLIGHTS, Shard};
+use crate::campaign::design::Design;
+use crate::campaign::run::fly_all;
+use crate::campaign::tally::Tally;
+use crate::diagnostic::{Diagnostic, Severity, sort};
+use crate::flight::{Flight, Sample, Sortie, fly as fly_sortie, longest, twins};
+use crate::model::{coarse_step, past_the_end, too_many_steps};
+use crate::observer::{Observer, Silent, timed};
+use crate::planner::studies::MissionPlan;
+use crate::report::campaign_record::CampaignRecord;
+use crate::spec::Spec;
+use crate::verdict::Verdict;
+use std::convert::Infallible;
+use std::error::Error;
+use std::fmt;
+use std::time::Instant;
+
+/// Flies the plan of an outcome in the nonlinear simulation, with the faults, air, sensors and controller of the spec's
+/// `simulate` block (docs/flight.md). The same spec gives the same flight.
+///
+/// A flight is simulated and proves nothing; distances are in m, times in s, angles in rad.
+///
+/// # Errors
+/// There is no plan to fly, or its flight would have errors: a fault after its end, more steps than can be meant.
+///
+/// ```
+/// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
+/// let flight = mavc::fly(&spec, &mavc::plan(&spec)?)?;
+/// println!("{:?} after {} s, {:.2} m off at most", flight.outcome, flight.end, flight.max_error);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn fly(spec: &Spec, planning: &Planning) -> Result<Flight, NoFlight> {
+    let Some(plan) = planning.plan() else { return Err(NoFlight::NoPlan(planning.verdict())) };
+    let remarks = departure(spec, plan.time);
+    if remarks.iter().any(|d| d.severity == Severity::Error) {
+        return Err(NoFlight::Errors(remarks));
+    }
+    Ok(fly_plan(spec, plan, None, &Silent))
+}
+
+/// Flies a plan whose [`departure`] has no errors; `record` is given every instant at which the controller acts, and the
+/// last.
+pub fn fly_plan(
+    spec: &Spec,
+    plan: &MissionPlan,
+    record: Option<&mut dyn FnMut(&Sample)>,
+    observer: &dyn Observer,
+) -> Flight {
+    let model = spec.model();
+    let sortie = Sortie::along(model, &plan.trajectory, &model.simulation.faults, model.simulation.seed);
+    let begin = Instant::now();
+    let is_recorded = record.is_some();
+    let flight = timed(observer, "flight", || fly_sortie(&sortie, record));
+    observer.flown(&flight, begin.elapsed(), is_recorded);
+    flight
+}
+
+/// The names of modes that the estimator cannot tell apart with the speeds that a plan needs, group by group.
+pub fn indistinguishable<'s>(spec: &'s Spec, plan: &MissionPlan) -> Vec<Vec<&'s str>> {
+    let groups = twins::along(spec.model(), &plan.trajectory);
+    groups.iter().map(|group| twins::names(spec.model(), group)).collect()
+}
+
+/// Flies a campaign: every planner's plan at the common time T_d, with every declared fault mode, at many instants and
+/// with many seeds of noise (docs/campaigns.md). The record is that of `mavc campaign --report`.
+///
+/// # Errors
+/// The mission cannot be planned, the campaign has too many flights, or a flight would have errors. That no planner found
+/// a plan is not an error: the record then has no flights and says why.
+///
+/// ```
+/// let text = mavc::TEMPLATE.to_string() + "campaign { times = 2; seeds = 1 }";
+/// let record = mavc::campaign(&mavc::compile(&text).into_result()?)?;
+/// assert!(record.flights > 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn campaign(spec: &Spec) -> Result<CampaignRecord, NoFlight> {
+    let size = &spec.model().campaign;
+    let spec = &sized(spec, size.times, size.seeds)?;
+    let task = Task::new(spec).map_err(NoFlight::Refused)?;
+    let comparison = task.at_common_time(&Silent);
+    let sha256 = spec.sha256().to_string();
+    let design = match Design::new(spec.model(), &comparison, &sha256) {
+        Ok(design) => design,
+        Err(missing) => return Ok(CampaignRecord::without_flights(spec.model(), &missing, sha256)),
+    };
+    let remarks = departure(spec, design.time);
+    if remarks.iter().any(|d| d.severity == Severity::Error) {
+        return Err(NoFlight::Errors(remarks));
+    }
+    let mut tally = Tally::new(design.cases);
+    let Ok(()) = fly_all(&design, design.cases.of(Shard::WHOLE), |cases, rows| {
+        cases.iter().zip(rows).for_each(|(case, row)| tally.add(case, row));
+        Ok::<(), Infallible>(())
+    });
+    Ok(CampaignRecord::new(&design, Shard::WHOLE, &tally, sha256))
+}
+
+/// The spec with another size of its campaign: `times` instants of each fault, `seeds` of noise.
+///
+/// # Errors
+/// More flights than a campaign may have.
+pub fn sized(spec: &Spec, times: usize, seeds: usize) -> Result<Spec, NoFlight> {
+    let (modes, planners) = (spec.model().modes.len(), spec.model().campaign.planners.len());
+    let blocks = times.checked_mul(modes).and_then(|n| n.checked_add(1));
+    let flights = blocks.and_then(|n| n.checked_mul(seeds)?.checked_mul(planners));
+    match flights {
+        Some(n) if n <= MAX_FLIGHTS => Ok(spec.with_campaign(times, seeds)),
+        _ => Err(NoFlight::TooMany),
+    }
+}
+
+/// What keeps a plan of `time` s from being flown, and what is remarked of its flight: some of it shows only once the
+/// mission is planned.
+pub fn departure(spec: &Spec, time: f64) -> Vec<Diagnostic> {
+    let model = spec.model();
+    let mut found = past_the_end(model, model.simulation.duration.unwrap_or(time));
+    found.extend(too_many_steps(model, longest(model, time)));
+    found.extend(coarse_step(model));
+    sort(&mut found);
+    found
+}
+
+/// Why nothing is flown.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NoFlight {
+    /// The mission cannot be planned.
+    Refused(Refusal),
+    /// There is no plan to fly, with this verdict.
+    NoPlan(Verdict),
+    /// The campaign would have more flights than one may have ([`MAX_FLIGHTS`]).
+    TooMany,
+    /// The flight would have errors, at their places in the spec.
+    Errors(Vec<Diagnostic>),
+}
+
+impl fmt::Display for NoFlight {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoFlight::Refused(refusal) => refusal.fmt(f),
+            NoFlight::NoPlan(verdict) => write!(f, "there is no plan to fly: {verdict}"),
+            NoFlight::TooMany => {
+                f.write_str("a campaign has at most 100 million flights: take fewer modes, instants or seeds")
+            }
+            NoFlight::Errors(told) => {
+                let errors = told.iter().filter(|d| d.severity == Severity::Error);
+                let messages: Vec<&str> = errors.map(|d| d.message.as_str()).collect();
+                f.write_str(&messages.join("; "))
+            }
+        }
+    }
+}
+
+impl Error for NoFlight {}

@@ -1,0 +1,50 @@
+//! Reports of plans and comparisons, for machines (docs/report.md) and for people.
+
+use super::tasks::{Explained, Planning, Task};
+use crate::certify::between::Between;
+use crate::diagnostic::Diagnostic;
+use crate::explain::diagnose::diagnose;
+use crate::planner::studies::Comparison;
+use crate::planner::studies::rounds::Round;
+use crate::report::conflict_record::ConflictRecord;
+use crate::report::record::{Record, RoundRecord};
+use crate::report::{self, terminal};
+
+impl Task<'_> {
+    /// The report of a plan: `mavc plan --report`.
+    pub fn report(&self, planning: &Planning, explained: &Explained, between: Option<Vec<Between>>) -> Record {
+        let (model, mission, sources) = (self.model(), self.mission(), self.spec().sources());
+        let mut record = Record::new(model, mission, planning.comparison(), self.spec().sha256().into());
+        record.conflict = explained.conflict.as_ref().map(|why| ConflictRecord::new(why, model, mission, sources));
+        record.found_at_s = explained.nearby.times().collect();
+        if let Some(planner) = record.planners.last_mut() {
+            planner.between = between;
+        }
+        record
+    }
+
+    /// The report of a plan for people: what `mavc plan` prints, with the colours of a terminal where `color` is set.
+    pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>, color: bool) -> String {
+        let (model, mission) = (self.model(), self.mission());
+        let mut text = terminal::plan(model, mission, planning.comparison(), color);
+        text.push_str(&terminal::elsewhere(model, &explained.nearby.times().collect::<Vec<_>>()));
+        if let (Some(plan), Some(found)) = (planning.plan(), between) {
+            text.push_str(&report::between::between(model, plan, found));
+        }
+        text
+    }
+
+    /// A conflict as a diagnostic on the spec, each of its statements labelled in place.
+    pub fn diagnose(&self, explained: &Explained) -> Option<Diagnostic> {
+        let diagnostic = |why| diagnose(why, self.model(), self.mission(), self.spec().sources());
+        explained.conflict.as_ref().map(diagnostic)
+    }
+
+    /// The report of a comparison: `mavc compare --report`.
+    pub fn comparison_report(&self, comparison: &Comparison, rounds: Option<&[Round]>) -> Record {
+        let mut record = Record::new(self.model(), self.mission(), comparison, self.spec().sha256().into());
+        let of_round = |round: &Round| RoundRecord::new(self.mission(), round);
+        record.rounds = rounds.map(|all| all.iter().map(of_round).collect());
+        record
+    }
+}

@@ -1,0 +1,26 @@
+//! The machine-readable report of an analysis (`mavc analyze --format json`).
+
+use crate::admissible::verdict::ModeAnalysis;
+use crate::model::Model;
+use serde::Serialize;
+
+/// Of this form; raised where a field or its values change.
+const SCHEMA: u32 = 2;
+
+/// `F` is a flip of a sweep.
+#[derive(Serialize)]
+pub struct AnalysisRecord<'a, F> {
+    schema: u32,
+    vehicle: &'a str,
+    rotors: usize,
+    modes: &'a [ModeAnalysis],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    flips: Option<&'a [F]>,
+}
+
+impl<'a, F> AnalysisRecord<'a, F> {
+    pub fn new(model: &'a Model, modes: &'a [ModeAnalysis], flips: Option<&'a [F]>) -> Self {
+        let (vehicle, rotors) = (model.vehicle.name.as_str(), model.vehicle.rotors.len());
+        AnalysisRecord { schema: SCHEMA, vehicle, rotors, modes, flips }
+    }
+}

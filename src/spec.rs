@@ -1,0 +1,277 @@
+//! Specs: a text is compiled into one, or into the diagnostics that say why not.
+
+use crate::diagnostic::{Diagnostic, Severity, render_human, sort};
+use crate::input::read_named;
+use crate::model::{
+    FileSet, FlightBlocks, Mission, Model, OVERRIDE, Override, elaborate_for, entries, load_among, parse_override,
+};
+use crate::observer::{Observer, Silent, timed};
+use crate::source::SourceMap;
+use sha2::{Digest, Sha256};
+use std::error::Error;
+use std::fmt;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+use std::sync::Arc;
+
+/// A spec without errors: names resolved, units and ranges checked, every number finite and in SI units.
+///
+/// Only [`compile`](crate::compile) and a [`Compiler`] make one, so whatever
+/// takes a `Spec` can rely on that.
+#[derive(Debug, Clone)]
+pub struct Spec {
+    model: Model,
+    files: Arc<FileSet>,
+    overrides: Vec<Override>,
+    flights: FlightBlocks,
+    sha256: String,
+}
+
+impl Spec {
+    /// The vehicle, fault modes, mission and settings in SI units.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The mission; `None` where the spec describes only vehicles or faults.
+    pub fn mission(&self) -> Option<&Mission> {
+        self.model.mission.as_ref()
+    }
+
+    /// The texts that the spec was read from.
+    pub fn sources(&self) -> &SourceMap {
+        &self.files.sources
+    }
+
+    /// The parsed files and tables that the spec was read from.
+    pub fn files(&self) -> &FileSet {
+        &self.files
+    }
+
+    /// SHA-256 of all texts that were read, each with its length, in the order they were named; 64 hexadecimal digits.
+    /// Certificates name their spec by it.
+    pub fn sha256(&self) -> &str {
+        &self.sha256
+    }
+
+    /// The same spec with one more field overridden, as `--set` does: `vehicle.mass=2kg`.
+    ///
+    /// # Errors
+    /// The field, or the spec with it, has errors.
+    ///
+    /// ```
+    /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
+    /// assert_eq!(spec.set("vehicle.mass = 2 kg")?.model().vehicle.mass, 2.0);
+    /// assert!(spec.set("vehicle.mass = 2 m").is_err());
+    /// # Ok::<(), mavc::CompileError>(())
+    /// ```
+    pub fn set(&self, text: &str) -> Result<Spec, CompileError> {
+        let mut files = FileSet::clone(&self.files);
+        let mut overrides = self.overrides.clone();
+        match parse_override(text, &mut files.sources) {
+            Ok(understood) => overrides.push(understood),
+            Err(diagnostic) => return Err(CompileError { diagnostics: vec![diagnostic], files: Arc::new(files) }),
+        }
+        elaborated(files, overrides, self.flights, Vec::new()).into_result()
+    }
+
+    /// The same spec with another size of its campaign, within the bounds of [`crate::campaign::cases`].
+    pub(crate) fn with_campaign(&self, times: usize, seeds: usize) -> Self {
+        let mut spec = self.clone();
+        (spec.model.campaign.times, spec.model.campaign.seeds) = (times, seeds);
+        spec
+    }
+}
+
+/// What became of a text: a spec where there are no errors, and every diagnostic.
+#[derive(Debug, Clone)]
+pub struct Compiled {
+    /// `None` where there is an error.
+    pub spec: Option<Spec>,
+    /// Errors, warnings and advice, in the order they are shown.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The texts that the diagnostics point into.
+    pub files: Arc<FileSet>,
+}
+
+impl Compiled {
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+    }
+
+    /// The diagnostics for people, with excerpts of the text, at most 100 columns wide and without colour.
+    pub fn render(&self) -> String {
+        render_human(&self.diagnostics, &self.files.sources, 100, false)
+    }
+
+    /// The spec.
+    ///
+    /// # Errors
+    /// The text has errors; the error lists them, and its `Display` shows them with excerpts.
+    pub fn into_result(self) -> Result<Spec, CompileError> {
+        match self.spec {
+            Some(spec) => Ok(spec),
+            None => Err(CompileError { diagnostics: self.diagnostics, files: self.files }),
+        }
+    }
+}
+
+/// The errors of a text that is not a spec, and whatever else was found.
+#[derive(Clone)]
+pub struct CompileError {
+    pub diagnostics: Vec<Diagnostic>,
+    /// The texts that the diagnostics point into.
+    pub files: Arc<FileSet>,
+}
+
+impl fmt::Display for CompileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(render_human(&self.diagnostics, &self.files.sources, 100, false).trim_end())
+    }
+}
+
+/// As `Display`, on lines of its own: what a `main` that returns the error prints.
+impl fmt::Debug for CompileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\n{self}")
+    }
+}
+
+impl Error for CompileError {}
+
+/// Reads the file of this path.
+type Reader<'a> = &'a dyn Fn(&Path) -> io::Result<Vec<u8>>;
+
+/// Compiles specs: from files, with overrides, or for commands that fly nothing.
+#[derive(Clone)]
+pub struct Compiler<'a> {
+    read: Reader<'a>,
+    overrides: Vec<String>,
+    flights: FlightBlocks,
+    observer: &'a dyn Observer,
+}
+
+impl Default for Compiler<'_> {
+    fn default() -> Self {
+        Compiler { read: &read_named, overrides: Vec::new(), flights: FlightBlocks::Used, observer: &Silent }
+    }
+}
+
+/// A text that is parsed and not yet given a meaning.
+pub struct Parsed {
+    pub files: FileSet,
+    pub overrides: Vec<Override>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> Compiler<'a> {
+    /// Reads what a spec names from the disk, overrides nothing, and treats mistakes in `simulate` and `campaign` as errors.
+    pub fn new() -> Self {
+        Compiler::default()
+    }
+
+    /// Overrides a field, as `--set` does: `plan.time=20s`.
+    pub fn set(mut self, text: impl Into<String>) -> Self {
+        self.overrides.push(text.into());
+        self
+    }
+
+    /// Treats mistakes in `simulate` and `campaign` as warnings, and such a block as one that is not written.
+    pub fn without_flights(mut self) -> Self {
+        self.flights = FlightBlocks::Unused;
+        self
+    }
+
+    /// Reads what a spec names through `read`, which gets paths relative as the spec's own name is.
+    pub fn reading(mut self, read: Reader<'a>) -> Self {
+        self.read = read;
+        self
+    }
+
+    /// Reports the stages `parse` and `model`.
+    pub fn observed_by(mut self, observer: &'a dyn Observer) -> Self {
+        self.observer = observer;
+        self
+    }
+
+    /// Compiles a file.
+    ///
+    /// # Errors
+    /// The file itself cannot be read. That a file which it names cannot be read is a diagnostic.
+    pub fn file(&self, path: impl AsRef<Path>) -> io::Result<Compiled> {
+        let path = path.as_ref();
+        Ok(self.text(&path.display().to_string(), &std::fs::read(path)?))
+    }
+
+    /// Compiles a text of this name; the name is shown in diagnostics, and paths in the text are relative to its folder.
+    pub fn text(&self, name: &str, bytes: &[u8]) -> Compiled {
+        let Parsed { files, overrides, diagnostics } = self.parse(name, bytes);
+        timed(self.observer, "model", || elaborated(files, overrides, self.flights, diagnostics))
+    }
+
+    /// Parses a text and what it names, and the overrides; no diagnostic that needs a meaning is among those given.
+    pub fn parse(&self, name: &str, bytes: &[u8]) -> Parsed {
+        timed(self.observer, "parse", || {
+            let (mut files, mut diagnostics) = load_among(name, bytes, self.read, &entries);
+            let mut overrides = Vec::new();
+            for text in &self.overrides {
+                match parse_override(text, &mut files.sources) {
+                    Ok(understood) => overrides.push(understood),
+                    Err(diagnostic) => diagnostics.push(diagnostic),
+                }
+            }
+            Parsed { files, overrides, diagnostics }
+        })
+    }
+}
+
+/// Gives files a meaning; `diagnostics` are those of parsing.
+fn elaborated(
+    files: FileSet,
+    overrides: Vec<Override>,
+    flights: FlightBlocks,
+    mut diagnostics: Vec<Diagnostic>,
+) -> Compiled {
+    let checked = elaborate_for(&files, &overrides, flights);
+    let broken = diagnostics.iter().any(|d| d.severity == Severity::Error) || checked.has_errors();
+    let model = checked.value.filter(|_| !broken);
+    diagnostics.extend(checked.diagnostics);
+    // Until every override is understood, the spec is not the one that is meant, and warnings may be about the other.
+    let of_set = |d: &Diagnostic| files.sources.get(d.span.file).name == OVERRIDE;
+    if diagnostics.iter().any(|d| d.severity == Severity::Error && of_set(d)) {
+        diagnostics.retain(|d| d.severity == Severity::Error);
+    }
+    sort(&mut diagnostics);
+    let sha256 = sha256(&files.sources);
+    let files = Arc::new(files);
+    let spec = model.map(|model| Spec { model, files: files.clone(), overrides, flights, sha256 });
+    Compiled { spec, diagnostics, files }
+}
+
+/// Hash of texts, each with its length, in their order.
+fn sha256(sources: &SourceMap) -> String {
+    let mut hash = Sha256::new();
+    for (_, source) in sources.iter() {
+        hash.update((source.text.len() as u64).to_le_bytes());
+        hash.update(source.text.as_bytes());
+    }
+    hex(hash)
+}
+
+/// Hexadecimal digits of a finished hash.
+fn hex(hash: Sha256) -> String {
+    hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
+}
+
+/// SHA-256 of the running program: another build may give other numbers. That of nothing where the program cannot be read.
+pub fn program_sha256() -> String {
+    let mut hash = Sha256::new();
+    if let Ok(mut file) = std::env::current_exe().and_then(File::open) {
+        let mut piece = [0; 1 << 16];
+        while let Ok(length @ 1..) = file.read(&mut piece) {
+            hash.update(&piece[..length]);
+        }
+    }
+    hex(hash)
+}
