@@ -13,6 +13,7 @@ pub mod flight;
 pub mod format;
 pub mod geometry;
 pub mod input;
+pub mod language;
 pub mod lsp;
 pub mod model;
 pub mod motion;

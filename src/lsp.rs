@@ -37,7 +37,7 @@ mod transport;
 mod verdicts;
 mod workspace;
 
-pub use documentation::{Entry, field as field_documentation};
+pub use documentation::{field as field_documentation, unit as field_unit};
 
 use crossbeam_channel::TryRecvError;
 use lsp_server::{Connection, ErrorCode, Message, RequestId, Response};

@@ -54,6 +54,7 @@ pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
 
+use crate::language::Entry;
 use crate::source::Span;
 use grid::Spacing;
 
@@ -84,6 +85,14 @@ pub struct DefaultUsed {
     /// As one would write it, such as `10 %`.
     pub value: String,
     pub reason: String,
+}
+
+impl DefaultUsed {
+    /// Of a field of the language's table.
+    fn of(block: &str, entry: &Entry) -> Self {
+        let (value, reason) = entry.default().unwrap_or_default();
+        DefaultUsed { field: format!("{block}.{}", entry.name), value: value.into(), reason: reason.into() }
+    }
 }
 
 /// The vehicle: mass, inertia and rotors with parallel axes along body z.

@@ -13,11 +13,10 @@ pub mod ast;
 mod build;
 mod layout;
 mod mistake;
-mod place;
 mod print;
 
+pub use crate::language::Place;
 pub use mistake::no_choice;
-pub use place::Place;
 
 use crate::diagnostic::{Checked, Diagnostic};
 use crate::source::{FileId, NotUtf8, Source, Span};

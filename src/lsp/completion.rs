@@ -10,6 +10,7 @@ use super::hover::described;
 use super::names::Kind;
 use super::workspace::Spec;
 use crate::diagnostic::codes;
+use crate::language::{Absent, Entry};
 use crate::model::vocabulary::{allowed, clauses, constants, fields, functions, mode_numbers, words};
 use crate::source::FileId;
 use crate::syntax::Place;
@@ -84,7 +85,7 @@ pub fn offers(spec: &Spec, file: FileId, offset: usize) -> (Vec<Offer>, std::ops
             list.extend(expected.iter().map(|word| Offer::new(word, ItemKind::Keyword, 0)));
         }
         Before::LimitName(name) => {
-            let forms = documentation::field(Place::Limits, name).map_or(&[][..], |entry| &entry.forms);
+            let forms = documentation::field(Place::Limits, name).map_or(&[][..], Entry::forms);
             list.extend(forms.iter().map(|form| Offer::new(form, ItemKind::Operator, 0)));
         }
         Before::Clause => next_clauses(&context, list),
@@ -113,7 +114,7 @@ fn missing_fields(context: &Context, list: &mut Vec<Offer>) {
         };
         let mut offer = Offer::new(name, ItemKind::Property, rank);
         offer = offer.insert(format!("{name} {sign} ")).documented(entry.map(described));
-        if let Some(unit) = entry.and_then(|entry| entry.unit.as_deref()) {
+        if let Some(unit) = entry.and_then(documentation::unit) {
             offer = offer.detail(unit);
         }
         list.push(offer);
@@ -135,8 +136,13 @@ fn is_open(context: &Context, name: &str) -> bool {
     !context.present.contains(name) && !others.into_iter().any(|other| context.present.contains(*other))
 }
 
-fn is_needed(entry: Option<&documentation::Entry>) -> bool {
-    entry.is_some_and(|entry| entry.text.starts_with("needed"))
+fn is_needed(entry: Option<&Entry>) -> bool {
+    let of_ring = |words: &str| words.starts_with("required");
+    entry.is_some_and(|entry| match entry.absent {
+        Absent::Needed => true,
+        Absent::Otherwise(words) => of_ring(words),
+        Absent::Value(..) | Absent::Written(..) => false,
+    })
 }
 
 /// The words that may begin a statement here.
@@ -154,7 +160,7 @@ fn openers(context: &Context, list: &mut Vec<Offer>) {
             continue;
         }
         let says = documentation::statement(word);
-        let is_needed = context.place == Place::Vehicle && says.is_some_and(|text| text.starts_with("needed"));
+        let is_needed = context.place == Place::Vehicle && *word == "rotor";
         let rank = match ORDER.iter().position(|first| first == word) {
             Some(place) if context.place == Place::Top => 1 + place as u8,
             _ if is_needed => 0,
@@ -215,11 +221,11 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
         list.push(offer.documented(definition.doc.clone()));
     }
     for name in functions() {
-        let text = documentation::function(name).map(|entry| entry.text.clone());
+        let text = documentation::function(name).map(String::from);
         list.push(Offer::new(name, ItemKind::Function, 3).insert(format!("{name}(")).documented(text));
     }
     for name in constants() {
-        let text = documentation::function(name).map(|entry| entry.text.clone());
+        let text = documentation::function(name).map(String::from);
         list.push(Offer::new(name, ItemKind::Constant, 3).documented(text));
     }
 }
@@ -230,7 +236,7 @@ fn of_dimension(spec: &Spec, place: Place, field: &str, list: &mut Vec<Offer>) {
     let due = match (place, field) {
         // What a curve's parameter runs through: an angle, or a plain number.
         (Place::Mission, "") => Some("rad"),
-        _ => entry.and_then(|entry| entry.unit.as_deref()),
+        _ => entry.and_then(documentation::unit),
     };
     if matches!((place, field), (Place::Plan, "reserve") | (Place::Mode | Place::Faults, "")) {
         list.push(Offer::new("%", ItemKind::Unit, 0).detail("a share"));

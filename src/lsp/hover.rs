@@ -2,12 +2,13 @@
 
 mod facts;
 
-use super::documentation::{self, Entry};
+use super::documentation;
 use super::mentions::{Mention, What};
 use super::names::{Definition, Kind};
 use super::navigation::file_named_at;
 use super::workspace::Spec;
 use crate::admissible::verdict::ModeAnalysis;
+use crate::language::{Absent, Entry};
 use crate::model::vocabulary::constants;
 use crate::model::{Model, Reading};
 use crate::number::{number, significant};
@@ -45,11 +46,11 @@ pub fn hover(spec: &Spec, file: FileId, offset: usize) -> Option<Shown> {
         What::Keyword => plain(keyword_text(spec, spec.snippet(mention.span), mention.span)?),
         What::Function | What::Constant => {
             let name = spec.snippet(mention.span);
-            let entry = documentation::function(name)?;
+            let says = documentation::function(name)?;
             let text = if constants().contains(&name) && name == "g0" {
-                format!("**`{name}`** = {} m/s^2 · {}", number(spec.understanding.gravity), entry.text)
+                format!("**`{name}`** = {} m/s^2 · {}", number(spec.understanding.gravity), says)
             } else {
-                format!("**`{name}`** · {}", entry.text)
+                format!("**`{name}`** · {says}")
             };
             plain(text)
         }
@@ -71,8 +72,9 @@ fn word(spec: &Spec, mention: &Mention) -> Option<String> {
         _ => None,
     })?;
     let entry = documentation::field(place, field)?;
-    let default = if entry.default.as_deref() == Some(spec.snippet(mention.span)) { ", unless said" } else { "" };
-    Some(format!("**`{}`** · a word of `{field}`{default}\n\n{}", spec.snippet(mention.span), entry.text))
+    let word = spec.snippet(mention.span);
+    let default = if entry.default().is_some_and(|(written, _)| written == word) { ", the default" } else { "" };
+    Some(format!("**`{word}`** · a value of `{field}`{default}\n\n{}", documentation::line(entry)))
 }
 
 /// A word of the language that the tree does not keep: the opening word of a statement, or what fails.
@@ -134,13 +136,16 @@ fn belongs(spec: &Spec, field: Span, value: Span) -> bool {
 /// A field with its unit and default.
 pub fn described(entry: &Entry) -> String {
     let mut head = format!("**`{}`**", entry.name);
-    if let Some(unit) = &entry.unit {
+    if let Some(unit) = documentation::unit(entry) {
         head.push_str(&format!(" · in {unit}"));
     }
-    if let Some(default) = entry.default.as_deref().filter(|d| *d != "needed") {
-        head.push_str(&format!(" · unless said: {default}"));
+    match entry.absent {
+        Absent::Needed => head.push_str(" · required"),
+        Absent::Otherwise("") => {}
+        Absent::Otherwise(words) => head.push_str(&format!(" · default: {words}")),
+        Absent::Value(_, written, _) | Absent::Written(written, _) => head.push_str(&format!(" · default: {written}")),
     }
-    format!("{head}\n\n{}", entry.text)
+    format!("{head}\n\n{}", documentation::line(entry))
 }
 
 /// The value of the innermost expression around a place, and what its unit is.

@@ -4,6 +4,7 @@ use super::context::Context;
 use super::fields::Fields;
 use super::{AfterFault, Model};
 use crate::diagnostic::Diagnostic;
+use crate::language::table::plan as table;
 use crate::syntax::ast::ExprKind;
 
 const CODE: &str = "mavc::plan::after_fault";
@@ -19,7 +20,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Opti
         return Some(None);
     }
     let choices = [AfterFault::Continue, AfterFault::Hold];
-    let word = fields.word(cx, CODE, "after_fault", &choices.map(AfterFault::name))?;
+    let word = fields.word(cx, CODE, &table::AFTER_FAULT)?;
     Some(choices.into_iter().find(|choice| Some(choice.name()) == word))
 }
 

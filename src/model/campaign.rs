@@ -2,21 +2,18 @@
 
 use super::context::{Context, listed};
 use super::fields::Fields;
-use super::flight::{Written, default};
 use super::mend;
 use super::simulate::{Around, seed};
 use super::{Campaign, DefaultUsed, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::language::table::campaign as table;
+use crate::language::{Entry, Group};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
 
-pub(super) const FIELDS: [&str; 4] = ["times", "seeds", "planners", "seed"];
-
 const CHOICE: &str = "mavc::campaign::choice";
 const COUNT: &str = "mavc::campaign::count";
-const MAX_TIMES: usize = 10_000;
-const MAX_SEEDS: usize = 1_000_000;
 /// Most flights of one campaign.
 const MAX_FLIGHTS: f64 = 1e8;
 const PLANNERS: [PlannerKind; 3] = [PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp];
@@ -31,21 +28,21 @@ pub(super) fn elaborate<'a>(
         return (Some(Campaign { span: around.fallback, ..Campaign::default() }), Vec::new());
     };
     let span = block.keyword.span;
-    let fields = Fields::of_block(cx, "`campaign`".into(), span, &block.body, &FIELDS);
+    let fields = Fields::of_block(cx, "`campaign`".into(), span, &block.body, Group::Campaign);
     let mut defaults = Vec::new();
-    let mut count = |cx: &mut Context<'a>, name: &str, most: usize, instead: Written<usize>| match fields.get(name) {
-        Some(expr) => cx.whole(&format!("`{name}`"), expr, 1..=most, COUNT),
-        None => Some(take(&mut defaults, name, instead)),
+    let mut count = |cx: &mut Context<'a>, entry: &'static Entry| match fields.get(entry.name) {
+        Some(expr) => cx.count(entry, &format!("`{}`", entry.name), expr, COUNT),
+        None => Some(take(&mut defaults, entry, entry.value() as usize)),
     };
-    let times = count(cx, "times", MAX_TIMES, default::TIMES);
-    let seeds = count(cx, "seeds", MAX_SEEDS, default::SEEDS);
+    let times = count(cx, &table::TIMES);
+    let seeds = count(cx, &table::SEEDS);
     let planners = match fields.get("planners") {
         Some(expr) => planners(cx, expr),
-        None => Some(take(&mut defaults, "planners", default::PLANNERS).to_vec()),
+        None => Some(take(&mut defaults, &table::PLANNERS, PLANNERS.to_vec())),
     };
     let seed = match fields.get("seed") {
         Some(expr) => seed(cx, expr),
-        None => Some(take(&mut defaults, "seed", default::CAMPAIGN_SEED)),
+        None => Some(take(&mut defaults, &table::SEED, table::SEED.value() as u64)),
     };
     if around.modes.is_empty() && !around.incomplete {
         let message = "the campaign has no fault mode to strike with";
@@ -64,9 +61,8 @@ pub(super) fn elaborate<'a>(
     (campaign.filter(|_| fits), defaults)
 }
 
-fn take<T>(defaults: &mut Vec<DefaultUsed>, field: &str, (value, text, reason): Written<T>) -> T {
-    let (field, text) = (format!("campaign.{field}"), text.to_string());
-    defaults.push(DefaultUsed { field, value: text, reason: reason.to_string() });
+fn take<T>(defaults: &mut Vec<DefaultUsed>, entry: &Entry, value: T) -> T {
+    defaults.push(DefaultUsed::of("campaign", entry));
     value
 }
 

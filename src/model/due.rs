@@ -5,6 +5,7 @@ use super::context::Context;
 use super::expression::{Value, is_bare};
 use super::likely_unit::likely_units;
 use crate::diagnostic::Diagnostic;
+use crate::language::{Entry, Range, Takes};
 use crate::number::number;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Operator};
@@ -23,6 +24,11 @@ pub(super) struct Due<'t> {
 impl<'t> Due<'t> {
     pub fn new(what: &'t str, unit: &'static str) -> Self {
         Due { what, unit, coefficient: false }
+    }
+
+    /// What a field of the table takes.
+    pub fn of(entry: &'static Entry) -> Self {
+        Due::new(entry.name, entry.unit().unwrap_or("1"))
     }
 
     pub fn dimension(&self) -> Dimension {
@@ -75,6 +81,25 @@ impl<'a> Context<'a> {
         };
         self.report_of_let(expr, rule, &found, error);
         None
+    }
+
+    /// A quantity as a field of the table takes it, in SI; `code` names the mistake of one that is out of its range.
+    pub fn quantity(&mut self, entry: &'static Entry, expr: &'a Expr, code: &'static str) -> Option<f64> {
+        match entry.takes {
+            Takes::Quantity(_, Range::Positive) | Takes::QuantityOr(_, Range::Positive, _) => {
+                self.positive(Due::of(entry), expr, code)
+            }
+            Takes::Quantity(_, Range::NotNegative) | Takes::QuantityOr(_, Range::NotNegative, _) => {
+                self.not_negative(Due::of(entry), expr, code)
+            }
+            _ => self.number(Due::of(entry), expr),
+        }
+    }
+
+    /// A whole number as a field of the table takes it, which is called `what`.
+    pub fn count(&mut self, entry: &'static Entry, what: &str, expr: &'a Expr, code: &'static str) -> Option<usize> {
+        let (least, most) = entry.whole();
+        self.whole(what, expr, least as usize..=most as usize, code)
     }
 
     /// A share of a whole, `60 %` or `0.6`, as a number in 0..=1.

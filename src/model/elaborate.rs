@@ -12,6 +12,7 @@ use super::simulate::Around;
 use super::understanding::Understanding;
 use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, sense, vehicle};
 use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
+use crate::language::Group;
 use crate::number::number;
 use crate::source::{SourceMap, Span, Spanned};
 use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile, Statement};
@@ -112,7 +113,6 @@ fn use_broken(trees: &[SpecFile], sources: &SourceMap) -> bool {
 }
 
 /// The fields that stand outside all blocks.
-pub(super) const TOP_FIELDS: [&str; 2] = ["gravity", "allow"];
 
 #[derive(Default)]
 struct Blocks<'a> {
@@ -259,7 +259,7 @@ fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'
     if name.value != "gravity" {
         let message = format!("`{}` is not a field of the top level", name.value);
         let error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
-        let error = match (nearest(&name.value, TOP_FIELDS), elsewhere(&name.value)) {
+        let error = match (nearest(&name.value, Group::Top.names()), elsewhere(&name.value)) {
             (Some(near), _) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
             (None, Some(place)) => error.help(place),
             (None, None) => {

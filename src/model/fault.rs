@@ -10,6 +10,8 @@ use super::expression::Value;
 use super::fields::Fields;
 use super::{AfterFault, FaultMode, after_fault, sense};
 use crate::diagnostic::Diagnostic;
+use crate::language::table::mode as table;
+use crate::language::{Entry, Group};
 use crate::number::number;
 use crate::source::{Span, Spanned, visible};
 use crate::syntax::ast::{Block, Effect, Expr, ExprKind, Name, Statement};
@@ -20,7 +22,6 @@ use family::Families;
 /// Fault modes of one spec.
 pub const MAX_MODES: usize = 10_000;
 
-pub(super) const FIELDS: [&str; 5] = ["rate", "severity", "occurrence", "detection", "after_fault"];
 pub(super) const RESERVED: [&str; 2] = ["all", "healthy"];
 
 /// The modes and what else may be known about their names.
@@ -40,7 +41,7 @@ impl Modes {
     /// Takes up one `faults` block. `rotors` is the vehicle's rotor count, if it is known.
     pub fn take<'a>(&mut self, cx: &mut Context<'a>, block: &'a Block, rotors: Option<usize>) {
         let owner = "`faults`".to_string();
-        Fields::of_block(cx, owner, block.keyword.span, &block.body, &[]);
+        Fields::of_block(cx, owner, block.keyword.span, &block.body, Group::Nothing);
         for statement in &block.body {
             match statement {
                 Statement::Block(mode) => self.single(cx, mode, rotors),
@@ -308,12 +309,14 @@ struct Numbers {
 
 impl Numbers {
     fn read<'a>(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement]) -> Option<Self> {
-        let fields = Fields::of_block(cx, owner, span, body, &FIELDS);
-        let rate = fields.get("rate").map(|e| cx.not_negative(Due::new("rate", "1/h"), e, "mavc::fault::rate"));
-        let mut fmea = |name: &str| {
-            fields.get(name).map(|e| cx.whole(&format!("`{name}`"), e, 1..=10, "mavc::fault::fmea").map(|x| x as u8))
+        let fields = Fields::of_block(cx, owner, span, body, Group::Mode);
+        let rate = fields.get("rate").map(|e| cx.quantity(&table::RATE, e, "mavc::fault::rate"));
+        let mut fmea = |entry: &'static Entry| {
+            let what = format!("`{}`", entry.name);
+            fields.get(entry.name).map(|e| cx.count(entry, &what, e, "mavc::fault::fmea").map(|x| x as u8))
         };
-        let (severity, occurrence, detection) = (fmea("severity"), fmea("occurrence"), fmea("detection"));
+        let (severity, occurrence, detection) =
+            (fmea(&table::SEVERITY), fmea(&table::OCCURRENCE), fmea(&table::DETECTION));
         let after_fault = after_fault::read(cx, &fields);
         Some(Numbers {
             after_fault: settled(after_fault)?,

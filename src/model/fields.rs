@@ -1,9 +1,10 @@
 //! The `name = value` statements of a block: known names, no repetition, nothing due left out.
 
 use super::context::{Context, listed, no_filter};
+use super::mend;
 use super::overrides::is_override;
-use super::{campaign, mend, simulate};
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
+use crate::language::{Entry, Group};
 use crate::source::Span;
 use crate::syntax::Place;
 use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, Statement};
@@ -11,38 +12,12 @@ use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, State
 /// Units that show a number to be a time.
 const TIMES: [&str; 4] = ["s", "ms", "min", "h"];
 
-/// Fields that belong elsewhere, and the word people use for what belongs there.
+/// Words that people use for something that is not a field, or a field whose place its table does not tell.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("gravity", "stands at the top level, outside all blocks"),
     ("allow", "stands at the top level, outside all blocks"),
-    ("timing", "is a field of `plan`"),
-    ("within", "is a field of `plan`, of a `curve` and of a `waypoint`"),
-    ("yaw_within", "is a field of `plan`, of a `curve` and of a `waypoint`"),
-    ("samples", "is a field of `plan`"),
-    ("reserve", "is a field of `plan`"),
-    ("against", "is a field of `plan`"),
-    ("planner", "is a field of `plan`"),
-    ("mass", "is a field of `vehicle`"),
-    ("inertia", "is a field of `vehicle`"),
-    ("arm", "is a field of `vehicle`"),
-    ("layout", "is a field of `vehicle`"),
-    ("allocation", "is a field of `vehicle`"),
-    ("max_speed", "is a field of `rotor` in a `vehicle`"),
-    ("min_speed", "is a field of `rotor` in a `vehicle`"),
-    ("thrust_coefficient", "is a field of `rotor` in a `vehicle`"),
-    ("drag_coefficient", "is a field of `rotor` in a `vehicle`"),
-    ("time_constant", "is a field of `rotor` in a `vehicle`"),
     ("points", "follows the range of a `curve`, after a comma"),
-    ("rate", "is a field of a fault mode, between the braces of `mode` or `every`, and of `simulate`"),
-    ("severity", "is a field of a fault mode, between the braces of `mode` or `every`"),
-    ("occurrence", "is a field of a fault mode, between the braces of `mode` or `every`"),
-    ("detection", "is a field of a fault mode, between the braces of `mode` or `every`, and of `simulate`"),
-    (
-        "after_fault",
-        "is a field of `plan`, of a fault mode, between the braces of `mode` or `every`, and of `simulate`",
-    ),
     ("fault", "is a statement of `simulate`, written `fault M1 at 5 s`"),
-    ("seed", "is a field of `simulate` and of `campaign`"),
     ("rpn", "is the product of `severity`, `occurrence` and `detection`: write those"),
     ("probability", "is written as a failure rate, such as `rate = 1e-5 1/h`"),
     ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
@@ -57,12 +32,30 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("hold", "is a statement of a `mission`, written `hold 3 s`"),
 ];
 
+/// Whose fields these are, as one says it.
+const OWNERS: [(Group, &str); 8] = [
+    (Group::Plan, "of `plan`"),
+    (Group::Vehicle, "of `vehicle`"),
+    (Group::Rotor, "of `rotor` in a `vehicle`"),
+    (Group::Curve, "of a `curve`"),
+    (Group::Waypoint, "of a `waypoint`"),
+    (Group::Mode, "of a fault mode, between the braces of `mode` or `every`,"),
+    (Group::Simulate, "of `simulate`"),
+    (Group::Campaign, "of `campaign`"),
+];
+
 /// Where a field that people write in the wrong place belongs.
 pub(super) fn elsewhere(word: &str) -> Option<String> {
-    let place = ELSEWHERE.iter().find(|(field, _)| *field == word).map(|(_, place)| *place);
-    let place = place.or_else(|| simulate::FIELDS.contains(&word).then_some("is a field of `simulate`"));
-    let place = place.or_else(|| campaign::FIELDS.contains(&word).then_some("is a field of `campaign`"));
-    place.map(|place| format!("`{word}` {place}"))
+    if let Some((_, place)) = ELSEWHERE.iter().find(|(field, _)| *field == word) {
+        return Some(format!("`{word}` {place}"));
+    }
+    let owners: Vec<&str> = OWNERS.iter().filter(|(group, _)| group.has(word)).map(|(_, owner)| *owner).collect();
+    let owners = match owners.as_slice() {
+        [] => return None,
+        [one] => one.trim_end_matches(',').to_string(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ").replace(",,", ",")),
+    };
+    Some(format!("`{word}` is a field {owners}"))
 }
 
 /// The fields or clauses of one block or statement, by name.
@@ -90,13 +83,7 @@ enum Room {
 
 impl<'a> Fields<'a> {
     /// The fields among the statements of a block.
-    pub fn of_block(
-        cx: &mut Context<'a>,
-        owner: String,
-        span: Span,
-        body: &'a [Statement],
-        known: &[&'static str],
-    ) -> Self {
+    pub fn of_block(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement], known: Group) -> Self {
         let room = Room::Block(body.last().map(Statement::span));
         let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, room };
         for statement in body {
@@ -117,18 +104,18 @@ impl<'a> Fields<'a> {
     }
 
     /// The options behind a curve's range and the fields of its body are read by the same rules.
-    pub fn take_field(&mut self, cx: &mut Context<'a>, field: &'a Field, known: &[&'static str]) {
+    pub fn take_field(&mut self, cx: &mut Context<'a>, field: &'a Field, known: Group) {
         match &field.value {
             FieldValue::Expr(expr) => self.take(cx, &field.name, expr, field.span, known),
             FieldValue::Where { .. } => {
                 cx.report(no_filter(field.span));
-                self.accounted.extend(known.iter().find(|k| **k == field.name.value));
+                self.accounted.extend(known.names().find(|k| *k == field.name.value));
             }
         }
     }
 
     /// The `word value` clauses of a statement.
-    pub fn of_clauses(cx: &mut Context<'a>, owner: String, statement: &'a Clauses, known: &[&'static str]) -> Self {
+    pub fn of_clauses(cx: &mut Context<'a>, owner: String, statement: &'a Clauses, known: Group) -> Self {
         let (span, room) = (statement.span, Room::End(statement.span));
         let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, room };
         for clause in &statement.clauses {
@@ -137,14 +124,14 @@ impl<'a> Fields<'a> {
         fields
     }
 
-    fn take(&mut self, cx: &mut Context<'a>, name: &'a Name, value: &'a Expr, span: Span, known: &[&'static str]) {
-        if !known.contains(&name.value.as_str()) {
+    fn take(&mut self, cx: &mut Context<'a>, name: &'a Name, value: &'a Expr, span: Span, known: Group) {
+        if !known.has(&name.value) {
             self.unknown(cx, name, known);
         } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
             // Between `at` a place and `at` a time a reader sees no mistake.
             let is_time =
                 matches!(&value.kind, ExprKind::Number { unit: Some(unit), .. } if TIMES.contains(&unit.value.trim()));
-            if name.value == "at" && is_time && known.contains(&"time") {
+            if name.value == "at" && is_time && known.has("time") {
                 let message = format!("{} takes a place after `at`, not a time", self.owner);
                 let error = Diagnostic::error("mavc::name::duplicate", name.span, message).here("`at` for a time");
                 cx.report(error.help("write `time` for when it is reached").fix(name.span, "time"));
@@ -164,18 +151,21 @@ impl<'a> Fields<'a> {
         }
     }
 
-    fn unknown(&mut self, cx: &mut Context<'a>, name: &Name, known: &[&'static str]) {
+    fn unknown(&mut self, cx: &mut Context<'a>, name: &Name, known: Group) {
         let word = name.value.as_str();
         let message = format!("{} has no field `{word}`", self.owner);
         let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
-        let near = nearest(word, known.iter().copied()).or_else(|| nearest_by_words(word, known.iter().copied()));
+        let near = nearest(word, known.names()).or_else(|| nearest_by_words(word, known.names()));
         // `drag` among the fields of a rotor is `drag_coefficient`, `times` in a plan is `time`.
         let begins = |k: &&str| k.strip_prefix(word).is_some_and(|rest| rest.starts_with('_'));
-        let begun = known.iter().copied().find(|k| simulate::FIELDS.contains(&word) && begins(k));
+        let begun = known.names().find(|k| Group::Simulate.has(word) && begins(k));
         let plural = |a: &str, b: &str| a.strip_suffix('s') == Some(b);
         let near = near.filter(|near| plural(near, word) || plural(word, near)).or(begun).or(near);
         let surer = near.is_some_and(|near| plural(near, word) || plural(word, near) || begun == Some(near));
-        if let Some(place) = elsewhere(word).filter(|_| !surer) {
+        if matches!(word, "at" | "position") && known.has("x") {
+            error = error.help("write its coordinates one by one: `x = ..`, `y = ..` and `z = ..`");
+            self.accounted.extend(["x", "y", "z"]);
+        } else if let Some(place) = elsewhere(word).filter(|_| !surer) {
             error = error.help(place);
         } else if let Some(near) = near.filter(|_| is_override(cx.sources, name.span)) {
             // What the spec says of the field is what an override is to replace.
@@ -187,19 +177,16 @@ impl<'a> Fields<'a> {
             error = error.also(first.span, message).help("take one out");
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
-        } else if known.is_empty() {
+        } else if known == Group::Nothing {
             let place = if self.owner.starts_with("mission") { Place::Mission } else { Place::Faults };
             error = error.help(format!("take it out: only {} stand here", listed(place.openers())));
-        } else if matches!(word, "at" | "position") && known.contains(&"x") {
-            error = error.help("write its coordinates one by one: `x = ..`, `y = ..` and `z = ..`");
-            self.accounted.extend(["x", "y", "z"]);
         } else {
-            error = error.help(format!("its fields are {}", listed(known)));
+            error = error.help(format!("its fields are {}", listed(&known.names().collect::<Vec<_>>())));
         }
         if word == "heading" {
             self.accounted.push("yaw");
         }
-        self.accounted.extend(known.iter().find(|k| Some(**k) == near));
+        self.accounted.extend(known.names().find(|k| Some(*k) == near));
         cx.report(error);
     }
 
@@ -207,14 +194,9 @@ impl<'a> Fields<'a> {
         self.found.iter().find(|(n, ..)| n.value == name).map(|(_, expr, _)| *expr)
     }
 
-    /// A field that takes one of a few words; `Some(None)` where something else stands there.
-    pub fn word(
-        &self,
-        cx: &mut Context<'a>,
-        code: &'static str,
-        field: &str,
-        words: &[&str],
-    ) -> Option<Option<&'a str>> {
+    /// The word of a field that takes one of a few; `Some(None)` where something else is written.
+    pub fn word(&self, cx: &mut Context<'a>, code: &'static str, entry: &'static Entry) -> Option<Option<&'a str>> {
+        let (field, words) = (entry.name, entry.words());
         let expr = self.get(field)?;
         if let ExprKind::Name(name) = &expr.kind
             && words.contains(&name.as_str())
@@ -299,11 +281,10 @@ impl<'a> Fields<'a> {
 }
 
 /// The field that a statement which could not be read was to give, if it begins with its name and speaks of no other.
-fn meant_field(text: &str, known: &[&'static str]) -> Option<&'static str> {
+fn meant_field(text: &str, known: Group) -> Option<&'static str> {
     let mut words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).filter(|word| !word.is_empty());
     let first = words.next()?;
-    let field =
-        known.iter().copied().find(|field| *field == first).or_else(|| nearest(first, known.iter().copied()))?;
-    let is_one = !text.contains(['{', '}', '\n']) && !words.any(|word| known.contains(&word));
+    let field = known.names().find(|field| *field == first).or_else(|| nearest(first, known.names()))?;
+    let is_one = !text.contains(['{', '}', '\n']) && !words.any(|word| known.has(word));
     is_one.then_some(field)
 }

@@ -184,96 +184,48 @@ pub struct Campaign {
     pub span: Span,
 }
 
-/// A value and how one would write it.
-pub(super) type Written<T> = (T, &'static str, &'static str);
-
-/// Defaults: value in SI, as written, why.
-pub(super) mod default {
-    use super::{AfterFault, Controller, Detection, PlannerKind, Written};
-
-    pub const DURATION: Written<Option<f64>> = (None, "that of the plan", "how long the flight is simulated");
-    pub const RATE: Written<f64> = (1000.0, "1 kHz", "steps of the integration");
-    pub const CONTROL_RATE: Written<f64> = (500.0, "500 Hz", "how often the controller acts");
-    pub const ESTIMATOR_RATE: Written<f64> = (100.0, "100 Hz", "how often capacities are estimated");
-    pub const CONTROLLER: Written<Controller> = (Controller::Geometric, "geometric", "tracks far from hover too");
-    pub const DETECTION: Written<Detection> =
-        (Detection::Estimator, "estimator", "how the controller learns of a fault");
-    pub const AFTER_FAULT: Written<AfterFault> = (AfterFault::Continue, "continue", "flies on as planned");
-    pub const FORGETTING: Written<f64> = (0.95, "0.95", "memory of the estimator per sample");
-    pub const POSITION_GAIN: Written<f64> = (4.0, "4 1/s^2", "gain on the deviation in x and y");
-    pub const VELOCITY_GAIN: Written<f64> = (3.2, "3.2 1/s", "gain on the deviation of the horizontal velocity");
-    pub const ALTITUDE_GAIN: Written<f64> = (6.0, "6 1/s^2", "gain on the deviation in z");
-    pub const CLIMB_GAIN: Written<f64> = (4.0, "4 1/s", "gain on the deviation of the vertical velocity");
-    pub const ATTITUDE_GAIN: Written<f64> = (100.0, "100 1/s^2", "gain on the deviation in roll and pitch");
-    pub const ATTITUDE_RATE_GAIN: Written<f64> = (16.0, "16 1/s", "gain on the deviation of their rates");
-    pub const YAW_GAIN: Written<f64> = (4.0, "4 1/s^2", "gain on the deviation in yaw");
-    pub const YAW_RATE_GAIN: Written<f64> = (3.2, "3.2 1/s", "gain on the deviation of the yaw rate");
-    pub const GYROSCOPE_NOISE: Written<f64> =
-        (0.005, "0.005 rad/s", "standard deviation of a sample, as of a small MEMS gyroscope");
-    pub const POSITION_NOISE: Written<f64> = (0.01, "1 cm", "standard deviation of a sample on each axis");
-    pub const DRAG: Written<f64> = (0.0, "0 N*s/m", "as in the paper's model");
-    pub const WIND: Written<[f64; 3]> = ([0.0; 3], "[0, 0, 0] m/s", "still air");
-    pub const GUSTS: Written<f64> = (0.0, "0 m/s", "still air");
-    pub const GUST_LENGTH: Written<f64> = (50.0, "50 m", "length scale of gusts");
-    pub const LOST_BEYOND: Written<f64> = (2.0, "2 m", "farther from where it should be the vehicle is lost");
-    pub const UPSIDE_DOWN: Written<f64> = (0.5, "0.5 s", "tilted past 90 degrees for longer the vehicle is lost");
-    pub const LOST_YAW: Written<Option<f64>> =
-        (Some(std::f64::consts::FRAC_PI_2), "90 deg", "with its heading farther off the vehicle is lost");
-    pub const LOST_YAW_AFTER: Written<f64> = (1.0, "1 s", "how long the heading may be that far off");
-    pub const GROUND: Written<f64> = (0.0, "0 m", "height of the ground");
-    pub const SEED: Written<u64> = (1, "1", "of noise and gusts");
-    pub const CAMPAIGN_SEED: Written<u64> = (1, "1", "what the seeds of the flights are drawn from");
-    pub const TIMES: Written<usize> = (20, "20", "instants of the fault along the mission");
-    pub const PLANNERS: Written<[PlannerKind; 3]> = (
-        [PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp],
-        "[rip, rsp, rcp]",
-        "plans that are flown side by side",
-    );
-    pub const SEEDS: Written<usize> = (10, "10", "flights for each mode and instant");
-}
-
 impl Default for Gains {
     fn default() -> Self {
-        use default::*;
+        use crate::language::table::simulate::*;
         Gains {
-            position: POSITION_GAIN.0,
-            velocity: VELOCITY_GAIN.0,
-            altitude: ALTITUDE_GAIN.0,
-            climb: CLIMB_GAIN.0,
-            attitude: ATTITUDE_GAIN.0,
-            attitude_rate: ATTITUDE_RATE_GAIN.0,
-            yaw: YAW_GAIN.0,
-            yaw_rate: YAW_RATE_GAIN.0,
+            position: POSITION_GAIN.value(),
+            velocity: VELOCITY_GAIN.value(),
+            altitude: ALTITUDE_GAIN.value(),
+            climb: CLIMB_GAIN.value(),
+            attitude: ATTITUDE_GAIN.value(),
+            attitude_rate: ATTITUDE_RATE_GAIN.value(),
+            yaw: YAW_GAIN.value(),
+            yaw_rate: YAW_RATE_GAIN.value(),
         }
     }
 }
 
 impl Default for Simulation {
     fn default() -> Self {
-        use default::*;
+        use crate::language::table::simulate::*;
         Simulation {
-            duration: DURATION.0,
-            rate: RATE.0,
-            control_rate: CONTROL_RATE.0,
-            estimator_rate: ESTIMATOR_RATE.0,
-            controller: CONTROLLER.0,
-            detection: DETECTION.0,
-            after_fault: AFTER_FAULT.0,
+            duration: None,
+            rate: RATE.value(),
+            control_rate: CONTROL_RATE.value(),
+            estimator_rate: ESTIMATOR_RATE.value(),
+            controller: Controller::Geometric,
+            detection: Detection::Estimator,
+            after_fault: AfterFault::Continue,
             gains: Gains::default(),
-            forgetting: FORGETTING.0,
-            gyroscope_noise: GYROSCOPE_NOISE.0,
-            position_noise: POSITION_NOISE.0,
-            drag: DRAG.0,
-            wind: WIND.0,
-            gusts: GUSTS.0,
-            gust_length: GUST_LENGTH.0,
-            seed: SEED.0,
+            forgetting: FORGETTING.value(),
+            gyroscope_noise: GYROSCOPE_NOISE.value(),
+            position_noise: POSITION_NOISE.value(),
+            drag: DRAG.value(),
+            wind: [0.0; 3],
+            gusts: GUSTS.value(),
+            gust_length: GUST_LENGTH.value(),
+            seed: SEED.value() as u64,
             faults: Vec::new(),
-            lost_beyond: LOST_BEYOND.0,
-            upside_down: UPSIDE_DOWN.0,
-            lost_yaw: LOST_YAW.0,
-            lost_yaw_after: LOST_YAW_AFTER.0,
-            ground: GROUND.0,
+            lost_beyond: LOST_BEYOND.value(),
+            upside_down: UPSIDE_DOWN.value(),
+            lost_yaw: Some(LOST_YAW.value()),
+            lost_yaw_after: LOST_YAW_AFTER.value(),
+            ground: GROUND.value(),
             written: false,
             span: Span::default(),
             rate_span: Span::default(),
@@ -283,11 +235,12 @@ impl Default for Simulation {
 
 impl Default for Campaign {
     fn default() -> Self {
+        use crate::language::table::campaign::*;
         Campaign {
-            times: default::TIMES.0,
-            seeds: default::SEEDS.0,
-            planners: default::PLANNERS.0.to_vec(),
-            seed: default::CAMPAIGN_SEED.0,
+            times: TIMES.value() as usize,
+            seeds: SEEDS.value() as usize,
+            planners: vec![PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp],
+            seed: SEED.value() as u64,
             written: false,
             span: Span::default(),
         }

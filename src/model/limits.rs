@@ -4,39 +4,42 @@ use super::context::{Context, listed};
 use super::due::Due;
 use super::{Limit, LimitKind, Waypoint, mend};
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
+use crate::language::table::limits as table;
+use crate::language::{Entry, Group};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, LimitRelation, Statement};
 
-/// Which forms a limit takes.
+/// What a limit bounds.
 #[derive(Clone, Copy, PartialEq)]
 enum Form {
-    /// `<=`, `>=` and `in`: a coordinate.
+    /// A coordinate.
     Coordinate,
-    /// `<=` alone: a norm, above zero.
+    /// A norm, above zero.
     Norm,
-    /// `<=` alone: a one-sided rate, zero or above.
+    /// A one-sided rate, zero or above.
     OneSided,
-    /// `<=` for both ways, or `in` around zero.
+    /// A rate: `<=` bounds both directions, `in` is around zero.
     Rate,
 }
 
-const LIMITS: [(&str, LimitKind, &str, Form); 15] = [
-    ("x", LimitKind::X, "m", Form::Coordinate),
-    ("y", LimitKind::Y, "m", Form::Coordinate),
-    ("z", LimitKind::Z, "m", Form::Coordinate),
-    ("altitude", LimitKind::Z, "m", Form::Coordinate),
-    ("yaw", LimitKind::Yaw, "deg", Form::Coordinate),
-    ("speed", LimitKind::Speed, "m/s", Form::Norm),
-    ("speed_horizontal", LimitKind::SpeedHorizontal, "m/s", Form::Norm),
-    ("climb", LimitKind::Climb, "m/s", Form::OneSided),
-    ("descent", LimitKind::Descent, "m/s", Form::OneSided),
-    ("acceleration", LimitKind::Acceleration, "m/s^2", Form::Norm),
-    ("acceleration_horizontal", LimitKind::AccelerationHorizontal, "m/s^2", Form::Norm),
-    ("jerk", LimitKind::Jerk, "m/s^3", Form::Norm),
-    ("yaw_rate", LimitKind::YawRate, "deg/s", Form::Rate),
-    ("yaw_acceleration", LimitKind::YawAcceleration, "deg/s^2", Form::Rate),
-    ("tilt", LimitKind::Tilt, "deg", Form::Norm),
+/// The limits of the table, with what each bounds.
+const LIMITS: [(&Entry, LimitKind, Form); 15] = [
+    (&table::X, LimitKind::X, Form::Coordinate),
+    (&table::Y, LimitKind::Y, Form::Coordinate),
+    (&table::Z, LimitKind::Z, Form::Coordinate),
+    (&table::ALTITUDE, LimitKind::Z, Form::Coordinate),
+    (&table::YAW, LimitKind::Yaw, Form::Coordinate),
+    (&table::SPEED, LimitKind::Speed, Form::Norm),
+    (&table::SPEED_HORIZONTAL, LimitKind::SpeedHorizontal, Form::Norm),
+    (&table::CLIMB, LimitKind::Climb, Form::OneSided),
+    (&table::DESCENT, LimitKind::Descent, Form::OneSided),
+    (&table::ACCELERATION, LimitKind::Acceleration, Form::Norm),
+    (&table::ACCELERATION_HORIZONTAL, LimitKind::AccelerationHorizontal, Form::Norm),
+    (&table::JERK, LimitKind::Jerk, Form::Norm),
+    (&table::YAW_RATE, LimitKind::YawRate, Form::Rate),
+    (&table::YAW_ACCELERATION, LimitKind::YawAcceleration, Form::Rate),
+    (&table::TILT, LimitKind::Tilt, Form::Norm),
 ];
 
 impl LimitKind {
@@ -60,11 +63,6 @@ impl LimitKind {
             LimitKind::Tilt => ("tilt", "deg", degrees),
         }
     }
-}
-
-/// The name of every limit.
-pub(super) fn names() -> impl Iterator<Item = &'static str> {
-    LIMITS.iter().map(|row| row.0)
 }
 
 const FORM: &str = "mavc::mission::limit_form";
@@ -94,7 +92,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, b
                     continue;
                 }
                 given.push((&name.value, sides.0, sides.1, *span));
-                match LIMITS.iter().find(|row| row.0 == name.value) {
+                match LIMITS.iter().find(|row| row.0.name == name.value) {
                     Some(row) => one(cx, row, relation, *span),
                     None => {
                         unknown(cx, &name.value, name.span);
@@ -104,7 +102,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, b
             }
             Statement::Field(field) => {
                 let name = &field.name.value;
-                match LIMITS.iter().find(|row| row.0 == name) {
+                match LIMITS.iter().find(|row| row.0.name == name) {
                     Some(_) => {
                         let error = Diagnostic::error(FORM, field.span, format!("`{name}` is a limit, not a value"));
                         cx.report(error.here("`=` sets nothing here").help(format!("write `{name} <= ...`")));
@@ -143,7 +141,7 @@ fn crossed(cx: &mut Context, limits: &[Limit]) -> Option<LimitKind> {
 }
 
 fn unknown(cx: &mut Context, name: &str, span: Span) {
-    let names = LIMITS.map(|row| row.0);
+    let names = || Group::Limits.names();
     let error = Diagnostic::error("mavc::name::unknown_field", span, format!("there is no limit `{name}`"));
     let error = error.here("unknown limit");
     const HABITS: [(&str, &str); 8] = [
@@ -157,15 +155,15 @@ fn unknown(cx: &mut Context, name: &str, span: Span) {
         ("heading", "yaw"),
     ];
     let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
-    cx.report(match habit.or_else(|| nearest(name, names)).or_else(|| nearest_by_words(name, names)) {
+    cx.report(match habit.or_else(|| nearest(name, names())).or_else(|| nearest_by_words(name, names())) {
         Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
-        None => error.help(format!("the limits are {}", listed(&names))),
+        None => error.help(format!("the limits are {}", listed(&names().collect::<Vec<_>>()))),
     });
 }
 
 fn one<'a>(
     cx: &mut Context<'a>,
-    &(name, kind, unit, form): &(&'static str, LimitKind, &'static str, Form),
+    &(entry, kind, form): &(&'static Entry, LimitKind, Form),
     relation: &'a LimitRelation,
     span: Span,
 ) -> Option<Limit> {
@@ -174,12 +172,9 @@ fn one<'a>(
         LimitRelation::AtLeast(e) => (">=", e),
         LimitRelation::In(e) => ("in", e),
     };
-    let allowed: &[&str] = match form {
-        Form::Coordinate => &["<=", ">=", "in"],
-        Form::Norm | Form::OneSided => &["<="],
-        Form::Rate => &["<=", "in"],
-    };
-    if !allowed.contains(&written) {
+    let (name, due) = (entry.name, Due::of(entry));
+    let unit = due.unit;
+    if !entry.forms().contains(&written) {
         let highest = if let ExprKind::Range { high, .. } = &bound.kind { high } else { bound };
         let mended = format!("{name} <= {}", cx.sources.snippet(highest.span));
         let error = Diagnostic::error(FORM, span, format!("`{name}` is bounded from above only"));
@@ -187,7 +182,6 @@ fn one<'a>(
         cx.report(error.help(format!("write `{mended}`")).fix(span, mended));
         return None;
     }
-    let due = Due::new(name, unit);
     let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
         LimitRelation::AtMost(e) => {
             let upper = cx.number(due, e)?;

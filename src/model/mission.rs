@@ -12,13 +12,16 @@ use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
 use super::{Mission, Waypoint, limits, mend, sense, survey};
 use crate::diagnostic::Diagnostic;
+use crate::language::Group;
+use crate::language::table::curve_head::POINTS;
+use crate::language::table::waypoint as table;
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, Statement};
 use crate::unit::Quantity;
 
 /// Waypoints of one mission.
-pub const MAX_WAYPOINTS: usize = 10_000;
+pub const MAX_WAYPOINTS: usize = POINTS.whole().1 as usize;
 
 /// How far a coordinate may lie from the origin, m: further than any multirotor flies, and little enough for the
 /// tolerances of centimetres to survive rounding.
@@ -26,11 +29,6 @@ const MAX_DISTANCE: f64 = 1e6;
 
 /// How long a mission may be, s: over a day.
 pub const MAX_DURATION: f64 = 100_000.0;
-
-/// The clauses of `start` and `waypoint`.
-pub(super) const WAYPOINT_CLAUSES: [&str; 6] = ["at", "yaw", "within", "yaw_within", "weight", "time"];
-/// The fields of a `curve`.
-pub(super) const CURVE_FIELDS: [&str; 7] = ["x", "y", "z", "yaw", "within", "yaw_within", "weight"];
 
 const TOO_LONG: &str = "mavc::mission::too_long";
 
@@ -125,7 +123,7 @@ impl Route {
 pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Manner, files: &'a FileSet) -> Outline {
     let name = block.name.as_ref().map_or("mission", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
-    Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, &[]);
+    Fields::of_block(cx, format!("mission `{name}`"), span, &block.body, Group::Nothing);
     let mut route = Route {
         waypoints: Vec::new(),
         yaws: Vec::new(),
@@ -237,28 +235,27 @@ const WEIGHT: &str = "mavc::mission::weight";
 /// Reads `within`, `yaw_within` and `weight` where they are given.
 fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> Option<Manner> {
     let within = match fields.get("within") {
-        Some(e) => cx.positive(Due::new("within", "cm"), e, TOLERANCE),
+        Some(e) => cx.quantity(&table::WITHIN, e, TOLERANCE),
         None => Some(manner.within),
     };
     let yaw_within = match fields.get("yaw_within") {
-        Some(e) => cx.positive(Due::new("yaw_within", "deg"), e, TOLERANCE),
+        Some(e) => cx.quantity(&table::YAW_WITHIN, e, TOLERANCE),
         None => Some(manner.yaw_within),
     };
     let weight = match fields.get("weight") {
-        Some(e) => cx.not_negative(Due::new("weight", "1"), e, WEIGHT),
+        Some(e) => cx.quantity(&table::WEIGHT, e, WEIGHT),
         None => Some(manner.weight),
     };
     Some(Manner { within: within?, yaw_within: yaw_within?, weight: weight?, ..manner })
 }
 
 fn waypoint<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, owner: &str, manner: Manner, route: &mut Route) {
-    let fields = Fields::of_clauses(cx, owner.to_string(), clauses, &WAYPOINT_CLAUSES);
-    let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Due::new("at", "m"), e));
-    let yaw = fields.get("yaw").map(|e| cx.number(Due::new("yaw", "deg"), e));
+    let fields = Fields::of_clauses(cx, owner.to_string(), clauses, Group::Waypoint);
+    let position = fields.demand(cx, "at", "at [10, 0, 5] m").and_then(|e| cx.triple(Due::of(&table::AT), e));
+    let yaw = fields.get("yaw").map(|e| cx.number(Due::of(&table::YAW), e));
     let manner = manner_of(cx, &fields, manner);
-    let time = fields
-        .get("time")
-        .map(|e| cx.not_negative(Due::new("time", "s"), e, "mavc::mission::time_order").map(|t| (t, e.span)));
+    let time =
+        fields.get("time").map(|e| cx.quantity(&table::TIME, e, "mavc::mission::time_order").map(|t| (t, e.span)));
     let (Some(position), Some(manner), false, false) = (position, manner, yaw == Some(None), time == Some(None)) else {
         route.broken = true;
         return;

@@ -1,7 +1,8 @@
 //! `--set plan.time=20s`: one field replaced or added before the spec is understood.
 
-use super::elaborate::{TOP_FIELDS, expr_of};
+use super::elaborate::expr_of;
 use crate::diagnostic::Diagnostic;
+use crate::language::Group;
 use crate::source::{Source, SourceMap, Span, Spanned};
 use crate::syntax::ast::{Block, ExprKind, Field, Item, LimitRelation, Name, SpecFile, Statement};
 use crate::syntax::parse;
@@ -126,7 +127,7 @@ fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Box<Diagnostic
             _ => {}
         }
     }
-    if TOP_FIELDS.contains(&name.as_str())
+    if Group::Top.has(name)
         && let Some(tree) = trees.first_mut()
     {
         tree.items.push(Item::Field(field.clone()));

@@ -5,7 +5,6 @@ mod fit;
 mod require;
 
 use super::context::Context;
-use super::due::Due;
 use super::fault::Modes;
 use super::fields::Fields;
 use super::grid::Spacing;
@@ -15,53 +14,24 @@ use super::{
     AfterFault, DefaultUsed, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault, mend,
 };
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::language::table::plan as table;
+use crate::language::{Entry, Group};
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 
 /// Most rounds of selection.
-pub const MAX_ROUNDS: usize = 100;
+pub const MAX_ROUNDS: usize = table::ROUNDS.whole().1 as usize;
 
 /// Most intervals of one plan, so that planning takes less than 500 MB; docs/performance.md has the figures.
-pub const MAX_SAMPLES: usize = 3_000;
+pub const MAX_SAMPLES: usize = table::SAMPLES.whole().1 as usize;
 
 /// Most intervals where many plans are tried, for a time or times to be found or planners to be compared, so that this
 /// takes minutes: a search that plans a hundred times at 3,000 intervals had not ended after 500 s.
 pub const MAX_SAMPLES_OF_A_SEARCH: usize = 1_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-pub(super) const FIELDS: [&str; 17] = [
-    "model",
-    "rotors",
-    "planner",
-    "rounds",
-    "after_fault",
-    "against",
-    "time",
-    "within",
-    "yaw_within",
-    "samples",
-    "reserve",
-    "snap",
-    "acceleration",
-    "weight",
-    "timing",
-    "vehicle",
-    "mission",
-];
-
 /// The numbers of a fault mode that `where` looks at.
 pub(super) const MODE_NUMBERS: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
-
-/// Defaults: value in SI, as written, why.
-const RESERVE: (f64, &str, &str) = (0.1, "10 %", "a share of each set stays free for feedback");
-const WITHIN: (f64, &str, &str) = (0.05, "5 cm", "how closely each waypoint is met");
-const YAW_WITHIN: (f64, &str, &str) = (std::f64::consts::PI / 90.0, "2 deg", "how closely each yaw is met");
-const SAMPLES: (usize, &str, &str) = (200, "200", "intervals of the whole mission");
-const ROUNDS: (usize, &str, &str) = (1, "1", "how often rsp selects facets");
-const AFTER_FAULT: (AfterFault, &str, &str) = (AfterFault::Continue, "continue", "the mission goes on");
-const WEIGHT: (f64, &str, &str) = (1.0, "1", "weight of the squared distance to each waypoint");
-const SNAP: (f64, &str, &str) = (1e-4, "1e-4", "weight of snap: horizontal, in the exact model vertical too");
-const ACCELERATION: (f64, &str, &str) = (1e-4, "1e-4", "weight of vertical and yaw acceleration");
 
 /// A `plan` block before modes and mission are known.
 pub(super) struct Draft<'a> {
@@ -92,14 +62,14 @@ impl<'a> Draft<'a> {
         let Some(block) = block else { return draft };
         draft.span = Some(block.keyword.span);
         draft.broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
-        let mut fields = Fields::of_block(cx, "`plan`".into(), block.keyword.span, &[], &FIELDS);
+        let mut fields = Fields::of_block(cx, "`plan`".into(), block.keyword.span, &[], Group::Plan);
         draft.require = require::read(cx, &block.body);
         for statement in &block.body {
             let Statement::Field(field) = statement else {
                 continue;
             };
             if field.name.value != "against" {
-                fields.take_field(cx, field, &FIELDS);
+                fields.take_field(cx, field, Group::Plan);
             } else if let Some(first) = draft.against {
                 let error =
                     Diagnostic::error("mavc::name::duplicate", field.name.span, "`against` is given twice in `plan`");
@@ -118,9 +88,9 @@ impl<'a> Draft<'a> {
         self.fields.as_ref().and_then(|f| f.get(name))
     }
 
-    fn default<T>(&mut self, field: &str, (value, text, reason): (T, &str, &str)) -> T {
-        let (field, value_text) = (format!("plan.{field}"), text.to_string());
-        self.defaults.push(DefaultUsed { field, value: value_text, reason: reason.to_string() });
+    /// `value`, which is the default of a field that is not written.
+    fn default<T>(&mut self, entry: &Entry, value: T) -> T {
+        self.defaults.push(DefaultUsed::of("plan", entry));
         value
     }
 
@@ -156,18 +126,18 @@ impl<'a> Draft<'a> {
             value.unwrap_or(instead)
         };
         let within = match self.get("within") {
-            Some(e) => keep(cx.positive(Due::new("within", "cm"), e, TOLERANCE), WITHIN.0),
-            None => self.default("within", WITHIN),
+            Some(e) => keep(cx.quantity(&table::WITHIN, e, TOLERANCE), table::WITHIN.value()),
+            None => self.default(&table::WITHIN, table::WITHIN.value()),
         };
         let yaw_within = match self.get("yaw_within") {
-            Some(e) => keep(cx.positive(Due::new("yaw_within", "deg"), e, TOLERANCE), YAW_WITHIN.0),
-            None => self.default("yaw_within", YAW_WITHIN),
+            Some(e) => keep(cx.quantity(&table::YAW_WITHIN, e, TOLERANCE), table::YAW_WITHIN.value()),
+            None => self.default(&table::YAW_WITHIN, table::YAW_WITHIN.value()),
         };
         let weight = match self.get("weight") {
-            Some(e) => keep(cx.not_negative(Due::new("weight", "1"), e, "mavc::mission::weight"), WEIGHT.0),
-            None => self.default("weight", WEIGHT),
+            Some(e) => keep(cx.quantity(&table::WEIGHT, e, "mavc::mission::weight"), table::WEIGHT.value()),
+            None => self.default(&table::WEIGHT, table::WEIGHT.value()),
         };
-        let timing = match self.word(cx, "timing", &["optimal", "proportional", "uniform", "distance"]) {
+        let timing = match self.word(cx, &table::TIMING) {
             Some(Some("uniform")) => Timing::Uniform,
             Some(Some("distance")) => Timing::Distance,
             Some(Some("optimal")) => Timing::Optimal,
@@ -176,7 +146,7 @@ impl<'a> Draft<'a> {
                 fine = false;
                 Timing::Proportional
             }
-            None => self.default("timing", (Timing::Optimal, "optimal", "the planner finds when waypoints are passed")),
+            None => self.default(&table::TIMING, Timing::Optimal),
         };
         self.chooses_times = timing == Timing::Optimal;
         // The hover model keeps the paper's grid.
@@ -186,8 +156,8 @@ impl<'a> Draft<'a> {
     }
 
     /// A field that takes one of a few words; `Some(None)` where something else stands there.
-    fn word(&self, cx: &mut Context<'a>, field: &str, words: &[&str]) -> Option<Option<&'a str>> {
-        self.fields.as_ref().and_then(|fields| fields.word(cx, CHOICE, field, words))
+    fn word(&self, cx: &mut Context<'a>, entry: &'static Entry) -> Option<Option<&'a str>> {
+        self.fields.as_ref().and_then(|fields| fields.word(cx, CHOICE, entry))
     }
 
     /// The plan, once modes and mission are known, `None` where it has errors; and its time where that is fixed, errors
@@ -201,31 +171,27 @@ impl<'a> Draft<'a> {
         fallback: Span,
     ) -> (Option<Plan>, Option<(f64, Span)>, Vec<DefaultUsed>) {
         let span = self.span.unwrap_or(fallback);
-        let planner = match self.word(cx, "planner", &["rip", "rcp", "rsp"]) {
+        let planner = match self.word(cx, &table::PLANNER) {
             Some(word) => word.map(|w| match w {
                 "rip" => PlannerKind::Rip,
                 "rcp" => PlannerKind::Rcp,
                 _ => PlannerKind::Rsp,
             }),
-            None => Some(self.default("planner", (PlannerKind::Rsp, "rsp", "the risk-sensitive planner"))),
+            None => Some(self.default(&table::PLANNER, PlannerKind::Rsp)),
         };
-        let wrench = match self.word(cx, "model", &["hover", "exact"]) {
+        let wrench = match self.word(cx, &table::MODEL) {
             Some(word) => word.map(|w| if w == "hover" { PlanModel::Hover } else { PlanModel::Exact }),
-            None => {
-                Some(self.default("model", (PlanModel::Exact, "exact", "what thrust and torques a motion asks for")))
-            }
+            None => Some(self.default(&table::MODEL, PlanModel::Exact)),
         };
-        let rotors = match self.word(cx, "rotors", &["instant", "lagging"]) {
+        let rotors = match self.word(cx, &table::ROTORS) {
             Some(word) => word.map(|w| if w == "lagging" { PlanRotors::Lagging } else { PlanRotors::Instant }),
-            None => {
-                Some(self.default("rotors", (PlanRotors::Instant, "instant", "thrusts follow their commands at once")))
-            }
+            None => Some(self.default(&table::ROTORS, PlanRotors::Instant)),
         };
         let against = match self.against {
             Some(field) => against::read(cx, field, modes, modes_incomplete),
             None => {
                 let all = (0..modes.modes.len()).collect();
-                Some(self.default("against", (all, "all", "every declared fault mode")))
+                Some(self.default(&table::AGAINST, all))
             }
         };
         let require = match self.require {
@@ -236,27 +202,27 @@ impl<'a> Draft<'a> {
         };
         let time = self.time(cx);
         let samples = match self.get("samples") {
-            Some(e) => cx.whole("`samples`", e, 1..=MAX_SAMPLES, "mavc::plan::samples"),
-            None => Some(self.default("samples", SAMPLES)),
+            Some(e) => cx.count(&table::SAMPLES, "`samples`", e, "mavc::plan::samples"),
+            None => Some(self.default(&table::SAMPLES, table::SAMPLES.value() as usize)),
         };
         let rounds = match self.get("rounds") {
-            Some(e) => cx.whole("`rounds`", e, 0..=MAX_ROUNDS, "mavc::plan::rounds"),
-            None => Some(self.default("rounds", ROUNDS)),
+            Some(e) => cx.count(&table::ROUNDS, "`rounds`", e, "mavc::plan::rounds"),
+            None => Some(self.default(&table::ROUNDS, table::ROUNDS.value() as usize)),
         };
         let after_fault = match self.fields.as_ref().and_then(|fields| after_fault::read(cx, fields)) {
             Some(written) => written,
-            None => Some(self.default("after_fault", AFTER_FAULT)),
+            None => Some(self.default(&table::AFTER_FAULT, AfterFault::Continue)),
         };
         let reserve = match self.get("reserve") {
             Some(e) => self.reserve(cx, e),
-            None => Some(self.default("reserve", RESERVE)),
+            None => Some(self.default(&table::RESERVE, table::RESERVE.value())),
         };
-        let mut weight = |name: &str, default: (f64, &str, &str)| match self.get(name) {
-            Some(e) => cx.not_negative(Due::new(name, "1"), e, "mavc::plan::weight"),
-            None => Some(self.default(name, default)),
+        let mut weight = |entry: &'static Entry| match self.get(entry.name) {
+            Some(e) => cx.quantity(entry, e, "mavc::plan::weight"),
+            None => Some(self.default(entry, entry.value())),
         };
-        let snap = weight("snap", SNAP);
-        let acceleration = weight("acceleration", ACCELERATION);
+        let snap = weight(&table::SNAP);
+        let acceleration = weight(&table::ACCELERATION);
         let place = |name: &str| self.fields.as_ref().and_then(|f| f.span_of(name)).unwrap_or(span);
         let (time_span, samples_span, reserve_span) = (place("time"), place("samples"), place("reserve"));
         if let Some(mission) = mission {
@@ -333,7 +299,7 @@ impl<'a> Draft<'a> {
 
     fn time(&mut self, cx: &mut Context<'a>) -> Option<MissionTime> {
         let Some(expr) = self.get("time") else {
-            return Some(self.default("time", (MissionTime::Minimum, "minimum", "the shortest time that is feasible")));
+            return Some(self.default(&table::TIME, MissionTime::Minimum));
         };
         if matches!(&expr.kind, ExprKind::Name(name) if name == "minimum") {
             return Some(MissionTime::Minimum);
@@ -346,7 +312,7 @@ impl<'a> Draft<'a> {
             cx.report(error.here("neither").help("did you mean `minimum`?").fix(expr.span, "minimum"));
             return None;
         }
-        let time = cx.positive(Due::new("time", "s"), expr, "mavc::plan::time")?;
+        let time = cx.quantity(&table::TIME, expr, "mavc::plan::time")?;
         if time > MAX_DURATION {
             cx.report(too_long(expr.span, time));
             return None;

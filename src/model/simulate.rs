@@ -5,56 +5,24 @@ mod strike;
 mod word_or_value;
 
 pub use checks::{coarse_step, past_the_end, too_many_steps};
-pub(super) use strike::CLAUSES as STRIKE_CLAUSES;
 
 use super::context::Context;
 use super::due::Due;
 use super::fault::family::Families;
 use super::fields::Fields;
-use super::flight::{MOTOR_TIME_CONSTANT, Written, default};
+use super::flight::MOTOR_TIME_CONSTANT;
 use super::mission::{MAX_DURATION, too_long};
 use super::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle, sense};
 use crate::diagnostic::Diagnostic;
+use crate::language::table::simulate as table;
+use crate::language::{Entry, Group, Range, Takes};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, Statement};
 
-pub(super) const FIELDS: [&str; 28] = [
-    "duration",
-    "rate",
-    "control_rate",
-    "estimator_rate",
-    "controller",
-    "detection",
-    "after_fault",
-    "position_gain",
-    "velocity_gain",
-    "altitude_gain",
-    "climb_gain",
-    "attitude_gain",
-    "attitude_rate_gain",
-    "yaw_gain",
-    "yaw_rate_gain",
-    "forgetting",
-    "gyroscope_noise",
-    "position_noise",
-    "drag",
-    "wind",
-    "gusts",
-    "gust_length",
-    "seed",
-    "lost_beyond",
-    "upside_down",
-    "lost_yaw",
-    "lost_yaw_after",
-    "ground",
-];
-
 const CHOICE: &str = "mavc::simulate::choice";
 const POSITIVE: &str = "mavc::simulate::not_positive";
 const NEGATIVE: &str = "mavc::simulate::negative";
-/// Largest seed, 2^53: every whole number up to it is an `f64`.
-const MAX_SEED: f64 = 9_007_199_254_740_992.0;
 
 /// What the block is read beside.
 pub(super) struct Around<'m> {
@@ -79,7 +47,7 @@ pub(super) fn elaborate<'a>(
     around: &Around,
 ) -> (Option<Simulation>, Vec<DefaultUsed>) {
     let Some(block) = block else {
-        let ground = lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(default::GROUND.0, |(z, _)| z - 1.0);
+        let ground = lowest(around.mission).filter(|(z, _)| *z <= 0.0).map_or(table::GROUND.value(), |(z, _)| z - 1.0);
         let rate_span = campaign.unwrap_or(around.fallback);
         let simulation = Simulation { ground, span: around.fallback, rate_span, ..Simulation::default() };
         if let (Some(_), Some(vehicle)) = (campaign, around.vehicle)
@@ -91,7 +59,7 @@ pub(super) fn elaborate<'a>(
         return (Some(simulation), Vec::new());
     };
     let span = block.keyword.span;
-    let fields = Fields::of_block(cx, "`simulate`".into(), span, &block.body, &FIELDS);
+    let fields = Fields::of_block(cx, "`simulate`".into(), span, &block.body, Group::Simulate);
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
     let mut reader = Reader { fields, defaults: Vec::new(), fine: !broken };
     let simulation = reader.read(cx, block, around);
@@ -111,8 +79,8 @@ fn lowest(mission: Option<&Mission>) -> Option<(f64, Span)> {
 
 /// A plain whole number that noise is drawn from.
 pub(super) fn seed<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<u64> {
-    let value = cx.number(Due::new("seed", "1"), expr)?;
-    if value.fract() == 0.0 && (0.0..=MAX_SEED).contains(&value) {
+    let value = cx.number(Due::of(&table::SEED), expr)?;
+    if value.fract() == 0.0 && value >= 0.0 && value <= table::SEED.whole().1 as f64 {
         return Some(value as u64);
     }
     let error = Diagnostic::error("mavc::simulate::seed", expr.span, "`seed` is a whole number from 0 to 2^53");
@@ -129,36 +97,34 @@ struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     fn read(&mut self, cx: &mut Context<'a>, block: &'a Block, around: &Around) -> Option<Simulation> {
-        use default::*;
         let span = block.keyword.span;
         let duration = self.duration(cx);
-        let rate = self.positive(cx, "rate", "Hz", RATE);
-        let control_rate = self.positive(cx, "control_rate", "Hz", CONTROL_RATE);
-        let estimator_rate = self.positive(cx, "estimator_rate", "Hz", ESTIMATOR_RATE);
-        let choice =
-            self.choice(cx, "controller", &[("geometric", Controller::Geometric), ("pd", Controller::Pd)], CONTROLLER);
+        let rate = self.quantity(cx, &table::RATE);
+        let control_rate = self.quantity(cx, &table::CONTROL_RATE);
+        let estimator_rate = self.quantity(cx, &table::ESTIMATOR_RATE);
+        let choice = self.choice(cx, &table::CONTROLLER, &[Controller::Geometric, Controller::Pd]);
         let detection = self.detection(cx);
-        let reactions = [("continue", AfterFault::Continue), ("hold", AfterFault::Hold), ("land", AfterFault::Land)];
-        let after_fault = self.choice(cx, "after_fault", &reactions, AFTER_FAULT);
+        let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land];
+        let after_fault = self.choice(cx, &table::AFTER_FAULT, &reactions);
         let gains = self.gains(cx);
         let forgetting = self.forgetting(cx);
-        let gyroscope_noise = self.not_negative(cx, "gyroscope_noise", "rad/s", GYROSCOPE_NOISE);
-        let position_noise = self.not_negative(cx, "position_noise", "m", POSITION_NOISE);
-        let drag = self.not_negative(cx, "drag", "N*s/m", DRAG);
+        let gyroscope_noise = self.quantity(cx, &table::GYROSCOPE_NOISE);
+        let position_noise = self.quantity(cx, &table::POSITION_NOISE);
+        let drag = self.quantity(cx, &table::DRAG);
         let wind = match self.fields.get("wind") {
-            Some(expr) => cx.triple(Due::new("wind", "m/s"), expr),
-            None => Some(self.default("wind", WIND)),
+            Some(expr) => cx.triple(Due::of(&table::WIND), expr),
+            None => Some(self.default(&table::WIND, [0.0; 3])),
         };
-        let gusts = self.not_negative(cx, "gusts", "m/s", GUSTS);
-        let gust_length = self.positive(cx, "gust_length", "m", GUST_LENGTH);
+        let gusts = self.quantity(cx, &table::GUSTS);
+        let gust_length = self.quantity(cx, &table::GUST_LENGTH);
         let seed = match self.fields.get("seed") {
             Some(expr) => seed(cx, expr),
-            None => Some(self.default("seed", SEED)),
+            None => Some(self.default(&table::SEED, table::SEED.value() as u64)),
         };
-        let lost_beyond = self.positive(cx, "lost_beyond", "m", LOST_BEYOND);
-        let upside_down = self.positive(cx, "upside_down", "s", UPSIDE_DOWN);
+        let lost_beyond = self.quantity(cx, &table::LOST_BEYOND);
+        let upside_down = self.quantity(cx, &table::UPSIDE_DOWN);
         let lost_yaw = self.lost_yaw(cx);
-        let lost_yaw_after = self.positive(cx, "lost_yaw_after", "s", LOST_YAW_AFTER);
+        let lost_yaw_after = self.quantity(cx, &table::LOST_YAW_AFTER);
         let ground = self.ground(cx, around.mission);
         if let (Some(drag), Some(wind), Some(gusts)) = (drag, wind, gusts) {
             self.warn_no_drag(cx, drag, wind, gusts);
@@ -222,52 +188,32 @@ impl<'a> Reader<'a> {
         Some(simulation)
     }
 
-    fn default<T>(&mut self, field: &str, (value, text, reason): (T, &str, &str)) -> T {
-        let (field, text) = (format!("simulate.{field}"), text.to_string());
-        self.defaults.push(DefaultUsed { field, value: text, reason: reason.to_string() });
+    /// `value`, which is the default of a field that is not written.
+    fn default<T>(&mut self, entry: &Entry, value: T) -> T {
+        self.defaults.push(DefaultUsed::of("simulate", entry));
         value
     }
 
-    fn positive(&mut self, cx: &mut Context<'a>, name: &str, unit: &'static str, default: Written<f64>) -> Option<f64> {
-        match self.fields.get(name) {
-            Some(expr) => cx.positive(Due::new(name, unit), expr, POSITIVE),
-            None => Some(self.default(name, default)),
-        }
+    fn quantity(&mut self, cx: &mut Context<'a>, entry: &'static Entry) -> Option<f64> {
+        let Some(expr) = self.fields.get(entry.name) else { return Some(self.default(entry, entry.value())) };
+        let code = if matches!(entry.takes, Takes::Quantity(_, Range::NotNegative)) { NEGATIVE } else { POSITIVE };
+        cx.quantity(entry, expr, code)
     }
 
-    fn not_negative(
-        &mut self,
-        cx: &mut Context<'a>,
-        name: &str,
-        unit: &'static str,
-        default: Written<f64>,
-    ) -> Option<f64> {
-        match self.fields.get(name) {
-            Some(expr) => cx.not_negative(Due::new(name, unit), expr, NEGATIVE),
-            None => Some(self.default(name, default)),
-        }
-    }
-
-    fn choice<T: Copy>(
-        &mut self,
-        cx: &mut Context<'a>,
-        name: &str,
-        choices: &[(&str, T)],
-        default: Written<T>,
-    ) -> Option<T> {
-        let words: Vec<&str> = choices.iter().map(|c| c.0).collect();
-        match self.fields.word(cx, CHOICE, name, &words) {
-            Some(word) => choices.iter().find(|c| Some(c.0) == word).map(|c| c.1),
-            None => Some(self.default(name, default)),
+    /// One of `choices`, which are the meanings of the entry's words in their order; the first where none is written.
+    fn choice<T: Copy>(&mut self, cx: &mut Context<'a>, entry: &'static Entry, choices: &[T]) -> Option<T> {
+        match self.fields.word(cx, CHOICE, entry) {
+            Some(word) => entry.words().iter().zip(choices).find(|(w, _)| Some(**w) == word).map(|(_, c)| *c),
+            None => Some(self.default(entry, choices[0])),
         }
     }
 
     /// `Some(None)`: as long as the plan.
     fn duration(&mut self, cx: &mut Context<'a>) -> Option<Option<f64>> {
         let Some(expr) = self.fields.get("duration") else {
-            return Some(self.default("duration", default::DURATION));
+            return Some(self.default(&table::DURATION, None));
         };
-        let duration = cx.positive(Due::new("duration", "s"), expr, POSITIVE)?;
+        let duration = cx.quantity(&table::DURATION, expr, POSITIVE)?;
         if duration > MAX_DURATION {
             cx.report(too_long(expr.span, duration));
             return None;
@@ -276,17 +222,14 @@ impl<'a> Reader<'a> {
     }
 
     fn gains(&mut self, cx: &mut Context<'a>) -> Option<Gains> {
-        use default::*;
-        const DEVIATION: &str = "1/s^2";
-        const RATE: &str = "1/s";
-        let position = self.positive(cx, "position_gain", DEVIATION, POSITION_GAIN);
-        let velocity = self.positive(cx, "velocity_gain", RATE, VELOCITY_GAIN);
-        let altitude = self.positive(cx, "altitude_gain", DEVIATION, ALTITUDE_GAIN);
-        let climb = self.positive(cx, "climb_gain", RATE, CLIMB_GAIN);
-        let attitude = self.positive(cx, "attitude_gain", DEVIATION, ATTITUDE_GAIN);
-        let attitude_rate = self.positive(cx, "attitude_rate_gain", RATE, ATTITUDE_RATE_GAIN);
-        let yaw = self.positive(cx, "yaw_gain", DEVIATION, YAW_GAIN);
-        let yaw_rate = self.positive(cx, "yaw_rate_gain", RATE, YAW_RATE_GAIN);
+        let position = self.quantity(cx, &table::POSITION_GAIN);
+        let velocity = self.quantity(cx, &table::VELOCITY_GAIN);
+        let altitude = self.quantity(cx, &table::ALTITUDE_GAIN);
+        let climb = self.quantity(cx, &table::CLIMB_GAIN);
+        let attitude = self.quantity(cx, &table::ATTITUDE_GAIN);
+        let attitude_rate = self.quantity(cx, &table::ATTITUDE_RATE_GAIN);
+        let yaw = self.quantity(cx, &table::YAW_GAIN);
+        let yaw_rate = self.quantity(cx, &table::YAW_RATE_GAIN);
         Some(Gains {
             position: position?,
             velocity: velocity?,
@@ -301,9 +244,9 @@ impl<'a> Reader<'a> {
 
     fn forgetting(&mut self, cx: &mut Context<'a>) -> Option<f64> {
         let Some(expr) = self.fields.get("forgetting") else {
-            return Some(self.default("forgetting", default::FORGETTING));
+            return Some(self.default(&table::FORGETTING, table::FORGETTING.value()));
         };
-        let value = cx.number(Due::new("forgetting", "1"), expr)?;
+        let value = cx.number(Due::of(&table::FORGETTING), expr)?;
         if value > 0.0 && value < 1.0 {
             return Some(value);
         }
@@ -321,13 +264,17 @@ impl<'a> Reader<'a> {
         let Some(expr) = self.fields.get("ground") else {
             return Some(match lowest.filter(|(z, _)| *z <= 0.0) {
                 Some((z, _)) => {
-                    let text = format!("{} m", number(z - 1.0));
-                    self.default("ground", (z - 1.0, text.as_str(), "1 m below the lowest waypoint"))
+                    self.defaults.push(DefaultUsed {
+                        field: "simulate.ground".into(),
+                        value: format!("{} m", number(z - 1.0)),
+                        reason: "1 m below the lowest waypoint".into(),
+                    });
+                    z - 1.0
                 }
-                None => self.default("ground", default::GROUND),
+                None => self.default(&table::GROUND, table::GROUND.value()),
             });
         };
-        let ground = cx.number(Due::new("ground", "m"), expr)?;
+        let ground = cx.quantity(&table::GROUND, expr, POSITIVE)?;
         match lowest.filter(|(z, _)| *z <= ground) {
             Some((z, span)) => {
                 let message = format!("the ground at {} m is not below every waypoint", number(ground));

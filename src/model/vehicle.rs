@@ -11,6 +11,8 @@ use super::fields::Fields;
 use super::sense::{Written, check_vehicle};
 use super::{Allocation, DefaultUsed, Spin, Vehicle};
 use crate::diagnostic::Diagnostic;
+use crate::language::Group;
+use crate::language::table::{placed_rotor, vehicle as table};
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
@@ -19,28 +21,6 @@ use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
-pub(super) const VEHICLE_FIELDS: [&str; 6] = ["layout", "first", "arm", "mass", "inertia", "allocation"];
-pub(super) const ROTOR_FIELDS: [&str; 7] = [
-    "thrust_coefficient",
-    "max_thrust",
-    "drag_coefficient",
-    "torque_per_thrust",
-    "min_speed",
-    "max_speed",
-    "time_constant",
-];
-pub(super) const PLACED_FIELDS: [&str; 9] = [
-    "at",
-    "spin",
-    "thrust_coefficient",
-    "max_thrust",
-    "drag_coefficient",
-    "torque_per_thrust",
-    "min_speed",
-    "max_speed",
-    "time_constant",
-];
-
 const ALLOCATIONS: [Allocation; 2] = [Allocation::Bounded, Allocation::PseudoInverse];
 
 /// What can be said of a vehicle even where it has errors.
@@ -59,14 +39,14 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let name = block.name.as_ref().map_or("vehicle", |n| &n.value).to_string();
     let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
     let owner = format!("vehicle `{name}`");
-    let fields = Fields::of_block(cx, owner.clone(), span, &block.body, &VEHICLE_FIELDS);
+    let fields = Fields::of_block(cx, owner.clone(), span, &block.body, Group::Vehicle);
     let (shared, placed, twice) = blocks(cx, block);
 
     let mass_expr = fields.demand_own(cx, "mass", "mass = 1.8 kg");
-    let mass = mass_expr.and_then(|e| cx.interval(Due::new("mass", "kg"), e, POSITIVE));
+    let mass = mass_expr.and_then(|e| cx.interval(Due::of(&table::MASS), e, POSITIVE));
     let inertia = fields.demand_own(cx, "inertia", "inertia = [0.04, 0.04, 0.07] kg*m^2").and_then(|e| inertia(cx, e));
     let rotor_fields =
-        shared.map(|b| Fields::of_block(cx, format!("`rotor` of {owner}"), b.keyword.span, &b.body, &ROTOR_FIELDS));
+        shared.map(|b| Fields::of_block(cx, format!("`rotor` of {owner}"), b.keyword.span, &b.body, Group::Rotor));
 
     let (places, count) = match placed {
         Some(placed) => {
@@ -97,18 +77,13 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
     };
-    let words: Vec<&str> = ALLOCATIONS.iter().map(|a| a.name()).collect();
-    let allocation = match fields.word(cx, "mavc::vehicle::allocation", "allocation", &words) {
+    let allocation = match fields.word(cx, "mavc::vehicle::allocation", &table::ALLOCATION) {
         Some(word) => ALLOCATIONS.into_iter().find(|a| Some(a.name()) == word),
         None => Some(Allocation::Bounded),
     };
     let defaults = match fields.may_have("allocation") {
         true => Vec::new(),
-        false => vec![DefaultUsed {
-            field: "vehicle.allocation".into(),
-            value: Allocation::Bounded.name().into(),
-            reason: "reaches all that the rotors can give".into(),
-        }],
+        false => vec![DefaultUsed::of("vehicle", &table::ALLOCATION)],
     };
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
     let vehicle = match (mass.zip(allocation), inertia, rotors, mass_expr) {
@@ -177,7 +152,7 @@ fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Opt
 }
 
 fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
-    let [x, y, z] = cx.triple(Due::new("inertia", "kg*m^2"), expr)?;
+    let [x, y, z] = cx.triple(Due::of(&table::INERTIA), expr)?;
     if let Some(bad) = [x, y, z].into_iter().find(|i| *i <= 0.0) {
         let error = Diagnostic::error(POSITIVE, expr.span, "`inertia` has to be greater than zero about every axis");
         cx.report(error.here(format!("{} kg*m^2 is among them", number(bad))).help("write three values above zero"));
@@ -220,9 +195,9 @@ fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>
         Some(_) => fields.demand(cx, "arm", "arm = 0.2 m"),
         None => fields.get("arm"),
     };
-    let arm = arm.and_then(|e| cx.positive(Due::new("arm", "m"), e, POSITIVE));
+    let arm = arm.and_then(|e| cx.quantity(&table::ARM, e, POSITIVE));
     let first = match fields.get("first") {
-        Some(expr) => cx.number(Due::new("first", "deg"), expr),
+        Some(expr) => cx.number(Due::of(&table::FIRST), expr),
         None => Some(0.0),
     };
     let (Some(spins), Some(arm), Some(first)) = (layout, arm, first) else {
@@ -335,8 +310,8 @@ fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Optio
 }
 
 fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Place<'a>> {
-    let own = Fields::of_clauses(cx, format!("rotor {k}"), rotor, &PLACED_FIELDS);
-    let position = own.demand(cx, "at", "at [0.2, 0.15, 0] m").and_then(|e| cx.triple(Due::new("at", "m"), e));
+    let own = Fields::of_clauses(cx, format!("rotor {k}"), rotor, Group::PlacedRotor);
+    let position = own.demand(cx, "at", "at [0.2, 0.15, 0] m").and_then(|e| cx.triple(Due::of(&placed_rotor::AT), e));
     let spin = own.demand(cx, "spin", "spin P").and_then(|e| match &e.kind {
         ExprKind::Name(name) if name == "P" => Some(Spin::P),
         ExprKind::Name(name) if name == "N" => Some(Spin::N),

@@ -19,8 +19,8 @@ pub(super) use separator::{Separation, separations};
 pub use wording::no_choice;
 
 use super::cut;
-use super::place::Place;
 use crate::diagnostic::Diagnostic;
+use crate::language::Place;
 use crate::source::{FileId, Span};
 
 /// What could have stood where a statement fails, in the order it is told.

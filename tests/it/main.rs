@@ -17,6 +17,7 @@ mod hostile;
 mod idle_rotors;
 mod intervals;
 mod lag;
+mod language;
 mod lsp;
 mod model;
 mod pages;

@@ -1,7 +1,10 @@
 //! A curve becomes waypoints, evenly spaced in its parameter.
 
-use super::{CURVE_FIELDS, MAX_WAYPOINTS, Manner, Route, Stop, manner_of};
+use super::{Manner, Route, Stop, manner_of};
 use crate::diagnostic::Diagnostic;
+use crate::language::Group;
+use crate::language::table::curve as table;
+use crate::language::table::curve_head::POINTS;
 use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::fields::Fields;
@@ -23,12 +26,12 @@ impl<'a> Curve<'a> {
     pub fn fly(&self, cx: &mut Context<'a>, manner: Manner, route: &mut Route) {
         let owner = "`curve`".to_string();
         let head = self.parameter.span.to(self.range.span);
-        let fields = Fields::of_block(cx, owner.clone(), head, self.body, &CURVE_FIELDS);
-        let mut options = Fields::of_block(cx, owner, head, &[], &[]);
-        self.options.iter().for_each(|field| options.take_field(cx, field, &["points"]));
+        let fields = Fields::of_block(cx, owner.clone(), head, self.body, Group::Curve);
+        let mut options = Fields::of_block(cx, owner, head, &[], Group::CurveHead);
+        self.options.iter().for_each(|field| options.take_field(cx, field, Group::CurveHead));
         let points = options
             .demand(cx, "points", ", points = 21")
-            .and_then(|e| cx.whole("the number of points", e, 2..=MAX_WAYPOINTS, "mavc::mission::curve_points"));
+            .and_then(|e| cx.count(&POINTS, "the number of points", e, "mavc::mission::curve_points"));
         let range = self.read_range(cx);
         let manner = manner_of(cx, &fields, manner);
         let axis = |cx: &mut Context<'a>, name: &str, example: &str| fields.demand(cx, name, example);
@@ -106,11 +109,11 @@ impl<'a> Curve<'a> {
     ) -> (Option<[f64; 3]>, Option<Option<f64>>) {
         cx.parameter = Some((&self.parameter.value, value));
         let [x, y, z] = axes;
-        let x = x.and_then(|e| cx.number(Due::new("x", "m"), e));
-        let y = y.and_then(|e| cx.number(Due::new("y", "m"), e));
-        let z = z.and_then(|e| cx.number(Due::new("z", "m"), e));
+        let x = x.and_then(|e| cx.number(Due::of(&table::X), e));
+        let y = y.and_then(|e| cx.number(Due::of(&table::Y), e));
+        let z = z.and_then(|e| cx.number(Due::of(&table::Z), e));
         let yaw = match yaw {
-            Some(e) => cx.number(Due::new("yaw", "deg"), e).map(Some),
+            Some(e) => cx.number(Due::of(&table::YAW), e).map(Some),
             None => Some(None),
         };
         cx.parameter = None;

@@ -3,16 +3,16 @@
 use super::Around;
 use super::checks::{self, End};
 use crate::diagnostic::Diagnostic;
+use crate::language::Group;
+use crate::language::table::strike as table;
 use crate::model::Strike;
 use crate::model::context::{Context, without_digits};
-use crate::model::due::Due;
 use crate::model::fields::Fields;
 use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 
 const CODE: &str = "mavc::simulate::fault_time";
-pub(in crate::model) const CLAUSES: [&str; 2] = ["at", "until"];
 
 /// Every fault of the block in the order of time, `None` where one has an error.
 pub(super) fn read_all<'a>(
@@ -64,12 +64,12 @@ fn again(mode: &str, new: &Strike, old: &Strike) -> Diagnostic {
 
 fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Option<End>) -> Option<Strike> {
     let name = clauses.name.as_ref()?;
-    let fields = Fields::of_clauses(cx, format!("fault `{}`", name.value), clauses, &CLAUSES);
+    let fields = Fields::of_clauses(cx, format!("fault `{}`", name.value), clauses, Group::Strike);
     let mode = mode(cx, &name.value, name.span, around);
     let at_expr = fields.demand(cx, "at", "at 5 s");
     let at = at_expr.and_then(|expr| instant(cx, expr));
     let until = match fields.get("until") {
-        Some(expr) => cx.number(Due::new("until", "s"), expr).map(|until| Some((until, expr.span))),
+        Some(expr) => cx.quantity(&table::UNTIL, expr, CODE).map(|until| Some((until, expr.span))),
         None => Some(None),
     };
     let (at, at_span) = (at?, at_expr?.span);
@@ -105,7 +105,7 @@ fn instant<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<f64> {
         cx.report(error.here("a range").help("write both times, as in `at 5 s until 9 s`"));
         return None;
     }
-    cx.not_negative(Due::new("at", "s"), expr, CODE)
+    cx.quantity(&table::AT, expr, CODE)
 }
 
 /// The index of the mode that is called `name`.

@@ -1,7 +1,8 @@
 //! Fields that take a word or a quantity: `detection = never` or `50 ms`, `lost_yaw = off` or `45 deg`.
 
-use super::{CHOICE, NEGATIVE, Reader, default};
+use super::{CHOICE, NEGATIVE, Reader};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::language::table::simulate as table;
 use crate::model::Detection;
 use crate::model::context::Context;
 use crate::model::due::Due;
@@ -10,34 +11,33 @@ use crate::syntax::ast::{Expr, ExprKind};
 use std::f64::consts::PI;
 
 const LOST_YAW: &str = "mavc::simulate::lost_yaw";
-const DETECTION_WORDS: [&str; 2] = ["estimator", "never"];
 const OFF: &str = "off";
 
 impl<'a> Reader<'a> {
     pub(super) fn detection(&mut self, cx: &mut Context<'a>) -> Option<Detection> {
         let Some(expr) = self.fields.get("detection") else {
-            return Some(self.default("detection", default::DETECTION));
+            return Some(self.default(&table::DETECTION, Detection::Estimator));
         };
-        match word(cx, expr, &DETECTION_WORDS) {
+        match word(cx, expr, table::DETECTION.words()) {
             Some("estimator") => Some(Detection::Estimator),
             Some("never") => Some(Detection::Never),
             Some(other) => {
                 let message = "`detection` is `estimator`, `never` or a delay such as `50 ms`";
                 let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
-                cx.report(match nearest(other, DETECTION_WORDS) {
+                cx.report(match nearest(other, table::DETECTION.words().iter().copied()) {
                     Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
                     None => error.help("write one of them, such as `estimator`"),
                 });
                 None
             }
-            None => cx.not_negative(Due::new("detection", "s"), expr, NEGATIVE).map(Detection::After),
+            None => cx.quantity(&table::DETECTION, expr, NEGATIVE).map(Detection::After),
         }
     }
 
     /// rad; `Some(None)`: off.
     pub(super) fn lost_yaw(&mut self, cx: &mut Context<'a>) -> Option<Option<f64>> {
         let Some(expr) = self.fields.get("lost_yaw") else {
-            return Some(self.default("lost_yaw", default::LOST_YAW));
+            return Some(self.default(&table::LOST_YAW, Some(table::LOST_YAW.value())));
         };
         let error = Diagnostic::error(LOST_YAW, expr.span, "`lost_yaw` is an angle between 0 and 180 deg, or `off`");
         match word(cx, expr, &[OFF]) {
@@ -51,7 +51,7 @@ impl<'a> Reader<'a> {
                 None
             }
             None => {
-                let angle = cx.number(Due::new("lost_yaw", "deg"), expr)?;
+                let angle = cx.number(Due::of(&table::LOST_YAW), expr)?;
                 if angle > 0.0 && angle < PI {
                     return Some(Some(angle));
                 }

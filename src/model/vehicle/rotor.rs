@@ -2,6 +2,8 @@
 
 use super::{POSITIVE, Place};
 use crate::diagnostic::Diagnostic;
+use crate::language::Entry;
+use crate::language::table::rotor as table;
 use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::fields::Fields;
@@ -78,27 +80,25 @@ pub(super) struct Traits {
 
 impl Traits {
     pub fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Self {
-        let mut take = |what: &'static str, unit: &'static str, coefficient: bool| {
-            let due = Due { what, unit, coefficient };
-            match fields.get(what) {
+        let mut take = |entry: &'static Entry, coefficient: bool| {
+            let due = Due { coefficient, ..Due::of(entry) };
+            match fields.get(entry.name) {
                 Some(expr) => Some(cx.interval(due, expr, POSITIVE)),
-                None => fields.may_have(what).then_some(None),
+                None => fields.may_have(entry.name).then_some(None),
             }
         };
         let traits = Traits {
-            thrust_coefficient: take("thrust_coefficient", "N*s^2/rad^2", true),
-            max_thrust: take("max_thrust", "N", false),
-            drag_coefficient: take("drag_coefficient", "N*m*s^2/rad^2", true),
-            torque_per_thrust: take("torque_per_thrust", "m", false),
-            max_speed: take("max_speed", "rad/s", false),
+            thrust_coefficient: take(&table::THRUST_COEFFICIENT, true),
+            max_thrust: take(&table::MAX_THRUST, false),
+            drag_coefficient: take(&table::DRAG_COEFFICIENT, true),
+            torque_per_thrust: take(&table::TORQUE_PER_THRUST, false),
+            max_speed: take(&table::MAX_SPEED, false),
             time_constant: match fields.get("time_constant") {
-                Some(expr) => Some(cx.positive(Due::new("time_constant", "s"), expr, POSITIVE)),
+                Some(expr) => Some(cx.quantity(&table::TIME_CONSTANT, expr, POSITIVE)),
                 None => fields.may_have("time_constant").then_some(None),
             },
             min_speed: match fields.get("min_speed") {
-                Some(expr) => {
-                    Some(cx.not_negative(Due::new("min_speed", "rad/s"), expr, MIN_SPEED).map(|w| (w, expr.span)))
-                }
+                Some(expr) => Some(cx.quantity(&table::MIN_SPEED, expr, MIN_SPEED).map(|w| (w, expr.span))),
                 None => fields.may_have("min_speed").then_some(None),
             },
         };

@@ -1,8 +1,8 @@
 //! Where a broken statement fails, and what could have stood there, in people's words.
 
 use super::{Grammar, Rule};
+use crate::language::Place;
 use crate::syntax::mistake::{Expected, Failure};
-use crate::syntax::place::Place;
 use pest::Parser;
 use pest::error::{Error, ErrorVariant, InputLocation};
 

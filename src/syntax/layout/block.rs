@@ -2,9 +2,9 @@
 
 use super::{Scanner, is_blank};
 use crate::diagnostic::{Diagnostic, Fix};
+use crate::language::Place;
 use crate::source::Span;
 use crate::syntax::cut;
-use crate::syntax::place::Place;
 
 const BLOCK_HEAD: &str = "mavc::syntax::block_head";
 

@@ -2,8 +2,8 @@
 
 use super::Scanner;
 use crate::diagnostic::Diagnostic;
+use crate::language::Place;
 use crate::syntax::mistake::{CLAUSES, is_foreign};
-use crate::syntax::place::Place;
 
 impl Scanner<'_> {
     pub(super) fn open_bracket(&mut self, at: usize) {

@@ -3,8 +3,8 @@
 
 use super::{Scanner, is_blank, is_name_byte};
 use crate::diagnostic::Diagnostic;
+use crate::language::Place;
 use crate::syntax::cut;
-use crate::syntax::place::Place;
 
 /// Readings tried for one text.
 const MAX_GUESSES: usize = 8;

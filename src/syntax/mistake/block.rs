@@ -2,10 +2,10 @@
 
 use super::{Broken, form};
 use crate::diagnostic::Diagnostic;
+use crate::language::{Kind, Place};
 use crate::source::Span;
 use crate::syntax::ast::Block;
 use crate::syntax::cut;
-use crate::syntax::place::{Kind, Place};
 
 /// A block whose keyword is unknown, and the block that was probably meant.
 pub(in crate::syntax) fn unknown_block(word: &str, span: Span, place: Place) -> (Diagnostic, Option<Place>) {

@@ -2,7 +2,7 @@
 
 use super::{Broken, Expected, Failure, cut};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::syntax::place::Place;
+use crate::language::Place;
 
 /// Clauses of a rotor, as one reads them.
 const OF_ROTOR: [&str; 9] = [

@@ -2,9 +2,9 @@
 
 use super::{Broken, Failure, is_name, token};
 use crate::diagnostic::Diagnostic;
+use crate::language::Place;
 use crate::source::Span;
 use crate::syntax::cut;
-use crate::syntax::place::Place;
 
 const LANDINGS: [&str; 2] = ["land", "touchdown"];
 const TAKEOFFS: [&str; 3] = ["takeoff", "take_off", "liftoff"];

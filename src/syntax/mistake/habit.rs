@@ -5,8 +5,8 @@ mod value;
 
 use super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::language::Place;
 use crate::syntax::cut;
-use crate::syntax::place::Place;
 
 /// The first that fits, from the surest to the least sure.
 const HABITS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[

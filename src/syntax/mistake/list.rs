@@ -3,8 +3,8 @@
 use super::wording::unexpected;
 use super::{Broken, CLAUSES, Expected, Failure, is_name};
 use crate::diagnostic::Diagnostic;
+use crate::language::Place;
 use crate::syntax::cut;
-use crate::syntax::place::Place;
 
 /// `start at (0, 0, 2) m`
 pub(super) fn position_in_parentheses(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {

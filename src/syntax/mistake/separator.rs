@@ -2,8 +2,8 @@
 
 use super::{Broken, CLAUSES, Expected, Failure, is_name, token};
 use crate::diagnostic::Diagnostic;
+use crate::language::Place;
 use crate::syntax::cut;
-use crate::syntax::place::Place;
 
 /// Most statements told apart on one line.
 const MAX_SEPARATIONS: usize = 64;

@@ -2,9 +2,9 @@
 
 use super::{Broken, Expected, Failure, is_name, token};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::language::Place;
 use crate::source::Span;
 use crate::syntax::cut;
-use crate::syntax::place::Place;
 
 /// Asked before the habits that hold for any statement; each looks for one wording.
 pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[

@@ -35,9 +35,9 @@ fn names_units_and_functions_show_what_they_stand_for() {
     let spec =
         SPEC.replace("let top = 2 * 4 m", "let top = m|ax(2 * 4 m, 8 f|t) * g|0 / g0").replace("3 m, top", "3 m, t|op");
     let shown = hovers(&spec.replace("every 1", "ev|ery 1").replace("mode worn", "mo|de worn"));
-    assert!(shown[0].contains("makes a mode of each choice of k rotors"), "{}", shown[0]);
+    assert!(shown[0].contains("a mode for each choice of k rotors"), "{}", shown[0]);
     assert!(shown[1].contains("one fault mode"), "{}", shown[1]);
-    assert!(shown[2].contains("keep the unit"), "{}", shown[2]);
+    assert!(shown[2].contains("the largest of two or more of a kind"), "{}", shown[2]);
     assert!(shown[3].contains("`1 ft` = 0.3048 m, a length"), "{}", shown[3]);
     assert!(shown[4].contains("9.81 m/s^2"), "{}", shown[4]);
     assert!(shown[5].contains("As high as the mast.") && shown[5].contains("= **8 m**"), "{}", shown[5]);
@@ -272,7 +272,7 @@ fn words_and_waypoints_have_a_hover_and_units_of_si_no_tautology() {
     assert!(!shown[0].contains('='), "{}", shown[0]);
     assert!(shown[1].starts_with("waypoint **mast**") && shown[1].contains("**[12, 3, 8] m**"), "{}", shown[1]);
     assert!(shown[2].contains("`1 m .. 20 m`") && !shown[2].contains("1 .. 20"), "{}", shown[2]);
-    assert!(shown[4].contains("a word of `planner`, unless said") && shown[4].contains("`rip` plan"), "{}", shown[4]);
+    assert!(shown[4].contains("a value of `planner`, the default") && shown[4].contains("`rip` plan"), "{}", shown[4]);
     assert!(shown[3].starts_with("fault mode **weak1**"), "{}", shown[3]);
 }
 

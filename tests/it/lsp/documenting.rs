@@ -1,7 +1,7 @@
 //! Every word that the compiler knows is described in the language reference, which is what editors show.
 
 use mavc::diagnostic::Diagnostic;
-use mavc::lsp::field_documentation;
+use mavc::lsp::{field_documentation, field_unit};
 use mavc::model::vocabulary::{clauses, fields, words};
 use mavc::model::{elaborate, load};
 use mavc::syntax::Place;
@@ -25,7 +25,7 @@ const STATEMENTS: [(Place, &str); 4] =
 fn known() -> Vec<(Place, &'static str)> {
     let of_blocks = PLACES.iter().flat_map(|place| fields(*place).into_iter().map(|name| (*place, name)));
     let of_statements =
-        STATEMENTS.iter().flat_map(|(place, opener)| clauses(*place, opener).iter().map(|w| (*place, *w)));
+        STATEMENTS.iter().flat_map(|(place, opener)| clauses(*place, opener).into_iter().map(|w| (*place, w)));
     of_blocks.chain(of_statements).collect()
 }
 
@@ -35,9 +35,9 @@ fn every_field_and_clause_is_described() {
     assert!(all.len() > 100, "{}", all.len());
     for (place, name) in all {
         let entry = field_documentation(place, name).unwrap_or_else(|| panic!("{name} of {place:?}"));
-        assert!(entry.text.len() > 8, "{name} of {place:?}: {}", entry.text);
-        let is_fragment = ["or:", "or ", "see "].iter().any(|lead| entry.text.starts_with(lead));
-        assert!(!is_fragment, "{name} of {place:?}: {}", entry.text);
+        assert!(entry.doc.len() > 8, "{name} of {place:?}: {}", entry.doc);
+        let is_fragment = ["or:", "or ", "see "].iter().any(|lead| entry.doc.starts_with(lead));
+        assert!(!is_fragment, "{name} of {place:?}: {}", entry.doc);
     }
 }
 
@@ -86,7 +86,7 @@ fn the_units_described_are_those_that_the_compiler_takes() {
     let mut looked_at = 0;
     for (place, name) in known() {
         let entry = field_documentation(place, name).unwrap();
-        let Some(unit) = &entry.unit else { continue };
+        let Some(unit) = field_unit(entry) else { continue };
         // The clauses of `fault` and a table's own kinds of value are looked at below.
         if place == Place::Simulate && matches!(name, "at" | "until") {
             continue;

@@ -1,5 +1,6 @@
-//! Which statement stands in which block.
+//! Which statement belongs in which block.
 
+use super::statements::{BLOCKS, OPENERS};
 use crate::diagnostic::nearest;
 
 /// Where a statement stands: the top level, or the block around it.
@@ -28,7 +29,7 @@ pub enum Place {
 
 /// What a statement is, as far as its place is concerned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub enum Kind {
     Use,
     Let,
     Field,
@@ -46,35 +47,9 @@ pub(super) enum Kind {
     Require,
 }
 
-/// The braced blocks: keyword, whether it has a name, the block around it.
-const BLOCKS: &[(&str, Place, bool, Place)] = &[
-    ("vehicle", Place::Vehicle, true, Place::Top),
-    ("faults", Place::Faults, false, Place::Top),
-    ("mission", Place::Mission, true, Place::Top),
-    ("plan", Place::Plan, false, Place::Top),
-    ("simulate", Place::Simulate, false, Place::Top),
-    ("campaign", Place::Campaign, false, Place::Top),
-    ("rotor", Place::Rotor, false, Place::Vehicle),
-    ("rotors", Place::Rotors, false, Place::Vehicle),
-    ("mode", Place::Mode, true, Place::Faults),
-    ("limits", Place::Limits, false, Place::Mission),
-];
-
-/// The words that begin a statement in each place, fields aside.
-const OPENERS: &[(Place, &[&str])] = &[
-    (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan", "simulate", "campaign"]),
-    (Place::Vehicle, &["rotor", "rotors"]),
-    (Place::Rotors, &["rotor"]),
-    (Place::Faults, &["every", "mode"]),
-    (Place::Mode, &["rotor", "rotors"]),
-    (Place::Mission, &["curve", "start", "end", "waypoint", "waypoints", "hold", "limits"]),
-    (Place::Plan, &["require"]),
-    (Place::Simulate, &["fault"]),
-];
-
 /// Words that other languages and ground stations have for ours. A word with several entries means the first that fits
 /// where it stands, or else the first.
-const OTHER_WORDS: &[(&str, &str)] = &[
+pub const OTHER_WORDS: &[(&str, &str)] = &[
     ("import", "use"),
     ("include", "use"),
     ("require", "use"),
@@ -118,7 +93,7 @@ const OTHER_WORDS: &[(&str, &str)] = &[
 impl Place {
     /// The block that `keyword` opens.
     pub fn of_block(keyword: &str) -> Option<Place> {
-        BLOCKS.iter().find(|b| b.0 == keyword).map(|b| b.1)
+        BLOCKS.iter().find(|b| b.keyword == keyword).map(|b| b.place)
     }
 
     /// Whether `word` begins some statement, in whatever block.
@@ -147,12 +122,12 @@ impl Place {
 
     /// The keyword that opens this block, where it has a plain head.
     pub fn keyword(self) -> Option<&'static str> {
-        BLOCKS.iter().find(|b| b.1 == self).map(|b| b.0)
+        BLOCKS.iter().find(|b| b.place == self).map(|b| b.keyword)
     }
 
     /// Whether the block has a name of its own.
     pub fn is_named(self) -> bool {
-        BLOCKS.iter().any(|b| b.1 == self && b.2)
+        BLOCKS.iter().any(|b| b.place == self && b.is_named)
     }
 
     /// As one says it: "in a `mission`".
@@ -201,7 +176,7 @@ impl Kind {
         match self {
             Kind::Field => None,
             Kind::Use | Kind::Let => Some(Place::Top),
-            Kind::Block(block) => BLOCKS.iter().find(|b| b.1 == block).map(|b| b.3),
+            Kind::Block(block) => BLOCKS.iter().find(|b| b.place == block).map(|b| b.within),
             Kind::Every => Some(Place::Faults),
             Kind::Fault => Some(Place::Mode),
             Kind::RotorAt => Some(Place::Rotors),

@@ -1,0 +1,260 @@
+//! The language as one table: every block, statement, field, clause and limit with what it takes, what holds where it is
+//! not written, and one line that explains it.
+//!
+//! The readers of specs, completion and hover in editors, `check --explain-defaults` and the builder of specs take their
+//! names, units, words, ranges and defaults from here. docs/language.md prints the same rows, and the grammars of editors
+//! list the same words; tests compare them (tests/it/language.rs). To add a field, add its row in [`table`], read it in
+//! `model`, and use it.
+
+mod place;
+mod render;
+mod statements;
+pub mod table;
+
+pub use place::{Kind, OTHER_WORDS, Place};
+pub use render::{markdown, statement_markdown};
+pub use statements::{BLOCKS, BlockEntry, EFFECTS, FUNCTIONS, OPENERS, STATEMENTS, StatementEntry};
+
+/// One field, clause or limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Entry {
+    pub name: &'static str,
+    pub takes: Takes,
+    pub absent: Absent,
+    /// One line of Markdown.
+    pub doc: &'static str,
+}
+
+/// What a field takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Takes {
+    /// A number with a unit, of which this is the usual one; `1` for a plain number.
+    Quantity(&'static str, Range),
+    /// `[x, y, z]` in a unit.
+    Vector(&'static str, Range),
+    /// A bound on a quantity, in one of these forms.
+    Bound(&'static str, &'static [&'static str]),
+    /// `60 %` or `0.6`.
+    Share,
+    /// A whole number between two, both included.
+    Whole(u64, u64),
+    /// One of a few words.
+    Words(&'static [&'static str]),
+    /// A quantity, or one of a few words in its place.
+    QuantityOr(&'static str, Range, &'static [&'static str]),
+    /// A word or a list of words.
+    WordList(&'static [&'static str]),
+    /// A text between quotes.
+    Text,
+    /// Something that its line explains: a name, or a choice of names.
+    Names(&'static [&'static str]),
+}
+
+/// Which values a quantity may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Range {
+    Any,
+    /// Greater than zero.
+    Positive,
+    /// Zero or above.
+    NotNegative,
+}
+
+/// What holds where a field is not written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Absent {
+    /// It has to be written.
+    Needed,
+    /// Something else says it, or has to: the words of the table.
+    Otherwise(&'static str),
+    /// A value (SI), as one would write it, and why it is taken.
+    Value(f64, &'static str, &'static str),
+    /// A word, a list or another text that one could write, and why it is taken.
+    Written(&'static str, &'static str),
+}
+
+/// Fields and clauses that stand together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Group {
+    Top,
+    Vehicle,
+    /// Of `rotor { }`.
+    Rotor,
+    /// The clauses of `rotor` in `rotors { }`.
+    PlacedRotor,
+    /// Of `mode` and `every`.
+    Mode,
+    Curve,
+    /// Behind the range of a `curve`.
+    CurveHead,
+    /// The clauses of `start` and `waypoint`.
+    Waypoint,
+    Limits,
+    Plan,
+    Simulate,
+    /// The clauses of `fault` in `simulate`.
+    Strike,
+    Campaign,
+    /// Where no field stands.
+    Nothing,
+}
+
+impl Group {
+    /// Every group that has entries.
+    pub const ALL: [Group; 13] = [
+        Group::Top,
+        Group::Vehicle,
+        Group::Rotor,
+        Group::PlacedRotor,
+        Group::Mode,
+        Group::Curve,
+        Group::CurveHead,
+        Group::Waypoint,
+        Group::Limits,
+        Group::Plan,
+        Group::Simulate,
+        Group::Strike,
+        Group::Campaign,
+    ];
+
+    /// The fields of a block.
+    pub fn of_block(place: Place) -> Self {
+        match place {
+            Place::Top => Group::Top,
+            Place::Vehicle => Group::Vehicle,
+            Place::Rotor => Group::Rotor,
+            Place::Mode | Place::Every => Group::Mode,
+            Place::Curve => Group::Curve,
+            Place::Limits => Group::Limits,
+            Place::Plan => Group::Plan,
+            Place::Simulate => Group::Simulate,
+            Place::Campaign => Group::Campaign,
+            Place::Rotors | Place::Faults | Place::Mission | Place::Unknown => Group::Nothing,
+        }
+    }
+
+    /// The clauses of a statement that begins with `opener`, in a block.
+    pub fn of_statement(place: Place, opener: &str) -> Self {
+        match (place, opener) {
+            (Place::Rotors, "rotor") => Group::PlacedRotor,
+            (Place::Mission, "start" | "waypoint") => Group::Waypoint,
+            (Place::Simulate, "fault") => Group::Strike,
+            _ => Group::Nothing,
+        }
+    }
+
+    /// Every group whose entries may stand in a block, in its fields, its statements or their heads.
+    pub fn within(place: Place) -> &'static [Group] {
+        match place {
+            Place::Rotors => &[Group::PlacedRotor],
+            Place::Mission => &[Group::Waypoint],
+            Place::Curve => &[Group::Curve, Group::CurveHead],
+            Place::Simulate => &[Group::Simulate, Group::Strike],
+            Place::Top => &[Group::Top],
+            Place::Vehicle => &[Group::Vehicle],
+            Place::Rotor => &[Group::Rotor],
+            Place::Mode | Place::Every => &[Group::Mode],
+            Place::Limits => &[Group::Limits],
+            Place::Plan => &[Group::Plan],
+            Place::Campaign => &[Group::Campaign],
+            Place::Faults | Place::Unknown => &[],
+        }
+    }
+
+    pub fn entries(self) -> &'static [&'static Entry] {
+        match self {
+            Group::Top => table::top::ENTRIES,
+            Group::Vehicle => table::vehicle::ENTRIES,
+            Group::Rotor => table::rotor::ENTRIES,
+            Group::PlacedRotor => table::placed_rotor::ENTRIES,
+            Group::Mode => table::mode::ENTRIES,
+            Group::Curve => table::curve::ENTRIES,
+            Group::CurveHead => table::curve_head::ENTRIES,
+            Group::Waypoint => table::waypoint::ENTRIES,
+            Group::Limits => table::limits::ENTRIES,
+            Group::Plan => table::plan::ENTRIES,
+            Group::Simulate => table::simulate::ENTRIES,
+            Group::Strike => table::strike::ENTRIES,
+            Group::Campaign => table::campaign::ENTRIES,
+            Group::Nothing => &[],
+        }
+    }
+
+    pub fn entry(self, name: &str) -> Option<&'static Entry> {
+        self.entries().iter().copied().find(|entry| entry.name == name)
+    }
+
+    pub fn names(self) -> impl Iterator<Item = &'static str> + Clone {
+        self.entries().iter().map(|entry| entry.name)
+    }
+
+    pub fn has(self, name: &str) -> bool {
+        self.entry(name).is_some()
+    }
+}
+
+impl Entry {
+    const fn new(name: &'static str, takes: Takes, absent: Absent, doc: &'static str) -> Self {
+        Entry { name, takes, absent, doc }
+    }
+
+    /// The usual unit, `1` for a plain number; `None` where no quantity is taken.
+    pub const fn unit(&self) -> Option<&'static str> {
+        match self.takes {
+            Takes::Quantity(unit, _)
+            | Takes::Vector(unit, _)
+            | Takes::Bound(unit, _)
+            | Takes::QuantityOr(unit, _, _) => Some(unit),
+            Takes::Share | Takes::Whole(..) => Some("1"),
+            Takes::Words(_) | Takes::WordList(_) | Takes::Text | Takes::Names(_) => None,
+        }
+    }
+
+    /// The words that it takes in place of a value, or as one.
+    pub const fn words(&self) -> &'static [&'static str] {
+        match self.takes {
+            Takes::Words(words) | Takes::WordList(words) | Takes::QuantityOr(_, _, words) | Takes::Names(words) => {
+                words
+            }
+            _ => &[],
+        }
+    }
+
+    /// The forms of a limit, such as `<=`.
+    pub const fn forms(&self) -> &'static [&'static str] {
+        match self.takes {
+            Takes::Bound(_, forms) => forms,
+            _ => &[],
+        }
+    }
+
+    /// What is taken where it is not written, as one would write it, and why.
+    pub const fn default(&self) -> Option<(&'static str, &'static str)> {
+        match self.absent {
+            Absent::Value(_, written, why) | Absent::Written(written, why) => Some((written, why)),
+            Absent::Needed | Absent::Otherwise(_) => None,
+        }
+    }
+
+    /// The value (SI) that is taken where it is not written.
+    ///
+    /// # Panics
+    /// It has none; in a constant this is an error of compilation.
+    pub const fn value(&self) -> f64 {
+        match self.absent {
+            Absent::Value(value, ..) => value,
+            _ => panic!("this entry has no value of its own"),
+        }
+    }
+
+    /// The least and the largest whole number that it takes.
+    ///
+    /// # Panics
+    /// It takes no whole number; in a constant this is an error of compilation.
+    pub const fn whole(&self) -> (u64, u64) {
+        match self.takes {
+            Takes::Whole(least, most) => (least, most),
+            _ => panic!("this entry takes no whole number"),
+        }
+    }
+}

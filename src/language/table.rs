@@ -1,0 +1,299 @@
+//! The rows of the table, group by group, in the order in which they are explained.
+
+use super::Absent::{Needed, Otherwise, Value, Written};
+use super::Range::{Any, NotNegative, Positive};
+use super::Takes::{Bound, Names, Quantity, QuantityOr, Share, Text, Vector, Whole, WordList, Words};
+use super::{Absent, Entry, Takes};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Constants for the rows of a group, and the list of them.
+macro_rules! group {
+    ($(#[$doc:meta])* $group:ident: $($name:ident $written:literal, $takes:expr, $absent:expr, $doc_line:literal;)*) => {
+        $(#[$doc])*
+        pub mod $group {
+            use super::*;
+            $(pub const $name: Entry = Entry::new($written, $takes, $absent, $doc_line);)*
+            pub const ENTRIES: &[&Entry] = &[$(&$name),*];
+        }
+    };
+}
+
+const NO_DEFAULT: Absent = Otherwise("");
+
+/// The words after which a warning is named; `crate::model` checks that each is one.
+const WARNINGS: Takes = Names(&[]);
+
+group! {
+    /// Outside all blocks.
+    top:
+    GRAVITY "gravity", Quantity("m/s^2", Positive), Value(9.81, "9.81 m/s^2", "standard gravity of the language"),
+        "the acceleration of gravity, `g0` in expressions: `gravity = 9.80665 m/s^2`, outside all blocks";
+    ALLOW "allow", WARNINGS, Written("[]", "every warning is shown"),
+        "warnings that are not shown, by the last word of their code: `allow = [tip_speed]`, outside all blocks";
+}
+
+group! {
+    /// Of `vehicle { }`.
+    vehicle:
+    LAYOUT "layout", Text, Otherwise("required for a ring"),
+        "which way each rotor of a ring turns, one letter `P` or `N` for each rotor, such as `\"PNPN\"`";
+    FIRST "first", Quantity("deg", Any), Value(0.0, "0 deg", "the first rotor is on +y"),
+        "turns a ring clockwise by an angle, so that its first rotor is no longer on +y";
+    ARM "arm", Quantity("m", Positive), Otherwise("required for a ring"),
+        "the radius of a ring, from the centre of gravity to each rotor";
+    MASS "mass", Quantity("kg", Positive), Needed,
+        "the mass of the whole vehicle as it flies, payload included";
+    INERTIA "inertia", Vector("kg*m^2", Positive), Needed,
+        "the moments of inertia `[Ixx, Iyy, Izz]` about the centre of gravity";
+    ALLOCATION "allocation", Words(&["bounded", "pseudo_inverse"]), Written("bounded", "reaches all that the rotors can give"),
+        "how a wrench becomes rotor speeds. `bounded` keeps to what the rotors can give, and gives up yaw first. \
+         `pseudo_inverse` is the paper's, clipped; verdicts and plans then keep to what it gives without clipping";
+}
+
+group! {
+    /// Of `rotor { }`.
+    rotor:
+    THRUST_COEFFICIENT "thrust_coefficient", Quantity("N*s^2/rad^2", Positive), Otherwise("required, or `max_thrust`"),
+        "a rotor's thrust divided by the square of its speed";
+    MAX_THRUST "max_thrust", Quantity("N", Positive), Otherwise("required, or `thrust_coefficient`"),
+        "a rotor's thrust at full speed";
+    DRAG_COEFFICIENT "drag_coefficient", Quantity("N*m*s^2/rad^2", Positive), Otherwise("required, or `torque_per_thrust`"),
+        "a rotor's drag torque divided by the square of its speed";
+    TORQUE_PER_THRUST "torque_per_thrust", Quantity("m", Positive), Otherwise("required, or `drag_coefficient`"),
+        "a rotor's drag torque divided by its thrust";
+    MIN_SPEED "min_speed", Quantity("rad/s", NotNegative), Otherwise("0"),
+        "for a rotor that may not stop: the slowest speed at which it turns unless it is lost";
+    MAX_SPEED "max_speed", Quantity("rad/s", Positive), Needed,
+        "the full speed, the fastest at which a rotor turns";
+    TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),
+        "how fast the speed follows its command, w' = (command - w)/time_constant; [plans](#plan) use it with \
+         `rotors = lagging`";
+}
+
+/// The clauses of `rotor at` in `rotors { }`: its own, and those of [`rotor`].
+pub mod placed_rotor {
+    use super::rotor::*;
+    use super::*;
+
+    pub const AT: Entry =
+        Entry::new("at", Vector("m", Any), Needed, "the position `[x, y, z]` from the centre of gravity");
+    pub const SPIN: Entry = Entry::new("spin", Words(&["P", "N"]), Needed, "which way the rotor turns");
+    pub const ENTRIES: &[&Entry] = &[
+        &AT,
+        &SPIN,
+        &THRUST_COEFFICIENT,
+        &MAX_THRUST,
+        &DRAG_COEFFICIENT,
+        &TORQUE_PER_THRUST,
+        &MIN_SPEED,
+        &MAX_SPEED,
+        &TIME_CONSTANT,
+    ];
+}
+
+group! {
+    /// Of `mode { }` and `every { }`.
+    mode:
+    RATE "rate", Quantity("1/h", NotNegative), NO_DEFAULT, "failure rate";
+    SEVERITY "severity", Whole(1, 10), NO_DEFAULT, "FMEA severity; with `occurrence` and `detection` it gives `rpn`, their product";
+    OCCURRENCE "occurrence", Whole(1, 10), NO_DEFAULT, "FMEA occurrence";
+    DETECTION "detection", Whole(1, 10), NO_DEFAULT, "FMEA detection";
+    AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Otherwise("as in `plan`"),
+        "what the mission does after this fault, as its risk is counted";
+}
+
+group! {
+    /// In the braces of `curve`.
+    curve:
+    X "x", Quantity("m", Any), Needed, "the coordinate to the east, as an expression of the parameter";
+    Y "y", Quantity("m", Any), Needed, "the coordinate to the north, as an expression of the parameter";
+    Z "z", Quantity("m", Any), Needed, "the height, as an expression of the parameter";
+    YAW "yaw", Quantity("deg", Any), Otherwise("that of the waypoint before; 0 deg for the first"), "where the vehicle points";
+    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "how closely each waypoint is met (distance)";
+    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "how closely each yaw is met";
+    WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
+        "weight of the squared distance and of the squared yaw error";
+}
+
+group! {
+    /// After the range of a `curve`, behind a comma.
+    curve_head:
+    POINTS "points", Whole(2, 10_000), Needed, "the number of waypoints, both ends included; follows the range after a comma";
+}
+
+group! {
+    /// The clauses of `start` and `waypoint`.
+    waypoint:
+    AT "at", Vector("m", Any), Needed, "the position `[x, y, z]`";
+    YAW "yaw", Quantity("deg", Any), Otherwise("that of the waypoint before; 0 deg for the first"), "where the vehicle points";
+    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "how closely the waypoint is met (distance)";
+    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "how closely the yaw is met";
+    WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
+        "weight of the squared distance and of the squared yaw error";
+    TIME "time", Quantity("s", NotNegative), Otherwise("free"), "the time of arrival, counted from the start of the mission";
+}
+
+const COORDINATE: &[&str] = &["<=", ">=", "in"];
+const NORM: &[&str] = &["<="];
+const RATE_FORMS: &[&str] = &["<=", "in"];
+
+group! {
+    /// The statements of `limits { }`.
+    limits:
+    X "x", Bound("m", COORDINATE), NO_DEFAULT, "bounds the coordinate to the east";
+    Y "y", Bound("m", COORDINATE), NO_DEFAULT, "bounds the coordinate to the north";
+    Z "z", Bound("m", COORDINATE), NO_DEFAULT, "bounds the height";
+    ALTITUDE "altitude", Bound("m", COORDINATE), NO_DEFAULT, "bounds the height; the same as `z`";
+    YAW "yaw", Bound("deg", COORDINATE), NO_DEFAULT, "bounds the yaw, which counts on through full turns from the start";
+    SPEED "speed", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the velocity";
+    SPEED_HORIZONTAL "speed_horizontal", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the horizontal velocity";
+    CLIMB "climb", Bound("m/s", NORM), NO_DEFAULT, "bounds the upward speed";
+    DESCENT "descent", Bound("m/s", NORM), NO_DEFAULT, "bounds the downward speed";
+    ACCELERATION "acceleration", Bound("m/s^2", NORM), NO_DEFAULT, "bounds the magnitude of the acceleration";
+    ACCELERATION_HORIZONTAL "acceleration_horizontal", Bound("m/s^2", NORM), NO_DEFAULT,
+        "bounds the magnitude of the horizontal acceleration";
+    JERK "jerk", Bound("m/s^3", NORM), NO_DEFAULT, "bounds the magnitude of the jerk";
+    YAW_RATE "yaw_rate", Bound("deg/s", RATE_FORMS), NO_DEFAULT, "bounds how fast the yaw changes; `<=` bounds both directions";
+    YAW_ACCELERATION "yaw_acceleration", Bound("deg/s^2", RATE_FORMS), NO_DEFAULT,
+        "bounds how fast the yaw rate changes; `<=` bounds both directions";
+    TILT "tilt", Bound("deg", NORM), NO_DEFAULT, "bounds the angle between thrust and the vertical, below 90 deg";
+}
+
+group! {
+    /// Of `plan { }`.
+    plan:
+    MODEL "model", Words(&["hover", "exact"]), Written("exact", "the thrust and torques that a motion needs"),
+        "the equations for the thrust and torques that a motion needs: `exact` at any tilt, or `hover`, the paper's, linear about \
+         hover";
+    ROTORS "rotors", Words(&["instant", "lagging"]), Written("instant", "thrusts follow their commands at once"),
+        "how rotors follow their commands: `instant`, at once, or `lagging`, with the `time_constant` that each rotor then needs";
+    PLANNER "planner", Words(&["rip", "rcp", "rsp"]), Written("rsp", "the risk-sensitive planner"),
+        "`rip`: the healthy set alone. `rcp`: inside the sets of all modes, always. `rsp`: the healthy set and those facets of \
+         the modes' sets that the `rip` plan would violate";
+    ROUNDS "rounds", Whole(0, 100), Value(1.0, "1", "how often rsp selects facets"),
+        "how often `rsp` selects facets, all at one mission time: 0 is `rip`, 1 the paper's `rsp`. Each further round adds the \
+         facets that the plan of the round before would violate";
+    AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Written("continue", "the mission goes on"),
+        "what the mission does after a fault, as its risk is counted: `continue`, or `hold`, come to rest and stay";
+    AGAINST "against", Names(&["all"]), Written("all", "every declared fault mode"),
+        "the modes to tolerate: `all`; a mode `M1`; all modes `M` of `every ... as M`; a range of them, `M1 .. M4`; a list of \
+         these, `[M1 .. M4, worn]`; or `where FIELD RELATION VALUE` with `rpn`, `severity`, `occurrence`, `detection` or `rate` \
+         and `< <= > >= =`. A mode without the number is not chosen. `[]` is no mode";
+    TIME "time", QuantityOr("s", Positive, &["minimum"]), Written("minimum", "the shortest time that is feasible"),
+        "the time of the whole mission, holds included, or `minimum`: as short as the planner can make it";
+    WITHIN "within", Quantity("cm", Positive), Value(0.05, "5 cm", "how closely each waypoint is met"),
+        "how closely each waypoint is met (distance)";
+    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Value(PI / 90.0, "2 deg", "how closely each yaw is met"),
+        "how closely each yaw is met";
+    SAMPLES "samples", Whole(1, 3_000), Value(200.0, "200", "intervals of the whole mission"),
+        "intervals of the whole mission: 200 are 201 nodes. Every waypoint lies on a node; a hold takes one interval, and legs \
+         share the others, with at least 10 from rest to rest and 5 from or to rest ([grid](#grid))";
+    RESERVE "reserve", Share, Value(0.1, "10 %", "a share of each set stays free for feedback"),
+        "shrinks each set about hover, to keep control for feedback; below 100 %";
+    SNAP "snap", Quantity("1", NotNegative), Value(1e-4, "1e-4", "weight of snap: horizontal, in the exact model vertical too"),
+        "weight of the integral of the squared horizontal snap, s^7/m^2";
+    ACCELERATION "acceleration", Quantity("1", NotNegative), Value(1e-4, "1e-4", "weight of vertical and yaw acceleration"),
+        "weight of the integral of the squared vertical acceleration (s^3/m^2) and yaw acceleration (s^3/rad^2)";
+    WEIGHT "weight", Quantity("1", NotNegative), Value(1.0, "1", "weight of the squared distance to each waypoint"),
+        "weight of the squared distance to each waypoint, 1/m^2, and of the squared yaw error there, 1/rad^2";
+    TIMING "timing", Words(&["optimal", "proportional", "uniform", "distance"]),
+        Written("optimal", "the planner finds when waypoints are passed"),
+        "`optimal`: the planner seeks the waypoint times that make the mission shortest (a local best). `proportional`: legs \
+         share the time as described under [mission](#mission). `uniform`: every leg takes the same time. `distance`: every leg by \
+         its length, those of curves too";
+    VEHICLE "vehicle", Names(&[]), Otherwise("the only one"), "the vehicle that flies, by name, where the spec holds several";
+    MISSION "mission", Names(&[]), Otherwise("the only one"), "the mission that is planned, by name, where the spec holds several";
+}
+
+group! {
+    /// Of `simulate { }`.
+    simulate:
+    DURATION "duration", Quantity("s", Positive), Written("that of the plan", "how long the flight is simulated"),
+        "how long the flight is simulated; a stop or landing after a fault goes on until it is done";
+    RATE "rate", Quantity("Hz", Positive), Value(1000.0, "1 kHz", "steps of the integration"),
+        "steps of the integration (Runge-Kutta, fourth order) per second; at most 100 kHz, and a step at most half of the \
+         shortest `time_constant`";
+    CONTROL_RATE "control_rate", Quantity("Hz", Positive), Value(500.0, "500 Hz", "how often the controller acts"),
+        "how often the controller acts; divides `rate` to a whole number";
+    ESTIMATOR_RATE "estimator_rate", Quantity("Hz", Positive), Value(100.0, "100 Hz", "how often capacities are estimated"),
+        "how often the rotors' capacities are estimated; divides `control_rate`";
+    CONTROLLER "controller", Words(&["geometric", "pd"]), Written("geometric", "tracks far from hover too"),
+        "`geometric` tracks on SE(3), far from hover too. `pd` is the paper's, about hover";
+    DETECTION "detection", QuantityOr("s", NotNegative, &["estimator", "never"]),
+        Written("estimator", "how the controller learns of a fault"),
+        "how the controller learns of a fault: `estimator` by estimating the capacities, `never`, or a delay after which it knows \
+         the mode";
+    AFTER_FAULT "after_fault", Words(&["continue", "hold", "land"]), Written("continue", "flies on as planned"),
+        "once the controller knows: `continue` the plan, `hold` where it comes to rest, or `land` there";
+    POSITION_GAIN "position_gain", Quantity("1/s^2", Positive), Value(4.0, "4 1/s^2", "gain on the deviation in x and y"),
+        "gain on the deviation in x and y";
+    VELOCITY_GAIN "velocity_gain", Quantity("1/s", Positive),
+        Value(3.2, "3.2 1/s", "gain on the deviation of the horizontal velocity"),
+        "gain on the deviation of the horizontal velocity";
+    ALTITUDE_GAIN "altitude_gain", Quantity("1/s^2", Positive), Value(6.0, "6 1/s^2", "gain on the deviation in z"),
+        "gain on the deviation in z";
+    CLIMB_GAIN "climb_gain", Quantity("1/s", Positive), Value(4.0, "4 1/s", "gain on the deviation of the vertical velocity"),
+        "gain on the deviation of the vertical velocity";
+    ATTITUDE_GAIN "attitude_gain", Quantity("1/s^2", Positive),
+        Value(100.0, "100 1/s^2", "gain on the deviation in roll and pitch"),
+        "gain on the deviation in roll and pitch";
+    ATTITUDE_RATE_GAIN "attitude_rate_gain", Quantity("1/s", Positive),
+        Value(16.0, "16 1/s", "gain on the deviation of their rates"),
+        "gain on the deviation of the roll and pitch rates";
+    YAW_GAIN "yaw_gain", Quantity("1/s^2", Positive), Value(4.0, "4 1/s^2", "gain on the deviation in yaw"),
+        "gain on the deviation in yaw";
+    YAW_RATE_GAIN "yaw_rate_gain", Quantity("1/s", Positive), Value(3.2, "3.2 1/s", "gain on the deviation of the yaw rate"),
+        "gain on the deviation of the yaw rate";
+    FORGETTING "forgetting", Quantity("1", Positive), Value(0.95, "0.95", "memory of the estimator per sample"),
+        "forgetting factor of the estimator per sample, between 0 and 1";
+    GYROSCOPE_NOISE "gyroscope_noise", Quantity("rad/s", NotNegative),
+        Value(0.005, "0.005 rad/s", "standard deviation of a sample, as of a small MEMS gyroscope"),
+        "standard deviation of a sample of the body rates on each axis";
+    POSITION_NOISE "position_noise", Quantity("m", NotNegative),
+        Value(0.01, "1 cm", "standard deviation of a sample on each axis"),
+        "standard deviation of a sample of the position on each axis";
+    DRAG "drag", Quantity("N*s/m", NotNegative), Value(0.0, "0 N*s/m", "as in the paper's model"),
+        "force divided by speed through the air";
+    WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
+        "where the air goes, x east, y north, z up; acts through `drag` alone";
+    GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "still air"),
+        "standard deviation of the gusts on each axis; they act through `drag` alone";
+    GUST_LENGTH "gust_length", Quantity("m", Positive), Value(50.0, "50 m", "length scale of gusts"),
+        "length scale of the gusts (Dryden)";
+    SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "of noise and gusts"),
+        "seed of noise and gusts: the same seed gives the same flight";
+    LOST_BEYOND "lost_beyond", Quantity("m", Positive), Value(2.0, "2 m", "farther from where it should be the vehicle is lost"),
+        "farther than this from where it should be the vehicle is lost";
+    UPSIDE_DOWN "upside_down", Quantity("s", Positive),
+        Value(0.5, "0.5 s", "tilted past 90 degrees for longer the vehicle is lost"),
+        "tilted past 90 deg for longer than this, or when the flight ends, the vehicle is lost";
+    LOST_YAW "lost_yaw", QuantityOr("deg", Positive, &["off"]),
+        Value(FRAC_PI_2, "90 deg", "with its heading farther off the vehicle is lost"),
+        "with its heading farther than this from the planned one, for longer than `lost_yaw_after` or when the flight ends, the \
+         vehicle is lost; below 180 deg. `off`: whatever its heading";
+    LOST_YAW_AFTER "lost_yaw_after", Quantity("s", Positive), Value(1.0, "1 s", "how long the heading may be that far off"),
+        "how long the heading may be that far off ([how it is \
+         counted](flight.md#5-after-a-fault-and-when-the-vehicle-is-lost))";
+    GROUND "ground", Quantity("m", Any), Value(0.0, "0 m", "height of the ground"),
+        "height of the ground, below every waypoint; 1 m below the lowest waypoint where that is not above 0 m";
+}
+
+group! {
+    /// The clauses of `fault` in `simulate`.
+    strike:
+    AT "at", Quantity("s", NotNegative), Needed, "when the fault strikes, counted from the start of the mission";
+    UNTIL "until", Quantity("s", Any), Otherwise("the fault stays"), "when its rotors recover";
+}
+
+group! {
+    /// Of `campaign { }`.
+    campaign:
+    TIMES "times", Whole(1, 10_000), Value(20.0, "20", "instants of the fault along the mission"),
+        "instants of the fault, evenly spread over the mission";
+    SEEDS "seeds", Whole(1, 1_000_000), Value(10.0, "10", "flights for each mode and instant"),
+        "flights for each mode and instant, each with its own noise";
+    PLANNERS "planners", WordList(&["rip", "rsp", "rcp"]), Written("[rip, rsp, rcp]", "plans that are flown side by side"),
+        "the planners whose plans are flown: one, or a list";
+    SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "what the seeds of the flights are drawn from"),
+        "what the seeds of the flights are drawn from";
+}

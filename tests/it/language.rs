@@ -1,0 +1,224 @@
+//! The table of the language, and everything that repeats it: defaults, the language reference, the grammars of editors.
+
+use mavc::language::{Absent, Entry, FUNCTIONS, Group, OPENERS, Place, Takes, markdown, statement_markdown};
+use mavc::model::vocabulary::{constants, functions, words};
+use mavc::unit::parse_unit;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn read(name: &str) -> String {
+    std::fs::read_to_string(root().join(name)).unwrap()
+}
+
+/// The tables of docs/language.md, by the comment above each of them.
+fn tables() -> Vec<(&'static str, String)> {
+    vec![
+        ("top level", markdown(Group::Top)),
+        ("vehicle", markdown(Group::Vehicle)),
+        ("blocks of a vehicle", statement_markdown(Place::Vehicle)),
+        ("rotor", markdown(Group::Rotor)),
+        ("placed rotor", markdown(Group::PlacedRotor)),
+        ("effects", statement_markdown(Place::Faults)),
+        ("mode", markdown(Group::Mode)),
+        ("statements of a mission", statement_markdown(Place::Mission)),
+        ("waypoint", markdown(Group::Waypoint)),
+        ("curve", markdown(Group::Curve)),
+        ("head of a curve", markdown(Group::CurveHead)),
+        ("limits", markdown(Group::Limits)),
+        ("plan", markdown(Group::Plan)),
+        ("strike", markdown(Group::Strike)),
+        ("simulate", markdown(Group::Simulate)),
+        ("campaign", markdown(Group::Campaign)),
+    ]
+}
+
+/// The page with every table as the language has it.
+fn with_tables(page: &str) -> String {
+    let mut page = page.to_string();
+    for (name, table) in tables() {
+        let mark = format!("<!-- table: {name} -->\n");
+        let at = page.find(&mark).unwrap_or_else(|| panic!("docs/language.md has no `{}`", mark.trim())) + mark.len();
+        let old: usize = page[at..].split_inclusive('\n').take_while(|line| line.starts_with('|')).map(str::len).sum();
+        page.replace_range(at..at + old, &table);
+    }
+    page
+}
+
+/// `MAVC_UPDATE=1 cargo test --test it language` writes them anew.
+#[test]
+fn the_tables_of_the_reference_are_those_of_the_language() {
+    let path = root().join("docs/language.md");
+    let page = std::fs::read_to_string(&path).unwrap();
+    let due = with_tables(&page);
+    if std::env::var_os("MAVC_UPDATE").is_some() {
+        std::fs::write(&path, &due).unwrap();
+    }
+    assert!(page == due, "docs/language.md differs from the table: MAVC_UPDATE=1 cargo test --test it language");
+}
+
+/// The value of a default as one would write it, in SI.
+fn evaluated(written: &str) -> f64 {
+    let (digits, unit) = written.split_once(' ').unwrap_or((written, "1"));
+    let value: f64 = digits.parse().unwrap();
+    let unit = if unit == "%" { return value / 100.0 } else { parse_unit(unit, 9.81).unwrap() };
+    value * unit.numerator / unit.denominator
+}
+
+fn entries() -> impl Iterator<Item = (Group, &'static Entry)> {
+    Group::ALL.into_iter().flat_map(|group| group.entries().iter().map(move |entry| (group, *entry)))
+}
+
+#[test]
+fn defaults_are_written_as_what_they_are() {
+    let mut looked_at = 0;
+    for (group, entry) in entries() {
+        if let Absent::Value(value, written, why) = entry.absent {
+            let evaluated = evaluated(written);
+            assert!((evaluated - value).abs() <= 1e-15 * value.abs(), "{} of {group:?}: {written}", entry.name);
+            assert!(!why.is_empty());
+            looked_at += 1;
+        }
+        if let (Absent::Written(written, _), Takes::Words(words)) = (entry.absent, entry.takes) {
+            assert!(words.contains(&written), "{} of {group:?}: {written}", entry.name);
+            looked_at += 1;
+        }
+    }
+    assert!(looked_at > 35, "{looked_at}");
+}
+
+#[test]
+fn every_entry_has_a_name_of_its_own_and_a_line() {
+    for group in Group::ALL {
+        let names: BTreeSet<&str> = group.names().collect();
+        assert_eq!(names.len(), group.entries().len(), "{group:?}");
+    }
+    for (group, entry) in entries() {
+        assert!(entry.doc.len() > 8 && !entry.doc.ends_with('.'), "{} of {group:?}: {}", entry.name, entry.doc);
+        let unit = entry.unit().unwrap_or("1");
+        assert!(parse_unit(unit, 9.81).is_ok(), "{} of {group:?}: {unit}", entry.name);
+    }
+}
+
+#[test]
+fn every_function_has_a_line() {
+    let documented: BTreeSet<&str> = FUNCTIONS.iter().map(|(name, _)| *name).collect();
+    let known: BTreeSet<&str> = functions().iter().chain(constants()).copied().collect();
+    assert_eq!(documented, known);
+    let page = read("docs/language.md");
+    let section = page.split("\n## ").find(|part| part.starts_with("Expressions")).unwrap();
+    for name in known {
+        assert!(section.contains(name), "{name} is not in the section on expressions");
+    }
+}
+
+/// The words between quotes of `kind` in a text.
+fn quoted(text: &str, quote: char) -> BTreeSet<String> {
+    let is_word = |word: &str| !word.is_empty() && word.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    text.split(quote).skip(1).step_by(2).filter(|word| is_word(word)).map(String::from).collect()
+}
+
+/// The words that begin statements, clauses, and words that fields take.
+fn openers() -> BTreeSet<String> {
+    OPENERS.iter().flat_map(|(_, words)| *words).map(ToString::to_string).collect()
+}
+
+fn clauses() -> BTreeSet<String> {
+    let groups = [Group::Waypoint, Group::PlacedRotor, Group::Strike];
+    groups.into_iter().flat_map(Group::names).map(String::from).collect()
+}
+
+#[test]
+fn the_grammar_of_tree_sitter_has_the_same_words() {
+    let grammar = read("editors/tree-sitter-mav/grammar.js");
+    let list = |name: &str| {
+        let (_, rest) = grammar.split_once(&format!("const {name} = [")).unwrap_or_else(|| panic!("no {name}"));
+        quoted(rest.split(']').next().unwrap(), '\'')
+    };
+    assert_eq!(list("CLAUSE_WORDS"), clauses());
+    let keywords = list("STATEMENT_WORDS");
+    assert_eq!(keywords, openers());
+    let queries = read("editors/tree-sitter-mav/queries/highlights.scm");
+    let offered: BTreeSet<String> = quoted(&queries, '"');
+    for word in words_of_fields() {
+        assert!(offered.contains(&word), "highlights.scm has no `{word}`");
+    }
+}
+
+/// Every word that some field takes, but for the names of warnings.
+fn words_of_fields() -> BTreeSet<String> {
+    entries().flat_map(|(_, entry)| entry.words()).map(ToString::to_string).collect()
+}
+
+#[test]
+fn the_textmate_grammar_has_the_same_words() {
+    let folder = root().join("editors/vscode/syntaxes");
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let grammar: String = files
+        .filter(|path: &PathBuf| Path::new(path).extension().is_some_and(|e| e == "json"))
+        .map(|path| std::fs::read_to_string(path).unwrap())
+        .collect();
+    let is_there = |word: &str| {
+        let plural = word.strip_suffix('s').is_some_and(|one| grammar.contains(&format!("{one}s?")));
+        let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let mut rest = grammar.as_str();
+        while let Some(at) = rest.find(word) {
+            let (before, after) = (&rest[..at], &rest[at + word.len()..]);
+            // `\b` before a word ends in a letter that is not part of it.
+            let starts = before.ends_with("\\b") || !before.ends_with(is_letter);
+            if starts && !after.starts_with(is_letter) {
+                return true;
+            }
+            rest = after;
+        }
+        plural
+    };
+    // The letters P and N are one class of characters there.
+    let all = openers().into_iter().chain(clauses()).chain(words_of_fields()).filter(|word| word.len() > 1);
+    for word in all {
+        assert!(is_there(&word), "the TextMate grammar has no `{word}`");
+    }
+}
+
+#[test]
+fn every_word_that_is_offered_is_of_the_table() {
+    assert_eq!(words(Place::Plan, "planner"), ["rip", "rcp", "rsp"]);
+    assert_eq!(words(Place::Simulate, "detection"), ["estimator", "never"]);
+    assert_eq!(words(Place::Rotors, "spin"), ["P", "N"]);
+    assert!(words(Place::Top, "allow").contains(&"tip_speed"));
+    assert!(words(Place::Plan, "samples").is_empty());
+}
+
+/// Values of `"enum"` in a schema, at any depth.
+fn enumerations(schema: &serde_json::Value, found: &mut Vec<BTreeSet<String>>) {
+    match schema {
+        serde_json::Value::Object(fields) => {
+            let values = fields.get("enum").and_then(serde_json::Value::as_array);
+            found.extend(values.map(|all| all.iter().filter_map(|v| v.as_str()).map(String::from).collect()));
+            fields.values().for_each(|inner| enumerations(inner, found));
+        }
+        serde_json::Value::Array(all) => all.iter().for_each(|inner| enumerations(inner, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn the_schemas_of_reports_have_the_same_words() {
+    let mut found = Vec::new();
+    for name in ["report", "campaign", "simulate"] {
+        let text = read(&format!("docs/schema/{name}.schema.json"));
+        enumerations(&serde_json::from_str(&text).unwrap(), &mut found);
+    }
+    let mut compared = 0;
+    for (group, entry) in entries().filter(|(_, entry)| matches!(entry.takes, Takes::Words(_))) {
+        let own: BTreeSet<String> = entry.words().iter().map(ToString::to_string).collect();
+        let reported = found.iter().filter(|values| values.contains(entry.words()[0])).collect::<Vec<_>>();
+        let is_same = reported.iter().any(|values| own.is_subset(values));
+        assert!(reported.is_empty() || is_same, "{} of {group:?}: {own:?} against {reported:?}", entry.name);
+        compared += usize::from(is_same);
+    }
+    assert!(compared >= 6, "{compared}");
+}
