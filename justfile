@@ -41,7 +41,7 @@ bench *ARGS:
 
 # Write docs/reproduction.md anew. Takes minutes.
 reproduce:
-    cargo run --release --example reproduce -- --write
+    cargo bench --bench reproduce -- --write
 
 # Build the package as a user would get it.
 package:

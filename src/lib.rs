@@ -2,6 +2,7 @@
 
 pub mod actuation;
 pub mod admissible;
+pub mod builder;
 pub mod campaign;
 pub mod certificate;
 pub mod certify;
@@ -32,6 +33,7 @@ pub mod unit;
 pub mod verdict;
 pub mod verify;
 
+pub use builder::Builder;
 pub use certificate::Certificate;
 pub use diagnostic::{Diagnostic, Severity};
 pub use observer::Observer;

@@ -1,11 +1,11 @@
 //! docs/reproduction.md against a new computation: the same words, and numbers within what a plan leaves open.
 
-#[path = "../../examples/reproduce/document.rs"]
+#[path = "../../benches/reproduce/document.rs"]
 mod document;
 
 use document::exact;
 use document::plans;
-use mavc::model::{MissionTime, PlannerKind};
+use mavc::model::PlannerKind;
 use mavc::planner::timing::search::RESOLUTION;
 
 /// A number of the page with how it is written and where it stands.
@@ -132,7 +132,7 @@ fn differences(old: &str, new: &str) -> Vec<String> {
     found
 }
 
-const REMEDY: &str = "cargo run --release --example reproduce -- --write, and read what changed";
+const REMEDY: &str = "cargo bench --bench reproduce -- --write, and read what changed";
 
 fn page() -> String {
     let path = document::specs::root().join("docs/reproduction.md");
@@ -167,9 +167,10 @@ fn shortest_times_of_the_exact_model_stand() {
         assert_eq!(row[7], "never", "{row:?}");
     }
     let time = 1.1 * seconds(rows[0][3]);
-    let model = exact::exact_case(1, PlannerKind::Rip, MissionTime::Fixed(time));
-    let (run, solved) = exact::plan(&model).unwrap_or_else(|| panic!("no plan at {time} s, {REMEDY}"));
-    assert_eq!(exact::exactly(&solved, &model, &run.set.rows).outside, 0.0);
+    let spec = exact::exact_case(1, PlannerKind::Rip, Some(time));
+    let planning = exact::plan(&spec).unwrap_or_else(|| panic!("no plan at {time} s, {REMEDY}"));
+    let plan = planning.plan().unwrap();
+    assert_eq!(exact::exactly(plan, spec.model(), &planning.set().rows).outside, 0.0);
 }
 
 #[test]

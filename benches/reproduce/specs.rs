@@ -1,6 +1,7 @@
 //! Where the models come from: the specs that ship.
 
-use mavc::model::{Model, elaborate, load};
+use mavc::model::Model;
+use mavc::{Compiler, Spec};
 use std::path::{Path, PathBuf};
 
 /// The repository.
@@ -9,27 +10,26 @@ pub fn root() -> PathBuf {
 }
 
 /// A spec given as text, its `use` paths relative to the repository. Panics with what is wrong.
-fn model(name: &str, text: &str) -> Model {
-    let (files, mut diagnostics) = load(name, text.as_bytes(), &|path: &Path| std::fs::read(root().join(path)));
-    let checked = elaborate(&files, &[]);
-    diagnostics.extend(checked.diagnostics);
-    checked.value.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"))
+fn compiled(name: &str, text: &str) -> Spec {
+    let read = |path: &Path| std::fs::read(root().join(path));
+    let compiled = Compiler::new().reading(&read).text(name, text.as_bytes());
+    compiled.into_result().unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A vehicle of specs/vehicles with every single and double loss as modes (`M1`, `M1_2`).
 pub fn vehicle(name: &str) -> Model {
     let faults = "faults {\n    every 1 rotor lost as M\n    every 2 rotors lost as M\n}\n";
-    model("faults.mav", &format!("use \"specs/vehicles/{name}.mav\"\n{faults}"))
+    compiled("faults.mav", &format!("use \"specs/vehicles/{name}.mav\"\n{faults}")).model().clone()
 }
 
 /// The paper's case 1, 2 or 3.
-pub fn case(number: usize) -> Model {
+pub fn case(number: usize) -> Spec {
     paper(&format!("case{number}"))
 }
 
 /// A spec of specs/paper.
-pub fn paper(name: &str) -> Model {
+pub fn paper(name: &str) -> Spec {
     let name = format!("specs/paper/{name}.mav");
     let text = std::fs::read_to_string(root().join(&name)).unwrap_or_else(|e| panic!("{name}: {e}"));
-    model(&name, &text)
+    compiled(&name, &text)
 }

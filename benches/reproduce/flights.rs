@@ -4,8 +4,6 @@ use super::judgement::{STATEMENTS, agrees_if, not_comparable, statement};
 use super::markdown::{fixed, paragraph, table};
 use super::specs;
 use mavc::flight::{Flight, Sortie, fly};
-use mavc::model::Model;
-use mavc::planner::studies::{PlanOutcome, Scope, compare};
 
 /// Errors below the first are small: the arm of the vehicle, about. Above the second, its width, it does not track.
 const SMALL: f64 = 0.2;
@@ -18,13 +16,11 @@ struct Flown {
 }
 
 fn flown(figure: &str) -> Flown {
-    let model: Model = specs::paper(figure);
-    let mission = model.mission.clone().expect("the figures fly a mission");
-    let comparison = compare(&model, &mission, Scope::Plan, None);
-    let Some(PlanOutcome::Planned(solved)) = comparison.runs.last().map(|r| &r.outcome) else {
-        panic!("{figure} has no plan");
-    };
-    let sortie = Sortie::along(&model, &solved.trajectory, &model.simulation.faults, model.simulation.seed);
+    let spec = specs::paper(figure);
+    let planning = mavc::plan(&spec).unwrap_or_else(|refusal| panic!("{figure}: {refusal}"));
+    let plan = planning.plan().unwrap_or_else(|| panic!("{figure} has no plan"));
+    let model = spec.model();
+    let sortie = Sortie::along(model, &plan.trajectory, &model.simulation.faults, model.simulation.seed);
     let (mut estimates, mut count) = (vec![0.0; model.vehicle.rotors.len()], 0.0);
     let late = sortie.duration - 1.0;
     let flight = fly(

@@ -3,7 +3,7 @@
 use super::specs;
 use mavc::model::{Mission, Model, PlannerKind};
 use mavc::motion::outside::Outside;
-use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, Scope, compare, label};
+use mavc::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, label};
 use mavc::report::record::{Errors, errors};
 use std::sync::OnceLock;
 
@@ -17,10 +17,10 @@ pub struct Plans {
 pub fn of_case(number: usize) -> &'static Plans {
     static CASES: [OnceLock<Plans>; 3] = [const { OnceLock::new() }; 3];
     CASES[number - 1].get_or_init(|| {
-        let model = specs::case(number);
-        let mission = model.mission.clone().unwrap_or_else(|| panic!("case {number} has a mission"));
-        let comparison = compare(&model, &mission, Scope::Everything, None);
-        Plans { model, mission, comparison }
+        let spec = specs::case(number);
+        let comparison = mavc::compare(&spec).unwrap_or_else(|refusal| panic!("case {number}: {refusal}"));
+        let mission = spec.mission().cloned().unwrap_or_else(|| panic!("case {number} has a mission"));
+        Plans { model: spec.model().clone(), mission, comparison }
     })
 }
 

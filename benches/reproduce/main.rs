@@ -1,8 +1,8 @@
 //! Writes docs/reproduction.md: every table of the paper beside what mavc computes.
 //!
-//!     cargo run --release --example reproduce              # to standard output
-//!     cargo run --release --example reproduce -- --write   # to docs/reproduction.md
-//!     cargo run --release --example reproduce -- --write --keep-shortest
+//!     cargo bench --bench reproduce              # to standard output
+//!     cargo bench --bench reproduce -- --write   # to docs/reproduction.md
+//!     cargo bench --bench reproduce -- --write --keep-shortest
 //!
 //! The last one leaves the exact model's shortest times as the page has them: their searches take minutes.
 
@@ -15,7 +15,7 @@ mod shortest;
 use document::exact;
 
 fn main() -> std::io::Result<()> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     let path = document::specs::root().join("docs/reproduction.md");
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => print!("{}", document::whole(shortest::section)),

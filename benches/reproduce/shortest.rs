@@ -4,7 +4,7 @@ use crate::document::case_plans::seconds;
 use crate::document::exact::{PLANNERS, degrees, exact_case, exactly, plan};
 use crate::document::markdown::{fixed, none, paragraph, table};
 use crate::document::plans;
-use mavc::model::MissionTime;
+use mavc::Planning;
 use mavc::planner::studies::{MissionPlan, Run};
 
 /// What stands under `exact::SHORTEST`.
@@ -13,9 +13,10 @@ pub fn section() -> String {
     for (number, planner, kind) in PLANNERS {
         let hover = plans::of_case(number);
         let before = hover.plan(planner, Run::Own);
-        let model = exact_case(number, kind, MissionTime::Minimum);
-        let found = plan(&model);
-        let or_none = |of: &dyn Fn(&MissionPlan) -> String| found.as_ref().map_or_else(none, |(_, s)| of(s));
+        let spec = exact_case(number, kind, None);
+        let found = plan(&spec);
+        let or_none =
+            |of: &dyn Fn(&MissionPlan) -> String| found.as_ref().and_then(Planning::plan).map_or_else(none, of);
         rows.push(vec![
             number.to_string(),
             planner.into(),
@@ -23,9 +24,10 @@ pub fn section() -> String {
             or_none(&|s| seconds(s.time)),
             or_none(&|s| fixed(s.time / before.time, 2)),
             degrees(before, &hover.model),
-            or_none(&|s| degrees(s, &model)),
-            found.as_ref().map_or_else(none, |(run, s)| {
-                let found = exactly(s, &model, &run.set.rows);
+            or_none(&|s| degrees(s, spec.model())),
+            or_none(&|s| {
+                let rows = found.as_ref().map_or(&[][..], |planning| &planning.set().rows);
+                let found = exactly(s, spec.model(), rows);
                 if found.outside > 0.0 { seconds(found.outside) } else { "never".into() }
             }),
         ]);

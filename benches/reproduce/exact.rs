@@ -5,12 +5,13 @@ use super::markdown::{fixed, paragraph, table};
 use super::plans::{self, JOINTLY, Plans, name};
 use super::specs;
 use mavc::admissible::row::{SetRow, VIOLATED};
-use mavc::model::{MissionTime, Model, PlanModel, PlannerKind};
+use mavc::model::{Model, PlannerKind};
 use mavc::motion::Z;
 use mavc::motion::checks::stretch;
 use mavc::motion::wrench_model::WrenchModel;
-use mavc::planner::studies::{MissionPlan, PlannerRun, Run, Scope, compare};
+use mavc::planner::studies::{MissionPlan, PlannerRun, Run};
 use mavc::planner::transcription::UPRIGHT;
+use mavc::{Planning, Spec};
 
 /// Heads the part that takes long to compute; it ends the page.
 pub const SHORTEST: &str = "### Shortest times in both models\n\n";
@@ -114,19 +115,16 @@ fn hover_plans() -> String {
     .concat()
 }
 
-/// A case as a model to be planned in the exact model by one planner alone.
-pub fn exact_case(number: usize, planner: PlannerKind, time: MissionTime) -> Model {
-    let mut model = specs::case(number);
-    model.plan.model = PlanModel::Exact;
-    model.plan.planner = planner;
-    model.plan.time = time;
-    model
+/// A case to be planned in the exact model by one planner alone, at a time (s) or at its shortest.
+pub fn exact_case(number: usize, planner: PlannerKind, time: Option<f64>) -> Spec {
+    let time = time.map_or("minimum".into(), |time| format!("{time} s"));
+    let settings = ["plan.model=exact".into(), format!("plan.planner={}", planner.name()), format!("plan.time={time}")];
+    let with = |spec: Spec, setting: String| spec.set(&setting).unwrap_or_else(|error| panic!("{error}"));
+    settings.into_iter().fold(specs::case(number), with)
 }
 
-/// The plan of the model's own planner.
-pub fn plan(model: &Model) -> Option<(PlannerRun, MissionPlan)> {
-    let mission = model.mission.as_ref().unwrap_or_else(|| panic!("a mission"));
-    let run = compare(model, mission, Scope::Plan, None).runs.pop()?;
-    let solved = plans::solved(&run)?.clone();
-    Some((run, solved))
+/// The plan of the spec's own planner, where it has one.
+pub fn plan(spec: &Spec) -> Option<Planning> {
+    let planning = mavc::plan(spec).unwrap_or_else(|refusal| panic!("{refusal}"));
+    planning.plan().is_some().then_some(planning)
 }

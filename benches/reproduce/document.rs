@@ -20,7 +20,7 @@ const INTRODUCTION: &str = "\
 
 The paper is N. Osmic, A. Tahirovic and I. Petrovic, *Risk-sensitive motion planning for MAVs based on mission-related
 fault-tolerant analysis*, Automatika 61:2 (2020), doi 10.1080/00051144.2020.1733324. This page is written by
-`cargo run --release --example reproduce -- --write` from the specs in `specs/`, and the tests hold its numbers
+`cargo bench --bench reproduce -- --write` from the specs in `specs/`, and the tests hold its numbers
 against a new computation (of the last table, which takes minutes, against cheaper ones).
 
 Each row says **agrees**, **differs** (and why), or **not comparable** (and what the paper leaves out). Where only an

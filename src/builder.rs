@@ -1,0 +1,556 @@
+//! Specs from values in place of text, for those who come from Rust or from data.
+
+use crate::diagnostic::{Diagnostic, Severity, nearest};
+use crate::format;
+use crate::language::{Entry, Group, Takes};
+use crate::spec::{CompileError, Compiler, Spec};
+use crate::unit::parse_unit;
+use std::error::Error;
+use std::fmt::{self, Write};
+use std::io::ErrorKind;
+
+/// The name of a built text among the sources of its spec.
+const NAME: &str = "<builder>";
+
+/// Builds a [`Spec`] from values in SI units. Every field of the language can be given by its name (docs/language.md);
+/// what is not given has the default of the language.
+///
+/// The builder writes a text ([`Builder::text`]) and compiles it, so a built spec is checked like a written one, can be
+/// saved, and is what its certificates are about. Mistakes are collected and reported together by [`Builder::build`].
+///
+/// ```
+/// use mavc::builder::Builder;
+///
+/// let spec = Builder::new()
+///     .vehicle("layout", "PPNNPPNN")
+///     .vehicle("arm", 0.211)
+///     .vehicle("mass", 1.8)
+///     .vehicle("inertia", [0.0429, 0.0429, 0.0748])
+///     .rotor("max_thrust", 6.53)
+///     .rotor("torque_per_thrust", 0.016)
+///     .rotor("max_speed", 874.0)
+///     .lost("M1", &[1])
+///     .waypoint([0.0, 0.0, 2.0])
+///     .waypoint([10.0, 0.0, 5.0])
+///     .at_most("speed", 6.0)
+///     .plan("planner", "rip")
+///     .plan("samples", 60)
+///     .build()?;
+/// assert_eq!(spec.model().modes.len(), 1);
+/// # Ok::<(), mavc::builder::BuildError>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct Builder {
+    top: Vec<Line>,
+    vehicle: Vec<Line>,
+    rotor: Vec<Line>,
+    placed: Vec<Line>,
+    modes: Vec<Mode>,
+    mission: Vec<Line>,
+    limits: Vec<Line>,
+    plan: Vec<Line>,
+    simulate: Vec<Line>,
+    campaign: Vec<Line>,
+    waypoints: usize,
+    problems: Vec<Problem>,
+}
+
+/// A statement, and which call of the builder it is from.
+#[derive(Debug, Clone)]
+struct Line {
+    path: String,
+    text: String,
+}
+
+#[derive(Debug, Clone)]
+struct Mode {
+    name: String,
+    effects: Vec<Line>,
+    fields: Vec<Line>,
+}
+
+/// What a field is given.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// In SI units.
+    Number(f64),
+    /// In SI units.
+    Vector([f64; 3]),
+    /// A word of the language, a name, or a text.
+    Word(String),
+    /// Names.
+    Names(Vec<String>),
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Value::Number(number)
+    }
+}
+
+impl From<i32> for Value {
+    fn from(number: i32) -> Self {
+        Value::Number(number.into())
+    }
+}
+
+impl From<u32> for Value {
+    fn from(number: u32) -> Self {
+        Value::Number(number.into())
+    }
+}
+
+impl From<usize> for Value {
+    fn from(number: usize) -> Self {
+        Value::Number(number as f64)
+    }
+}
+
+impl From<[f64; 3]> for Value {
+    fn from(vector: [f64; 3]) -> Self {
+        Value::Vector(vector)
+    }
+}
+
+impl From<&str> for Value {
+    fn from(word: &str) -> Self {
+        Value::Word(word.into())
+    }
+}
+
+impl From<String> for Value {
+    fn from(word: String) -> Self {
+        Value::Word(word)
+    }
+}
+
+impl<const N: usize> From<[&str; N]> for Value {
+    fn from(names: [&str; N]) -> Self {
+        Value::Names(names.map(String::from).into())
+    }
+}
+
+impl From<Vec<String>> for Value {
+    fn from(names: Vec<String>) -> Self {
+        Value::Names(names)
+    }
+}
+
+impl Builder {
+    pub fn new() -> Self {
+        Builder::default()
+    }
+
+    /// A field outside all blocks, such as `gravity` (m/s^2).
+    pub fn top(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Top, "", field, value.into(), " = ");
+        self.top.extend(line);
+        self
+    }
+
+    /// A field of the vehicle, such as `mass` (kg) or `layout`.
+    pub fn vehicle(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Vehicle, "vehicle.", field, value.into(), " = ");
+        self.vehicle.extend(line);
+        self
+    }
+
+    /// A field of all rotors, such as `max_thrust` (N).
+    pub fn rotor(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Rotor, "vehicle.rotor.", field, value.into(), " = ");
+        self.rotor.extend(line);
+        self
+    }
+
+    /// Places one more rotor, in m from the centre of gravity, with spin `P` (counter-clockwise seen from above) or `N`;
+    /// `fields` are what it does not share with the others. In place of a `layout`.
+    pub fn placed_rotor(mut self, position: [f64; 3], spin: &str, fields: &[(&str, f64)]) -> Self {
+        let path = format!("vehicle.rotors[{}].", self.placed.len() + 1);
+        let given = [("at", Value::from(position)), ("spin", Value::from(spin))];
+        let given = given.into_iter().chain(fields.iter().map(|(name, value)| (*name, Value::from(*value))));
+        let mut text = "rotor".to_string();
+        for (name, value) in given {
+            if let Some(line) = self.field(Group::PlacedRotor, &path, name, value, " ") {
+                let _ = write!(text, " {}", line.text);
+            }
+        }
+        self.placed.push(Line { path: path.trim_end_matches('.').into(), text });
+        self
+    }
+
+    /// Adds a fault mode in which these rotors, counted from 1, are lost; or loses them too in a mode of this name.
+    pub fn lost(self, mode: &str, rotors: &[usize]) -> Self {
+        self.effect(mode, rotors, "lost".into(), &[])
+    }
+
+    /// As [`Builder::lost`], where the rotors give a share of their thrust, 0 to 1.
+    pub fn reduced(self, mode: &str, rotors: &[usize], share: f64) -> Self {
+        self.effect(mode, rotors, format!("reduced to {}", digits(share)), &[share])
+    }
+
+    /// As [`Builder::lost`], where the rotors are stuck at a share of full thrust, 0 to 1.
+    pub fn stuck(self, mode: &str, rotors: &[usize], share: f64) -> Self {
+        self.effect(mode, rotors, format!("stuck at {}", digits(share)), &[share])
+    }
+
+    fn effect(mut self, mode: &str, rotors: &[usize], effect: String, numbers: &[f64]) -> Self {
+        let path = format!("modes.{mode}");
+        self.name(&path, mode);
+        self.finite(&path, numbers);
+        let rotors: Vec<String> = rotors.iter().map(usize::to_string).collect();
+        let line = Line { path, text: format!("rotors [{}] {effect}", rotors.join(", ")) };
+        match self.modes.iter_mut().find(|known| known.name == mode) {
+            Some(known) => known.effects.push(line),
+            None => self.modes.push(Mode { name: mode.into(), effects: vec![line], fields: Vec::new() }),
+        }
+        self
+    }
+
+    /// A field of a fault mode that was added, such as `rate` (1/s).
+    pub fn mode(mut self, mode: &str, field: &str, value: impl Into<Value>) -> Self {
+        let path = format!("modes.{mode}.");
+        let line = self.field(Group::Mode, &path, field, value.into(), " = ");
+        match self.modes.iter_mut().find(|known| known.name == mode) {
+            Some(known) => known.fields.extend(line),
+            None => self.problem(path.trim_end_matches('.'), BuildCode::UnknownMode, unknown_mode(mode)),
+        }
+        self
+    }
+
+    /// Adds a waypoint (m: x east, y north, z up); the first is the start.
+    pub fn waypoint(self, position: [f64; 3]) -> Self {
+        self.waypoint_with(position, &[])
+    }
+
+    /// Adds a waypoint with clauses such as `yaw` (rad), `within` (m) and `time` (s).
+    pub fn waypoint_with(mut self, position: [f64; 3], clauses: &[(&str, f64)]) -> Self {
+        self.waypoints += 1;
+        let path = format!("mission.waypoints[{}].", self.waypoints);
+        let mut text = if self.waypoints == 1 { "start".to_string() } else { "waypoint".to_string() };
+        let given = [("at", Value::from(position))].into_iter();
+        for (name, value) in given.chain(clauses.iter().map(|(name, value)| (*name, Value::from(*value)))) {
+            if let Some(line) = self.field(Group::Waypoint, &path, name, value, " ") {
+                let _ = write!(text, " {}", line.text);
+            }
+        }
+        self.mission.push(Line { path: path.trim_end_matches('.').into(), text });
+        self
+    }
+
+    /// Stays at rest at the waypoint before, s.
+    pub fn hold(mut self, seconds: f64) -> Self {
+        let path = format!("mission.hold[{}]", self.waypoints);
+        self.finite(&path, &[seconds]);
+        self.mission.push(Line { path, text: format!("hold {} s", digits(seconds)) });
+        self
+    }
+
+    /// Leaves out the rest at the start.
+    pub fn start_moving(mut self) -> Self {
+        self.mission.push(Line { path: "mission.start_moving".into(), text: "start moving".into() });
+        self
+    }
+
+    /// Leaves out the rest at the end.
+    pub fn end_moving(mut self) -> Self {
+        self.mission.push(Line { path: "mission.end_moving".into(), text: "end moving".into() });
+        self
+    }
+
+    /// Bounds a limit from above, such as `speed` (m/s).
+    pub fn at_most(self, limit: &str, bound: f64) -> Self {
+        self.limit(limit, "<=", &[bound])
+    }
+
+    /// Bounds a limit from below, such as `altitude` (m).
+    pub fn at_least(self, limit: &str, bound: f64) -> Self {
+        self.limit(limit, ">=", &[bound])
+    }
+
+    /// Bounds a limit from both sides.
+    pub fn between(self, limit: &str, low: f64, high: f64) -> Self {
+        self.limit(limit, "in", &[low, high])
+    }
+
+    fn limit(mut self, limit: &str, form: &str, bounds: &[f64]) -> Self {
+        let path = format!("mission.limits.{limit}");
+        let Some(entry) = self.entry(Group::Limits, &path, limit) else { return self };
+        self.finite(&path, bounds);
+        let unit = unit(entry);
+        let bounds: Vec<String> = bounds.iter().map(|bound| format!("{}{unit}", digits(*bound))).collect();
+        self.limits.push(Line { path, text: format!("{limit} {form} {}", bounds.join(" .. ")) });
+        self
+    }
+
+    /// A field of the plan, such as `time` (s), `planner` or `against`.
+    pub fn plan(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Plan, "plan.", field, value.into(), " = ");
+        self.plan.extend(line);
+        self
+    }
+
+    /// A field of the simulation, such as `drag` (N s/m).
+    pub fn simulate(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Simulate, "simulate.", field, value.into(), " = ");
+        self.simulate.extend(line);
+        self
+    }
+
+    /// Lets a fault mode strike in the simulation, s after the start.
+    pub fn strike(mut self, mode: &str, at: f64) -> Self {
+        let path = format!("simulate.fault.{mode}");
+        self.name(&path, mode);
+        self.finite(&path, &[at]);
+        self.simulate.push(Line { path, text: format!("fault {mode} at {} s", digits(at)) });
+        self
+    }
+
+    /// A field of the campaign, such as `seeds`.
+    pub fn campaign(mut self, field: &str, value: impl Into<Value>) -> Self {
+        let line = self.field(Group::Campaign, "campaign.", field, value.into(), " = ");
+        self.campaign.extend(line);
+        self
+    }
+
+    /// The text of the spec so far: laid out, and complete once the builder is.
+    pub fn text(&self) -> String {
+        let text: String = self.lines().into_iter().map(|line| line.text + "\n").collect();
+        // Lines stay lines, so that each is still from the same call.
+        format(&text).unwrap_or(text)
+    }
+
+    /// The spec.
+    ///
+    /// # Errors
+    /// Every mistake, with the call that made it: a field that does not exist, a value that is not finite or of another
+    /// kind, and everything that a text is checked for.
+    pub fn build(self) -> Result<Spec, BuildError> {
+        let lines = self.lines();
+        let text = self.text();
+        if !self.problems.is_empty() {
+            return Err(BuildError { problems: self.problems, text });
+        }
+        let no_files = |_: &std::path::Path| Err(ErrorKind::NotFound.into());
+        let compiled = Compiler::new().reading(&no_files).text(NAME, text.as_bytes());
+        compiled.into_result().map_err(|CompileError { diagnostics, files }| {
+            let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
+            let place = |d: &Diagnostic| {
+                let line = files.sources.get(d.span.file).place(d.span.start as usize).line;
+                lines.get(line.saturating_sub(1)).map_or(String::new(), |line| line.path.clone())
+            };
+            let problem = |d: &Diagnostic| Problem { field: place(d), code: d.code, message: d.message.clone() };
+            BuildError { problems: errors.map(problem).collect(), text }
+        })
+    }
+
+    /// The text, each line with the call that it is from.
+    fn lines(&self) -> Vec<Line> {
+        let mut lines = self.top.clone();
+        let mut block = |path: &str, head: &str, body: Vec<Line>| {
+            let line = |text: String| Line { path: path.into(), text };
+            lines.push(line(format!("{head} {{")));
+            lines.extend(body.into_iter().map(|inner| Line { text: format!("    {}", inner.text), ..inner }));
+            lines.push(line("}".into()));
+        };
+        let nested = |path: &str, head: &str, body: &[Line]| -> Vec<Line> {
+            let line = |text: String| Line { path: path.into(), text };
+            let inner = body.iter().map(|inner| Line { text: format!("    {}", inner.text), ..inner.clone() });
+            [line(format!("{head} {{"))].into_iter().chain(inner).chain([line("}".into())]).collect()
+        };
+        let mut vehicle = self.vehicle.clone();
+        for (path, head, body) in [("vehicle.rotor", "rotor", &self.rotor), ("vehicle.rotors", "rotors", &self.placed)]
+        {
+            if !body.is_empty() {
+                vehicle.extend(nested(path, head, body));
+            }
+        }
+        block("vehicle", "vehicle craft", vehicle);
+        if !self.modes.is_empty() {
+            let of_mode = |mode: &Mode| {
+                let body: Vec<Line> = mode.effects.iter().chain(&mode.fields).cloned().collect();
+                nested(&format!("modes.{}", mode.name), &format!("mode {}", mode.name), &body)
+            };
+            block("modes", "faults", self.modes.iter().flat_map(of_mode).collect());
+        }
+        if !self.mission.is_empty() || !self.limits.is_empty() || !self.plan.is_empty() {
+            let mut mission = self.mission.clone();
+            if !self.limits.is_empty() {
+                mission.extend(nested("mission.limits", "limits", &self.limits));
+            }
+            block("mission", "mission flight", mission);
+        }
+        for (name, body) in [("plan", &self.plan), ("simulate", &self.simulate), ("campaign", &self.campaign)] {
+            if !body.is_empty() {
+                block(name, name, body.clone());
+            }
+        }
+        lines
+    }
+
+    fn problem(&mut self, field: &str, code: BuildCode, message: String) {
+        self.problems.push(Problem { field: field.into(), code: code.code(), message });
+    }
+
+    fn finite(&mut self, path: &str, numbers: &[f64]) {
+        if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
+            self.problem(path, BuildCode::NotFinite, format!("{number} is not a finite number"));
+        }
+    }
+
+    fn name(&mut self, path: &str, name: &str) {
+        let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
+        if !name.starts_with(is_letter) || !name.chars().all(|c| is_letter(c) || c.is_ascii_digit()) {
+            let message = format!("{name:?} is not a name: write letters, digits and `_`, and begin with a letter");
+            self.problem(path, BuildCode::NotAName, message);
+        }
+    }
+
+    fn entry(&mut self, group: Group, path: &str, field: &str) -> Option<&'static Entry> {
+        let entry = group.entry(field);
+        if entry.is_none() {
+            let near = nearest(field, group.names()).map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+            self.problem(path, BuildCode::UnknownField, format!("there is no field `{field}` here{near}"));
+        }
+        entry
+    }
+
+    /// `field = value`, or `field value` for a clause.
+    fn field(&mut self, group: Group, path: &str, field: &str, value: Value, sign: &str) -> Option<Line> {
+        let path = format!("{path}{field}");
+        let entry = self.entry(group, &path, field)?;
+        let written = match (&value, entry.takes) {
+            (Value::Number(number), Takes::Quantity(..) | Takes::QuantityOr(..)) => {
+                self.finite(&path, &[*number]);
+                format!("{}{}", digits(*number), unit(entry))
+            }
+            (Value::Number(number), Takes::Share | Takes::Whole(..)) => {
+                self.finite(&path, &[*number]);
+                digits(*number)
+            }
+            (Value::Vector(vector), Takes::Vector(..)) => {
+                self.finite(&path, vector);
+                format!("[{}]{}", vector.map(digits).join(", "), unit(entry))
+            }
+            (Value::Word(text), Takes::Text) if !text.contains(|c: char| c.is_control() || matches!(c, '"' | '\\')) => {
+                format!("\"{text}\"")
+            }
+            (Value::Word(word), Takes::Words(_) | Takes::WordList(_) | Takes::Names(_) | Takes::QuantityOr(..)) => {
+                self.name(&path, word);
+                word.clone()
+            }
+            (Value::Names(names), Takes::WordList(_) | Takes::Names(_)) => {
+                names.iter().for_each(|name| self.name(&path, name));
+                format!("[{}]", names.join(", "))
+            }
+            _ => {
+                self.problem(&path, BuildCode::WrongKind, format!("`{field}` takes {}, not {value}", taken(entry)));
+                return None;
+            }
+        };
+        Some(Line { path, text: format!("{field}{sign}{written}") })
+    }
+}
+
+/// A number to the last digit, so that reading it gives the same one.
+fn digits(number: f64) -> String {
+    match number.abs() {
+        size if size == 0.0 || (1e-5..1e15).contains(&size) => format!("{number}"),
+        _ => format!("{number:e}"),
+    }
+}
+
+/// The SI unit of an entry, behind a blank; nothing for a plain number.
+fn unit(entry: &Entry) -> String {
+    let Some((usual, unit)) = entry.unit().and_then(|unit| Some((unit, parse_unit(unit, 1.0).ok()?))) else {
+        return String::new();
+    };
+    match usual {
+        "1" => String::new(),
+        _ if unit.numerator == unit.denominator => format!(" {usual}"),
+        _ => format!(" {}", unit.dimension),
+    }
+}
+
+/// What an entry takes, in words.
+fn taken(entry: &Entry) -> String {
+    let words = entry.words().iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
+    match entry.takes {
+        Takes::Quantity(..) | Takes::Bound(..) | Takes::Share | Takes::Whole(..) => "a number".into(),
+        Takes::Vector(..) => "three numbers".into(),
+        Takes::QuantityOr(..) => format!("a number or one of {words}"),
+        Takes::Words(_) => format!("one of {words}"),
+        Takes::WordList(_) => format!("one or more of {words}"),
+        Takes::Text => "a text without quotes and control characters".into(),
+        Takes::Names(_) => "a name or a list of names".into(),
+    }
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Value::Number(number) => write!(f, "the number {number}"),
+            Value::Vector(_) => f.write_str("three numbers"),
+            Value::Word(word) => write!(f, "{word:?}"),
+            Value::Names(_) => f.write_str("a list of names"),
+        }
+    }
+}
+
+fn unknown_mode(mode: &str) -> String {
+    format!("no fault mode `{mode}` was added before its field")
+}
+
+/// Mistakes that only a builder can make.
+enum BuildCode {
+    NotFinite,
+    NotAName,
+    UnknownField,
+    UnknownMode,
+    WrongKind,
+}
+
+impl BuildCode {
+    fn code(self) -> &'static str {
+        match self {
+            BuildCode::NotFinite => "mavc::unit::not_finite",
+            BuildCode::NotAName => "mavc::name::reserved",
+            BuildCode::UnknownField => "mavc::name::unknown_field",
+            BuildCode::UnknownMode => "mavc::name::unknown",
+            BuildCode::WrongKind => "mavc::unit::kind",
+        }
+    }
+}
+
+/// One mistake of a built spec.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// Which call made it, such as `plan.samples` or `mission.waypoints[2]`; a block where something is missing.
+    pub field: String,
+    /// `mavc explain` has a page about it.
+    pub code: &'static str,
+    pub message: String,
+}
+
+/// Every mistake of a built spec.
+#[derive(Clone, PartialEq)]
+pub struct BuildError {
+    pub problems: Vec<Problem>,
+    /// The text that was built.
+    pub text: String,
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let line = |problem: &Problem| format!("{}: {} ({})", problem.field, problem.message, problem.code);
+        f.write_str(&self.problems.iter().map(line).collect::<Vec<_>>().join("\n"))
+    }
+}
+
+/// As `Display`, on lines of its own: what a `main` that returns the error prints.
+impl fmt::Debug for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\n{self}")
+    }
+}
+
+impl Error for BuildError {}

@@ -1,0 +1,189 @@
+//! Specs that are built from values, and what is said of values that are wrong.
+
+use mavc::builder::Builder;
+use mavc::{PlanOutcome, Spec};
+
+/// An octocopter that may lose a rotor and flies 10 m.
+fn octocopter() -> Builder {
+    Builder::new()
+        .vehicle("layout", "PPNNPPNN")
+        .vehicle("arm", 0.211)
+        .vehicle("mass", 1.8)
+        .vehicle("inertia", [0.0429, 0.0429, 0.0748])
+        .rotor("max_thrust", 6.53)
+        .rotor("torque_per_thrust", 0.016)
+        .rotor("max_speed", 874.0)
+        .lost("M1", &[1])
+        .waypoint([0.0, 0.0, 2.0])
+        .waypoint([10.0, 0.0, 5.0])
+        .at_most("speed", 6.0)
+        .plan("samples", 60)
+}
+
+/// The codes and fields of what is wrong.
+fn problems(builder: Builder) -> Vec<(String, &'static str)> {
+    builder.build().unwrap_err().problems.into_iter().map(|problem| (problem.field, problem.code)).collect()
+}
+
+#[test]
+fn a_built_spec_is_the_written_one() {
+    let written = "
+        vehicle craft {
+            layout = \"PPNNPPNN\"; arm = 21.1 cm; mass = 1.8 kg; inertia = [0.0429, 0.0429, 0.0748] kg*m^2
+            rotor { max_thrust = 6.53 N; torque_per_thrust = 16 mm; max_speed = 874 rad/s }
+        }
+        faults { mode M1 { rotor 1 lost } }
+        mission flight {
+            start at [0, 0, 2] m
+            waypoint at [10, 0, 5] m
+            limits { speed <= 6 m/s }
+        }
+        plan { samples = 60 }";
+    let written = mavc::compile(written).into_result().unwrap();
+    let built = octocopter().build().unwrap();
+    assert_eq!(built.model().to_string(), written.model().to_string());
+    let again = mavc::compile(&octocopter().text()).into_result().unwrap();
+    assert_eq!(again.sha256(), built.sha256());
+    assert_eq!(mavc::format(&octocopter().text()).unwrap(), octocopter().text(), "the text is laid out");
+}
+
+#[test]
+fn built_specs_plan_and_their_certificates_are_of_their_text() {
+    let builder = octocopter().plan("planner", "rcp").plan("time", 6.0).plan("model", "hover");
+    let text = builder.text();
+    let spec: Spec = builder.build().unwrap();
+    let planning = mavc::plan(&spec).unwrap();
+    let PlanOutcome::Planned(plan) = planning.outcome() else { panic!("{:?}", planning.verdict()) };
+    assert_eq!(plan.time, 6.0);
+    let certificate = serde_json::to_vec(&mavc::certify(&spec, &planning).unwrap()).unwrap();
+    let saved = mavc::compile(&text).into_result().unwrap();
+    assert!(mavc::verify(&certificate, &saved).unwrap().undecided.is_empty());
+}
+
+#[test]
+fn every_kind_of_value_and_statement_is_written() {
+    let spec = Builder::new()
+        .top("gravity", 1.62)
+        .vehicle("mass", 0.8)
+        .vehicle("inertia", [0.01, 0.01, 0.02])
+        .vehicle("allocation", "bounded")
+        .rotor("thrust_coefficient", 9e-6)
+        .rotor("drag_coefficient", 1.5e-7)
+        .rotor("max_speed", 800.0)
+        .placed_rotor([0.2, 0.2, 0.0], "P", &[("time_constant", 0.03)])
+        .placed_rotor([-0.2, 0.2, 0.0], "N", &[])
+        .placed_rotor([-0.2, -0.2, 0.0], "P", &[])
+        .placed_rotor([0.2, -0.2, 0.0], "N", &[])
+        .reduced("worn", &[1, 2], 0.7)
+        .stuck("jam", &[3], 0.4)
+        .mode("worn", "severity", 4)
+        .mode("worn", "rate", 1e-9)
+        .waypoint([0.0, 0.0, 2.0])
+        .waypoint_with([4.0, 0.0, 3.0], &[("yaw", 0.5), ("within", 0.02), ("time", 8.5)])
+        .hold(1.5)
+        .waypoint([4.0, 4.0, 3.0])
+        .end_moving()
+        .between("altitude", 1.0, 9.0)
+        .at_least("x", -1.0)
+        .plan("against", ["worn"])
+        .plan("reserve", 0.05)
+        .plan("time", "minimum")
+        .simulate("wind", [1.0, 0.0, 0.0])
+        .simulate("drag", 0.2)
+        .simulate("detection", 0.05)
+        .strike("worn", 3.0)
+        .campaign("planners", ["rip", "rsp"])
+        .campaign("times", 3)
+        .build()
+        .unwrap();
+    let model = spec.model();
+    let mission = spec.mission().unwrap();
+    assert_eq!((model.gravity, model.vehicle.rotors[0].time_constant), (1.62, Some(0.03)));
+    assert_eq!((model.modes[0].capacity[1], model.modes[1].stuck[2]), (0.7, Some(0.4)));
+    assert_eq!((model.modes[0].severity, model.modes[0].rate), (Some(4), Some(1e-9)));
+    let second = &mission.waypoints[1];
+    assert_eq!((second.yaw, second.within, second.time, second.hold), (0.5, 0.02, Some(8.5), 1.5));
+    assert_eq!((mission.end_at_rest, mission.limits.len(), model.plan.reserve), (false, 2, 0.05));
+    assert_eq!((model.plan.against.as_slice(), model.simulation.wind), (&[0][..], [1.0, 0.0, 0.0]));
+    assert_eq!((model.simulation.faults[0].at, model.campaign.times), (3.0, 3));
+}
+
+#[test]
+fn an_unknown_mode_is_an_error_of_its_own() {
+    assert_eq!(problems(octocopter().plan("against", ["M9"])), [("plan.against".into(), "mavc::name::unknown")]);
+    assert_eq!(problems(octocopter().strike("M9", 1.0)), [("simulate.fault.M9".into(), "mavc::name::unknown")]);
+    assert_eq!(problems(octocopter().mode("M9", "rate", 1.0)), [("modes.M9".into(), "mavc::name::unknown")]);
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_errors_of_their_own() {
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let builders = [
+            (octocopter().vehicle("allocation", "bounded").top("gravity", wrong), "gravity"),
+            (octocopter().waypoint([wrong, 0.0, 1.0]), "mission.waypoints[3].at"),
+            (octocopter().waypoint_with([1.0; 3], &[("within", wrong)]), "mission.waypoints[3].within"),
+            (octocopter().hold(wrong), "mission.hold[2]"),
+            (octocopter().at_most("tilt", wrong), "mission.limits.tilt"),
+            (octocopter().plan("time", wrong), "plan.time"),
+            (octocopter().plan("reserve", wrong), "plan.reserve"),
+            (octocopter().reduced("R", &[1], wrong), "modes.R"),
+            (octocopter().strike("M1", wrong), "simulate.fault.M1"),
+            (octocopter().simulate("wind", [0.0, wrong, 0.0]), "simulate.wind"),
+        ];
+        for (builder, field) in builders {
+            assert_eq!(problems(builder), [(field.into(), "mavc::unit::not_finite")], "{wrong}");
+        }
+    }
+}
+
+#[test]
+fn no_samples_no_waypoints_and_no_inertia_are_errors_of_their_own() {
+    let without_samples = Builder::plan(octocopter().plan("rounds", 1), "timing", "uniform");
+    assert!(without_samples.build().is_ok());
+    let vehicle = || {
+        Builder::new()
+            .vehicle("layout", "PNPN")
+            .vehicle("arm", 0.2)
+            .vehicle("mass", 1.0)
+            .rotor("max_thrust", 5.0)
+            .rotor("torque_per_thrust", 0.016)
+            .rotor("max_speed", 900.0)
+    };
+    let able = || vehicle().vehicle("inertia", [0.01, 0.01, 0.02]);
+    let flying = || able().waypoint([0.0, 0.0, 2.0]).waypoint([1.0, 0.0, 2.0]);
+    assert_eq!(problems(flying().plan("samples", 0)), [("plan.samples".into(), "mavc::plan::samples")]);
+    assert_eq!(problems(able().plan("samples", 9)), [("mission".into(), "mavc::mission::too_few_waypoints")]);
+    let one = able().waypoint([0.0, 0.0, 2.0]);
+    assert_eq!(problems(one), [("mission".into(), "mavc::mission::too_few_waypoints")]);
+    let singular = vehicle().vehicle("inertia", [0.01, 0.0, 0.02]);
+    assert_eq!(problems(singular), [("vehicle.inertia".into(), "mavc::vehicle::not_positive")]);
+    let weightless = able().vehicle("mass", 0.0);
+    assert_eq!(problems(weightless), [("vehicle.mass".into(), "mavc::name::duplicate")]);
+}
+
+#[test]
+fn fields_and_values_that_do_not_fit_are_all_reported_at_once() {
+    let wrong = octocopter()
+        .vehicle("weight", 1.0)
+        .rotor("max_thrust", "strong")
+        .plan("planer", "rip")
+        .plan("samples", [1.0; 3])
+        .lost("M 2", &[2])
+        .vehicle("layout", "PN\"PN");
+    let error = wrong.build().unwrap_err();
+    let found: Vec<(&str, &str)> = error.problems.iter().map(|p| (p.field.as_str(), p.code)).collect();
+    assert_eq!(
+        found,
+        [
+            ("vehicle.weight", "mavc::name::unknown_field"),
+            ("vehicle.rotor.max_thrust", "mavc::unit::kind"),
+            ("plan.planer", "mavc::name::unknown_field"),
+            ("plan.samples", "mavc::unit::kind"),
+            ("modes.M 2", "mavc::name::reserved"),
+            ("vehicle.layout", "mavc::unit::kind"),
+        ]
+    );
+    let text = error.to_string();
+    assert!(text.contains("plan.planer: there is no field `planer` here; did you mean `planner`?"), "{text}");
+    assert!(text.contains("vehicle.rotor.max_thrust: `max_thrust` takes a number, not \"strong\""), "{text}");
+}
