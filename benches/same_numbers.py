@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Compares what two builds of mavc compute: python3 benches/same_numbers.py OLD NEW [SPEC...]
+
+For every shipped spec (or those named) it runs plan, simulate and campaign with both, and compares the trajectory, the
+certificate, the reports and the rows byte for byte. Words of reports may differ where RENAMED maps one to the other, and
+so may the hash of the program in campaign rows. Prints one line for each spec and ends with 1 if any number differs.
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+# Keys of reports: old -> new.
+RENAMED = {}
+
+# Values that are sentences for people.
+SENTENCES = {"statement", "message", "help", "label", "text", "what", "why", "schema", "undecided", "detail"}
+
+
+def numbers(value):
+    """A report without sentences, its keys as they are now."""
+    if isinstance(value, dict):
+        return {RENAMED.get(k, k): numbers(v) for k, v in value.items() if k not in SENTENCES}
+    if isinstance(value, list):
+        return [numbers(v) for v in value]
+    return value
+
+
+def rows(text):
+    """Rows of a campaign without the campaign's name, which holds the program's hash."""
+    return [line.split(",")[1:] for line in text.splitlines()]
+
+
+def run(mavc, spec, folder):
+    """Everything that one build makes of a spec: name -> content."""
+    out = {}
+
+    def call(name, *args):
+        done = subprocess.run([mavc, *args], capture_output=True, text=True, cwd=ROOT, check=False)
+        out[name + " exit"] = done.returncode
+
+    call("plan", "plan", spec, "-q", "-o", f"{folder}/t.csv", "--certificate", f"{folder}/c.json", "--report", f"{folder}/r.json")
+    call("simulate", "simulate", spec, "-q", "-o", f"{folder}/f.csv", "--report", f"{folder}/s.json")
+    call("campaign", "campaign", spec, "-q", "--times", "3", "--seeds", "1", "-o", f"{folder}/k.csv", "--report", f"{folder}/k.json")
+    for name in ("t.csv", "c.json", "f.csv"):
+        path = Path(folder, name)
+        out[name] = path.read_text() if path.exists() else None
+    for name in ("r.json", "s.json", "k.json"):
+        path = Path(folder, name)
+        out[name] = numbers(json.loads(path.read_text())) if path.exists() else None
+    if out["k.json"]:
+        out["k.json"].pop("campaign", None)
+    path = Path(folder, "k.csv")
+    out["k.csv"] = rows(path.read_text()) if path.exists() else None
+    return out
+
+
+def main():
+    old, new, *named = sys.argv[1:]
+    specs = named or sorted(str(p.relative_to(ROOT)) for f in ("specs", "examples") for p in (ROOT / f).rglob("*.mav"))
+    different = 0
+    for spec in specs:
+        with tempfile.TemporaryDirectory() as a, tempfile.TemporaryDirectory() as b:
+            before, after = run(old, spec, a), run(new, spec, b)
+        wrong = [name for name in before if before[name] != after[name]]
+        made = sum(1 for name, value in after.items() if value is not None and not name.endswith("exit"))
+        different += bool(wrong)
+        print(f"{spec}: {'differs in ' + ', '.join(wrong) if wrong else f'the same ({made} results)'}", flush=True)
+    print(f"{len(specs)} specs, {different} with differences")
+    sys.exit(1 if different else 0)
+
+
+if __name__ == "__main__":
+    main()
