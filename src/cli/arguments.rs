@@ -51,6 +51,7 @@ pub(super) enum Command {
         file: PathBuf,
     },
     /// Serve an editor over standard input and output (Language Server Protocol)
+    #[cfg(feature = "lsp")]
     Lsp {
         /// Said by some editors; there is no other way
         #[arg(long, hide = true)]
