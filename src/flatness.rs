@@ -27,7 +27,7 @@ pub const INPUTS: usize = 12;
 /// (x'', y'', z'', x''', y''', z''', x'''', y'''', z'''', psi, psi', psi''), SI units.
 pub type FlatState = SVector<f64, INPUTS>;
 
-/// [T, tau_x, tau_y, tau_z] in N and N m.
+/// The exact wrench, (60) to (67): [T, tau_x, tau_y, tau_z] in N and N m.
 pub fn wrench(vehicle: &Vehicle, gravity: f64, state: &FlatState) -> Wrench {
     Course::new(gravity, state).wrench(vehicle)
 }
@@ -52,7 +52,7 @@ pub type LeadFlatState = SVector<f64, LEAD_INPUTS>;
 /// Where the time derivative of each entry of a flat state stands in a [`LeadFlatState`].
 const RATES: [usize; INPUTS] = [3, 4, 5, 6, 7, 8, 12, 13, 14, 10, 11, 15];
 
-/// The lead wrench c = w + tau w' of rotors that lag by `tau` s, N and N m.
+/// (81): the commanded wrench c = w + tau w' of rotors that lag by `tau` s, N and N m.
 pub fn lead(vehicle: &Vehicle, gravity: f64, tau: f64, state: &LeadFlatState) -> Wrench {
     leading(vehicle, gravity, tau, state)
 }
@@ -93,7 +93,7 @@ fn moving<D: DualNum<Primitive = f64> + Copy>(state: &SVector<D, LEAD_INPUTS>) -
     SVector::from_fn(|i, _| Dual::new(state[i], state[RATES[i]]))
 }
 
-/// w and w' = J(s) s' at once.
+/// (84): w and w' = J(s) s' at once.
 fn leading<D: DualNum<Primitive = f64> + Copy>(
     vehicle: &Vehicle,
     gravity: f64,

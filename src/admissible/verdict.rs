@@ -115,7 +115,7 @@ pub fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
     AdmissibleSet::each(model).map(|set| analyze(model, &set)).collect()
 }
 
-/// The record of one mode.
+/// The record of one mode, with the residual e_p of (31).
 pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     let rotors = model.vehicle.rotors.len();
     let (lost, capacity, stuck) = match set.mode.checked_sub(1) {

@@ -48,11 +48,12 @@ pub struct Course<D> {
 }
 
 impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
+    /// (60) to (66) of docs/method.md, in that order.
     pub fn new(gravity: f64, state: &SVector<D, INPUTS>) -> Self {
         let [x2, y2, z2, x3, y3, z3, x4, y4, z4, psi, psi1, psi2]: [D; INPUTS] = (*state).into();
         let (s, c) = psi.sin_cos();
         let two = D::from(2.0);
-        // A turning frame adds psi' terms.
+        // (60); a turning frame adds the psi' terms of (61) and (62).
         let forward = |x: D, y: D| c * x + s * y;
         let left = |x: D, y: D| c * y - s * x;
         let (f, l, v) = (forward(x2, y2), left(x2, y2), z2 + D::from(gravity));
@@ -63,6 +64,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
         let l2 = snap[1] - two * psi1 * jerk[0] - psi2 * f - psi1 * psi1 * l;
         let v2 = z4;
 
+        // (63)
         let h = f * f + v * v;
         let h1 = two * (f * f1 + v * v1);
         let h2 = two * (f1 * f1 + f * f2 + v1 * v1 + v * v2);
@@ -73,7 +75,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
         let nn1 = h1 + two * l * l1;
         let n = nn.sqrt();
 
-        // theta = atan2(f, v): theta' = (f' v - f v') / h.
+        // (64): theta = atan2(f, v), theta' = (f' v - f v') / h.
         let pitch_rate = (f1 * v - f * v1) / h;
         let pitch = Angles {
             sin: f / k,
@@ -91,6 +93,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
         };
         let (sin_phi, cos_phi, sin_theta, cos_theta) = (roll.sin, roll.cos, pitch.sin, pitch.cos);
 
+        // (65) and (66)
         let p = roll.rate - psi1 * sin_theta;
         let q = pitch.rate * cos_phi + psi1 * sin_phi * cos_theta;
         let r = psi1 * cos_phi * cos_theta - pitch.rate * sin_phi;
@@ -132,7 +135,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
         }
     }
 
-    /// [T, tau_x, tau_y, tau_z]: T = m n, tau = J w' + w x J w.
+    /// (67): [T, tau_x, tau_y, tau_z] with T = m n, tau = J w' + w x J w.
     pub fn wrench(&self, vehicle: &Vehicle) -> SVector<D, 4> {
         let [ixx, iyy, izz] = vehicle.inertia.map(D::from);
         let ([p, q, r], [p1, q1, r1]) = (self.rates, self.accelerations);

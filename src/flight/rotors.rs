@@ -65,7 +65,7 @@ impl Rotors {
         }
     }
 
-    /// Lets half a step pass: w' = (command - w) / time constant, in closed form.
+    /// Lets half a step pass: w' = (command - w) / time constant in closed form, the motor of (85).
     pub fn half_step(&mut self) {
         for (k, speed) in self.speed.iter_mut().enumerate() {
             if self.stuck[k].is_none() {

@@ -25,7 +25,7 @@ pub struct WrenchMap {
 }
 
 impl WrenchMap {
-    /// With c, s the cosine and sine of psi:
+    /// (19), (20) and (22), with c, s the cosine and sine of psi:
     ///
     /// T = m (g + z''),
     /// tau_x = Ixx phi'',  phi = (s x'' - c y'') / g,
@@ -68,7 +68,7 @@ impl WrenchMap {
 
 /// For rotors that lag: the lead wrench c = w + tau w' (docs/method.md, section 14).
 impl WrenchMap {
-    /// The lead wrench c = w + tau w' of the hover model, for a yaw motion with psi''' = `jerk`, rad/s^3.
+    /// (83): the commanded wrench c = w + tau w' of the hover model, for a yaw motion with psi''' = `jerk`, rad/s^3.
     ///
     /// g phi = s x'' - c y'', so by Leibniz g phi'' = sum over i of C(2, i) (s^(2-i) x^(2+i) - c^(2-i) y^(2+i)), and g
     /// phi''' alike with C(3, i) and 3 - i, where s^(k), c^(k) are the k-th time derivatives of sin psi and cos psi; g theta

@@ -128,9 +128,9 @@ pub struct PlannerRecord {
     pub proved_infeasible_s: Vec<f64>,
     /// Value of (48).
     pub objective: Option<f64>,
-    /// (49)
+    /// (49) of the paper
     pub position_error_m: Option<f64>,
-    /// (50)
+    /// (50) of the paper
     pub yaw_error_rad: Option<f64>,
     pub max_waypoint_error_m: Option<f64>,
     /// The largest error of a waypoint as a share of its tolerance, in position or yaw.
@@ -171,9 +171,9 @@ pub struct ModeRecord {
 /// Waypoint errors of a plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
-    /// (49): sum of distances, m.
+    /// (49) of the paper: sum of distances, m.
     pub position: f64,
-    /// (50): sum of |psi - psi_ref|, rad.
+    /// (50) of the paper: sum of |psi - psi_ref|, rad.
     pub yaw: f64,
     /// Largest distance, m.
     pub largest: f64,

@@ -4,6 +4,7 @@ mod building;
 mod campaigns;
 mod certificates;
 mod cli;
+mod code_names;
 mod codes;
 mod conflicts;
 mod controllability;

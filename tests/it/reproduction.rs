@@ -175,7 +175,7 @@ fn shortest_times_of_the_exact_model_stand() {
 
 #[test]
 fn a_changed_page_is_noticed() {
-    let page = "## What faults leave\n\n| 1 | 0.1956 | agrees |\n\n## Case 1\n\n\
+    let page = "## Fault sets and verdicts\n\n| 1 | 0.1956 | agrees |\n\n## Case 1\n\n\
                 | planner | T, paper | T | e_R m | pairs |\n|---|---|---|---|---|\n\
                 | RCP M1 | 20 s | 16.00 s | 0.8951 | 57 |\n";
     assert!(differences(page, page).is_empty());
