@@ -4,6 +4,7 @@ pub mod commands;
 mod cost;
 pub mod hover;
 mod limits;
+mod plan;
 pub mod scp;
 pub mod selection;
 pub mod spline;

@@ -2,91 +2,19 @@
 //! minimises the cost (48) there.
 
 use super::*;
-
-/// Proximal weight of the feasibility phase: small, so that its steps end near the nearest feasible iterate.
-pub(super) const FEASIBILITY_PHASE_WEIGHT: f64 = 0.1;
-
-/// Most steps of the feasibility phase; over each [`PATIENCE`] of them the violation has to fall to the share [`FALL`].
-const MOST_FEASIBILITY_STEPS: usize = 12;
-const PATIENCE: usize = 2;
-/// See [`Step::input_weight`].
-pub(super) const INPUT_WEIGHT: f64 = 1e-3;
-const MOST_REJECTED: usize = 3;
-const FALL: f64 = 0.4;
-
-/// Below this violation the phase goes on although progress is slow: each step adds rows at other instants.
-const NEARLY: f64 = 1e-2;
-
-/// If the linear model itself predicts this much violation, the feasibility phase ends without success: further steps fail, or
-/// reach an iterate at the edge of what can be flown (measured).
-const HOPELESS: f64 = 1e-2;
-
-/// The feasibility phase also ends where the linear model predicts more violation than the first of these, and more than the
-/// second times what it predicted two steps before (measured: such sequences took all their steps and failed).
-const UNAVOIDABLE: f64 = 2e-4;
-const STEADY: f64 = 0.9;
-
-/// Initial proximal weight of the cost phase.
-pub(super) const COST_PHASE_WEIGHT: f64 = 0.03;
-
-/// The largest initial weight, if the last cost phase had to raise it.
-const MOST_COST_PHASE_WEIGHT: f64 = 1e3;
-
-/// The largest weight after the feasibility phase has restored an iterate.
-const MOST_WEIGHT_AFTER_RESTORATION: f64 = 1.0;
+use settings::{ShorteningWeights, StoppingRule};
 
 /// How far a step shortens the duration.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shorter {
     /// By as much as the linear model allows, at most by the first share of the duration; less than the second share is a failure.
     UpTo(f64, f64),
-    /// By this share, even if the linear model predicts a violation: the feasibility phase may still remove it.
+    /// By this share of the duration, even if the linear model predicts a violation: the feasibility phase may still remove it.
     By(f64),
 }
 
-/// Penalty weight of these steps; and their proximal weight with the weight of the relative cost, if the program chooses the
-/// duration and if it is given.
-const SHORTENING_PENALTY: f64 = 20.0;
-const FREE_DURATION: (f64, f64) = (3.0, 0.01);
-const GIVEN_DURATION: (f64, f64) = (1.0, 0.05);
-
-/// Initial penalty weight of the cost phase: the violation against the relative cost.
-const PENALTY: f64 = 6.0;
-
-/// Its growth if the cost outweighs the penalty, and its largest value.
-const PENALTY_GROWTH: f64 = 5.0;
-const MOST_PENALTY: f64 = 1e4;
-
-/// The line search ends below this share of a step.
-const LEAST_SHARE: f64 = 0.05;
-
-/// What may be passed between the instants, in widths of the healthy set or shares of a limit; on a grid so much finer; by
-/// what factor of it rows keep more free; and how often that is tried. Half of what counts as a violation, for the grid has
-/// gaps as well.
-const BETWEEN: f64 = 5e-5;
-pub(super) const FINER: usize = 4;
-const BENT: f64 = 1.5;
-const MOST_TIGHTENINGS: usize = 8;
-
-/// Stopping rule of the cost phase.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct StoppingRule {
-    steps: usize,
-    /// Relative gain that ends the sequence.
-    small: f64,
-}
-
-/// Where any motion inside will do.
-pub(super) const WITHOUT_COST_PHASE: StoppingRule = StoppingRule { steps: 0, small: 0.0 };
-/// On the way to another time.
-pub(super) const ROUGHLY: StoppingRule = StoppingRule { steps: 2, small: 0.03 };
-/// Where the way to another time is hard.
-pub(super) const CLOSER: StoppingRule = StoppingRule { steps: 6, small: 0.01 };
-/// For a plan that is kept.
-pub(super) const CLOSELY: StoppingRule = StoppingRule { steps: 12, small: 2e-3 };
-
-/// Where a sequence of steps towards the least cost stands.
-struct Descent {
+/// The state of a cost phase.
+struct CostPhase {
     /// Steps that it may still take.
     left: usize,
     proximal: ProximalWeight,
@@ -94,85 +22,89 @@ struct Descent {
 }
 
 impl ScpPlanner<'_, '_> {
-    pub(super) fn durations_stand(&self) -> Durations {
+    pub(super) fn fixed_durations(&self) -> Durations {
         Durations { legs: vec![None; self.hover.mission.legs.len()], range: (0.0, 0.0), spans: Vec::new() }
     }
 
-    /// Shortens all durations alike: one program about the iterate as it is, because the same iterate flown faster can be far
-    /// outside the set, where the linear model predicts nothing; then the feasibility phase.
+    /// Shortens all durations alike: one subproblem about the iterate as it is, because the same iterate flown faster can be far
+    /// outside the set, where the linear model predicts nothing; then the feasibility phase. `None` if either fails.
     pub(super) fn shorten_alike(
         &mut self,
         iterate: &Iterate,
         shorter: Shorter,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        let (range, objective, (proximal_weight, smoothing), least) = match shorter {
-            Shorter::UpTo(share, least) => ((-share, 0.0), Objective::Time, FREE_DURATION, least),
-            Shorter::By(share) => ((-share, -share), Objective::Cost, GIVEN_DURATION, 0.0),
+        let settings = self.settings.descent;
+        let (range, objective, weights, least) = match shorter {
+            Shorter::UpTo(share, least) => ((-share, 0.0), Objective::Time, settings.free_duration, least),
+            Shorter::By(share) => ((-share, -share), Objective::Cost, settings.given_duration, 0.0),
         };
+        let ShorteningWeights { proximal, cost: cost_weight } = weights;
         let durations = Durations { legs: vec![Some(0); self.hover.mission.legs.len()], range, spans: Vec::new() };
-        let weights = Weights { objective, penalty: SHORTENING_PENALTY, smoothing, input_weight: 0.0 };
-        let stepped =
-            self.step(iterate, &durations, ProximalWeight { weight: proximal_weight }, weights, working_set)?;
+        let weights = Weights { objective, penalty: settings.penalty, cost_weight, input_weight: 0.0 };
+        let stepped = self.step(iterate, &durations, ProximalWeight { weight: proximal }, weights, working_set)?;
         if stepped.changes[0] > -least {
             return None;
         }
-        if stepped.sigma > HOPELESS {
+        if stepped.sigma > self.settings.feasibility.max_predicted {
             return None;
         }
         self.restore_feasibility(iterate.stepped(&stepped.states, &stepped.changes), working_set)
     }
 
-    /// The feasibility phase: steps that minimise the violation, until the iterate is inside at every instant. `None` if it does
-    /// not converge.
+    /// The feasibility phase: steps that minimise the violation, until the iterate is feasible at every instant. `None` if it does
+    /// not converge, which proves nothing.
     pub(super) fn restore_feasibility(
         &mut self,
         iterate: Iterate,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        self.restore_feasibility_unless(iterate, HOPELESS, working_set)
+        self.restore_feasibility_unless(iterate, self.settings.feasibility.max_predicted, working_set)
     }
 
-    /// The same, ended if the linear model predicts more violation than `hopeless`.
+    /// The same, ended if the linear model predicts more violation than `max_predicted`.
     pub(super) fn restore_feasibility_unless(
         &mut self,
         mut iterate: Iterate,
-        hopeless: f64,
+        max_predicted: f64,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        let durations = self.durations_stand();
-        let mut proximal = ProximalWeight { weight: FEASIBILITY_PHASE_WEIGHT };
+        let (settings, proximal_settings) = (self.settings.feasibility, self.settings.proximal);
+        let durations = self.fixed_durations();
+        let mut proximal = ProximalWeight { weight: settings.proximal_weight };
         let mut violation = self.violation_by(&iterate, working_set);
-        // An iterate that nearly fits has no need of other inputs.
-        let input_weight = if violation < NEARLY { self.input_weight } else { 0.0 };
-        let mut weights = Weights { objective: Objective::Violation, penalty: 1.0, smoothing: 0.0, input_weight };
+        // A nearly feasible iterate needs no very different inputs.
+        let input_weight = if violation < settings.nearly_feasible { self.input_weight } else { 0.0 };
+        let mut weights = Weights { objective: Objective::Violation, penalty: 1.0, cost_weight: 0.0, input_weight };
         let mut history = Vec::new();
-        let mut lines: Vec<f64> = Vec::new();
+        let mut predicted: Vec<f64> = Vec::new();
         let mut rejected = 0;
         self.forget_multipliers();
         while violation > 0.0 {
             history.push(violation);
-            let stuck = violation > NEARLY
-                && history.len() > PATIENCE
-                && violation > FALL * history[history.len() - 1 - PATIENCE];
-            if history.len() > MOST_FEASIBILITY_STEPS || stuck || proximal.exhausted() {
+            let stuck = violation > settings.nearly_feasible
+                && history.len() > settings.patience
+                && violation > settings.required_fall * history[history.len() - 1 - settings.patience];
+            if history.len() > settings.max_steps || stuck || proximal.is_exhausted(&proximal_settings) {
                 return None;
             }
             working_set.extend(self.rows_between(&iterate));
             let stepped = self.step(&iterate, &durations, proximal, weights, working_set)?;
-            lines.push(stepped.sigma);
-            let is_stuck = matches!(lines[..], [.., before, _, last] if last > f64::max(UNAVOIDABLE, STEADY * before));
-            if stepped.sigma > hopeless || is_stuck {
+            predicted.push(stepped.sigma);
+            let (unavoidable, steady) = (settings.unavoidable, settings.steady_ratio);
+            let is_stuck =
+                matches!(predicted[..], [.., before, _, last] if last > f64::max(unavoidable, steady * before));
+            if stepped.sigma > max_predicted || is_stuck {
                 if weights.input_weight == 0.0 {
                     return None;
                 }
-                // Where most inputs are small every change is a large share of them: other inputs after all, from now on.
+                // Where most inputs are small any change is a large share of them: this planner goes on without the weight.
                 (self.input_weight, weights.input_weight) = (0.0, 0.0);
-                lines.clear();
+                predicted.clear();
                 history.clear();
                 continue;
             }
-            // If only a share of this step is taken, the next program still needs the rows that the full step violates.
+            // If only a share of this step is taken, the next subproblem still needs the rows that the full step violates.
             let whole = iterate.with_states(stepped.states.clone());
             working_set.extend(self.rows_violated_most(&whole));
             violation = self.violation_by(&iterate, working_set);
@@ -180,55 +112,58 @@ impl ScpPlanner<'_, '_> {
             let (reached, now) = loop {
                 let reached = iterate.with_states(iterate.towards(&stepped.states, share));
                 let now = self.violation_by(&reached, working_set);
-                if now <= violation - 0.2 * share * (violation - stepped.sigma) || share < 2.0 * LEAST_SHARE {
+                let enough = now <= violation - settings.sufficient_decrease * share * (violation - stepped.sigma);
+                if enough || share < 2.0 * settings.min_share {
                     break (reached, now);
                 }
                 share *= 0.5;
             };
             if share < 0.5 {
-                proximal = proximal.less();
+                proximal = proximal.increased(&proximal_settings);
             }
             if now < violation {
                 (iterate, violation) = (reached, now);
             } else {
-                // Too many rows were unknown to the program for any share of its step: it gets all of them.
+                // The subproblem lacked too many rows for any share of its step: it gets all of them.
                 working_set.extend(self.rows_at_nodes(&whole, 0.0));
                 working_set.extend(self.rows_between(&whole));
                 history.pop();
                 rejected += 1;
-                if rejected > MOST_REJECTED {
+                if rejected > settings.max_rejected {
                     return None;
                 }
             }
         }
-        // Steps of which only a share was taken, or none, leave gaps at waypoints where durations have changed.
-        if !iterate.is_joined() {
+        // If only a share of a step or no step was taken, gaps remain at waypoints where durations have changed.
+        if !iterate.is_joined(self.settings.subproblem.joined_within) {
             let joined = self.joined(&iterate, working_set)?;
-            return self.restore_feasibility_unless(joined, hopeless, working_set);
+            return self.restore_feasibility_unless(joined, max_predicted, working_set);
         }
         self.prune(&iterate, working_set);
         Some(iterate)
     }
 
-    /// The cost phase. The iterate given and the one returned are inside at every instant; iterates in between are judged by the
-    /// merit function, the cost and a penalty on the violation.
+    /// The cost phase. The iterate given and the one returned are feasible at every instant; iterates in between are judged by the
+    /// merit function: the relative cost, with a penalty on the violation.
     pub(super) fn minimise_cost(
         &mut self,
         iterate: Iterate,
-        care: StoppingRule,
+        rule: StoppingRule,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Iterate {
-        let weights = Weights { objective: Objective::Cost, penalty: PENALTY, smoothing: 1.0, input_weight: 0.0 };
-        let mut descent = Descent {
-            left: care.steps,
+        let settings = self.settings.cost;
+        let (objective, penalty) = (Objective::Cost, settings.penalty);
+        let weights = Weights { objective, penalty, cost_weight: 1.0, input_weight: 0.0 };
+        let mut phase = CostPhase {
+            left: rule.max_steps,
             proximal: ProximalWeight { weight: self.proximal_weight_of_cost_phase },
             weights,
         };
         let mut best = (self.cost(&iterate), iterate);
         loop {
-            let outside = self.lower(&mut best, &mut descent, care.small, working_set);
-            self.proximal_weight_of_cost_phase = descent.proximal.weight.min(MOST_COST_PHASE_WEIGHT);
-            // Where the last iterate is still outside, the nearest one inside may well be the best, or lead to it.
+            let outside = self.lower_merit(&mut best, &mut phase, rule.min_gain, working_set);
+            self.proximal_weight_of_cost_phase = phase.proximal.weight.min(settings.max_initial_proximal_weight);
+            // If the last iterate is infeasible, the nearest feasible one may well be the best, or lead to it.
             let mut known = working_set.clone();
             let Some(inside) = outside.and_then(|outside| self.restore_feasibility(outside, &mut known)) else {
                 return best.1;
@@ -238,33 +173,35 @@ impl ScpPlanner<'_, '_> {
                 *working_set = known;
                 best = (cost, inside);
             }
-            if descent.left == 0 || cost > (1.0 - care.small) * was {
+            if phase.left == 0 || cost > (1.0 - rule.min_gain) * was {
                 return best.1;
             }
-            descent.proximal.weight = descent.proximal.weight.min(MOST_WEIGHT_AFTER_RESTORATION);
+            let most = settings.max_proximal_weight_after_restoration;
+            phase.proximal.weight = phase.proximal.weight.min(most);
         }
     }
 
-    /// The steps of [`Self::minimise_cost`] from `best`, which is inside and is replaced by the cheapest iterate inside that they
-    /// meet. Returns the last iterate if it is outside and cheaper.
-    fn lower(
+    /// The steps of [`Self::minimise_cost`] from `best`, which is feasible and is replaced by the cheapest feasible iterate on the
+    /// way. Returns the last iterate if it is infeasible and cheaper.
+    fn lower_merit(
         &mut self,
         best: &mut (f64, Iterate),
-        Descent { left, proximal, weights }: &mut Descent,
-        small: f64,
+        CostPhase { left, proximal, weights }: &mut CostPhase,
+        min_gain: f64,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        let durations = self.durations_stand();
+        let (settings, proximal_settings) = (self.settings.cost, self.settings.proximal);
+        let durations = self.fixed_durations();
         let (mut at, mut violation) = (best.1.clone(), 0.0);
         while *left > 0 {
             *left -= 1;
             let here = self.cost(&at);
             let Some(stepped) = self.step(&at, &durations, *proximal, *weights, working_set) else { break };
-            // A sigma within the tightening is inside.
-            let sigma = stepped.sigma - TIGHTENING;
+            // A sigma below the margin of the tightening is feasible.
+            let sigma = stepped.sigma - self.settings.tightening.margin;
             // The cost outweighs the penalty: the penalty is raised and the subproblem solved again.
-            if sigma > 0.0 && weights.penalty < MOST_PENALTY {
-                weights.penalty *= PENALTY_GROWTH;
+            if sigma > 0.0 && weights.penalty < settings.max_penalty {
+                weights.penalty *= settings.penalty_growth;
                 continue;
             }
             let penalty = weights.penalty;
@@ -280,7 +217,7 @@ impl ScpPlanner<'_, '_> {
             }
             let mut share = 1.0;
             let (mut cost, mut now, mut reached) = towards(self, working_set, share);
-            while was - merit(cost, now) < 0.3 * share * expected && share > LEAST_SHARE {
+            while was - merit(cost, now) < settings.sufficient_gain * share * expected && share > settings.min_share {
                 share *= 0.5;
                 (cost, now, reached) = towards(self, working_set, share);
             }
@@ -290,30 +227,31 @@ impl ScpPlanner<'_, '_> {
             }
             working_set.extend(self.rows_between(&reached));
             *proximal = match share {
-                1.0 if expected > 0.0 => proximal.after(gained, expected),
-                _ => proximal.shared(share),
+                1.0 if expected > 0.0 => proximal.after(gained, expected, &proximal_settings),
+                _ => proximal.after_share(share, &proximal_settings),
             };
             if gained > 0.0 {
-                // Measured again, with the instants that the working set has now.
+                // Evaluated again, at the instants that the working set has now.
                 at = reached;
                 violation = self.violation_by(&at, working_set);
             }
-            if expected < small && sigma <= 0.0 || proximal.exhausted() {
+            if expected < min_gain && sigma <= 0.0 || proximal.is_exhausted(&proximal_settings) {
                 break;
             }
         }
         (violation > 0.0 && self.cost(&at) < best.0).then_some(at)
     }
 
-    /// The cost phase, then constraint tightening until no row is violated between the instants by more than [`BETWEEN`]. `None` if
-    /// this does not converge. The tightening belongs to this iterate: other durations and grids have other instants.
+    /// The cost phase, then constraint tightening until no row is violated between the instants by more than
+    /// [`settings::TighteningSettings::max_violation`]. `None` if this does not converge. The local tightening belongs to this
+    /// iterate: other durations and grids have other instants.
     pub(super) fn minimise_cost_between_instants(
         &mut self,
         iterate: Iterate,
-        care: StoppingRule,
+        rule: StoppingRule,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        let kept = self.tighten_until_inside(iterate, care, working_set);
+        let kept = self.tighten_until_inside(iterate, rule, working_set);
         self.local_tightening.clear();
         self.lag.iter_mut().for_each(|lag| lag.local_tightening.fill(0.0));
         kept
@@ -324,51 +262,55 @@ impl ScpPlanner<'_, '_> {
     fn tighten_until_inside(
         &mut self,
         iterate: Iterate,
-        care: StoppingRule,
+        rule: StoppingRule,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        let mut iterate = self.minimise_cost(iterate, care, working_set);
-        for _ in 0..MOST_TIGHTENINGS {
-            // What is reported and checked is the iterate whose pieces join.
+        let settings = self.settings.tightening;
+        let mut iterate = self.minimise_cost(iterate, rule, working_set);
+        for _ in 0..settings.max_rounds {
+            // The iterate whose pieces join is the one that is reported and checked.
             let joined = iterate.with_joined_pieces();
             let over = self.between_instants(&joined);
             let commands_over = self.commands_between_instants(&joined);
-            if over.is_empty() && commands_over.iter().all(|violation| *violation <= BETWEEN) {
+            if over.is_empty() && commands_over.iter().all(|violation| *violation <= settings.max_violation) {
                 return Some(joined);
             }
             for (at, violation) in over {
                 let Some(place) = self.place(at.row) else { continue };
                 for instant in [at.instant, at.instant + 1] {
-                    *self.local_tightening.entry(instant).or_default().entry(place).or_default() += BENT * violation;
+                    *self.local_tightening.entry(instant).or_default().entry(place).or_default() +=
+                        settings.factor * violation;
                     working_set.insert(RowAt { instant, ..at });
                 }
             }
             let command_tightening = self.lag.iter_mut().flat_map(|lag| &mut lag.local_tightening);
-            for (bend, violation) in command_tightening.zip(&commands_over) {
-                *bend += BENT * violation.max(0.0);
+            for (tightening, violation) in command_tightening.zip(&commands_over) {
+                *tightening += settings.factor * violation.max(0.0);
             }
             iterate = self.restore_feasibility(iterate, working_set)?;
         }
         None
     }
 
-    /// The rows violated by more than [`BETWEEN`] on a grid [`FINER`] times finer than the instants, each at the instant before
-    /// with its largest violation until the next.
+    /// The rows violated by more than the tightening accepts on the finer grid, each at the instant before, with its largest
+    /// violation until the next instant.
     fn between_instants(&self, iterate: &Iterate) -> Vec<(RowAt, f64)> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut over: BTreeMap<RowAt, f64> = BTreeMap::new();
-        let parts = PARTS * FINER;
+        let settings = self.settings.tightening;
+        let parts = PARTS * settings.parts;
         for interval in 0..iterate.grid.intervals() {
             for part in 0..parts {
                 let state = iterate.inside(interval, part as f64 / parts as f64);
-                let instant = interval * PARTS + part / FINER;
-                for (place, violation) in self.violations(&form, &state).enumerate().filter(|(_, e)| *e > BETWEEN) {
+                let instant = interval * PARTS + part / settings.parts;
+                let violations = self.violations(&form, &state).enumerate();
+                for (place, violation) in violations.filter(|(_, e)| *e > settings.max_violation) {
                     let entry = over.entry(RowAt { row: self.row(place), instant }).or_default();
                     *entry = entry.max(violation);
                 }
             }
         }
-        // Places have no width to keep a share of free.
+        // Limits on places have no width for a tightening.
         let limits = &self.hover.mission.limits;
         over.retain(|at, _| !matches!(at.row, Row::Limit(limit) if place(limits[limit].kind)));
         over.into_iter().collect()
@@ -378,7 +320,7 @@ impl ScpPlanner<'_, '_> {
         self.transcription(&iterate.grid, &[]).cost_of(&iterate.states)
     }
 
-    /// Drops the rows that an iterate keeps well clear of.
+    /// Drops the rows with more slack at an iterate than [`settings::SubproblemSettings::slack_of_working_set`].
     fn prune(&self, iterate: &Iterate, working_set: &mut BTreeSet<RowAt>) {
         let form = self.transcription(&iterate.grid, &[]);
         working_set.retain(|r| {
@@ -387,9 +329,9 @@ impl ScpPlanner<'_, '_> {
                 Row::Facet(facet) => self.violation_of_row(facet, &self.wrench_at(&state)),
                 Row::Limit(limit) => form.violation_of(&self.hover.mission.limits[limit], &state, 0.0),
                 Row::Upright => form.violation_upright(&state),
-                Row::Command { facet, slope } => self.lead_excess_of(iterate, facet, (r.instant, slope)),
+                Row::Command { facet, slope } => self.command_violation_of(iterate, facet, (r.instant, slope)),
             };
-            violation > -NEAR
+            violation > -self.settings.subproblem.slack_of_working_set
         });
     }
 }
