@@ -19,8 +19,10 @@ use crate::model::{Mission, Model};
 use crate::motion::NodeState;
 use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
+use crate::planner::Planner;
 use crate::planner::limits::place;
 use crate::planner::selection::PlanningSet;
+use crate::planner::timing::search::{Hint, NoTime, Shortest};
 use crate::planner::transcription::Purpose;
 use crate::planner::working_set::WorkingSet;
 use crate::planner::yaw::plan_yaw;
@@ -57,6 +59,34 @@ pub struct Violation {
     pub sigma: f64,
     /// sigma was not minimised below this.
     pub least: f64,
+}
+
+impl Planner for HoverPlanner<'_> {
+    fn plan_at(&mut self, time: f64, set: &PlanningSet, _: &[&Planned], working_set: &mut WorkingSet) -> Decision {
+        self.progress(time);
+        self.decide(time, self.model.plan.samples, set, working_set)
+    }
+
+    fn attempt_at(&mut self, time: f64, set: &PlanningSet, _: bool, working_set: &mut WorkingSet) -> Decision {
+        self.plan_at(time, set, &[], working_set)
+    }
+
+    fn shortest_time(
+        &mut self,
+        set: &PlanningSet,
+        hint: Hint,
+        working_set: &mut WorkingSet,
+    ) -> Result<Shortest, NoTime> {
+        self.shortest(set, hint, working_set)
+    }
+
+    fn take_weights(&mut self) -> Vec<(RowOrigin, f64)> {
+        std::mem::take(&mut self.weights)
+    }
+
+    fn effort(&self) -> Effort {
+        self.effort
+    }
 }
 
 impl<'a> HoverPlanner<'a> {

@@ -15,6 +15,16 @@ pub enum Decision {
     Inconclusive(String),
 }
 
+impl Decision {
+    /// The plan, if one was found.
+    pub fn planned(&self) -> Option<&Planned> {
+        match self {
+            Decision::Feasible(planned) => Some(planned),
+            Decision::Infeasible | Decision::Inconclusive(_) => None,
+        }
+    }
+}
+
 /// A plan at one mission time: optimal in the hover model, a local optimum in the exact one.
 #[derive(Debug, Clone)]
 pub struct Planned {

@@ -8,6 +8,7 @@
 
 mod commands;
 mod durations;
+mod exact;
 mod fixed_times;
 mod given_time;
 mod initial_guess;
@@ -22,6 +23,7 @@ mod stopping;
 mod subproblem;
 mod violation;
 
+pub use exact::ExactPlanner;
 pub use given_time::NOT_FOUND;
 pub use iterate::Iterate;
 pub use relaxation::{MostThrust, Relaxed};

@@ -28,6 +28,8 @@ pub struct ScpSettings {
     pub sensitivity: SensitivitySettings,
     /// Stops after a fault.
     pub stops: StopSettings,
+    /// Waypoints that require nothing, in quick attempts.
+    pub guidance: GuidanceSettings,
 }
 
 /// Rows and multipliers of one convex subproblem.
@@ -327,6 +329,19 @@ pub struct StopSettings {
     pub min_share: f64,
 }
 
+/// How near waypoints that require nothing are kept in quick attempts: a wide tolerance and a small weight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GuidanceSettings {
+    /// Weight of the squared distance to the waypoint, 1/m^2. 0.01.
+    pub weight: f64,
+    /// Tolerance: this distance, m, ... 100.
+    pub min_distance: f64,
+    /// ... and this many times the largest distance of a waypoint from the first. 3.
+    pub lengths: f64,
+    /// Tolerance of the yaw, rad. 20.
+    pub yaw: f64,
+}
+
 impl ScpSettings {
     /// The values in use.
     pub const DEFAULT: ScpSettings = ScpSettings {
@@ -426,6 +441,7 @@ impl ScpSettings {
             sufficient_decrease: 0.2,
             min_share: 0.1,
         },
+        guidance: GuidanceSettings { weight: 0.01, min_distance: 100.0, lengths: 3.0, yaw: 20.0 },
     };
 }
 
