@@ -2,25 +2,28 @@
 //!
 //! Each step solves a convex subproblem (`subproblem`) with the wrench linear about the last iterate and the convex part of the
 //! Lagrangian's Hessian by the last multipliers (Nocedal and Wright, *Numerical Optimization*, chapter 18; for trajectories Mao,
-//! Szmuk and Acikmese, CDC 2016). At one mission time a feasibility phase is followed by a cost phase (`phases`); shorter
-//! times are reached by continuation (`given_time`, `shortest_time`) and by steps with the durations of legs as variables
+//! Szmuk and Acikmese, CDC 2016). At one mission time a feasibility phase is followed by a cost phase and constraint tightening; shorter
+//! times are reached by `continuation` and by steps with the durations of legs as variables
 //! (`durations`, `fixed_times`). Section 12 of `docs/method.md` lists these algorithms; [`settings`] holds their parameters.
 
 mod commands;
+mod continuation;
+mod cost_phase;
 mod durations;
 mod exact;
+mod feasibility_phase;
 mod fixed_times;
 mod given_time;
 mod initial_guess;
 mod iterate;
 mod minimum_snap;
-mod phases;
 mod relaxation;
 pub mod sensitivity;
 pub mod settings;
 mod shortest_time;
 mod stopping;
 mod subproblem;
+mod tightening;
 mod violation;
 
 pub use exact::ExactPlanner;
@@ -247,6 +250,11 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
                 new
             }
         }
+    }
+
+    /// The durations of a step that changes none.
+    fn fixed_durations(&self) -> Durations {
+        Durations { legs: vec![None; self.hover.mission.legs.len()], range: (0.0, 0.0), spans: Vec::new() }
     }
 
     fn forget_multipliers(&mut self) {
