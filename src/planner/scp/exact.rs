@@ -1,4 +1,4 @@
-//! The planner of the exact model: one [`ScpPlanner`] for each set that is asked about.
+//! The planner of the exact model, which makes one [`ScpPlanner`] for each set.
 
 use super::ScpSettings;
 use crate::model::Mission;

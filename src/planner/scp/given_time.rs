@@ -42,7 +42,7 @@ impl ScpPlanner<'_, '_> {
         Iterate { states: planned.grid.without_holds(&planned.states), grid, model: self.wrench }
     }
 
-    /// Whether the kinematic lower bound rules out a mission time for every division among the legs. Only asked where the planner
+    /// Whether the kinematic lower bound rules out a mission time for every division among the legs. Only used where the planner
     /// chooses the division; a given one is decided by the relaxation, which proves more.
     fn is_too_short(&self, total: f64) -> bool {
         let (model, mission) = (self.hover.model, self.hover.mission);
