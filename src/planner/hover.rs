@@ -90,6 +90,7 @@ impl Planner for HoverPlanner<'_> {
 }
 
 impl<'a> HoverPlanner<'a> {
+    /// `healthy` is the whole healthy set of `model`, whose widths make rows dimensionless.
     pub fn new(model: &'a Model, mission: &'a Mission, healthy: &'a AdmissibleSet) -> Self {
         HoverPlanner {
             model,

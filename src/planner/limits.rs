@@ -59,10 +59,12 @@ pub(super) struct Widening {
 }
 
 impl Widening {
+    /// Each bound wider by this share of itself, the duration unchanged.
     pub fn by(share: &Affine) -> Self {
         Widening { share: share.clone(), duration_change: Affine::default() }
     }
 
+    /// The same with a relative change of the duration.
     pub fn with_duration_change(self, change: &Affine) -> Self {
         Widening { duration_change: change.clone(), ..self }
     }

@@ -162,6 +162,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         ScpPlanner::with_settings(hover, wrench, set, ScpSettings::DEFAULT)
     }
 
+    /// `hover` belongs to the mission to plan; `set` is imposed on the wrench.
     pub fn with_settings(
         hover: &'e mut HoverPlanner<'a>,
         wrench: WrenchModel,

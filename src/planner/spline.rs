@@ -32,6 +32,7 @@ impl NodeSpline {
         NodeSpline { weights, coefficients: intervals + degree }
     }
 
+    /// The number of coefficients of one axis.
     pub fn coefficients(&self) -> usize {
         self.coefficients
     }

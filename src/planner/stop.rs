@@ -54,6 +54,7 @@ pub struct Stops<'a> {
 }
 
 impl<'a> Stops<'a> {
+    /// `set` is the admissible set of the fault mode, `wrench` the model that the plan was made with.
     pub fn new(
         model: &'a Model,
         mission: &'a Mission,

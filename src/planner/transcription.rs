@@ -184,6 +184,7 @@ impl<'a> Transcription<'a> {
         self.grid.intervals() * self.parts + 1
     }
 
+    /// The number of variables without sigma and epsilons.
     pub fn variables(&self) -> usize {
         match &self.form {
             Form::Stages => self.nodes() * self.per_node(),

@@ -12,9 +12,11 @@ use crate::qp::RowOrigin;
 /// The unit by which limits and tolerances are relaxed, as a share of themselves, and sets, as a share of the healthy set's width.
 pub const SHARE: f64 = 0.01;
 
-/// The units by which places are relaxed, m and rad, and rests, m/s.
+/// The unit by which limits on x, y and z are relaxed, m.
 pub const PLACE: f64 = 0.1;
+/// The unit by which limits on yaw are relaxed, rad: 1 degree.
 pub const YAW_PLACE: f64 = std::f64::consts::PI / 180.0;
+/// The unit by which rests are relaxed, m/s.
 pub const SPEED: f64 = 0.1;
 
 /// The statement of the spec that a row comes from.

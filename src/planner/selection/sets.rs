@@ -27,6 +27,7 @@ pub struct PlanningSets {
 }
 
 impl PlanningSets {
+    /// The sets of the modes in `against` of the spec's plan.
     pub fn of(model: &Model) -> Self {
         let healthy = AdmissibleSet::healthy(model);
         let planned = |set: AdmissibleSet| set.guaranteed(model).with_reserve(model.plan.reserve);

@@ -56,6 +56,7 @@ pub enum NotFound {
 }
 
 impl PlanOutcome {
+    /// The verdict in the words that reports use.
     pub fn verdict(&self) -> Verdict {
         match self {
             PlanOutcome::Planned(_) => Verdict::Found,
@@ -99,8 +100,9 @@ impl PlanOutcome {
     }
 }
 
-/// What a proof is confined to if it is not about the whole spec: the waypoint times chosen, or the yaw planned first.
+/// A proof that is confined to the waypoint times chosen.
 pub const THESE_TIMES: &str = "with the waypoint times that were tried";
+/// A proof that is confined to the yaw planned first.
 pub const THIS_YAW: &str = "with the yaw that is planned first";
 
 /// The part of the spec's freedom that a proof of no plan is confined to, if there is one.
@@ -155,6 +157,7 @@ impl MissionPlan {
     }
 }
 
+/// One planner's run: at its own shortest time or at T_d.
 #[derive(Debug, Clone)]
 pub struct PlannerRun {
     pub planner: PlannerKind,

@@ -178,6 +178,7 @@ impl<'a> Setting<'a> {
         }
     }
 
+    /// The record of one planner's run.
     pub fn run(
         &self,
         planner: PlannerKind,
