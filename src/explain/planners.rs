@@ -2,18 +2,17 @@
 
 use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
-use crate::model::{LimitKind, Mission, Model, PlanModel, PlannerKind, Vehicle};
+use crate::model::{LimitKind, Mission, Model, PlannerKind, Vehicle};
 use crate::motion::checks::{past, peak};
 use crate::motion::time_grid::time_grid;
-use crate::motion::wrench_model::WrenchModel;
-use crate::planner::hover::{Decision, HoverPlanner, Planned};
-use crate::planner::scp::{NOT_FOUND, ScpPlanner};
+use crate::planner::hover::{Decision, Planned};
+use crate::planner::scp::NOT_FOUND;
 use crate::planner::selection::PlanningSet;
 use crate::planner::selection::sets::PlanningSets;
 use crate::planner::studies::{THESE_TIMES, proofs_are_about};
 use crate::planner::timing::kinematics::least_time_within;
-use crate::planner::transcription::UNBOUNDED;
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{finds_local_optima, planner};
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 
@@ -76,13 +75,10 @@ impl Oracle for Planners<'_> {
         let known = self.sets.take().filter(|sets| sets.are_of(model));
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
         let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.pools);
-        let mut engine = HoverPlanner::new(model, mission, &sets.imposed.healthy);
+        let mut planner = planner(model, mission, &sets.imposed.healthy, None);
         let mut decide = |set: &PlanningSet, pool: &mut WorkingSet, settled: bool| {
-            let decision = match model.plan.model {
-                PlanModel::Hover => engine.decide(time, model.plan.samples, set, pool),
-                PlanModel::Exact => decide_exactly(&mut engine, set, pool, time, settled),
-            };
-            let weights = std::mem::take(&mut engine.weights);
+            let decision = planner.attempt_at(time, set, settled, pool);
+            let weights = planner.take_weights();
             let decision = match proofs_are_about(model, mission) {
                 // Without weights the yaw waypoints, or what has no yaw in it, show it by themselves.
                 Some(about) if about == THESE_TIMES || !weights.is_empty() => not_for_all(decision),
@@ -106,13 +102,14 @@ impl Oracle for Planners<'_> {
                         of_selection = true;
                         selected_by.push(planned.trajectory());
                         let (decision, parts) = decide(&sets.imposed.rip.with(facets), &mut of_rip.clone(), false);
-                        (about_all_selections(decision, model.plan.model), parts)
+                        (about_all_selections(decision, model), parts)
                     }
                 },
                 other => other,
             },
         };
-        self.effort += engine.effort;
+        self.effort += planner.effort();
+        drop(planner);
         sets.pools = [of_rip, of_joint];
         self.sets = Some(sets);
         match decision {
@@ -140,58 +137,10 @@ fn not_for_all(decision: Decision) -> Decision {
     }
 }
 
-/// What is decided for the facets that one RIP plan selects. The hover model's RIP plan is the only one of least cost, so they are
-/// RSP's facets; in the exact model another RIP plan may select others, and a proof for these is none for RSP.
-fn about_all_selections(decision: Decision, model: PlanModel) -> Decision {
-    match model {
-        PlanModel::Exact => not_for_all(decision),
-        PlanModel::Hover => decision,
-    }
-}
-
-/// A short try in the exact model. Where it tells nothing, the rows that bind in the hover model tell where to look.
-fn decide_exactly(
-    engine: &mut HoverPlanner,
-    set: &PlanningSet,
-    pool: &mut WorkingSet,
-    time: f64,
-    settled: bool,
-) -> Decision {
-    let (model, mission) = (engine.model, engine.mission);
-    let near = guided(mission);
-    let mut about = HoverPlanner::new(model, &near, engine.healthy);
-    let mut decision = ScpPlanner::new(&mut about, WrenchModel::Exact, set).attempt(time, settled);
-    engine.effort += about.effort;
-    engine.weights = about.weights;
-    // What is shown with waypoints kept near is shown of the mission itself only where there are none of those.
-    if near != *mission && !matches!(decision, Decision::Feasible(_)) {
-        decision = ScpPlanner::new(engine, WrenchModel::Exact, set).attempt(time, settled);
-    }
-    if matches!(decision, Decision::Inconclusive(_)) {
-        engine.decide(time, model.plan.samples, set, pool);
-    }
-    decision
-}
-
-/// Weight of a waypoint that was left out, and how near it is kept: in lengths of the mission and m, and in rad.
-const GUIDANCE: f64 = 0.01;
-const ROOM: f64 = 3.0;
-const LEAST_ROOM: f64 = 100.0;
-const TURNS: f64 = 20.0;
-
-/// The mission with waypoints that ask for nothing as something to keep near, by far. Without it, steps of the exact model
-/// drift along what nothing bounds, such as the speed where one waypoint is left, and the solver finds no end.
-fn guided(mission: &Mission) -> Mission {
-    let mut guided = mission.clone();
-    let apart = |i: usize| {
-        let (a, b) = (mission.waypoints[0].position, mission.waypoints[i].position);
-        (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
-    };
-    let length = (0..mission.waypoints.len()).map(apart).fold(0.0, f64::max);
-    let room = (LEAST_ROOM + ROOM * length).min(0.9 * UNBOUNDED);
-    let idle = guided.waypoints.iter_mut().filter(|w| w.within >= UNBOUNDED && w.weight == 0.0);
-    idle.for_each(|w| (w.within, w.yaw_within, w.weight) = (room, TURNS, GUIDANCE));
-    guided
+/// The verdict on RSP from one on the facets that one RIP plan selects. In the hover model that plan is the only one of least cost,
+/// so they are RSP's facets; in the exact model another RIP plan may select others, and a proof for these is not one for RSP.
+fn about_all_selections(decision: Decision, model: &Model) -> Decision {
+    if finds_local_optima(model) { not_for_all(decision) } else { decision }
 }
 
 /// Limits hold at the nodes. A plan that passes one by more than this share of it between them (of 1 m or 1 rad where it

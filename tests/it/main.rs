@@ -21,6 +21,7 @@ mod intervals;
 mod lag;
 mod language;
 mod lsp;
+mod method;
 mod model;
 mod pages;
 mod parallel_rows;
