@@ -12,12 +12,12 @@
 //! The formulas hold for every attitude but phi = +-90 degrees (k = 0) and free fall (|a| = 0), where ZYX angles or
 //! the thrust's direction are not defined; there the wrench is not finite.
 
-mod course;
 mod gradient;
+mod intermediates;
 
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
-use course::Course;
+use intermediates::Intermediates;
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual, DualNum, jacobian};
 
@@ -29,56 +29,56 @@ pub type FlatState = SVector<f64, INPUTS>;
 
 /// [T, tau_x, tau_y, tau_z] in N and N m.
 pub fn wrench(vehicle: &Vehicle, gravity: f64, state: &FlatState) -> Wrench {
-    Course::new(gravity, state).wrench(vehicle)
+    Intermediates::new(gravity, state).wrench(vehicle)
 }
 
 /// The wrench and its derivatives with respect to the flat state, 4 x 12, by forward-mode differentiation.
 pub fn wrench_and_jacobian(vehicle: &Vehicle, gravity: f64, state: &FlatState) -> (Wrench, SMatrix<f64, 4, INPUTS>) {
-    jacobian(|s| Course::new(gravity, &s).wrench(vehicle), state)
+    jacobian(|s| Intermediates::new(gravity, &s).wrench(vehicle), state)
 }
 
 /// Second derivatives of n.w with respect to the flat state, 12 x 12: forward-mode derivatives of its gradient, 13
 /// numbers in each operation instead of the 157 of forward mode twice.
 pub fn curvature(vehicle: &Vehicle, gravity: f64, state: &FlatState, n: &Wrench) -> SMatrix<f64, INPUTS, INPUTS> {
-    jacobian(|s| Course::new(gravity, &s).gradient(vehicle, n), state).1
+    jacobian(|s| Intermediates::new(gravity, &s).gradient(vehicle, n), state).1
 }
 
-/// Derivatives that the lead wrench depends on, in the order of [`LeadFlatState`].
-pub const LEAD_INPUTS: usize = 16;
+/// Derivatives that the lead wrench depends on, in the order of [`CommandFlatState`].
+pub const COMMAND_INPUTS: usize = 16;
 
 /// A [`FlatState`], then (x''''', y''''', z''''', psi'''), SI units.
-pub type LeadFlatState = SVector<f64, LEAD_INPUTS>;
+pub type CommandFlatState = SVector<f64, COMMAND_INPUTS>;
 
-/// Where the time derivative of each entry of a flat state stands in a [`LeadFlatState`].
+/// Where the time derivative of each entry of a flat state stands in a [`CommandFlatState`].
 const RATES: [usize; INPUTS] = [3, 4, 5, 6, 7, 8, 12, 13, 14, 10, 11, 15];
 
 /// The lead wrench c = w + tau w' of rotors that lag by `tau` s, N and N m.
-pub fn lead(vehicle: &Vehicle, gravity: f64, tau: f64, state: &LeadFlatState) -> Wrench {
-    leading(vehicle, gravity, tau, state)
+pub fn commanded(vehicle: &Vehicle, gravity: f64, tau: f64, state: &CommandFlatState) -> Wrench {
+    commanded_of(vehicle, gravity, tau, state)
 }
 
 /// The lead wrench and its derivatives, 4 x 16.
-pub fn lead_and_jacobian(
+pub fn commanded_and_jacobian(
     vehicle: &Vehicle,
     gravity: f64,
     tau: f64,
-    state: &LeadFlatState,
-) -> (Wrench, SMatrix<f64, 4, LEAD_INPUTS>) {
-    jacobian(|s| leading(vehicle, gravity, tau, &s), state)
+    state: &CommandFlatState,
+) -> (Wrench, SMatrix<f64, 4, COMMAND_INPUTS>) {
+    jacobian(|s| commanded_of(vehicle, gravity, tau, &s), state)
 }
 
 /// Second derivatives of n.c, 16 x 16.
-pub fn lead_curvature(
+pub fn commanded_curvature(
     vehicle: &Vehicle,
     gravity: f64,
     tau: f64,
-    state: &LeadFlatState,
+    state: &CommandFlatState,
     n: &Wrench,
-) -> SMatrix<f64, LEAD_INPUTS, LEAD_INPUTS> {
+) -> SMatrix<f64, COMMAND_INPUTS, COMMAND_INPUTS> {
     // Of n.c = n.w(s) + tau G(s).s', G the gradient of n.w: first derivatives in s with s' as it is, then those in s'.
-    let gradient = |s: SVector<_, LEAD_INPUTS>| {
-        let along = Course::new(gravity, &moving(&s)).gradient(vehicle, n);
-        let mut sum = SVector::<_, LEAD_INPUTS>::zeros();
+    let gradient = |s: SVector<_, COMMAND_INPUTS>| {
+        let along = Intermediates::new(gravity, &moving(&s)).gradient(vehicle, n);
+        let mut sum = SVector::<_, COMMAND_INPUTS>::zeros();
         for (i, g) in along.iter().enumerate() {
             sum[i] += g.re + g.eps * tau;
             sum[RATES[i]] += g.re * tau;
@@ -89,16 +89,16 @@ pub fn lead_curvature(
 }
 
 /// A state that moves: s + epsilon s', epsilon^2 = 0.
-fn moving<D: DualNum<Primitive = f64> + Copy>(state: &SVector<D, LEAD_INPUTS>) -> SVector<Dual<D>, INPUTS> {
+fn moving<D: DualNum<Primitive = f64> + Copy>(state: &SVector<D, COMMAND_INPUTS>) -> SVector<Dual<D>, INPUTS> {
     SVector::from_fn(|i, _| Dual::new(state[i], state[RATES[i]]))
 }
 
 /// w and w' = J(s) s' at once.
-fn leading<D: DualNum<Primitive = f64> + Copy>(
+fn commanded_of<D: DualNum<Primitive = f64> + Copy>(
     vehicle: &Vehicle,
     gravity: f64,
     tau: f64,
-    state: &SVector<D, LEAD_INPUTS>,
+    state: &SVector<D, COMMAND_INPUTS>,
 ) -> SVector<D, 4> {
-    Course::new(gravity, &moving(state)).wrench(vehicle).map(|w| w.re + w.eps * D::from(tau))
+    Intermediates::new(gravity, &moving(state)).wrench(vehicle).map(|w| w.re + w.eps * D::from(tau))
 }

@@ -96,10 +96,10 @@ impl Trajectory {
     }
 
     /// The lead wrench w + tau w' of rotors that lag by `tau` s, for a state in interval `k`, with the slopes there; N and N m.
-    pub fn lead(&self, vehicle: &Vehicle, gravity: f64, tau: f64, k: usize, state: &NodeState) -> Wrench {
+    pub fn commanded(&self, vehicle: &Vehicle, gravity: f64, tau: f64, k: usize, state: &NodeState) -> Wrench {
         let ends = [&self.nodes[k], &self.nodes[k + 1]];
         let sloped = with_slopes(state, ends, self.times[k + 1] - self.times[k], self.model.orders());
-        self.model.lead(vehicle, gravity, tau, &sloped)
+        self.model.commanded(vehicle, gravity, tau, &sloped)
     }
 
     /// The wrench at every node.

@@ -152,28 +152,28 @@ fn decide(program: &QuadraticProgram, tolerance: Tolerance) -> (Outcome, Effort)
 
 /// A point of a program good enough for a step of a sequence that measures what it reaches.
 #[derive(Debug, Clone)]
-pub struct Approach {
+pub struct StepSolution {
     pub solution: Solution,
     /// Whether the solver met its tolerances, or its reduced ones; otherwise it stopped early.
-    pub is_least: bool,
+    pub is_optimal: bool,
 }
 
 /// A point that keeps the rows of a program to [`PRIMAL_TOLERANCE`], and its multipliers; `scaled` is whether the solver scales
 /// rows and columns.
-pub fn approach(program: &QuadraticProgram, scaled: bool) -> (Option<Approach>, Effort) {
+pub fn solve_step(program: &QuadraticProgram, scaled: bool) -> (Option<StepSolution>, Effort) {
     let (raw, effort) = call(program, scaled, STEP);
     let Some(Raw { status, x, z }) = raw else { return (None, effort) };
-    let is_least = matches!(status, SolverStatus::Solved | SolverStatus::AlmostSolved);
+    let is_optimal = matches!(status, SolverStatus::Solved | SolverStatus::AlmostSolved);
     let stopped = matches!(
         status,
         SolverStatus::InsufficientProgress | SolverStatus::NumericalError | SolverStatus::MaxIterations
     );
-    let holds = (is_least || stopped)
+    let holds = (is_optimal || stopped)
         && x.iter().chain(&z).all(|v| v.is_finite())
         && program.cone_violation(&program.slack(&x)) <= PRIMAL_TOLERANCE;
     let objective = program.objective(&x);
     let solution = Solution { bound: f64::NEG_INFINITY, objective, x, z };
-    (holds.then_some(Approach { solution, is_least }), effort)
+    (holds.then_some(StepSolution { solution, is_optimal }), effort)
 }
 
 /// What the solver left.

@@ -1,18 +1,18 @@
-//! The gradient of n.w by reverse mode: the lines of [`Course`] from the last to the first, each handing the derivative of
+//! The gradient of n.w by reverse mode: the lines of [`Intermediates`] from the last to the first, each handing the derivative of
 //! n.w with respect to what it computes (`of_...`) on to what it is computed from (Griewank and Walther, *Evaluating
 //! Derivatives*, chapter 3).
 
 use super::INPUTS;
-use super::course::Course;
+use super::intermediates::Intermediates;
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
 use nalgebra::SVector;
 use num_dual::DualNum;
 
-impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
+impl<D: DualNum<Primitive = f64> + Copy> Intermediates<D> {
     /// d(n.w)/ds, in the order of [`super::FlatState`].
     pub fn gradient(&self, vehicle: &Vehicle, n: &Wrench) -> SVector<D, INPUTS> {
-        let Course { f, l, v, f1, l1, v1, f2, l2, v2, h, h1, k, k1, k2, nn, nn1, .. } = *self;
+        let Intermediates { f, l, v, f1, l1, v1, f2, l2, v2, h, h1, k, k1, k2, nn, nn1, .. } = *self;
         let two = D::from(2.0);
         let half = D::from(0.5);
         let (psi1, psi2) = (self.turn.rate, self.turn.acceleration);

@@ -19,7 +19,7 @@ pub struct Peak {
 
 /// A limit passed between nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Excess {
+pub struct LimitViolation {
     /// Index into the mission's limits.
     pub limit: usize,
     /// How far past the limit, in its SI unit.
@@ -96,12 +96,12 @@ pub fn past_as_checked(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
 }
 
 /// The limits that the polynomials pass by more than `tolerance` (in the limit's SI unit), with the worst instant.
-pub fn limit_excesses(trajectory: &Trajectory, model: &Model, tolerance: f64) -> Vec<Excess> {
+pub fn limit_violations(trajectory: &Trajectory, model: &Model, tolerance: f64) -> Vec<LimitViolation> {
     let limits = model.mission.iter().flat_map(|m| &m.limits).enumerate();
     limits
         .filter_map(|(limit, l)| {
             let worst = peak(trajectory, |s| past(l, s, model.gravity));
-            (worst.value > tolerance).then_some(Excess { limit, by: worst.value, at: worst.at })
+            (worst.value > tolerance).then_some(LimitViolation { limit, by: worst.value, at: worst.at })
         })
         .collect()
 }
@@ -122,7 +122,7 @@ pub fn coarser_legs(trajectory: &Trajectory, mission: &Mission, samples: usize) 
 
 /// How far the plan stretches the linear model.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stretch {
+pub struct LinearRange {
     /// Largest tilt, rad.
     pub tilt: Peak,
     /// Smallest thrust, N.
@@ -131,7 +131,7 @@ pub struct Stretch {
     pub full_thrust: f64,
 }
 
-impl Stretch {
+impl LinearRange {
     /// Tilt over 20 degrees: small angles no longer hold.
     pub fn tilts_too_far(&self) -> bool {
         self.tilt.value > 20f64.to_radians()
@@ -143,10 +143,10 @@ impl Stretch {
     }
 }
 
-pub fn stretch(trajectory: &Trajectory, model: &Model) -> Stretch {
+pub fn linear_range(trajectory: &Trajectory, model: &Model) -> LinearRange {
     let thrust = |s: &NodeState| model.vehicle.mass * (model.gravity + s[Z][2]);
     let least = peak(trajectory, |s| -thrust(s));
-    Stretch {
+    LinearRange {
         tilt: peak(trajectory, |s| tilt(s, model.gravity)),
         least_thrust: Peak { value: -least.value, at: least.at },
         full_thrust: model.vehicle.rotors.iter().map(super::super::model::Rotor::max_thrust).sum(),

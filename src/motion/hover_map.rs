@@ -73,7 +73,7 @@ impl WrenchMap {
     /// g phi = s x'' - c y'', so by Leibniz g phi'' = sum over i of C(2, i) (s^(2-i) x^(2+i) - c^(2-i) y^(2+i)), and g
     /// phi''' alike with C(3, i) and 3 - i, where s^(k), c^(k) are the k-th time derivatives of sin psi and cos psi; g theta
     /// has c and s in their places, both with a plus.
-    pub fn leading(vehicle: &Vehicle, gravity: f64, yaw: YawState, jerk: f64, tau: f64) -> Self {
+    pub fn commanded(vehicle: &Vehicle, gravity: f64, yaw: YawState, jerk: f64, tau: f64) -> Self {
         let (s, c) = yaw.psi.sin_cos();
         let YawState { rate, acceleration, .. } = yaw;
         let square = rate * rate;
@@ -103,8 +103,8 @@ impl WrenchMap {
     }
 
     /// The same for a yaw that is itself a variable, linearised at a constant psi.
-    pub fn leading_with_free_yaw(vehicle: &Vehicle, gravity: f64, psi: f64, tau: f64) -> Self {
-        let mut map = Self::leading(vehicle, gravity, YawState { psi, ..YawState::default() }, 0.0, tau);
+    pub fn commanded_with_free_yaw(vehicle: &Vehicle, gravity: f64, psi: f64, tau: f64) -> Self {
+        let mut map = Self::commanded(vehicle, gravity, YawState { psi, ..YawState::default() }, 0.0, tau);
         let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
         map.terms.extend([(YAW, 2, turn), (YAW, 3, tau * turn)]);
         map

@@ -11,8 +11,8 @@ use crate::motion::wrench_model::WrenchModel;
 pub struct Outside {
     /// Indices of rows violated at some node.
     pub facets: Vec<usize>,
-    /// Indices of rows violated at some instant: these, and those passed only between nodes.
-    pub passed: Vec<usize>,
+    /// Indices of rows violated at some instant: these, and those violated only between nodes.
+    pub violated: Vec<usize>,
     /// (row, node) pairs violated.
     pub rows: usize,
     /// Nodes with a violated row.
@@ -53,10 +53,10 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     found.facets = (0..rows.len()).filter(|&i| violated[i]).collect();
     let mut highest: Option<Seen> = None;
     for k in 0..trajectory.intervals() {
-        let (stretches, worst) = stretches(trajectory, vehicle, gravity, rows, k);
+        let (intervals, worst) = violation_intervals(trajectory, vehicle, gravity, rows, k);
         highest = highest.into_iter().chain(worst).max_by(|a, b| a.excess.total_cmp(&b.excess));
-        stretches.iter().for_each(|stretch| violated[stretch.row] = true);
-        for (a, b) in merged(stretches.into_iter().map(|s| (s.from, s.to)).collect()) {
+        intervals.iter().for_each(|interval| violated[interval.row] = true);
+        for (a, b) in merged(intervals.into_iter().map(|s| (s.from, s.to)).collect()) {
             found.seconds += b - a;
             found.last = Some(b);
         }
@@ -64,7 +64,7 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     if let Some(seen) = highest {
         found.max_violation = found.max_violation.max(refined(trajectory, vehicle, gravity, rows, seen));
     }
-    found.passed = (0..rows.len()).filter(|&i| violated[i]).collect();
+    found.violated = (0..rows.len()).filter(|&i| violated[i]).collect();
     found
 }
 
@@ -103,7 +103,7 @@ fn refined(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[Set
 
 /// A time during which a row is violated within one interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stretch {
+pub struct ViolationInterval {
     pub row: usize,
     /// s since the start
     pub from: f64,
@@ -111,13 +111,13 @@ pub struct Stretch {
 }
 
 /// What is violated in interval `k`, and the largest excess seen there; see [`outside`].
-pub fn stretches(
+pub fn violation_intervals(
     trajectory: &Trajectory,
     vehicle: &Vehicle,
     gravity: f64,
     rows: &[SetRow],
     k: usize,
-) -> (Vec<Stretch>, Option<Seen>) {
+) -> (Vec<ViolationInterval>, Option<Seen>) {
     let begin = trajectory.times[k];
     let h = trajectory.times[k + 1] - begin;
     let curved = !matches!(trajectory.model, WrenchModel::HoverAt(_));
@@ -142,7 +142,7 @@ pub fn stretches(
             let spans_of = |&side| {
                 let over = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
                 let (from, to) = span_outside(over, left, right, at)?;
-                Some(Stretch { row: i, from: begin + from, to: begin + to })
+                Some(ViolationInterval { row: i, from: begin + from, to: begin + to })
             };
             found.extend(sides.iter().filter_map(spans_of));
         }

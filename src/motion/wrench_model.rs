@@ -3,7 +3,7 @@
 use super::hover_map::{self, WrenchMap, YawState};
 use super::{CommandState, NodeState, X, Y, YAW, Z};
 use crate::actuation::Wrench;
-use crate::flatness::{self, FlatState, INPUTS, LEAD_INPUTS, LeadFlatState};
+use crate::flatness::{self, COMMAND_INPUTS, CommandFlatState, FlatState, INPUTS};
 use crate::model::Vehicle;
 use nalgebra::{DMatrix, DVector};
 
@@ -23,8 +23,8 @@ const FLAT: [(usize, usize); INPUTS] =
     [(X, 2), (Y, 2), (Z, 2), (X, 3), (Y, 3), (Z, 3), (X, 4), (Y, 4), (Z, 4), (YAW, 0), (YAW, 1), (YAW, 2)];
 
 /// Axis and derivative of each entry of a flat state with the slopes of the inputs.
-pub const LEAD_FLAT: [(usize, usize); LEAD_INPUTS] = {
-    let mut all = [(YAW, 3); LEAD_INPUTS];
+pub const COMMAND_DERIVATIVES: [(usize, usize); COMMAND_INPUTS] = {
+    let mut all = [(YAW, 3); COMMAND_INPUTS];
     let mut i = 0;
     while i < INPUTS {
         all[i] = FLAT[i];
@@ -34,8 +34,8 @@ pub const LEAD_FLAT: [(usize, usize); LEAD_INPUTS] = {
     all
 };
 
-fn lead_flat(state: &CommandState) -> LeadFlatState {
-    LeadFlatState::from_fn(|i, _| state[LEAD_FLAT[i].0][LEAD_FLAT[i].1])
+fn command_flat(state: &CommandState) -> CommandFlatState {
+    CommandFlatState::from_fn(|i, _| state[COMMAND_DERIVATIVES[i].0][COMMAND_DERIVATIVES[i].1])
 }
 
 /// Axis and derivative of each direction in which the wrench may curve.
@@ -102,37 +102,37 @@ impl WrenchModel {
     }
 
     /// The lead wrench c = w + lag w' of rotors that lag by `lag` s, N and N m.
-    pub fn lead(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> Wrench {
+    pub fn commanded(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> Wrench {
         match self {
-            WrenchModel::Exact => flatness::lead(vehicle, gravity, lag, &lead_flat(state)),
-            _ => self.lead_linearised(vehicle, gravity, lag, state).at(state),
+            WrenchModel::Exact => flatness::commanded(vehicle, gravity, lag, &command_flat(state)),
+            _ => self.commanded_linearised(vehicle, gravity, lag, state).at(state),
         }
     }
 
     /// The lead wrench about a state, to first order, as in [`Self::linearised`].
-    pub fn lead_linearised(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> WrenchMap {
+    pub fn commanded_linearised(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> WrenchMap {
         match self {
-            WrenchModel::HoverAt(psi) => WrenchMap::leading_with_free_yaw(vehicle, gravity, psi, lag),
+            WrenchModel::HoverAt(psi) => WrenchMap::commanded_with_free_yaw(vehicle, gravity, psi, lag),
             WrenchModel::HoverFollowing => {
                 let [psi, rate, acceleration, jerk, ..] = state[YAW];
-                let mut map = WrenchMap::leading(vehicle, gravity, YawState { psi, rate, acceleration }, jerk, lag);
+                let mut map = WrenchMap::commanded(vehicle, gravity, YawState { psi, rate, acceleration }, jerk, lag);
                 map.constant[3] = 0.0;
                 let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
                 map.terms.extend([(YAW, 2, turn), (YAW, 3, lag * turn)]);
                 map
             }
             WrenchModel::Exact => {
-                let at = lead_flat(state);
-                let (lead, slope) = flatness::lead_and_jacobian(vehicle, gravity, lag, &at);
-                let columns = LEAD_FLAT.iter().zip(slope.column_iter());
+                let at = command_flat(state);
+                let (lead, slope) = flatness::commanded_and_jacobian(vehicle, gravity, lag, &at);
+                let columns = COMMAND_DERIVATIVES.iter().zip(slope.column_iter());
                 let terms = columns.map(|(&(axis, order), c)| (axis, order, c.into_owned())).collect();
                 WrenchMap { constant: lead - slope * at, terms }
             }
         }
     }
 
-    /// [`Self::curvature`] of n.c, over [`LEAD_FLAT`].
-    pub fn lead_curvature(
+    /// [`Self::curvature`] of n.c, over [`COMMAND_DERIVATIVES`].
+    pub fn commanded_curvature(
         self,
         vehicle: &Vehicle,
         gravity: f64,
@@ -140,14 +140,14 @@ impl WrenchModel {
         state: &CommandState,
         n: &Wrench,
         tau: f64,
-    ) -> Vec<LeadFlatState> {
+    ) -> Vec<CommandFlatState> {
         if self != WrenchModel::Exact {
             return Vec::new();
         }
-        let hessian = flatness::lead_curvature(vehicle, gravity, lag, &lead_flat(state), n);
-        let hessian = DMatrix::from_column_slice(LEAD_INPUTS, LEAD_INPUTS, hessian.as_slice());
-        let factors = upward(&LEAD_FLAT, hessian, gravity, tau);
-        factors.into_iter().map(|f| LeadFlatState::from_column_slice(f.as_slice())).collect()
+        let hessian = flatness::commanded_curvature(vehicle, gravity, lag, &command_flat(state), n);
+        let hessian = DMatrix::from_column_slice(COMMAND_INPUTS, COMMAND_INPUTS, hessian.as_slice());
+        let factors = upward(&COMMAND_DERIVATIVES, hessian, gravity, tau);
+        factors.into_iter().map(|f| CommandFlatState::from_column_slice(f.as_slice())).collect()
     }
 }
 

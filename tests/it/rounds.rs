@@ -188,7 +188,7 @@ fn rounds_in_the_exact_model_end_inside() {
         }
     }
     // And the last passes nothing at any instant.
-    assert!(only(&many).outside[0].passed.is_empty(), "{:?}", only(&many).outside[0]);
+    assert!(only(&many).outside[0].violated.is_empty(), "{:?}", only(&many).outside[0]);
 }
 
 /// Whatever the grid: what is passed at any instant is selected, at nodes or only between them.

@@ -9,7 +9,7 @@ use mavc::admissible::allocation::Allocator;
 use mavc::admissible::row::{SetRow, VIOLATED};
 use mavc::flatness::{self, FlatState};
 use mavc::model::{Mission, Model, PlannerKind};
-use mavc::motion::checks::{limit_excesses, peak};
+use mavc::motion::checks::{limit_violations, peak};
 use mavc::motion::hover_map::ORDER;
 use mavc::motion::outside::outside;
 use mavc::motion::wrench_model::WrenchModel;
@@ -367,7 +367,7 @@ fn yaw_is_continuous_past_half_a_turn() {
     // The limit on speed holds at nodes; what passes it between them is small and reported.
     model.mission = Some(turning);
     let fastest = rows.iter().map(|r| Vector3::new(r[5], r[6], r[7]).norm()).fold(0.0, f64::max);
-    let excess = limit_excesses(&flight, &model, 1e-9);
+    let excess = limit_violations(&flight, &model, 1e-9);
     let by = excess.first().map_or(0.0, |e| e.by);
     assert!(fastest <= 6.0 + by + 1e-6 && by < 0.05, "{fastest} {by}");
     assert!(excess.iter().all(|e| e.limit == 0 && (0.0..=32.0).contains(&e.at)));

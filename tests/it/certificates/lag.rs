@@ -65,7 +65,7 @@ fn commands_are_the_planners_lead() {
         ] {
             let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: kind, one_yaw };
             let sloped: CommandState = at(&path, 0.0);
-            let expected = planner.lead(&vehicle, G, TAU, &sloped);
+            let expected = planner.commanded(&vehicle, G, TAU, &sloped);
             let found = dynamics.held(commands(), &state(&path, 0.0));
             for i in 0..4 {
                 let off = (found.value[i].middle() - expected[i]).abs();
@@ -168,7 +168,7 @@ fn lagging_plans_are_certified() {
         let looks = (0..plan.intervals()).flat_map(|k| (0..=97).map(move |i| (k, f64::from(i) / 97.0)));
         let seen = looks.map(|(k, share)| {
             let s = plan.within(k, share * (plan.times[k + 1] - plan.times[k]));
-            let lead = plan.lead(&model.vehicle, model.gravity, tau, k, &s);
+            let lead = plan.commanded(&model.vehicle, model.gravity, tau, k, &s);
             run.set.rows.iter().map(|r| r.violation(&lead)).fold(f64::NEG_INFINITY, f64::max)
         });
         let seen = seen.fold(f64::NEG_INFINITY, f64::max);

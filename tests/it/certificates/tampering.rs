@@ -126,7 +126,7 @@ fn bounded(t: &Trajectory, mission: &Mission, asked: &Asked) -> Option<String> {
             return Some(format!("outside at node {node}"));
         }
         let Some(tau) = model.thrust_lag() else { continue };
-        if outside(&t.lead(&model.vehicle, model.gravity, tau, node.min(last - 1), &state)) > EXCESS {
+        if outside(&t.commanded(&model.vehicle, model.gravity, tau, node.min(last - 1), &state)) > EXCESS {
             return Some(format!("commands outside at node {node}"));
         }
     }

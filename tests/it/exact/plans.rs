@@ -171,7 +171,7 @@ fn rip_rcp_and_rsp_hold_at_one_time() {
         .filter(|(_, row)| found.selected.iter().any(|s| s.normal == row.normal && s.offset == row.offset))
         .map(|(i, _)| i)
         .collect();
-    assert_eq!(facets, outside.passed);
+    assert_eq!(facets, outside.violated);
     assert!(facets.len() < modes_set(&rsp, 0).len());
 }
 

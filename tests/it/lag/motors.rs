@@ -82,7 +82,7 @@ fn followed(model: &Model, plan: &Trajectory) -> Followed {
             match tau {
                 Some(tau) => {
                     let middle = with_slopes(&at(i as f64 + 0.5), ends, length, plan.model.orders());
-                    let commands = allocator.thrusts(&plan.model.lead(vehicle, model.gravity, tau, &middle));
+                    let commands = allocator.thrusts(&plan.model.commanded(vehicle, model.gravity, tau, &middle));
                     let fade = (-length / steps / tau).exp();
                     f.iter_mut().zip(commands).for_each(|(f, command)| *f = command + (*f - command) * fade);
                 }

@@ -5,7 +5,7 @@ use crate::vehicles::octocopter;
 use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::allocation::Allocator;
-use mavc::flatness::{self, LEAD_INPUTS, LeadFlatState};
+use mavc::flatness::{self, COMMAND_INPUTS, CommandFlatState};
 use mavc::model::Model;
 use mavc::motion::hover_map::{WrenchMap, YawState};
 use mavc::motion::wrench_model::WrenchModel;
@@ -161,11 +161,11 @@ fn lead_wrenches_are_those_of_differences() {
     model.vehicle.inertia = [0.0429, 0.0512, 0.0748];
     for wrench in [WrenchModel::Exact, WrenchModel::HoverFollowing] {
         for t in [0.0, 0.4, 1.3, 2.2, 5.9] {
-            let found = wrench.lead(&model.vehicle, model.gravity, TAU, &waving(t));
+            let found = wrench.commanded(&model.vehicle, model.gravity, TAU, &waving(t));
             let wanted = lead_by_difference(&model, wrench, t);
             assert!(apart(&found, &wanted) < 1e-7, "{wrench:?} at {t}: {found:?}, by differences {wanted:?}");
             // The map about a state gives the state's own lead wrench.
-            let map = wrench.lead_linearised(&model.vehicle, model.gravity, TAU, &waving(t));
+            let map = wrench.commanded_linearised(&model.vehicle, model.gravity, TAU, &waving(t));
             assert!(apart(&map.at(&waving(t)), &wanted) < 1e-7);
         }
     }
@@ -177,25 +177,25 @@ fn the_lead_about_one_yaw_is_the_wrench_a_constant_later() {
     let model = octocopter("PPNNPPNN");
     let (vehicle, g) = (&model.vehicle, model.gravity);
     let state = waving(1.0);
-    let lead = WrenchMap::leading_with_free_yaw(vehicle, g, 0.4, TAU).at(&state);
+    let lead = WrenchMap::commanded_with_free_yaw(vehicle, g, 0.4, TAU).at(&state);
     // The same map of derivatives one order higher is w', but for the weight.
     let higher: [[f64; 5]; 4] = state.map(|axis| std::array::from_fn(|order| axis[order + 1]));
     let map = WrenchMap::with_free_yaw(vehicle, g, 0.4);
     let rate = map.at(&higher) - Wrench::new(vehicle.mass * g, 0.0, 0.0, 0.0);
     assert!(apart(&lead, &(map.at(&state) + rate * TAU)) < 1e-12);
     // A yaw that stands still frozen is the same, its own torque apart.
-    let frozen = WrenchMap::leading(vehicle, g, YawState { psi: 0.4, rate: 0.0, acceleration: 0.0 }, 0.0, TAU);
+    let frozen = WrenchMap::commanded(vehicle, g, YawState { psi: 0.4, rate: 0.0, acceleration: 0.0 }, 0.0, TAU);
     let mut straight = state;
     straight[YAW] = [0.0; 6];
     assert!(
-        apart(&frozen.at(&straight), &WrenchMap::leading_with_free_yaw(vehicle, g, 0.4, TAU).at(&straight)) < 1e-12
+        apart(&frozen.at(&straight), &WrenchMap::commanded_with_free_yaw(vehicle, g, 0.4, TAU).at(&straight)) < 1e-12
     );
 }
 
-fn flat(state: &[[f64; 6]; 4]) -> LeadFlatState {
+fn flat(state: &[[f64; 6]; 4]) -> CommandFlatState {
     let orders = [2, 3, 4].into_iter().flat_map(|m| [(X, m), (Y, m), (Z, m)]);
     let rest = [(YAW, 0), (YAW, 1), (YAW, 2), (X, 5), (Y, 5), (Z, 5), (YAW, 3)];
-    LeadFlatState::from_iterator(orders.chain(rest).map(|(axis, order)| state[axis][order]))
+    CommandFlatState::from_iterator(orders.chain(rest).map(|(axis, order)| state[axis][order]))
 }
 
 #[test]
@@ -206,15 +206,15 @@ fn slopes_and_curvature_are_those_of_differences() {
     let n = Wrench::new(0.05, -1.1, 0.7, 2.0);
     for t in [0.2, 1.1, 3.7] {
         let at = flat(&waving(t));
-        let (lead, slope) = flatness::lead_and_jacobian(vehicle, g, TAU, &at);
-        assert_eq!(lead, flatness::lead(vehicle, g, TAU, &at));
-        let curvature = flatness::lead_curvature(vehicle, g, TAU, &at, &n);
-        for i in 0..LEAD_INPUTS {
+        let (lead, slope) = flatness::commanded_and_jacobian(vehicle, g, TAU, &at);
+        assert_eq!(lead, flatness::commanded(vehicle, g, TAU, &at));
+        let curvature = flatness::commanded_curvature(vehicle, g, TAU, &at, &n);
+        for i in 0..COMMAND_INPUTS {
             let h = 1e-4 * (1.0 + at[i].abs());
             let moved = |by: f64| {
                 let mut state = at;
                 state[i] += by;
-                flatness::lead_and_jacobian(vehicle, g, TAU, &state)
+                flatness::commanded_and_jacobian(vehicle, g, TAU, &state)
             };
             let (ahead, behind) = (moved(h), moved(-h));
             let wanted = (ahead.0 - behind.0) / (2.0 * h);

@@ -14,7 +14,7 @@ pub struct Angles<D> {
 }
 
 /// All that lies between a flat state and its wrench, SI units. A digit counts time derivatives.
-pub struct Course<D> {
+pub struct Intermediates<D> {
     /// The vector (x'', y'', z'' + g) in the frame that turns with psi, forward, left and up, and its derivatives there.
     pub f: D,
     pub l: D,
@@ -47,7 +47,7 @@ pub struct Course<D> {
     pub accelerations: [D; 3],
 }
 
-impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
+impl<D: DualNum<Primitive = f64> + Copy> Intermediates<D> {
     pub fn new(gravity: f64, state: &SVector<D, INPUTS>) -> Self {
         let [x2, y2, z2, x3, y3, z3, x4, y4, z4, psi, psi1, psi2]: [D; INPUTS] = (*state).into();
         let (s, c) = psi.sin_cos();
@@ -104,7 +104,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
             - pitch.rate * roll.rate * cos_phi;
         let turn = Angles { sin: s, cos: c, rate: psi1, acceleration: psi2 };
         let (rates, accelerations) = ([p, q, r], [p1, q1, r1]);
-        Course {
+        Intermediates {
             f,
             l,
             v,
