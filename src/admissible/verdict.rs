@@ -264,6 +264,7 @@ fn given_away(set: &AdmissibleSet) -> Option<f64> {
     Some((1.0 - kept / set.zonotope.volume()).clamp(0.0, 1.0))
 }
 
+/// The distances from `at` to the boundary along each axis. `size` is the extent of the set in thrust, N.
 fn headroom(set: &AdmissibleSet, at: &Wrench, size: f64) -> Headroom {
     let along = |axis: usize| {
         let mut direction = Wrench::zeros();
