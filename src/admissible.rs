@@ -1,5 +1,5 @@
-//! The admissible set of each fault mode, that is, the exact set of wrenches that the vehicle can produce in it, and what
-//! follows from the set: verdicts, margins, allocation, intervals. See `docs/method.md`, sections 2 and 3.
+//! The admissible set of each fault mode, that is, the exact set of wrenches that the vehicle can produce in it, and
+//! what follows from the set: verdicts, margins, allocation, intervals. See `docs/method.md`, sections 2 and 3.
 
 pub mod allocation;
 pub mod diagnose;
@@ -127,8 +127,9 @@ pub fn hover(model: &Model) -> Wrench {
 
 /// Whether the set of every fault mode lies inside the healthy set.
 ///
-/// This is false if some rotor may not stop, because a vehicle that lost a rotor can then produce less thrust than the healthy
-/// one. It is also false with the pseudo-inverse, which distributes a wrench differently once the fault is known.
+/// This is false if some rotor may not stop, because a vehicle that lost a rotor can then produce less thrust than the
+/// healthy one. It is also false with the pseudo-inverse, which distributes a wrench differently once the fault is
+/// known.
 pub fn faults_only_take(model: &Model) -> bool {
     model.vehicle.allocation == Allocation::Bounded && model.vehicle.rotors.iter().all(|r| r.min_speed == 0.0)
 }

@@ -1,7 +1,7 @@
-//! The exact wrench of a motion by (3) to (9), without small angles: position and yaw are flat outputs of a multirotor (D.
-//! Mellinger, V. Kumar, *Minimum snap trajectory generation and control for quadrotors*, ICRA 2011), so thrust, attitude, body
-//! rates and torques are functions of their derivatives. See `docs/method.md`, section 12, (60) to (67), and for the commanded
-//! wrench of lagging rotors section 14, (84).
+//! The exact wrench of a motion by (3) to (9), without small angles: position and yaw are flat outputs of a multirotor
+//! (D. Mellinger, V. Kumar, *Minimum snap trajectory generation and control for quadrotors*, ICRA 2011), so thrust,
+//! attitude, body rates and torques are functions of their derivatives. See `docs/method.md`, section 12, (60) to (67),
+//! and for the commanded wrench of lagging rotors section 14, (84).
 //!
 //! With a = (x'', y'', z'' + g), rotated by -psi about the vertical into (f, l, v), that is, forward, left and up:
 //!
@@ -13,8 +13,8 @@
 //! tau = J w' + w x J w     w = (p, q, r)
 //! ```
 //!
-//! The formulas hold for every attitude except phi = +-90 degrees (k = 0), where ZYX angles are not defined, and in free fall
-//! (|a| = 0), where the thrust has no direction. There the wrench is not finite.
+//! The formulas hold for every attitude except phi = +-90 degrees (k = 0), where ZYX angles are not defined, and in
+//! free fall (|a| = 0), where the thrust has no direction. There the wrench is not finite.
 
 mod gradient;
 mod intermediates;
@@ -28,8 +28,8 @@ use num_dual::{Dual, DualNum, jacobian};
 /// Number of derivatives that the wrench depends on.
 pub const INPUTS: usize = 12;
 
-/// The derivatives that the wrench depends on, in SI units and in this order: x'', y'', z'', x''', y''', z''', x'''', y'''', z'''',
-/// psi, psi', psi''.
+/// The derivatives that the wrench depends on, in SI units and in this order: x'', y'', z'', x''', y''', z''', x'''',
+/// y'''', z'''', psi, psi', psi''.
 pub type FlatState = SVector<f64, INPUTS>;
 
 /// The wrench (67), [T, tau_x, tau_y, tau_z] in N and N m. `gravity` is in m/s^2.
@@ -42,8 +42,8 @@ pub fn wrench_and_jacobian(vehicle: &Vehicle, gravity: f64, state: &FlatState) -
     jacobian(|s| Intermediates::new(gravity, &s).wrench(vehicle), state)
 }
 
-/// The second derivatives of n.w with respect to the flat state (12 x 12), by forward-mode differentiation of the reverse-mode
-/// gradient. Each operation then carries 13 numbers instead of the 157 of forward mode applied twice.
+/// The second derivatives of n.w with respect to the flat state (12 x 12), by forward-mode differentiation of the
+/// reverse-mode gradient. Each operation then carries 13 numbers instead of the 157 of forward mode applied twice.
 pub fn curvature(vehicle: &Vehicle, gravity: f64, state: &FlatState, n: &Wrench) -> SMatrix<f64, INPUTS, INPUTS> {
     jacobian(|s| Intermediates::new(gravity, &s).gradient(vehicle, n), state).1
 }
@@ -51,7 +51,8 @@ pub fn curvature(vehicle: &Vehicle, gravity: f64, state: &FlatState, n: &Wrench)
 /// Number of derivatives that the commanded wrench depends on.
 pub const COMMAND_INPUTS: usize = 16;
 
-/// The derivatives that the commanded wrench depends on: a [`FlatState`], then x''''', y''''', z''''', psi''', in SI units.
+/// The derivatives that the commanded wrench depends on: a [`FlatState`], then x''''', y''''', z''''', psi''', in SI
+/// units.
 pub type CommandFlatState = SVector<f64, COMMAND_INPUTS>;
 
 /// The index in a [`CommandFlatState`] of the time derivative of each entry of a flat state.
@@ -80,7 +81,8 @@ pub fn commanded_curvature(
     state: &CommandFlatState,
     n: &Wrench,
 ) -> SMatrix<f64, COMMAND_INPUTS, COMMAND_INPUTS> {
-    // n.c = n.w(s) + tau g(s).s' with the gradient g of n.w. Its gradient in s with s' fixed is g + tau g', in s' it is tau g.
+    // n.c = n.w(s) + tau g(s).s' with the gradient g of n.w. Its gradient in s with s' fixed is g + tau g', in s' it is
+    // tau g.
     let gradient = |s: SVector<_, COMMAND_INPUTS>| {
         let along = Intermediates::new(gravity, &moving(&s)).gradient(vehicle, n);
         let mut sum = SVector::<_, COMMAND_INPUTS>::zeros();

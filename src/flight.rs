@@ -1,9 +1,9 @@
-//! Simulated flights: the vehicle of the paper's section 2 under a controller, with faults that strike during the flight. See
-//! `docs/flight.md`.
+//! Simulated flights: the vehicle of the paper's section 2 under a controller, with faults that strike during the
+//! flight. See `docs/flight.md`.
 //!
-//! The rigid body is integrated by fourth-order Runge-Kutta steps. Motors are linear between two commands and are integrated in
-//! closed form. Controller and estimator run at their own rates on the measurements of the sensors. Equal seeds give equal
-//! flights.
+//! The rigid body is integrated by fourth-order Runge-Kutta steps. Motors are linear between two commands and are
+//! integrated in closed form. Controller and estimator run at their own rates on the measurements of the sensors. Equal
+//! seeds give equal flights.
 
 pub mod air;
 pub mod allocate;
@@ -50,13 +50,15 @@ pub struct Sortie<'a> {
     pub seed: u64,
     /// Duration of the flight without a stop, s.
     pub duration: f64,
-    /// The vehicle's mean speed, m/s, which is added to the speed of the mean wind to give the V of the gust model ([`air`]).
+    /// The vehicle's mean speed, m/s, which is added to the speed of the mean wind to give the V of the gust model
+    /// ([`air`]).
     pub airspeed: f64,
 }
 
 impl<'a> Sortie<'a> {
-    /// A flight along a plan, with the duration that the spec configures or else that of the plan. A plan that does not end at rest
-    /// limits the duration to its own, because there is no reference after its end. The airspeed is the plan's mean speed.
+    /// A flight along a plan, with the duration that the spec configures or else that of the plan. A plan that does not
+    /// end at rest limits the duration to its own, because there is no reference after its end. The airspeed is the
+    /// plan's mean speed.
     pub fn along(model: &'a Model, trajectory: &'a Trajectory, strikes: &'a [Strike], seed: u64) -> Self {
         let place = |s: &NodeState| nalgebra::Vector3::new(s[X][0], s[Y][0], s[Z][0]);
         let legs = trajectory.nodes.windows(2).map(|pair| (place(&pair[1]) - place(&pair[0])).norm());
@@ -73,7 +75,8 @@ impl<'a> Sortie<'a> {
     }
 }
 
-/// An upper bound (s) on the duration of a flight along a plan of `time` s, including a landing but not the duration of a stop.
+/// An upper bound (s) on the duration of a flight along a plan of `time` s, including a landing but not the duration of
+/// a stop.
 pub fn longest(model: &Model, time: f64) -> f64 {
     let simulation = &model.simulation;
     let flown = simulation.duration.unwrap_or(time);
@@ -203,8 +206,8 @@ const LANDING_MARGIN: f64 = 20.0;
 
 /// Simulates a flight.
 ///
-/// `record` is called with the sample at every act of the controller and at the end of the flight. It only receives samples with
-/// finite numbers: for a flight that diverges the last one is the sample before.
+/// `record` is called with the sample at every act of the controller and at the end of the flight. It only receives
+/// samples with finite numbers: for a flight that diverges the last one is the sample before.
 pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flight {
     let Sortie { model, simulation, strikes, .. } = *sortie;
     let h = 1.0 / simulation.rate;

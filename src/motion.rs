@@ -22,11 +22,12 @@ pub const Z: usize = 2;
 /// Index of yaw (rad, counter-clockwise seen from above).
 pub const YAW: usize = 3;
 
-/// The time derivatives of orders 0 to 4 of each axis at an instant, `[axis][order]`: x, y, z in m/s^order, yaw in rad/s^order.
+/// The time derivatives of orders 0 to 4 of each axis at an instant, `[axis][order]`: x, y, z in m/s^order, yaw in
+/// rad/s^order.
 pub type NodeState = [[f64; 5]; 4];
 
-/// Like [`NodeState`], with one more entry for the slope of each axis's input, which comes after the input. The slope is needed
-/// for the commanded wrench of lagging rotors.
+/// Like [`NodeState`], with one more entry for the slope of each axis's input, which comes after the input. The slope
+/// is needed for the commanded wrench of lagging rotors.
 pub type CommandState = [[f64; 6]; 4];
 
 /// Adds the slopes of the inputs to a state within the interval of length `h` (s) between two nodes. `orders` is
@@ -43,8 +44,9 @@ pub fn with_slopes(state: &NodeState, [left, right]: [&NodeState; 2], h: f64, or
 
 /// A trajectory as one polynomial for each axis and interval between nodes.
 ///
-/// The input of an axis is its r-th derivative, with r from [`WrenchModel::orders`], and is linear between nodes (first-order
-/// hold). The axis is therefore a polynomial of degree r + 1 on each interval (`docs/method.md`, section 5).
+/// The input of an axis is its r-th derivative, with r from [`WrenchModel::orders`], and is linear between nodes
+/// (first-order hold). The axis is therefore a polynomial of degree r + 1 on each interval (`docs/method.md`, section
+/// 5).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
     /// Node times, s, ascending; at least two.
@@ -58,8 +60,8 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// Whether two trajectories agree up to solver accuracy: equal node times, and positions within 1e-5 m and yaw within 1e-5 rad
-    /// at every node.
+    /// Whether two trajectories agree up to solver accuracy: equal node times, and positions within 1e-5 m and yaw
+    /// within 1e-5 rad at every node.
     pub(crate) fn is_same_motion(&self, other: &Trajectory) -> bool {
         const PLACE: f64 = 1e-5;
         let is_near = |p: &NodeState, q: &NodeState| [X, Y, Z, YAW].iter().all(|&i| (p[i][0] - q[i][0]).abs() <= PLACE);
@@ -71,7 +73,8 @@ impl Trajectory {
         self.times[self.times.len() - 1]
     }
 
-    /// Whether all velocities at the end are below 1e-3 m/s (rad/s), so that the trajectory ends at rest up to the solver's tolerance.
+    /// Whether all velocities at the end are below 1e-3 m/s (rad/s), so that the trajectory ends at rest up to the
+    /// solver's tolerance.
     pub(crate) fn ends_at_rest(&self) -> bool {
         self.nodes.last().is_none_or(|end| end.iter().all(|axis| axis[1].abs() < 1e-3))
     }
@@ -86,8 +89,8 @@ impl Trajectory {
         self.times.partition_point(|&s| s <= t).clamp(1, self.intervals()) - 1
     }
 
-    /// The state `t` seconds after the start of interval `k`. Derivatives that jump at a node take the values of this interval.
-    /// See [`between`].
+    /// The state `t` seconds after the start of interval `k`. Derivatives that jump at a node take the values of this
+    /// interval. See [`between`].
     ///
     /// # Panics
     /// If there is no interval `k`.
@@ -106,8 +109,8 @@ impl Trajectory {
         self.model.wrench(vehicle, gravity, state)
     }
 
-    /// The commanded wrench `w + tau w'` (N and N m) for a state within interval `k`, for rotors with a first-order lag of time
-    /// constant `tau` (s): (81) of `docs/method.md`.
+    /// The commanded wrench `w + tau w'` (N and N m) for a state within interval `k`, for rotors with a first-order lag
+    /// of time constant `tau` (s): (81) of `docs/method.md`.
     ///
     /// # Panics
     /// If there is no interval `k`.
@@ -125,8 +128,8 @@ impl Trajectory {
 
 /// The state `t` seconds after the node `left`, on the interval of length `h` (s) to the node `right`.
 ///
-/// With the order r of the input and its constant slope, derivative i is `sum_{j=i}^{r} d_j t^(j-i)/(j-i)!` plus the slope
-/// times `t^(r+1-i)/(r+1-i)!`. Derivative r + 1 is the slope itself, and higher ones are zero.
+/// With the order r of the input and its constant slope, derivative i is `sum_{j=i}^{r} d_j t^(j-i)/(j-i)!` plus the
+/// slope times `t^(r+1-i)/(r+1-i)!`. Derivative r + 1 is the slope itself, and higher ones are zero.
 pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: WrenchModel) -> NodeState {
     let mut state = NodeState::default();
     let orders = model.orders();

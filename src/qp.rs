@@ -5,8 +5,8 @@
 //! subject to  A x + s = b,  s in K
 //! ```
 //!
-//! where K is a product of {0}, the nonnegative orthant and second-order cones, in this order. What the planners put into a program is
-//! described in `docs/method.md`, sections 5 and 12.
+//! where K is a product of {0}, the nonnegative orthant and second-order cones, in this order. What the planners put
+//! into a program is described in `docs/method.md`, sections 5 and 12.
 
 pub mod build;
 pub mod mps;
@@ -53,8 +53,8 @@ impl Sparse {
     /// # Panics
     /// If an entry lies outside the matrix.
     pub fn from_entries(rows: usize, cols: usize, entries: &[(usize, usize, f64)]) -> Self {
-        // Counting sort by row, unless the entries are already in this order, then by column. This takes linear time, and
-        // row indices ascend within each column.
+        // Counting sort by row, unless the entries are already in this order, then by column. This takes linear time,
+        // and row indices ascend within each column.
         let by_row = if entries.is_sorted_by_key(|e| e.0) { None } else { Some(sorted_by_row(rows, entries)) };
         let entries = by_row.as_deref().unwrap_or(entries);
         let mut start = vec![0usize; cols + 1];
@@ -127,6 +127,9 @@ impl Cone {
 }
 
 /// The statement of the spec, the fault mode and the node that a row comes from.
+///
+/// `node` and `interval` are indices of the time grid without holds, `axis` is one of [`X`](crate::motion::X), `Y`, `Z`
+/// and `YAW`, and `derivative` is the order of a time derivative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "row")]
 pub enum RowOrigin {
@@ -134,11 +137,13 @@ pub enum RowOrigin {
     Dynamics { interval: usize, axis: usize, derivative: usize },
     /// A derivative that is zero at rest (start, end, hold).
     Rest { node: usize, axis: usize, derivative: usize },
-    /// The continuity of a derivative at the fault from which a stop begins, or a derivative that is zero at the end of the stop.
+    /// The continuity of a derivative at the fault from which a stop begins, or a derivative that is zero at the end of
+    /// the stop.
     Stop { node: usize, axis: usize, derivative: usize },
     /// Row `facet` of the planning set (`PlanningSet::rows`) at a node.
     Facet { facet: usize, node: usize },
-    /// The same row for the commanded wrench of lagging rotors, with the slopes of the interval after or before the node.
+    /// The same row for the commanded wrench of lagging rotors, with the slopes of the interval after or before the
+    /// node.
     Lag { facet: usize, node: usize, after: bool },
     /// `Mission::limits[limit]` at a node.
     Limit { limit: usize, node: usize },
@@ -158,8 +163,8 @@ pub enum RowOrigin {
     Violation,
 }
 
-/// A convex quadratic program with n variables and m rows: minimise `1/2 x'P x + q'x + constant` subject to `A x + s = b`, s in K.
-/// All numbers must be finite.
+/// A convex quadratic program with n variables and m rows: minimise `1/2 x'P x + q'x + constant` subject to `A x + s =
+/// b`, s in K. All numbers must be finite.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct QuadraticProgram {
     /// P (n x n), upper triangle only.
@@ -259,8 +264,8 @@ impl QuadraticProgram {
         s
     }
 
-    /// The violation of `s in K`, 0 if it holds: the largest of |s| on rows of {0}, -s on nonnegative rows and |(s_1, ..)| - s_0 on
-    /// second-order cones.
+    /// The violation of `s in K`, 0 if it holds: the largest of |s| on rows of {0}, -s on nonnegative rows and |(s_1,
+    /// ..)| - s_0 on second-order cones.
     pub(crate) fn cone_violation(&self, s: &[f64]) -> f64 {
         self.outside(s, f64::abs)
     }
@@ -270,8 +275,8 @@ impl QuadraticProgram {
         self.outside(z, |_| 0.0)
     }
 
-    /// The weight in the multipliers z (m) of each row of {0} and of the nonnegative orthant, |z|, and of each second-order cone, z_0,
-    /// which bounds the others.
+    /// The weight in the multipliers z (m) of each row of {0} and of the nonnegative orthant, |z|, and of each
+    /// second-order cone, z_0, which bounds the others.
     pub fn weights(&self, z: &[f64]) -> Vec<(RowOrigin, f64)> {
         let mut weights = Vec::with_capacity(z.len());
         let mut at = 0;

@@ -1,7 +1,7 @@
 //! Solving programs with Clarabel (P. J. Goulart, Y. Chen, 2024). No other module imports the solver.
 //!
-//! A result of the solver is reported only after it has been checked in plain arithmetic on the program's data: `docs/method.md`,
-//! section 7.
+//! A result of the solver is reported only after it has been checked in plain arithmetic on the program's data:
+//! `docs/method.md`, section 7.
 
 use crate::qp::{Cone, QuadraticProgram, Sparse};
 use clarabel::algebra::CscMatrix;
@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 /// The largest violation of a row in a solution; rows are scaled to order one.
 const PRIMAL_TOLERANCE: f64 = 1e-6;
 
-/// Iterations after which the solver stops. The programs of this crate take 8 to 60; one that takes more has stalled, and another
-/// form of it is solved faster.
+/// Iterations after which the solver stops. The programs of this crate take 8 to 60; one that takes more has stalled,
+/// and another form of it is solved faster.
 const MOST_ITERATIONS: u32 = 80;
 
 /// A solution of a program with n variables and m rows.
@@ -24,8 +24,8 @@ pub struct Solution {
     pub z: Vec<f64>,
     /// The objective at x.
     pub objective: f64,
-    /// A lower bound on the objective of every feasible point whose entries are at most [`reach()`]: the dual value at z, lowered by what
-    /// the residual of stationarity could make up for. Minus infinity in a [`StepSolution`].
+    /// A lower bound on the objective of every feasible point whose entries are at most [`reach()`]: the dual value at
+    /// z, lowered by what the residual of stationarity could make up for. Minus infinity in the result of `solve_step`.
     pub bound: f64,
 }
 
@@ -102,13 +102,14 @@ fn matrix(m: &Sparse) -> CscMatrix<f64> {
     CscMatrix::new(m.rows, m.cols, m.colptr.clone(), m.rowval.clone(), m.nzval.clone())
 }
 
-/// Programs with more second-order cones or more variables than this are first solved without Clarabel's equilibration of rows
-/// and columns. It scales a cone only as a whole: with it, missions with a cone or two at each node took three times the
-/// iterations and ended without a verdict far more often, and so did programs in stage variables for long missions or fine grids
-/// (measured).
+/// Programs with more second-order cones or more variables than this are first solved without Clarabel's equilibration
+/// of rows and columns. It scales a cone only as a whole: with it, missions with a cone or two at each node took three
+/// times the iterations and ended without a verdict far more often, and so did programs in stage variables for long
+/// missions or fine grids (measured).
 const SCALED: (usize, usize) = (32, 4_500);
 
-/// The solver's tolerance on the duality gap, absolute and relative: its default, and the looser one for steps of a sequence.
+/// The solver's tolerance on the duality gap, absolute and relative: its default, and the looser one for steps of a
+/// sequence.
 const GAP: f64 = 1e-8;
 const STEP_GAP: f64 = 1e-6;
 
@@ -117,7 +118,8 @@ const STEP_GAP: f64 = 1e-6;
 struct Tolerance {
     /// Duality gap, absolute and relative.
     gap: f64,
-    /// Static regularisation of the solver's linear systems, whose effect iterative refinement removes from the solution.
+    /// Static regularisation of the solver's linear systems, whose effect iterative refinement removes from the
+    /// solution.
     regularization: f64,
     /// Residual of the linear systems at which refinement ends, relative and absolute.
     refinement: (f64, f64),
@@ -128,12 +130,13 @@ const CLOSE: Tolerance = Tolerance { gap: GAP, regularization: 1e-8, refinement:
 
 /// For steps of a sequence.
 ///
-/// The regularisation is ten times the solver's default. Measured on programs of steps of three missions (every sixth, and all that
-/// were not solved to tolerance): with the default, 75 of 165 programs with equilibration and 6 of 44 without ended with a numerical
-/// error; with this value none does. Programs of the hover model do not need it, and their refinement took a fifth more time with it.
+/// The regularisation is ten times the solver's default. Measured on programs of steps of three missions (every sixth,
+/// and all that were not solved to tolerance): with the default, 75 of 165 programs with equilibration and 6 of 44
+/// without ended with a numerical error; with this value none does. Programs of the hover model do not need it, and
+/// their refinement took a fifth more time with it.
 ///
-/// Refinement to the solver's default residual took a quarter of the time of an iteration and saved no iterations (measured on five
-/// missions).
+/// Refinement to the solver's default residual took a quarter of the time of an iteration and saved no iterations
+/// (measured on five missions).
 const STEP: Tolerance = Tolerance { gap: STEP_GAP, regularization: 1e-7, refinement: (1e-10, 1e-10) };
 
 /// For [`solve_graded`].
@@ -141,14 +144,14 @@ const GRADED: Tolerance = Tolerance { gap: GAP, regularization: STEP.regularizat
 
 /// Solves a program on one thread. The result is deterministic: equal programs give equal bits.
 ///
-/// If the solver stops without a verdict, the program is solved a second time with equilibration switched on if it was off, and
-/// off if it was on. A program with a number that is not finite is [`Outcome::Inconclusive`].
+/// If the solver stops without a verdict, the program is solved a second time with equilibration switched on if it was
+/// off, and off if it was on. A program with a number that is not finite is [`Outcome::Inconclusive`].
 pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
     decide(program, CLOSE)
 }
 
-/// Like [`solve`] with more regularisation: for programs of the exact model, whose graded grids have short intervals next to long ones,
-/// and for multipliers that are used in a proof.
+/// Like [`solve`] with more regularisation: for programs of the exact model, whose graded grids have short intervals
+/// next to long ones, and for multipliers that are used in a proof.
 pub(crate) fn solve_graded(program: &QuadraticProgram) -> (Outcome, Effort) {
     decide(program, GRADED)
 }
@@ -174,8 +177,8 @@ pub(crate) struct StepSolution {
     pub(crate) is_optimal: bool,
 }
 
-/// A point that satisfies the rows of a program to [`PRIMAL_TOLERANCE`], with its multipliers; `None` if the solver reaches none.
-/// `scaled` switches the solver's equilibration of rows and columns on.
+/// A point that satisfies the rows of a program to [`PRIMAL_TOLERANCE`], with its multipliers; `None` if the solver
+/// reaches none. `scaled` switches the solver's equilibration of rows and columns on.
 pub(crate) fn solve_step(program: &QuadraticProgram, scaled: bool) -> (Option<StepSolution>, Effort) {
     let (raw, effort) = call(program, scaled, STEP);
     let Some(Raw { status, x, z }) = raw else { return (None, effort) };
@@ -248,9 +251,9 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Opti
     (Some(Raw { status: found.status, x: found.x, z: found.z }), effort)
 }
 
-/// The bound R on the entries of points for which infeasibility is proved, in the program's scaling: ten times the largest number on a
-/// right-hand side (which contains the waypoints), at least 100. A proof in floating-point arithmetic needs such a bound, because A'z
-/// is not exactly zero.
+/// The bound R on the entries of points for which infeasibility is proved, in the program's scaling: ten times the
+/// largest number on a right-hand side (which contains the waypoints), at least 100. A proof in floating-point
+/// arithmetic needs such a bound, because A'z is not exactly zero.
 pub fn reach(program: &QuadraticProgram) -> f64 {
     program.b.iter().fold(10.0_f64, |m, b| m.max(b.abs())) * 10.0
 }
@@ -264,7 +267,8 @@ fn judge(program: &QuadraticProgram, status: SolverStatus, x: Vec<f64>, z: Vec<f
             let px = program.hessian_times(&x);
             let quadratic: f64 = x.iter().zip(&px).map(|(x, p)| x * p).sum();
             let bz: f64 = program.b.iter().zip(&z).map(|(b, z)| b * z).sum();
-            // f(y) >= f(x) + f'(x)(y - x) by convexity and f'(x) = r - A'z, so the dual value is off by at most |r'(y - x)|.
+            // f(y) >= f(x) + f'(x)(y - x) by convexity and f'(x) = r - A'z, so the dual value is off by at most |r'(y -
+            // x)|.
             let reach = reach(program);
             let mut residual = px;
             for (r, (q, az)) in residual.iter_mut().zip(program.q.iter().zip(program.a.transposed_times(&z))) {

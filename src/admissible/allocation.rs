@@ -1,5 +1,5 @@
-//! Bounded allocation: the rotor thrusts that produce a wrench with the smallest sum of squares (`docs/method.md`, section 3,
-//! "Allocation").
+//! Bounded allocation: the rotor thrusts that produce a wrench with the smallest sum of squares (`docs/method.md`,
+//! section 3, "Allocation").
 
 use crate::actuation::{Actuation, Wrench};
 use crate::model::Vehicle;
@@ -11,7 +11,8 @@ pub const MOST_ROTORS: usize = 32;
 /// Newton steps after which the current point is returned.
 const MOST_STEPS: usize = 60;
 
-/// Weight on the missing part of a wrench relative to the squared shares of thrust; large enough to leave nothing missing.
+/// Weight on the missing part of a wrench relative to the squared shares of thrust; large enough to leave nothing
+/// missing.
 const EXACT: f64 = 1e12;
 
 /// Allocates wrenches to the rotors of a healthy vehicle.
@@ -44,9 +45,9 @@ impl Allocator {
         Allocator { columns, scale, least, most, strongest, coefficient }
     }
 
-    /// The rotor thrusts F (N, one for each rotor) that minimise `sum F_k^2` subject to `B F = w`, `F_min <= F <= F_max`, by
-    /// [`bounded`] with a weight that leaves nothing of w missing. For a wrench outside the admissible set they minimise the
-    /// missing part, each component as a share of its largest value.
+    /// The rotor thrusts F (N, one for each rotor) that minimise `sum F_k^2` subject to `B F = w`, `F_min <= F <=
+    /// F_max`, by [`bounded`] with a weight that leaves nothing of w missing. For a wrench outside the admissible set
+    /// they minimise the missing part, each component as a share of its largest value.
     pub fn thrusts(&self, wrench: &Wrench) -> Vec<f64> {
         let w = wrench.component_mul(&self.scale);
         let bounds = Bounds { least: &self.least, most: &self.most };
@@ -84,9 +85,9 @@ impl Bounds<'_> {
 ///
 /// where the columns of B (4 x n) are `columns`. The solution is `x_k = clip(b_k . lambda, least_k, most_k)`.
 ///
-/// At the optimum `lambda_i = weights_i (w - B x)_i`, so lambda solves `lambda_i/weights_i + (B clip(B' lambda))_i = w_i`. The
-/// left side is piecewise linear and monotone: it is the gradient of a strictly convex function of four variables. Newton's
-/// method with an exact line search takes a step or two if `start` is near the solution.
+/// At the optimum `lambda_i = weights_i (w - B x)_i`, so lambda solves `lambda_i/weights_i + (B clip(B' lambda))_i =
+/// w_i`. The left side is piecewise linear and monotone: it is the gradient of a strictly convex function of four
+/// variables. Newton's method with an exact line search takes a step or two if `start` is near the solution.
 ///
 /// # Panics
 /// If there are more than [`MOST_ROTORS`] columns, or fewer bounds than columns.
@@ -117,8 +118,9 @@ pub fn bounded(columns: &[Wrench], bounds: Bounds, w: &Wrench, weights: &Wrench,
     lambda
 }
 
-/// The exact line search of [`bounded`]: the length, as a multiple of `step`, at which the convex function is smallest along
-/// `step` from `lambda`. Its slope is increasing and piecewise linear, with a kink wherever a share reaches a bound.
+/// The exact line search of [`bounded`]: the length, as a multiple of `step`, at which the convex function is smallest
+/// along `step` from `lambda`. Its slope is increasing and piecewise linear, with a kink wherever a share reaches a
+/// bound.
 fn lowest(columns: &[Wrench], bounds: Bounds, w: &Wrench, softness: &Wrench, lambda: &Wrench, step: &Wrench) -> f64 {
     let n = columns.len();
     let (mut shares, mut changes) = ([0.0; MOST_ROTORS], [0.0; MOST_ROTORS]);

@@ -24,18 +24,18 @@ pub const PARALLEL_ROWS: &str = "mavc::analysis::parallel_rows";
 /// Code: the sets of the modes that the plan must tolerate have more than [`MAX_FACETS`] facets.
 const TOO_MANY_FACETS: &str = "mavc::plan::too_many_facets";
 
-/// The largest number of facets of all modes that the plan must tolerate. Before planning each set is reduced to its minimal
-/// description in time quadratic in its facets: 1.1 s for a ring of 32 rotors, so about a minute for this many.
+/// The largest number of facets of all modes that the plan must tolerate. Before planning each set is reduced to its
+/// minimal description in time quadratic in its facets: 1.1 s for a ring of 32 rotors, so about a minute for this many.
 pub(crate) const MAX_FACETS: usize = 100_000;
 
 /// Number of modes that a message names individually. If there are more, it names this many and gives the total.
 const NAMED: usize = 8;
 
-/// Diagnostics about the healthy vehicle and about every mode that the plan must tolerate; without a mission, about the healthy
-/// vehicle only. Modes with the same result at the same place in the spec share one diagnostic.
+/// Diagnostics about the healthy vehicle and about every mode that the plan must tolerate; without a mission, about the
+/// healthy vehicle only. Modes with the same result at the same place in the spec share one diagnostic.
 ///
-/// A mode without full control is an error, and so is one with hover on the edge of its set if a reserve is required. Both
-/// are findings about the spec rather than mistakes in it, so the command has a separate exit code for them.
+/// A mode without full control is an error, and so is one with hover on the edge of its set if a reserve is required.
+/// Both are findings about the spec rather than mistakes in it, so the command has a separate exit code for them.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     let analysis = |mode: Option<usize>| {
         let set = mode.map_or_else(|| AdmissibleSet::healthy(model), |mode| AdmissibleSet::of_mode(model, mode));
@@ -44,8 +44,8 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     diagnose_by(model, analysis).unwrap_or_default()
 }
 
-/// Like [`diagnose`], but the caller provides the analyses: of the healthy vehicle for `None`, and of a mode for its index.
-/// Returns `None` as soon as the caller returns `None`.
+/// Like [`diagnose`], but the caller provides the analyses: of the healthy vehicle for `None`, and of a mode for its
+/// index. Returns `None` as soon as the caller returns `None`.
 pub(crate) fn diagnose_by(
     model: &Model,
     mut analysis: impl FnMut(Option<usize>) -> Option<ModeAnalysis>,
@@ -143,7 +143,8 @@ fn nearly_parallel(row: &Parallel, span: Span) -> Option<Answer> {
         code: PARALLEL_ROWS,
         span,
         what: format!(
-            "the effects of the rotors on {a} and {b} are nearly parallel: the rows of the actuation matrix are {} degrees apart",
+            "the effects of the rotors on {a} and {b} are nearly parallel: the rows of the actuation matrix are {} \
+             degrees apart",
             significant(row.angle.to_degrees(), 3)
         ),
         label: format!(

@@ -5,8 +5,8 @@ use super::AdmissibleSet;
 use crate::actuation::Wrench;
 use serde::Serialize;
 
-/// Hover is on the edge of a set if its distance from the boundary, or from a flat set, is at most this, in N and N m alike. For
-/// a vehicle that weighs less than 1 N it is a share of the weight; see [`width`].
+/// Hover is on the edge of a set if its distance from the boundary, or from a flat set, is at most this, in N and N m
+/// alike. For a vehicle that weighs less than 1 N it is a share of the weight; see [`width`].
 pub const EDGE: f64 = 1e-6;
 
 /// The width of the edge for a vehicle with this hover wrench, in N and N m alike: `EDGE * min(m g, 1 N)`.
@@ -38,8 +38,8 @@ impl Place {
         }
     }
 
-    /// Decides from the signed distance `margin` to the boundary (positive inside; `None` for a flat set, which has no inside) and
-    /// the distance `residual` to the set. Both are in N and N m, like the [`width`] of the edge.
+    /// Decides from the signed distance `margin` to the boundary (positive inside; `None` for a flat set, which has no
+    /// inside) and the distance `residual` to the set. Both are in N and N m, like the [`width`] of the edge.
     pub fn new(margin: Option<f64>, residual: f64, width: f64) -> Self {
         match margin {
             _ if residual >= width => Place::Outside,

@@ -1,8 +1,8 @@
-//! Vehicles with parameters known only to within intervals: the wrenches that are possible for every value of the parameters,
-//! and those that are possible for some value. See `docs/method.md`, section 3, "Intervals", (50) and (51).
+//! Vehicles with parameters known only to within intervals: the wrenches that are possible for every value of the
+//! parameters, and those that are possible for some value. See `docs/method.md`, section 3, "Intervals", (50) and (51).
 //!
-//! The parameters are the full and the idle thrust of each rotor, the ratio kappa_k of its drag torque to its thrust, and the
-//! mass. Each may take any value of its interval independently of the others.
+//! The parameters are the full and the idle thrust of each rotor, the ratio kappa_k of its drag torque to its thrust,
+//! and the mass. Each may take any value of its interval independently of the others.
 
 use super::edge;
 use super::{AdmissibleSet, FacetOf, hover};
@@ -26,12 +26,14 @@ struct Middle {
     zonotope: Zonotope<4>,
     /// r_k of (50) for each stuck rotor: the largest deviation of its wrench from the middle.
     deviations: Vec<Wrench>,
-    /// delta of (50), m: the largest half width of the intervals of kappa_k. tau_z may differ by this for each newton of thrust.
+    /// delta of (50), m: the largest half width of the intervals of kappa_k. tau_z may differ by this for each newton
+    /// of thrust.
     delta: f64,
 }
 
 impl Middle {
-    /// The rotors with thrusts from `thrusts(rotor)[0]` to `thrusts(rotor)[1]`, N; `None` if the range of some rotor is empty.
+    /// The rotors with thrusts from `thrusts(rotor)[0]` to `thrusts(rotor)[1]`, N; `None` if the range of some rotor is
+    /// empty.
     fn of(model: &Model, set: &AdmissibleSet, thrusts: impl Fn(&Rotor) -> [f64; 2]) -> Option<Self> {
         let fault = set.mode.checked_sub(1).map(|i| &model.modes[i]);
         let mut zonotope = Zonotope { center: Wrench::zeros(), generators: Vec::new() };
@@ -62,7 +64,8 @@ impl Middle {
         Some(Middle { zonotope, deviations, delta })
     }
 
-    /// How far the intervals may move a row: the coefficient `|n_z| delta` on T and the offset `sum |n.r_k|` of (50) and (51).
+    /// How far the intervals may move a row: the coefficient `|n_z| delta` on T and the offset `sum |n.r_k|` of (50)
+    /// and (51).
     fn row_shift(&self, normal: &Wrench) -> (f64, f64) {
         (normal[3].abs() * self.delta, self.deviations.iter().map(|d| normal.dot(d).abs()).sum())
     }
@@ -87,11 +90,11 @@ fn named(set: &AdmissibleSet, facet: usize, spanning: Spanning) -> FacetOf {
     FacetOf { mode: set.mode, facet, spanning }
 }
 
-/// (50): wrenches that a mode can produce for every value of the rotors' intervals. The last row is `T >= 0`. `None` if no
-/// wrench is guaranteed.
+/// (50): wrenches that a mode can produce for every value of the rotors' intervals. The last row is `T >= 0`. `None` if
+/// no wrench is guaranteed.
 ///
-/// The set is exact if no kappa_k has an interval and, in a flat set, no stuck rotor has one. Otherwise it may leave out
-/// wrenches that are possible for every value. The interval of the mass plays no part here; see
+/// The set is exact if no kappa_k has an interval and, in a flat set, no stuck rotor has one. Otherwise it may leave
+/// out wrenches that are possible for every value. The interval of the mass plays no part here; see
 /// [`AdmissibleSet::guaranteed`].
 pub fn guaranteed(model: &Model, set: &AdmissibleSet) -> Option<Rows> {
     if !model.vehicle.has_uncertain_rotors() {
@@ -116,8 +119,8 @@ pub fn guaranteed(model: &Model, set: &AdmissibleSet) -> Option<Rows> {
     Some(Polytope { equalities, facets: rows })
 }
 
-/// (51): a set that contains every wrench that a mode can produce for some value of the rotors' intervals. It is exact if neither
-/// a kappa_k nor a stuck or idling rotor has an interval.
+/// (51): a set that contains every wrench that a mode can produce for some value of the rotors' intervals. It is exact
+/// if neither a kappa_k nor a stuck or idling rotor has an interval.
 pub fn possible(model: &Model, set: &AdmissibleSet) -> Rows {
     let ever = |r: &Rotor| [r.idle_thrust() * r.spread.idle_thrust.low, r.max_thrust() * r.spread.full_thrust.high];
     let middle = match Middle::of(model, set, ever) {
@@ -137,11 +140,11 @@ pub fn possible(model: &Model, set: &AdmissibleSet) -> Rows {
 }
 
 impl AdmissibleSet {
-    /// The set that plans keep to: the nominal wrenches `[m (g + z''), ..]` that are possible for every value of all intervals,
-    /// the mass included. The set itself if nothing has an interval.
+    /// The set that plans keep to: the nominal wrenches `[m (g + z''), ..]` that are possible for every value of all
+    /// intervals, the mass included. The set itself if nothing has an interval.
     ///
-    /// A vehicle of mass M needs the thrust `(M/m) T`, so the coefficient of a row on T is multiplied by the largest M/m if it
-    /// is positive and by the smallest otherwise (`docs/method.md`, section 3, "Plans").
+    /// A vehicle of mass M needs the thrust `(M/m) T`, so the coefficient of a row on T is multiplied by the largest
+    /// M/m if it is positive and by the smallest otherwise (`docs/method.md`, section 3, "Plans").
     pub fn guaranteed(&self, model: &Model) -> AdmissibleSet {
         if !model.vehicle.is_uncertain() {
             return self.clone();
@@ -199,11 +202,11 @@ impl Certainty {
 pub struct Robust {
     /// Whether the mode hovers.
     pub hover: Certainty,
-    /// Lower bound on the margin of hover over all values, N and N m; attained if [`guaranteed`] is exact. `None` if the set is
-    /// flat or hover is not in it.
+    /// Lower bound on the margin of hover over all values, N and N m; attained if [`guaranteed`] is exact. `None` if
+    /// the set is flat or hover is not in it.
     pub acai_worst: Option<f64>,
-    /// Upper bound on the margin of hover over all values, N and N m; attained if [`possible`] is exact. `None` if the set is
-    /// flat or hover is not in it.
+    /// Upper bound on the margin of hover over all values, N and N m; attained if [`possible`] is exact. `None` if the
+    /// set is flat or hover is not in it.
     pub acai_best: Option<f64>,
 }
 
@@ -224,7 +227,8 @@ pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
         _ => Certainty::No,
     };
     let full = |rows: &&Rows| rows.equalities.is_empty();
-    // Outside a set the margin is minus the largest facet violation, which is not monotone in the set, so it is no bound.
+    // Outside a set the margin is minus the largest facet violation, which is not monotone in the set, so it is no
+    // bound.
     let inside = |margin: &f64| *margin >= 0.0;
     Some(Robust {
         hover: certainty,

@@ -4,8 +4,8 @@
 use super::AdmissibleSet;
 use serde::Serialize;
 
-/// Assumed error of a row of the actuation matrix as a share of its length. Differences between rotors, the battery and the
-/// test bench make coefficients about this uncertain in flight.
+/// Assumed error of a row of the actuation matrix as a share of its length. Differences between rotors, the battery and
+/// the test bench make coefficients about this uncertain in flight.
 const ROW_ERROR: f64 = 0.1;
 
 /// A row shorter than this share of the longest, both in shares of the set's extent, counts as zero.
@@ -22,16 +22,17 @@ pub struct Parallel {
     pub angle: f64,
 }
 
-/// The angle, rad, below which errors of 10 % of the length of each of two rows can make the rows coincide: 2 asin(0.1), 11.5
-/// degrees.
+/// The angle, rad, below which errors of 10 % of the length of each of two rows can make the rows coincide: 2
+/// asin(0.1), 11.5 degrees.
 pub fn least_angle() -> f64 {
     2.0 * ROW_ERROR.asin()
 }
 
-/// The two rows of `A_theta` with the smallest angle between them; columns are in shares of each rotor's range of thrust.
-/// `None` if fewer than two rows are nonzero.
+/// The two rows of `A_theta` with the smallest angle between them; columns are in shares of each rotor's range of
+/// thrust. `None` if fewer than two rows are nonzero.
 ///
-/// The angle does not depend on the units of the axes. It is the angle between lines, so opposite rows count as parallel.
+/// The angle does not depend on the units of the axes. It is the angle between lines, so opposite rows count as
+/// parallel.
 pub fn nearest_rows(set: &AdmissibleSet) -> Option<Parallel> {
     let generators = &set.zonotope.generators;
     let scale = set.zonotope.scale();

@@ -1,5 +1,5 @@
-//! The pseudo-inverse allocation (42), and the polytope of wrenches that it produces without clipping (`docs/method.md`,
-//! section 3, "What the pseudo-inverse reaches").
+//! The pseudo-inverse allocation (42), and the polytope of wrenches that it produces without clipping
+//! (`docs/method.md`, section 3, "What the pseudo-inverse reaches").
 
 use crate::actuation::{Actuation, Wrench};
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};
@@ -7,16 +7,16 @@ use crate::geometry::zonotope::{Spanning, Zonotope};
 use crate::model::FaultMode;
 use nalgebra::Matrix4;
 
-/// Directions of the wrench in which the rotors are weaker than this, relative to the strongest direction, are left out of
-/// the inverse.
+/// Directions of the wrench in which the rotors are weaker than this, relative to the strongest direction, are left out
+/// of the inverse.
 const WEAK: f64 = 1e-5;
 
-/// Computes the rows of the pseudo-inverse `B^+ = B' (B B')^-1` of (42): the product of `rows[k]` with a wrench is the share of
-/// full thrust of rotor k.
+/// Computes the rows of the pseudo-inverse `B^+ = B' (B B')^-1` of (42): the product of `rows[k]` with a wrench is the
+/// share of full thrust of rotor k.
 ///
-/// `columns[k]` is the wrench of rotor k at full thrust, in scaled coordinates. (42) minimises the sum of Omega_k^2, where
-/// Omega_k is a squared speed, so shares are weighted by `fullest[k]`, the largest squared speed of rotor k over the largest
-/// of all rotors. Directions that no remaining rotor produces are left out of the inverse.
+/// `columns[k]` is the wrench of rotor k at full thrust, in scaled coordinates. (42) minimises the sum of Omega_k^2,
+/// where Omega_k is a squared speed, so shares are weighted by `fullest[k]`, the largest squared speed of rotor k over
+/// the largest of all rotors. Directions that no remaining rotor produces are left out of the inverse.
 pub fn inverse(columns: &[Wrench], fullest: &[f64], rows: &mut [Wrench]) {
     let weight = |k: usize| fullest[k].powi(-2);
     let square: Matrix4<f64> = columns.iter().enumerate().map(|(k, b)| b * b.transpose() * weight(k)).sum();
@@ -35,9 +35,9 @@ pub(crate) fn fullest(actuation: &Actuation) -> Vec<f64> {
     actuation.max_square.iter().map(|square| square / fastest).collect()
 }
 
-/// The facets of the set of wrenches for which no squared speed of `A_theta^+ (w - c)` leaves its bounds, where c is the wrench
-/// of stuck rotors. There are two rows for each working rotor; redundant ones are dropped. Each facet is spanned by all rotors
-/// except those that are at a bound on it. `equalities` are those of the mode's zonotope.
+/// The facets of the set of wrenches for which no squared speed of `A_theta^+ (w - c)` leaves its bounds, where c is
+/// the wrench of stuck rotors. There are two rows for each working rotor; redundant ones are dropped. Each facet is
+/// spanned by all rotors except those that are at a bound on it. `equalities` are those of the mode's zonotope.
 pub(super) fn facets(
     actuation: &Actuation,
     fault: Option<&FaultMode>,

@@ -40,7 +40,8 @@ impl Verdict {
 /// Distances from hover to the boundary along an axis, [down, up], both at least 0; N for thrust, N m for torques.
 type BothWays = [f64; 2];
 
-/// Distances from hover to the boundary along each axis, with the other three axes held. Each is [down, up], at least 0.
+/// Distances from hover to the boundary along each axis, with the other three axes held. Each is [down, up], at least
+/// 0.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Headroom {
     /// Along T, N.
@@ -74,8 +75,9 @@ pub struct ModeAnalysis {
     pub rank: usize,
     /// Number of facets of the minimal description; `None` if the set is flat.
     pub facets: Option<usize>,
-    /// The margin, which is the available control authority index of Du and Quan (2015): the smallest facet slack of hover in the
-    /// plain norm of N and N m. Inside it is the distance to the boundary; outside it is negative. `None` if the set is flat.
+    /// The margin, which is the available control authority index of Du and Quan (2015): the smallest facet slack of
+    /// hover in the plain norm of N and N m. Inside it is the distance to the boundary; outside it is negative. `None`
+    /// if the set is flat.
     pub acai: Option<f64>,
     /// The margin in (T, tau_x, tau_y), for the yaw-free set.
     pub acai_yaw_free: Option<f64>,
@@ -91,8 +93,8 @@ pub struct ModeAnalysis {
     pub residual3: [f64; 3],
     /// `None` unless the mode is controllable.
     pub headroom: Option<Headroom>,
-    /// The share of the zonotope's volume that the pseudo-inverse does not reach without clipping, 0 to 1. `None` with the bounded
-    /// allocation, which reaches all of it, and if the set is flat.
+    /// The share of the zonotope's volume that the pseudo-inverse does not reach without clipping, 0 to 1. `None` with
+    /// the bounded allocation, which reaches all of it, and if the set is flat.
     pub given_away: Option<f64>,
     /// The two rows of the actuation matrix with the smallest angle between them.
     pub nearest_rows: Option<Parallel>,
@@ -202,8 +204,8 @@ impl Reach {
         let by_rows = || {
             let inside = set.polytope.nearest(hover);
             let yaw_free = set.polytope.shadow(inside.as_ref(), &set.zonotope.scale());
-            // If the lowest speeds leave the pseudo-inverse no unclipped wrench, the wrench of all rotors at their lowest
-            // speeds is used.
+            // If the lowest speeds leave the pseudo-inverse no unclipped wrench, the wrench of all rotors at their
+            // lowest speeds is used.
             Reach {
                 nearest: inside.unwrap_or(set.zonotope.center),
                 nearest3: yaw_free.nearest(hover3).unwrap_or(shadow.center),

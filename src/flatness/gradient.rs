@@ -1,7 +1,7 @@
 //! The gradient of n.w by reverse-mode differentiation (Griewank and Walther, *Evaluating Derivatives*, chapter 3).
 //!
-//! The lines of [`Intermediates`] are processed from the last to the first. `of_x` is the derivative of n.w with respect to the
-//! intermediate value `x`; each line passes it on to the values from which `x` is computed.
+//! The lines of [`Intermediates`] are processed from the last to the first. `of_x` is the derivative of n.w with
+//! respect to the intermediate value `x`; each line passes it on to the values from which `x` is computed.
 
 use super::INPUTS;
 use super::intermediates::Intermediates;
@@ -70,7 +70,8 @@ impl<D: DualNum<Primitive = f64> + Copy> Intermediates<D> {
         let of_k2 = share2 * l;
         let mut of_l = share2 * k2 + share1 * k1 - of_sin_phi / self.n + two * (of_nn1 * l1 + of_nn * l);
 
-        // (64): theta'' = (f'' v - f v'' - theta' h') / h, theta' = (f' v - f v') / h, sin theta = f / k, cos theta = v / k.
+        // (64): theta'' = (f'' v - f v'' - theta' h') / h, theta' = (f' v - f v') / h, sin theta = f / k, cos theta = v
+        // / k.
         let turned2 = of_theta2 / h;
         let turned1 = (of_theta1 - turned2 * h1) / h;
         // (63): k'' = (h'' / 2 - k'^2) / k, k' = h' / (2 k), k = sqrt h.

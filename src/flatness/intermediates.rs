@@ -15,7 +15,8 @@ pub(super) struct Angles<D> {
 
 /// The intermediate values of (60) to (66), SI units. A digit in a name is the number of time derivatives.
 pub(super) struct Intermediates<D> {
-    /// (60) to (62): the vector (x'', y'', z'' + g) in the frame that turns with psi (forward, left, up), and its derivatives.
+    /// (60) to (62): the vector (x'', y'', z'' + g) in the frame that turns with psi (forward, left, up), and its
+    /// derivatives.
     pub(super) f: D,
     pub(super) l: D,
     pub(super) v: D,

@@ -1,14 +1,16 @@
 //! Wind: a constant mean and Dryden gusts (`docs/flight.md`, section 1).
 //!
-//! Gusts have the Dryden spectra of MIL-F-8785C, with one intensity sigma and one length L on all axes, as filters of white noise:
+//! Gusts have the Dryden spectra of MIL-F-8785C, with one intensity sigma and one length L on all axes, as filters of
+//! white noise:
 //!
 //! ```text
 //! along the wind              sigma sqrt(2 tau) / (1 + tau s)
 //! across it and vertically    sigma sqrt(tau) (1 + sqrt(3) tau s) / (1 + tau s)^2        tau = L/V
 //! ```
 //!
-//! V is the sum of the speed of the mean wind and the mean speed of the mission, at least 1 m/s, and is constant during a flight. The
-//! discretisation is exact: the state transition of the filters and the covariance of the noise in a step have closed forms.
+//! V is the sum of the speed of the mean wind and the mean speed of the mission, at least 1 m/s, and is constant during
+//! a flight. The discretisation is exact: the state transition of the filters and the covariance of the noise in a step
+//! have closed forms.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
 use rand_distr::{Distribution, StandardNormal};
@@ -39,9 +41,9 @@ struct Gusts {
 }
 
 impl Air {
-    /// Air with the mean velocity `mean` (m/s, world frame), the gust intensity `sigma` (m/s), the gust length `length` (m) and the speed
-    /// V `speed` (m/s); `h` is the time between two calls of [`Air::next`] (s). The initial gusts are drawn from their stationary
-    /// distribution.
+    /// Air with the mean velocity `mean` (m/s, world frame), the gust intensity `sigma` (m/s), the gust length `length`
+    /// (m) and the speed V `speed` (m/s); `h` is the time between two calls of [`Air::next`] (s). The initial gusts are
+    /// drawn from their stationary distribution.
     pub fn new(mean: [f64; 3], sigma: f64, length: f64, speed: f64, h: f64, random: &mut Pcg64Mcg) -> Self {
         let mean = Vector3::from(mean);
         if sigma == 0.0 {
@@ -53,8 +55,8 @@ impl Air {
         let tau = length / speed.max(1.0);
         let a = h / tau;
         let decay = (-a).exp();
-        // In units of tau the filter is x1' = x2, x2' = -x1 - 2 x2 + w with white noise w of intensity 1. The step needs
-        // exp(A a) and the covariance, the integral of exp(A s) b b' exp(A' s) ds from 0 to a.
+        // In units of tau the filter is x1' = x2, x2' = -x1 - 2 x2 + w with white noise w of intensity 1. The step
+        // needs exp(A a) and the covariance, the integral of exp(A s) b b' exp(A' s) ds from 0 to a.
         let transition = Matrix2::new(1.0 + a, a, -a, 1.0 - a) * decay;
         let e2 = decay * decay;
         // The closed form of the first entry cancels in short steps; its series is accurate there.

@@ -1,13 +1,13 @@
-//! Allocation during a flight: from the demanded wrench to rotor speeds, by the pseudo-inverse (42) or by bounded weighted least
-//! squares, with the believed capacities (`docs/flight.md`, section 3).
+//! Allocation during a flight: from the demanded wrench to rotor speeds, by the pseudo-inverse (42) or by bounded
+//! weighted least squares, with the believed capacities (`docs/flight.md`, section 3).
 
 use crate::actuation::{Actuation, Wrench};
 use crate::admissible::allocation::{Bounds, MOST_ROTORS, bounded};
 use crate::admissible::pseudo_inverse;
 use crate::model::{Allocation, Model};
 
-/// Weights on the missing part of T, tau_x, tau_y and tau_z, as shares of the largest value of each, relative to 1 on the rotors'
-/// shares of full thrust. Yaw is given up first, then thrust, then roll and pitch.
+/// Weights on the missing part of T, tau_x, tau_y and tau_z, as shares of the largest value of each, relative to 1 on
+/// the rotors' shares of full thrust. Yaw is given up first, then thrust, then roll and pitch.
 const WEIGHTS: [f64; 4] = [1e8, 1e10, 1e10, 1e4];
 
 /// The upper bounds on the shares of full thrust.
@@ -99,8 +99,8 @@ impl Allocator {
         self.lambda = Wrench::zeros();
     }
 
-    /// Writes the rotor speeds (rad/s) for a wrench (N and N m) to `speeds` (n). A rotor believed lost gets its lowest speed, a stuck one
-    /// the speed at which it is stuck.
+    /// Writes the rotor speeds (rad/s) for a wrench (N and N m) to `speeds` (n). A rotor believed lost gets its lowest
+    /// speed, a stuck one the speed at which it is stuck.
     pub fn speeds(&mut self, wrench: &Wrench, speeds: &mut [f64]) {
         let mut wanted = wrench.component_div(&self.extent) - self.shift;
         let bounds = Bounds { least: &self.least, most: &WHOLE };
@@ -119,8 +119,8 @@ impl Allocator {
         }
     }
 
-    /// The norm of the part of a wrench's thrust, roll and pitch that rotors within their bounds cannot produce under a belief, each as a
-    /// share of its largest value. Yaw is left free.
+    /// The norm of the part of a wrench's thrust, roll and pitch that rotors within their bounds cannot produce under a
+    /// belief, each as a share of its largest value. Yaw is left free.
     pub fn missing(&self, wrench: &Wrench, belief: &Belief) -> f64 {
         let mut wanted = wrench.component_div(&self.extent);
         let mut columns = [Wrench::zeros(); MOST_ROTORS];

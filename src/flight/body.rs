@@ -1,4 +1,5 @@
-//! The rigid body of (3) to (9) with the attitude as a quaternion, which has no singular angle (`docs/flight.md`, section 1).
+//! The rigid body of (3) to (9) with the attitude as a quaternion, which has no singular angle (`docs/flight.md`,
+//! section 1).
 
 use crate::actuation::Wrench;
 use crate::model::Model;
@@ -66,8 +67,8 @@ impl Body {
         [roll, pitch, yaw]
     }
 
-    /// The heading, rad: the direction of the nose (body x) seen from above, which is psi of (4), counter-clockwise from x, between -pi
-    /// and pi. It is meaningless if the nose points straight up or down.
+    /// The heading, rad: the direction of the nose (body x) seen from above, which is psi of (4), counter-clockwise
+    /// from x, between -pi and pi. It is meaningless if the nose points straight up or down.
     pub fn heading(&self) -> f64 {
         let (w, v) = (self.attitude.w, self.attitude.imag());
         (2.0 * (w * v.z + v.x * v.y)).atan2(1.0 - 2.0 * (v.y * v.y + v.z * v.z))
@@ -79,8 +80,8 @@ impl Body {
         up.x.hypot(up.y).atan2(up.z)
     }
 
-    /// The time derivative of the state under a wrench (N and N m, body frame) and a velocity of the air (m/s, world frame). With
-    /// v = R v_B:
+    /// The time derivative of the state under a wrench (N and N m, body frame) and a velocity of the air (m/s, world
+    /// frame). With v = R v_B:
     ///
     /// ```text
     /// p' = v                                                    (3)
@@ -113,8 +114,8 @@ impl Body {
         }
     }
 
-    /// Advances the state by one classical fourth-order Runge-Kutta step of `h` s with the wrenches (N and N m) at its start, middle and
-    /// end. The quaternion is normalised afterwards.
+    /// Advances the state by one classical fourth-order Runge-Kutta step of `h` s with the wrenches (N and N m) at its
+    /// start, middle and end. The quaternion is normalised afterwards.
     pub fn step(&mut self, frame: &Frame, h: f64, [start, middle, end]: [&Wrench; 3], air: &Vector3<f64>) {
         let k1 = self.derivative(frame, start, air);
         let k2 = self.along(&k1, 0.5 * h).derivative(frame, middle, air);

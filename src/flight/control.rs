@@ -7,12 +7,12 @@ use crate::actuation::Wrench;
 use crate::model::{Controller, Gains};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
 
-/// The largest acceleration that feedback on position and velocity demands, as a share of gravity. A vehicle far from its
-/// reference shall return without turning over.
+/// The largest acceleration that feedback on position and velocity demands, as a share of gravity. A vehicle far from
+/// its reference shall return without turning over.
 const MOST_FEEDBACK: f64 = 0.5;
 
-/// The wrench (N and N m, body frame) that a controller demands. `measured` is the body as measured by the sensors, and `force` the
-/// present thrust over the mass, m/s^2, as modelled.
+/// The wrench (N and N m, body frame) that a controller demands. `measured` is the body as measured by the sensors, and
+/// `force` the present thrust over the mass, m/s^2, as modelled.
 pub fn control(
     controller: Controller,
     frame: &Frame,
@@ -29,7 +29,8 @@ pub fn control(
 
 /// The paper's PD law, (21) to (28), linear about hover at the reference yaw.
 ///
-/// All errors are e = reference - measured. The angles phi, theta, psi are ZYX; c and s are the cosine and sine of the reference yaw.
+/// All errors are e = reference - measured. The angles phi, theta, psi are ZYX; c and s are the cosine and sine of the
+/// reference yaw.
 fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> Wrench {
     let g = frame.gravity;
     let [phi, theta, psi] = measured.angles();
@@ -63,8 +64,8 @@ fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> W
     Wrench::new(thrust, torque.x, torque.y, torque.z)
 }
 
-/// Geometric tracking control on SE(3): T. Lee, M. Leok, N. H. McClamroch, *Geometric tracking control of a quadrotor UAV on
-/// SE(3)*, CDC 2010, equations (12), (15) and (16), with z up:
+/// Geometric tracking control on SE(3): T. Lee, M. Leok, N. H. McClamroch, *Geometric tracking control of a quadrotor
+/// UAV on SE(3)*, CDC 2010, equations (12), (15) and (16), with z up:
 ///
 /// ```text
 /// F/m = -k_x e_x - k_v e_v + g e_3 + x_d''     b_3d = F/|F|     T = F . R e_3
@@ -72,8 +73,9 @@ fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> W
 /// M = -J (k_R e_R + k_w e_w) + w x J w - J (w^ R' R_d w_d - R' R_d w_d')
 /// ```
 ///
-/// where R' is a transpose and w_d' a time derivative. The derivatives of F use the errors of acceleration and jerk, which follow from
-/// the present thrust and the measured rates. Feedback on position and velocity is limited to half of g.
+/// where R' is a transpose and w_d' a time derivative. The derivatives of F use the errors of acceleration and jerk,
+/// which follow from the present thrust and the measured rates. Feedback on position and velocity is limited to half of
+/// g.
 fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, reference: &Reference) -> Wrench {
     let kx = Vector3::new(gains.position, gains.position, gains.altitude);
     let kv = Vector3::new(gains.velocity, gains.velocity, gains.climb);
@@ -120,8 +122,8 @@ fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, referenc
     Wrench::new(thrust, torque.x, torque.y, torque.z)
 }
 
-/// The state of a body that follows a reference exactly, with the attitude and rates that the geometric controller demands. Flights
-/// start in it.
+/// The state of a body that follows a reference exactly, with the attitude and rates that the geometric controller
+/// demands. Flights start in it.
 pub fn start(frame: &Frame, reference: &Reference) -> Body {
     let f = reference.acceleration + Vector3::z() * frame.gravity;
     let small = f.norm() < 0.05 * frame.gravity;
@@ -145,9 +147,12 @@ fn direction([v, v1, v2]: [Vector3<f64>; 3]) -> [Vector3<f64>; 3] {
     [u, u1, u2]
 }
 
-/// The frame R_d with third axis b3 and first axis along psi seen from above, as for the ZYX angles of (4), and its body rates w_d and
-/// w_d'. b3 and psi are given with their first two time derivatives. R_d w_d^ = R_d' and R_d (w_d'^ + w_d^ w_d^) = R_d'', where
-/// primes are time derivatives.
+/// The frame R_d with third axis b3 and first axis along psi seen from above, as for the ZYX angles of (4), and its
+/// body rates w_d with their time derivative w_d'. b3 and psi are given with their first two time derivatives.
+///
+/// ```text
+/// R_d w_d^ = R_d'     R_d (w_d'^ + w_d^ w_d^) = R_d''     where primes are time derivatives
+/// ```
 fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matrix3<f64>, Vector3<f64>, Vector3<f64>) {
     let (s, c) = psi.sin_cos();
     let heading = Vector3::new(c, s, 0.0);
@@ -161,7 +166,8 @@ fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matr
         ]
     };
     let ahead = product(&c2, &b3);
-    // The thrust points to the left or right of psi, so the nose is not determined; any direction across the thrust will do.
+    // The thrust points to the left or right of psi, so the nose is not determined; any direction across the thrust
+    // will do.
     let b1 = match ahead[0].norm() < 1e-6 {
         true => [heading, Vector3::zeros(), Vector3::zeros()],
         false => direction(ahead),

@@ -1,14 +1,15 @@
-//! Estimation of rotor capacities by regularised recursive least squares on the body's angular motion, (32) to (42). See
-//! `docs/flight.md`, section 4.
+//! Estimation of rotor capacities by regularised recursive least squares on the body's angular motion, (32) to (42).
+//! See `docs/flight.md`, section 4.
 //!
-//! The paper's (40) has three equations a sample for n capacities, so at constant speeds most directions are not observable.
-//! Plain recursive least squares with a forgetting factor drifts along these directions until the vehicle falls. Therefore
+//! The paper's (40) has three equations a sample for n capacities, so at constant speeds most directions are not
+//! observable. Plain recursive least squares with a forgetting factor drifts along these directions until the vehicle
+//! falls. Therefore
 //!
-//! - the estimate minimises, over capacities from 0 to 1, the exponentially weighted squares of the torque residuals, plus a
-//!   small penalty on the distance from the last estimate, which bounds the covariance, plus a small price on losses, so that of
-//!   two explanations the one with less loss is chosen;
-//! - a sample is used only if its residual exceeds the noise, or soon after such a sample, so that the estimate does not move in
-//!   quiet hover. A large residual after a quiet period signals a change, and older samples are forgotten.
+//! - the estimate minimises, over capacities from 0 to 1, the exponentially weighted squares of the torque residuals,
+//!   plus a small penalty on the distance from the last estimate, which bounds the covariance, plus a small price on
+//!   losses, so that of two explanations the one with less loss is chosen;
+//! - a sample is used only if its residual exceeds the noise, or soon after such a sample, so that the estimate does
+//!   not move in quiet hover. A large residual after a quiet period signals a change, and older samples are forgotten.
 
 use crate::actuation::Actuation;
 use crate::geometry::symmetric::eigenvalues;
@@ -18,13 +19,15 @@ use nalgebra::Vector3;
 /// The residual of a sample is large if a component exceeds this many standard deviations of the torque noise.
 pub(super) const THRESHOLD: f64 = 4.0;
 
-/// The error of the model as a share of the torque of one rotor in hover. It is added to the torque noise because no model is exact.
+/// The error of the model as a share of the torque of one rotor in hover. It is added to the torque noise because no
+/// model is exact.
 const MODEL_ERROR: f64 = 0.04;
 
 /// Number of samples that are used from one with a large residual on.
 const FOLLOWING: usize = 20;
 
-/// Weight of the distance from the last estimate, and price of a loss. Residuals are in standard deviations of the noise.
+/// Weight of the distance from the last estimate, and price of a loss. Residuals are in standard deviations of the
+/// noise.
 const PULL: f64 = 1.0;
 const PRICE: f64 = 2.0;
 
@@ -64,8 +67,8 @@ pub struct Estimator {
     spectrum: Vec<f64>,
 }
 
-/// The standard deviation of a torque sample on each axis, N m: gyroscope noise and model error. `gyroscope_noise` is in rad/s, `period`
-/// in s.
+/// The standard deviation of a torque sample on each axis, N m: gyroscope noise and model error. `gyroscope_noise` is
+/// in rad/s, `period` in s.
 pub(super) fn torque_noise(model: &Model, gyroscope_noise: f64, period: f64) -> Vector3<f64> {
     // Two rate samples make one torque sample.
     let measured = Vector3::from(model.vehicle.inertia) * (gyroscope_noise * std::f64::consts::SQRT_2 / period);
@@ -80,8 +83,8 @@ pub(super) fn torque_noise(model: &Model, gyroscope_noise: f64, period: f64) -> 
 }
 
 impl Estimator {
-    /// An estimator that starts with all capacities at 1. `forgetting` is the factor lambda, `gyroscope_noise` the standard deviation of
-    /// a rate sample (rad/s), and `period` the time between samples (s).
+    /// An estimator that starts with all capacities at 1. `forgetting` is the factor lambda, `gyroscope_noise` the
+    /// standard deviation of a rate sample (rad/s), and `period` the time between samples (s).
     pub fn new(model: &Model, forgetting: f64, gyroscope_noise: f64, period: f64) -> Self {
         let actuation = Actuation::of(&model.vehicle);
         let n = actuation.rotors();
@@ -113,8 +116,8 @@ impl Estimator {
     /// Records the modelled rotor speeds (rad/s) and the measured body rates (rad/s). To be called at equal intervals.
     pub fn note(&mut self, speeds: &[f64], rates: &Vector3<f64>) {
         let gyroscopic = rates.cross(&self.inertia.component_mul(rates));
-        // The integrals over the interval use the trapezium rule. If speeds change fast, a rectangle rule is off by more
-        // than the noise.
+        // The integrals over the interval use the trapezium rule. If speeds change fast, a rectangle rule is off by
+        // more than the noise.
         if self.has_noted {
             for ((sum, last), w) in self.squares.iter_mut().zip(&mut self.last_squares).zip(speeds) {
                 let square = w * w;
@@ -135,11 +138,11 @@ impl Estimator {
         self.last_squares.iter_mut().zip(speeds).for_each(|(last, w)| *last = w * w);
     }
 
-    /// Processes a sample: what was recorded since the last call, with the body rates measured now (rad/s). Returns whether the estimate
-    /// was updated.
+    /// Processes a sample: what was recorded since the last call, with the body rates measured now (rad/s). Returns
+    /// whether the estimate was updated.
     ///
-    /// By (37) the mean torque over the interval is `J (w - w_last)/period` plus the mean of `w x J w`. The regressor of (36) uses the
-    /// mean squares of the modelled speeds.
+    /// By (37) the mean torque over the interval is `J (w - w_last)/period` plus the mean of `w x J w`. The regressor
+    /// of (36) uses the mean squares of the modelled speeds.
     pub fn sample(&mut self, rates: &Vector3<f64>) -> bool {
         let count = self.count.max(1) as f64;
         let gyroscopic = self.gyroscopic / count;
@@ -199,9 +202,9 @@ impl Estimator {
         }
     }
 
-    /// Rank and condition number of the regressor. While samples are used this is the exponentially weighted regressor, otherwise that of
-    /// the last sample. Singular values at or below 1e-3 of the largest do not count; the condition number is the ratio of the
-    /// largest to the smallest that counts. `None` before the first sample.
+    /// Rank and condition number of the regressor. While samples are used this is the exponentially weighted regressor,
+    /// otherwise that of the last sample. Singular values at or below 1e-3 of the largest do not count; the condition
+    /// number is the ratio of the largest to the smallest that counts. `None` before the first sample.
     pub fn conditioning(&mut self) -> Option<(usize, f64)> {
         let n = self.capacity.len();
         match self.updates_left > 0 {

@@ -3,8 +3,8 @@
 use super::body::Body;
 use std::f64::consts::{PI, TAU};
 
-/// The tilt, rad (85 degrees), beyond which the nose may point straight up or down, where the heading is not defined. Beyond it the last
-/// heading error is kept.
+/// The tilt, rad (85 degrees), beyond which the nose may point straight up or down, where the heading is not defined.
+/// Beyond it the last heading error is kept.
 pub const DEFINED_UP_TO: f64 = 1.483_529_864_195_180_1;
 
 /// The flown heading minus the planned one, tracked from sample to sample.
@@ -15,16 +15,16 @@ pub struct Heading {
 }
 
 impl Heading {
-    /// Updates the heading with the body and the planned psi (rad) at a sample. Between two samples the heading error must change by less
-    /// than half a turn, or turns are missed.
+    /// Updates the heading with the body and the planned psi (rad) at a sample. Between two samples the heading error
+    /// must change by less than half a turn, or turns are missed.
     pub fn look(&mut self, body: &Body, planned: f64) {
         if body.tilt() <= DEFINED_UP_TO {
             self.turned += wrapped(body.heading() - planned - self.turned);
         }
     }
 
-    /// The angle by which the vehicle has turned away from the planned heading, whole turns included, rad; positive counter-clockwise
-    /// seen from above.
+    /// The angle by which the vehicle has turned away from the planned heading, whole turns included, rad; positive
+    /// counter-clockwise seen from above.
     pub fn turned(&self) -> f64 {
         self.turned
     }
@@ -82,8 +82,9 @@ impl Collector {
 
 /// Decides whether a heading error has lasted too long.
 ///
-/// A vehicle that spins points in the right direction once a turn. Therefore the time beyond the limit is added up until the heading has
-/// been kept without a break for longer than it may be off. This notices fast spins as well as slow ones.
+/// A vehicle that spins points in the right direction once a turn. Therefore the time beyond the limit is added up
+/// until the heading has been kept without a break for longer than it may be off. This notices fast spins as well as
+/// slow ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Patience {
     /// Largest heading error that counts as kept, rad; `None` for no limit.
@@ -95,8 +96,8 @@ pub struct Patience {
 }
 
 impl Patience {
-    /// `limit` is the largest heading error that counts as kept (rad; `None` for no limit), `longest` the time for which the heading may
-    /// be off (s).
+    /// `limit` is the largest heading error that counts as kept (rad; `None` for no limit), `longest` the time for
+    /// which the heading may be off (s).
     pub fn new(limit: Option<f64>, longest: f64) -> Self {
         Patience { limit, longest, off_for: 0.0, kept_for: 0.0 }
     }

@@ -1,5 +1,5 @@
-//! The controller's knowledge of faults: none, the modes after a delay, or the estimator's capacities (`docs/flight.md`,
-//! section 4).
+//! The controller's knowledge of faults: none, the modes after a delay, or the estimator's capacities
+//! (`docs/flight.md`, section 4).
 
 use super::allocate::{Allocator, Belief};
 use super::body::Body;
@@ -32,10 +32,11 @@ pub struct FaultDetection {
     pub mode: usize,
     /// When the fault struck, s since the start.
     pub at: f64,
-    /// Seconds from the fault until some affected rotor was believed weaker than before, or until a detection after a delay reported
-    /// the fault. `None` if that did not happen; the estimator has to detect the fault while it lasts.
+    /// Seconds from the fault until some affected rotor was believed weaker than before, or until a detection after a
+    /// delay reported the fault. `None` if that did not happen; the estimator has to detect the fault while it lasts.
     pub detected_after: Option<f64>,
-    /// Seconds from the fault until every believed capacity was within 0.2 of the true one; `None` if that did not happen.
+    /// Seconds from the fault until every believed capacity was within 0.2 of the true one; `None` if that did not
+    /// happen.
     pub isolated_after: Option<f64>,
 }
 
@@ -78,7 +79,8 @@ pub(super) struct Knowledge<'a> {
 }
 
 impl<'a> Knowledge<'a> {
-    /// `period` is the time between two acts of the controller, s; the estimator samples every `estimator_ticks` of them.
+    /// `period` is the time between two acts of the controller, s; the estimator samples every `estimator_ticks` of
+    /// them.
     pub(super) fn new(
         model: &'a Model,
         simulation: &Simulation,
@@ -120,7 +122,8 @@ impl<'a> Knowledge<'a> {
         }
     }
 
-    /// Updates the knowledge at time `t` (s), act number `tick` of the controller. Returns whether the belief has changed.
+    /// Updates the knowledge at time `t` (s), act number `tick` of the controller. Returns whether the belief has
+    /// changed.
     pub(super) fn update(&mut self, t: f64, tick: usize, measured: &Body, allocator: &Allocator) -> bool {
         for k in 0..self.modelled.len() {
             let difference = (self.modelled[k] - self.command[k]) * self.remaining[k];
@@ -254,8 +257,8 @@ impl<'a> Knowledge<'a> {
         }
     }
 
-    /// Commands rotors that the estimator believes lost to turn as in hover (rad/s). The allocation does not use their thrust; if one
-    /// produces thrust after all, the estimator sees it.
+    /// Commands rotors that the estimator believes lost to turn as in hover (rad/s). The allocation does not use their
+    /// thrust; if one produces thrust after all, the estimator sees it.
     pub(super) fn probe(&self, command: &mut [f64]) {
         if self.estimator.is_none() {
             return;

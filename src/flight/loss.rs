@@ -29,8 +29,8 @@ pub enum Outcome {
         /// Whether heading or attitude was beyond its limit only at the end of the flight, for however short a time.
         at_end: bool,
     },
-    /// The integration broke down: a number was NaN or infinite, or the vehicle turned by more than half a turn in one step. Whether
-    /// the vehicle survived is unknown.
+    /// The integration broke down: a number was NaN or infinite, or the vehicle turned by more than half a turn in one
+    /// step. Whether the vehicle survived is unknown.
     Diverged {
         /// When this was first observed, s since the start.
         at: f64,
@@ -129,7 +129,8 @@ impl Watch {
         }
     }
 
-    /// Processes a sample at time `t` (s); `after` is whether a fault has struck. Returns the outcome if the flight ends here.
+    /// Processes a sample at time `t` (s); `after` is whether a fault has struck. Returns the outcome if the flight
+    /// ends here.
     pub(super) fn look(&mut self, t: f64, body: &Body, reference: &Reference, after: bool) -> Option<Outcome> {
         let lost = |cause| Some(Outcome::Lost { at: t, cause, at_end: false });
         let error = (body.position - reference.position).norm();
@@ -167,8 +168,8 @@ impl Watch {
         if self.patience.is_over(self.heading.error(), self.period) { lost(Cause::Heading) } else { None }
     }
 
-    /// The outcome of a flight whose duration has elapsed. A vehicle that is upside down or off its heading now is lost, for however short
-    /// a time it has been so.
+    /// The outcome of a flight whose duration has elapsed. A vehicle that is upside down or off its heading now is
+    /// lost, for however short a time it has been so.
     pub(super) fn end(&self, t: f64, body: &Body) -> Outcome {
         let lost = |cause| Outcome::Lost { at: t, cause, at_end: true };
         match (body.tilt() > FRAC_PI_2, self.patience.is_off(self.heading.error())) {

@@ -7,8 +7,8 @@ use nalgebra::Vector3;
 const BRAKING: f64 = 3.0;
 /// Shortest duration of a stop, s; the vertical part may be shorter close to the ground.
 const SHORTEST_STOP: f64 = 1.5;
-/// A stop is gentle if its largest acceleration is at most this many times the larger of the initial acceleration and the nominal
-/// deceleration.
+/// A stop is gentle if its largest acceleration is at most this many times the larger of the initial acceleration and
+/// the nominal deceleration.
 const GENTLE: f64 = 1.1;
 
 /// Speed of a descent, m/s.
@@ -77,8 +77,9 @@ impl Course<'_> {
     }
 }
 
-/// A stop: the velocity on each axis goes to zero along a polynomial of fifth degree that continues velocity, acceleration and jerk. A
-/// descent may follow. If the stop would use up the height above the ground, the vertical velocity goes to zero sooner.
+/// A stop: the velocity on each axis goes to zero along a polynomial of fifth degree that continues velocity,
+/// acceleration and jerk. A descent may follow. If the stop would use up the height above the ground, the vertical
+/// velocity goes to zero sooner.
 #[derive(Debug, Clone)]
 pub struct Stop {
     begin: f64,
@@ -87,7 +88,8 @@ pub struct Stop {
 }
 
 impl Stop {
-    /// The stop from a reference at time `begin` (s) above a ground at height `ground` (m), followed by a descent if `descends`.
+    /// The stop from a reference at time `begin` (s) above a ground at height `ground` (m), followed by a descent if
+    /// `descends`.
     pub fn from(reference: &Reference, begin: f64, descends: bool, ground: f64) -> Self {
         let Reference { position, velocity, acceleration, jerk, yaw, .. } = reference;
         let longest = SHORTEST_STOP.max(1.875 * velocity.norm() / BRAKING).max(acceleration.norm() / BRAKING);
@@ -96,8 +98,8 @@ impl Stop {
         };
         let gentle = GENTLE * BRAKING.max(acceleration.norm());
         let smooth = gentlest(longest, gentle, |duration| fades(duration, *jerk));
-        // If continuing the jerk needs too much acceleration at every duration, a step in the jerk is better than a thrust
-        // that points down.
+        // If continuing the jerk needs too much acceleration at every duration, a step in the jerk is better than a
+        // thrust that points down.
         let stop = match smooth.0 <= gentle {
             true => smooth,
             false => {
@@ -156,8 +158,9 @@ fn durations(longest: f64, least: f64) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(longest), |duration| Some(duration * SHORTER)).take_while(move |d| *d >= least)
 }
 
-/// The longest stop whose largest acceleration is at most `gentle` (m/s^2), or the one with the smallest if none is; with its largest
-/// acceleration (m/s^2). A long stop follows the initial acceleration and jerk for a long time, a short one brakes hard.
+/// The longest stop whose largest acceleration is at most `gentle` (m/s^2), or the one with the smallest if none is;
+/// with its largest acceleration (m/s^2). A long stop follows the initial acceleration and jerk for a long time, a
+/// short one brakes hard.
 fn gentlest(longest: f64, gentle: f64, stop: impl Fn(f64) -> [Fade; 3]) -> (f64, [Fade; 3]) {
     let mut best = (f64::INFINITY, stop(longest));
     for tried in durations(longest, SHORTEST_STOP).map(stop) {
@@ -215,8 +218,8 @@ impl Fade {
         Fade { start, begins: [v, a, j], duration, velocity: [v, a, 0.5 * j, c3, c4, c5] }
     }
 
-    /// This fade if it uses up at most [`USED_UP`] of the height above `ground` (m), or else the longest shorter one tried that does. This
-    /// fade too if it starts on or below the ground, or if no shorter one does.
+    /// This fade if it uses up at most [`USED_UP`] of the height above `ground` (m), or else the longest shorter one
+    /// tried that does. This fade too if it starts on or below the ground, or if no shorter one does.
     fn above(self, ground: f64) -> Self {
         let floor = ground + (1.0 - USED_UP) * (self.start - ground);
         if self.start <= ground || self.lowest() >= floor {

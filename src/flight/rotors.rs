@@ -1,5 +1,5 @@
-//! Motors and rotors: speeds follow their commands with a first-order lag, thrust and drag follow the speeds, and faults reduce both
-//! (`docs/flight.md`, section 1, "Motors").
+//! Motors and rotors: speeds follow their commands with a first-order lag, thrust and drag follow the speeds, and
+//! faults reduce both (`docs/flight.md`, section 1, "Motors").
 
 use crate::actuation::{Actuation, Wrench};
 use crate::model::{FaultMode, Model};
@@ -48,8 +48,8 @@ impl Rotors {
         self.speed.copy_from_slice(&self.command);
     }
 
-    /// Applies the active fault modes. If several affect a rotor, the smallest capacity and the first share at which it is stuck hold. A
-    /// stuck rotor takes its speed at once.
+    /// Applies the active fault modes. If several affect a rotor, the smallest capacity and the first share at which it
+    /// is stuck hold. A stuck rotor takes its speed at once.
     pub fn set_faults<'a>(&mut self, active: impl Iterator<Item = &'a FaultMode>) {
         self.capacity.fill(1.0);
         self.stuck.fill(None);

@@ -1,9 +1,9 @@
-//! The measurements that the controller receives: the true attitude, body rates with white noise, and position and velocity from an
-//! inertial navigation (`docs/flight.md`, section 1, "Sensors").
+//! The measurements that the controller receives: the true attitude, body rates with white noise, and position and
+//! velocity from an inertial navigation (`docs/flight.md`, section 1, "Sensors").
 //!
-//! The navigation integrates the true acceleration and is corrected with fixed gains by position samples with white noise n. Its
-//! errors e and e_v satisfy e' = e_v - 2 zeta w (e - n) and e_v' = -w^2 (e - n), in which the true motion cancels. Only these
-//! errors are simulated; they vary slowly and contain a small part of the samples' noise.
+//! The navigation integrates the true acceleration and is corrected with fixed gains by position samples with white
+//! noise n. Its errors e and e_v satisfy e' = e_v - 2 zeta w (e - n) and e_v' = -w^2 (e - n), in which the true motion
+//! cancels. Only these errors are simulated; they vary slowly and contain a small part of the samples' noise.
 
 use super::body::Body;
 use crate::model::Simulation;

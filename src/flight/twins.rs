@@ -1,4 +1,5 @@
-//! Indistinguishable fault modes: modes whose torques differ too little for the estimator. See `docs/flight.md`, section 4.
+//! Indistinguishable fault modes: modes whose torques differ too little for the estimator. See `docs/flight.md`,
+//! section 4.
 
 use super::estimate::{THRESHOLD, torque_noise};
 use crate::actuation::{Actuation, Wrench};
@@ -23,13 +24,13 @@ fn squares(allocator: &Allocator, wrench: &Wrench) -> Vec<f64> {
     allocator.speeds(wrench).iter().map(|w| w * w).collect()
 }
 
-/// Groups of two or more indistinguishable modes. In a group 0 is the healthy vehicle and i + 1 is `Model::modes[i]`. `instants` has
-/// the squared rotor speeds (rad^2/s^2) at each instant.
+/// Groups of two or more indistinguishable modes. In a group 0 is the healthy vehicle and i + 1 is `Model::modes[i]`.
+/// `instants` has the squared rotor speeds (rad^2/s^2) at each instant.
 ///
-/// A fault mode is indistinguishable from the healthy vehicle if at every instant the difference of their torques is at most the
-/// estimator's threshold for one sample. Two fault modes are if it is at most that threshold over the square root of the number of
-/// samples that the forgetting factor keeps, 1/(1 - lambda). The relation is not transitive: a mode joins the first group
-/// whose first member it cannot be distinguished from.
+/// A fault mode is indistinguishable from the healthy vehicle if at every instant the difference of their torques is at
+/// most the estimator's threshold for one sample. Two fault modes are if it is at most that threshold over the square
+/// root of the number of samples that the forgetting factor keeps, 1/(1 - lambda). The relation is not transitive: a
+/// mode joins the first group whose first member it cannot be distinguished from.
 fn indistinguishable(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     let simulation = &model.simulation;
     let noise = torque_noise(model, simulation.gyroscope_noise, 1.0 / simulation.estimator_rate);
@@ -69,11 +70,12 @@ fn indistinguishable(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// The largest number of nodes of a plan at which modes are compared; with thousands of modes all nodes would take too long.
+/// The largest number of nodes of a plan at which modes are compared; with thousands of modes all nodes would take too
+/// long.
 const INSTANTS: usize = 200;
 
-/// Groups of modes that are indistinguishable for the estimator all along a plan, compared at up to 200 of its nodes; none without
-/// an estimator. In a group 0 is the healthy vehicle and i + 1 is `Model::modes[i]`.
+/// Groups of modes that are indistinguishable for the estimator all along a plan, compared at up to 200 of its nodes;
+/// none without an estimator. In a group 0 is the healthy vehicle and i + 1 is `Model::modes[i]`.
 pub fn along(model: &Model, trajectory: &Trajectory) -> Vec<Vec<usize>> {
     if model.simulation.detection != Detection::Estimator {
         return Vec::new();
@@ -90,8 +92,9 @@ pub fn names<'a>(model: &'a Model, group: &[usize]) -> Vec<&'a str> {
     group.iter().map(|&m| if m == 0 { HEALTHY } else { model.modes[m - 1].name.as_str() }).collect()
 }
 
-/// Warnings if the spec configures the estimator and the modes that `simulate` or `campaign` may strike have a stuck rotor or are
-/// indistinguishable in hover. Hover is compared because plans from rest to rest, and holds, begin and end there.
+/// Warnings if the spec configures the estimator and the modes that `simulate` or `campaign` may strike have a stuck
+/// rotor or are indistinguishable in hover. Hover is compared because plans from rest to rest, and holds, begin and end
+/// there.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     let written = model.simulation.written || model.campaign.written;
     if !written || model.simulation.detection != Detection::Estimator || model.modes.is_empty() {
@@ -134,11 +137,10 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
         "in hover the estimator may not distinguish {}{some}",
         listed_groups[..listed_groups.len().min(SHOWN)].join("; nor ")
     );
-    found
-        .push(warning(ALIKE, message).help(
-            "their torques in hover differ by less than the threshold for one sample: write `detection = 50 ms` if something \
-             else reports the faults",
-        ));
+    found.push(warning(ALIKE, message).help(
+        "their torques in hover differ by less than the threshold for one sample: write `detection = 50 ms` if \
+             something else reports the faults",
+    ));
     found
 }
 

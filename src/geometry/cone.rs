@@ -40,8 +40,8 @@ const MOST_ROUNDS: usize = 1_000;
 
 /// The distance of `target` from the cone of `rays`.
 ///
-/// The search stops early once the distance is at most `enough`. If it reaches its iteration limit, the result is an upper
-/// bound on the distance.
+/// The search stops early once the distance is at most `enough`. If it reaches its iteration limit, the result is an
+/// upper bound on the distance.
 pub(super) fn distance_to_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64) -> f64 {
     cone_residual(target, rays, enough).norm()
 }

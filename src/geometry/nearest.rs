@@ -12,9 +12,9 @@ const MOST_ITERATIONS: usize = 1_000;
 
 /// The point nearest to the origin in the convex hull of the points that `lowest` can return.
 ///
-/// `lowest(v)` returns a point p of the polytope that minimises v.p, and `start` is any point of the polytope. A result of
-/// length at most `zero` is returned as exactly zero. The search ends where no point p has `x.p` below `|x|^2` by more than
-/// `1e-13 |x| (|p| + |x|)` (`docs/method.md`, section 3).
+/// `lowest(v)` returns a point p of the polytope that minimises v.p, and `start` is any point of the polytope. A result
+/// of length at most `zero` is returned as exactly zero. The search ends where no point p has `x.p` below `|x|^2` by
+/// more than `1e-13 |x| (|p| + |x|)` (`docs/method.md`, section 3).
 pub(super) fn nearest_to_origin<const D: usize>(
     start: SVector<f64, D>,
     mut lowest: impl FnMut(&SVector<f64, D>) -> SVector<f64, D>,
@@ -67,8 +67,8 @@ pub(super) fn nearest_to_origin<const D: usize>(
     x
 }
 
-/// Weights, with sum 1, of the point of the affine hull of `points` that is nearest to the origin; `None` if the points are
-/// affinely dependent.
+/// Weights, with sum 1, of the point of the affine hull of `points` that is nearest to the origin; `None` if the points
+/// are affinely dependent.
 fn affine_minimiser<const D: usize>(points: &[SVector<f64, D>]) -> Option<Vec<f64>> {
     // With q_i = p_i - p_0: minimise |p_0 + Q c| over c.
     let k = points.len() - 1;

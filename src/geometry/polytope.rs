@@ -44,9 +44,9 @@ pub struct Polytope<const D: usize, O> {
 }
 
 impl<const D: usize, O: Clone> Polytope<D, O> {
-    /// The smallest facet slack of `w`. Inside a full-dimensional set this is the distance to the boundary; outside it is minus
-    /// the largest violation of a facet, whose absolute value is at most the distance to the set. Infinite for a set without
-    /// facets.
+    /// The smallest facet slack of `w`. Inside a full-dimensional set this is the distance to the boundary; outside it
+    /// is minus the largest violation of a facet, whose absolute value is at most the distance to the set. Infinite for
+    /// a set without facets.
     pub fn margin(&self, w: &SVector<f64, D>) -> f64 {
         self.facets.iter().map(|f| f.slack(w)).fold(f64::INFINITY, f64::min)
     }
@@ -63,8 +63,8 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
 
     /// The closed interval of parameters t with `start + t direction` in the set; `None` if the line misses the set.
     ///
-    /// `tolerance` is the distance by which a plane parallel to the line may be violated, and by which the planes of a flat
-    /// set may miss a common parameter. Ends are infinite where the set is unbounded along the line.
+    /// `tolerance` is the distance by which a plane parallel to the line may be violated, and by which the planes of a
+    /// flat set may miss a common parameter. Ends are infinite where the set is unbounded along the line.
     pub fn chord(&self, start: &SVector<f64, D>, direction: &SVector<f64, D>, tolerance: f64) -> Option<(f64, f64)> {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let parallel = 1e-12 * direction.norm();
@@ -98,8 +98,8 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
         Polytope { equalities: self.equalities.clone(), facets: facets.collect() }
     }
 
-    /// The set shrunk about `point` by `share` (0 to 1): `{ w : point + (w - point) / (1 - share) in self }`, the reserve of
-    /// `docs/method.md`, section 2. `point` must satisfy the equalities.
+    /// The set shrunk about `point` by `share` (0 to 1): `{ w : point + (w - point) / (1 - share) in self }`, the
+    /// reserve of `docs/method.md`, section 2. `point` must satisfy the equalities.
     pub fn shrink_about(&self, point: &SVector<f64, D>, share: f64) -> Self {
         let mut shrunk = self.clone();
         for f in &mut shrunk.facets {
@@ -119,8 +119,9 @@ const REDUNDANT: f64 = 1e-9;
 /// The minimal description of an intersection (`docs/method.md`, section 2).
 ///
 /// Dependent equalities are dropped, then of the facets with one normal the one with the smallest offset is kept, then
-/// redundant rows are dropped. `inside` is a point of every set. `scale` has one positive length for each axis; normals are
-/// compared in coordinates divided by it. The origin of each row lists the origins of all given facets in the same plane.
+/// redundant rows are dropped. `inside` is a point of every set. `scale` has one positive length for each axis; normals
+/// are compared in coordinates divided by it. The origin of each row lists the origins of all given facets in the same
+/// plane.
 pub fn intersect<const D: usize, O: Clone>(
     sets: &[&Polytope<D, O>],
     inside: &SVector<f64, D>,
@@ -208,10 +209,10 @@ fn tightest<const D: usize, O: Clone>(sets: &[&Polytope<D, O>], scale: &SVector<
 
 /// Drops every row that the others imply.
 ///
-/// Relative to a point of the set the rows read n.w <= s with slacks s >= 0. Row i is implied by the others if and only if
-/// n_i = sum l_j n_j and sum l_j s_j <= s_i for some l >= 0 (Farkas; Ziegler, *Lectures on Polytopes*, section 1.4), that
-/// is, if (n_i, s_i) lies in the cone of the other (n_j, s_j) and (0, 1). If a row at distance d from that cone is dropped, a
-/// point w that satisfies the others violates it by at most d |(w, 1)|.
+/// Relative to a point of the set the rows read n.w <= s with slacks s >= 0. Row i is implied by the others if and only
+/// if n_i = sum l_j n_j and sum l_j s_j <= s_i for some l >= 0 (Farkas; Ziegler, *Lectures on Polytopes*, section 1.4),
+/// that is, if (n_i, s_i) lies in the cone of the other (n_j, s_j) and (0, 1). If a row at distance d from that cone is
+/// dropped, a point w that satisfies the others violates it by at most d |(w, 1)|.
 fn irredundant<const D: usize, O: Clone>(
     rows: Vec<Facet<D, O>>,
     equalities: &[Equality<D>],

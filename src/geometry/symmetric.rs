@@ -3,8 +3,8 @@
 /// Sweeps over all pairs of rows. Convergence is quadratic, so a few sweeps suffice.
 const MOST_SWEEPS: usize = 30;
 
-/// Writes the eigenvalues of a symmetric matrix (n x n, row-major) to `values` (n entries), in no particular order, by Jacobi
-/// rotations (G. H. Golub, C. F. Van Loan, *Matrix Computations*, section 8.5).
+/// Writes the eigenvalues of a symmetric matrix (n x n, row-major) to `values` (n entries), in no particular order, by
+/// Jacobi rotations (G. H. Golub, C. F. Van Loan, *Matrix Computations*, section 8.5).
 ///
 /// The contents of `matrix` are overwritten. Allocates no memory, because the estimator calls it during a flight.
 ///

@@ -10,8 +10,8 @@ const SAME: f64 = 1e-9;
 
 impl Zonotope<4> {
     /// The volume: the sum of |det(g_i, g_j, g_k, g_l)| over all sets of four generators, because the corresponding
-    /// parallelepipeds tile the zonotope (G. C. Shephard, *Combinatorial properties of associated zonotopes*, 1974). 0 for a
-    /// flat set.
+    /// parallelepipeds tile the zonotope (G. C. Shephard, *Combinatorial properties of associated zonotopes*, 1974). 0
+    /// for a flat set.
     pub fn volume(&self) -> f64 {
         let g = &self.generators;
         let n = g.len();
@@ -30,15 +30,15 @@ impl Zonotope<4> {
 }
 
 impl<O: Clone> Polytope<4, O> {
-    /// The volume of a bounded set; 0 for a flat one (J. B. Lasserre, *An analytical expression and an algorithm for the volume
-    /// of a convex polyhedron in R^n*, 1983).
+    /// The volume of a bounded set; 0 for a flat one (J. B. Lasserre, *An analytical expression and an algorithm for
+    /// the volume of a convex polyhedron in R^n*, 1983).
     ///
-    /// `inside` is a point of the set. `scale` has one positive length for each axis; rows are compared in coordinates divided
-    /// by it.
+    /// `inside` is a point of the set. `scale` has one positive length for each axis; rows are compared in coordinates
+    /// divided by it.
     ///
-    /// By Euler's theorem on homogeneous functions `d vol = sum b_i/|a_i| vol(facet i)` for the polytope `a_i.x <= b_i` of
-    /// dimension d. The volume of a facet follows in the same way from its projection along an axis, which is a polytope
-    /// with one row and one dimension less.
+    /// By Euler's theorem on homogeneous functions `d vol = sum b_i/|a_i| vol(facet i)` for the polytope `a_i.x <= b_i`
+    /// of dimension d. The volume of a facet follows in the same way from its projection along an axis, which is a
+    /// polytope with one row and one dimension less.
     pub fn volume(&self, inside: &Vector4<f64>, scale: &Vector4<f64>) -> f64 {
         if !self.equalities.is_empty() {
             return 0.0;

@@ -1,8 +1,8 @@
 //! Zonotopes `{ c + sum_k t_k g_k : 0 <= t_k <= 1 }` and their exact facets (`docs/method.md`, section 2).
 //!
-//! The normal of a facet is orthogonal to r - 1 independent generators, where r is the dimension of the set, and the offset
-//! is the support function. All facets therefore follow from the (r-1)-subsets of the generators; subsets that span the same
-//! plane are merged. No convex hull is computed and no vertices are listed.
+//! The normal of a facet is orthogonal to r - 1 independent generators, where r is the dimension of the set, and the
+//! offset is the support function. All facets therefore follow from the (r-1)-subsets of the generators; subsets that
+//! span the same plane are merged. No convex hull is computed and no vertices are listed.
 
 use super::polytope::{Equality, Facet, Polytope};
 use nalgebra::{SMatrix, SVector};
@@ -51,8 +51,8 @@ impl<const D: usize> Zonotope<D> {
         self.generators.iter().map(|g| n.dot(g).abs()).sum()
     }
 
-    /// The extent `sum_k |g_k,i|` along each axis i, by which coordinates are divided to make them comparable; 1 for an axis
-    /// whose extent is rounding error.
+    /// The extent `sum_k |g_k,i|` along each axis i, by which coordinates are divided to make them comparable; 1 for an
+    /// axis whose extent is rounding error.
     pub fn scale(&self) -> SVector<f64, D> {
         let extent = self.generators.iter().fold(SVector::<f64, D>::zeros(), |sum, g| sum + g.abs());
         let dust = 1e-12 * extent.max();
@@ -67,8 +67,8 @@ impl<const D: usize> Zonotope<D> {
         w + super::nearest::nearest_to_origin(start, |v| shifted.lowest(v), 1e-13 * size)
     }
 
-    /// The dimension of the set's affine hull, and an orthonormal basis of the complement of its directions, both in scaled
-    /// coordinates.
+    /// The dimension of the set's affine hull, and an orthonormal basis of the complement of its directions, both in
+    /// scaled coordinates.
     fn frame(&self, scale: &SVector<f64, D>) -> (usize, Vec<SVector<f64, D>>) {
         // Rank-revealing Gram-Schmidt with pivoting on the unit directions.
         let mut left: Vec<SVector<f64, D>> = self.directions(scale).into_iter().flatten().collect();
@@ -122,9 +122,9 @@ impl<const D: usize> Zonotope<D> {
         self.frame(&self.scale()).0
     }
 
-    /// The minimal half-space description: one row for each facet, with normals of length 1 in the plain norm, and `D - rank`
-    /// equalities if the set is flat. The two facets of each plane are neighbours. The cost is C(n, r-1) n for n generators
-    /// and rank r.
+    /// The minimal half-space description: one row for each facet, with normals of length 1 in the plain norm, and `D -
+    /// rank` equalities if the set is flat. The two facets of each plane are neighbours. The cost is C(n, r-1) n for n
+    /// generators and rank r.
     pub fn facets(&self) -> Polytope<D, Spanning> {
         let scale = self.scale();
         let directions = self.directions(&scale);

@@ -1,5 +1,5 @@
-//! Checks of the polynomials between nodes: violations of limits, and whether the trajectory stays in the range of the linear
-//! model.
+//! Checks of the polynomials between nodes: violations of limits, and whether the trajectory stays in the range of the
+//! linear model.
 
 use super::{Trajectory, tilt};
 use crate::model::grid::{fewest_pieces, is_coarser};
@@ -29,8 +29,8 @@ pub struct LimitViolation {
     pub at: f64,
 }
 
-/// The largest value of `quantity` over the trajectory: sampled in ten steps an interval, then refined by golden-section search
-/// around the largest sample (`docs/method.md`, section 11, "Between nodes").
+/// The largest value of `quantity` over the trajectory: sampled in ten steps an interval, then refined by
+/// golden-section search around the largest sample (`docs/method.md`, section 11, "Between nodes").
 pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Peak {
     let mut best = Peak { value: f64::NEG_INFINITY, at: 0.0 };
     let mut best_interval = 0;
@@ -84,8 +84,8 @@ pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
     over.max(under)
 }
 
-/// Like [`past`], but as the checker of plans measures it. Only tilt differs: its violation is the distance of the acceleration
-/// from the tilt cone divided by gravity.
+/// Like [`past`], but as the checker of plans measures it. Only tilt differs: its violation is the distance of the
+/// acceleration from the tilt cone divided by gravity.
 pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
     match (limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {
@@ -107,7 +107,8 @@ pub fn limit_violations(trajectory: &Trajectory, model: &Model, tolerance: f64) 
         .collect()
 }
 
-/// The number of legs whose pieces are longer than those that `samples` give for the durations of the legs ([`is_coarser`]).
+/// The number of legs whose pieces are longer than those that `samples` give for the durations of the legs
+/// ([`is_coarser`]).
 pub(crate) fn coarser_legs(trajectory: &Trajectory, mission: &Mission, samples: usize) -> usize {
     let (times, nodes) = (&trajectory.times, &trajectory.waypoint_nodes);
     let legs = nodes.windows(2).zip(&mission.waypoints).map(|(ends, from)| {
@@ -138,7 +139,8 @@ impl LinearRange {
         self.tilt.value > 20f64.to_radians()
     }
 
-    /// Whether the thrust falls below 2 % of full thrust, where its direction, and so the attitude, becomes meaningless.
+    /// Whether the thrust falls below 2 % of full thrust, where its direction, and so the attitude, becomes
+    /// meaningless.
     pub(crate) fn nearly_falls(&self) -> bool {
         self.least_thrust.value < 0.02 * self.full_thrust
     }

@@ -4,7 +4,8 @@ use super::{X, Y, YAW, Z};
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
 
-/// The order of the derivative that is the input of each axis: x and y are quadruple integrators (45), z and yaw double ones (44).
+/// The order of the derivative that is the input of each axis: x and y are quadruple integrators (45), z and yaw double
+/// ones (44).
 pub const ORDER: [usize; 4] = [4, 4, 2, 2];
 
 /// The yaw motion at an instant.

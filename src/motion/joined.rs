@@ -1,24 +1,26 @@
 //! Closing the gaps between the pieces of a trajectory.
 //!
-//! Programs satisfy the dynamics only to the solver's tolerance. On fine grids over long flights the remaining gaps add up, and a
-//! motion that is integrated from the start drifts away from its nodes. This module changes the inputs slightly so that the
-//! pieces meet.
+//! Programs satisfy the dynamics only to the solver's tolerance. On fine grids over long flights the remaining gaps add
+//! up, and a motion that is integrated from the start drifts away from its nodes. This module changes the inputs
+//! slightly so that the pieces meet.
 
 use super::Trajectory;
 use crate::motion::NodeState;
 use nalgebra::{DMatrix, DVector};
 
-/// The drift at the end, m and rad, above which gaps are closed: a tenth of what the checker accepts (`verify::joints`).
+/// The drift at the end, m and rad, above which gaps are closed: a tenth of what the checker accepts
+/// (`verify::joints`).
 const MOST_DRIFT: f64 = 1e-4;
 
-/// Number of pieces whose gaps are closed together: enough for a small change of the inputs, few enough for a well-conditioned
-/// system.
+/// Number of pieces whose gaps are closed together: enough for a small change of the inputs, few enough for a
+/// well-conditioned system.
 const PIECES: usize = 64;
 
 /// Parts with fewer pieces are left as they are, because their inputs would have to change too much.
 const FEWEST: usize = 8;
 
-/// The state of a chain of integrators (derivatives 0 to n - 1) after `h` seconds with an input that is linear from `u` to `v`.
+/// The state of a chain of integrators (derivatives 0 to n - 1) after `h` seconds with an input that is linear from `u`
+/// to `v`.
 fn after(state: &[f64], [u, v]: [f64; 2], h: f64) -> Vec<f64> {
     let order = state.len();
     let mut all = state.to_vec();
@@ -40,7 +42,8 @@ impl Trajectory {
         joined
     }
 
-    /// A bound on how far all gaps of an axis together move its value at the end: `verify::joints` in floating-point arithmetic.
+    /// A bound on how far all gaps of an axis together move its value at the end: `verify::joints` in floating-point
+    /// arithmetic.
     fn drift(&self, axis: usize, order: usize) -> f64 {
         let mut drift = vec![0.0; order];
         for k in 0..self.intervals() {

@@ -5,8 +5,9 @@ use super::outside::PARTS;
 use crate::admissible::row::SetRow;
 use crate::model::Vehicle;
 
-/// The smallest margin in each of `columns` equal parts of the trajectory's duration, in widths of the healthy set; negative
-/// outside. The wrench is evaluated at the nodes, at [`PARTS`] points an interval, and at the ends of the parts.
+/// The smallest margin in each of `columns` equal parts of the trajectory's duration, in widths of the healthy set;
+/// negative outside. The wrench is evaluated at the nodes, at [`PARTS`] points an interval, and at the ends of the
+/// parts.
 pub fn nearness(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], columns: usize) -> Vec<f64> {
     let step = trajectory.duration() / columns as f64;
     let mut smallest = vec![f64::INFINITY; columns];

@@ -17,8 +17,9 @@ pub struct Outside {
     pub rows: usize,
     /// Number of nodes with a violated row.
     pub positions: usize,
-    /// The largest violation of all rows, in widths of the healthy set; negative if every row holds. If the wrench is not linear
-    /// between nodes, the violation is also evaluated at 16 points an interval and refined around the largest.
+    /// The largest violation of all rows, in widths of the healthy set; negative if every row holds. If the wrench is
+    /// not linear between nodes, the violation is also evaluated at 16 points an interval and refined around the
+    /// largest.
     pub max_violation: f64,
     /// How long at least one row is violated, s.
     pub seconds: f64,
@@ -26,15 +27,15 @@ pub struct Outside {
     pub last: Option<f64>,
 }
 
-/// If the wrench is not linear between nodes, each interval is divided into this many parts to find where a violation begins and
-/// ends.
+/// If the wrench is not linear between nodes, each interval is divided into this many parts to find where a violation
+/// begins and ends.
 pub const PARTS: usize = 16;
 
 /// The violations of `rows` by a trajectory. `gravity` is in m/s^2.
 ///
-/// With one yaw throughout the wrench is linear on each interval, and the instants at which a violation begins and ends follow in
-/// closed form. Otherwise they are bisected on each of [`PARTS`] parts of an interval, so that a violation within one part may be
-/// missed.
+/// With one yaw throughout the wrench is linear on each interval, and the instants at which a violation begins and ends
+/// follow in closed form. Otherwise they are bisected on each of [`PARTS`] parts of an interval, so that a violation
+/// within one part may be missed.
 pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow]) -> Outside {
     let wrenches = trajectory.node_wrenches(vehicle, gravity);
     let mut found = Outside { max_violation: f64::NEG_INFINITY, ..Outside::default() };
@@ -72,15 +73,15 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
 
 /// The violation of a row at a sampled instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample {
+pub(crate) struct Sample {
     /// Index of the row.
-    pub row: usize,
+    pub(crate) row: usize,
     /// In widths of the healthy set.
-    pub violation: f64,
+    pub(crate) violation: f64,
     /// s since the start.
-    pub at: f64,
+    pub(crate) at: f64,
     /// Distance of neighbouring samples, s.
-    pub apart: f64,
+    pub(crate) apart: f64,
 }
 
 /// Golden-section steps by which the peak near a sample is found, to 1e-6 of the distance of samples.
@@ -108,20 +109,20 @@ fn refined(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[Set
 
 /// A time during which a row is violated, within one interval between nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ViolationInterval {
+pub(crate) struct ViolationInterval {
     /// Index of the row.
-    pub row: usize,
+    pub(crate) row: usize,
     /// Beginning of the violation, s since the start.
-    pub from: f64,
+    pub(crate) from: f64,
     /// End of the violation, s since the start.
-    pub to: f64,
+    pub(crate) to: f64,
 }
 
 /// The violations within interval `k` between nodes, and the sample with the largest violation; see [`outside`].
 ///
 /// # Panics
 /// If there is no interval `k`.
-pub fn violation_intervals(
+pub(crate) fn violation_intervals(
     trajectory: &Trajectory,
     vehicle: &Vehicle,
     gravity: f64,
@@ -161,8 +162,8 @@ pub fn violation_intervals(
     (found, worst)
 }
 
-/// The part of [left, right] in which `over` is positive, assuming at most one change of sign. `curved` evaluates the wrench if it is
-/// not linear in between.
+/// The part of [left, right] in which `over` is positive, assuming at most one change of sign. `curved` evaluates the
+/// wrench if it is not linear in between.
 fn span_outside(
     over: impl Fn(&Wrench) -> f64,
     left: (f64, Wrench),

@@ -1,4 +1,5 @@
-//! The time grid: node times, and the node at which each waypoint is reached (`docs/method.md`, section 5, "Waypoint times").
+//! The time grid: node times, and the node at which each waypoint is reached (`docs/method.md`, section 5, "Waypoint
+//! times").
 
 use crate::model::Mission;
 use crate::model::grid::{Spacing, leg_durations, pieces};
@@ -94,8 +95,8 @@ impl TimeGrid {
         self.segments.iter().flat_map(Segment::steps)
     }
 
-    /// The grid without its holds: each is reduced to one node, at which all derivatives vanish. Programs leave holds out because
-    /// nothing changes in them.
+    /// The grid without its holds: each is reduced to one node, at which all derivatives vanish. Programs leave holds
+    /// out because nothing changes in them.
     pub fn flown(&self) -> TimeGrid {
         let mut segments: Vec<Segment> = self.segments.iter().filter(|s| !s.hold).copied().collect();
         for s in &mut segments {
@@ -122,8 +123,8 @@ impl TimeGrid {
         (0..self.nodes()).filter(|&node| !self.ends_a_hold(node)).map(|node| of_all[node].clone()).collect()
     }
 
-    /// The grid with the duration of each leg multiplied by a factor. `factor` takes the index of the waypoint at which the leg starts.
-    /// Holds keep their durations.
+    /// The grid with the duration of each leg multiplied by a factor. `factor` takes the index of the waypoint at which
+    /// the leg starts. Holds keep their durations.
     pub(crate) fn with_durations_times(&self, factor: impl Fn(usize) -> f64) -> TimeGrid {
         let mut changed = self.clone();
         for (old, s) in self.segments.iter().zip(&mut changed.segments) {
@@ -150,8 +151,8 @@ impl TimeGrid {
 }
 
 impl TimeGrid {
-    /// The grid of a mission from the grids of its legs, in order, and the mission's holds. `total` is the mission time (s); the last
-    /// node is placed there exactly.
+    /// The grid of a mission from the grids of its legs, in order, and the mission's holds. `total` is the mission time
+    /// (s); the last node is placed there exactly.
     pub(crate) fn with_legs(mission: &Mission, legs: &[LegGrid], total: f64) -> TimeGrid {
         let mut segments = Vec::new();
         let spacing = mission.spacing;
@@ -229,8 +230,8 @@ pub(crate) fn has_fixed_times(mission: &Mission) -> bool {
 /// The grid of a mission over `total` seconds with `samples` intervals: one for each hold and at least one for each leg
 /// ([`Mission::least_intervals`] if there are enough).
 ///
-/// Between fixed times the time without holds is shared among the legs in proportion to [`crate::model::Leg::share`]. `None` if some
-/// leg would get no time.
+/// Between fixed times the time without holds is shared among the legs in proportion to [`crate::model::Leg::share`].
+/// `None` if some leg would get no time.
 pub fn time_grid(mission: &Mission, total: f64, samples: usize) -> Option<TimeGrid> {
     let durations = leg_durations(mission, total)?;
     let intervals = pieces(mission, &durations, samples);

@@ -10,10 +10,11 @@ use nalgebra::{DMatrix, DVector};
 /// The model by which the wrench follows from a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WrenchModel {
-    /// Linear about hover at one yaw psi (rad); yaw is planned together with position (`docs/method.md`, section 4, "One yaw
-    /// throughout").
+    /// Linear about hover at one yaw psi (rad); yaw is planned together with position (`docs/method.md`, section 4,
+    /// "One yaw throughout").
     HoverAt(f64),
-    /// Linear about hover in the derivatives of x, y and z, at the planned yaw of each instant (section 4, "Changing yaw").
+    /// Linear about hover in the derivatives of x, y and z, at the planned yaw of each instant (section 4, "Changing
+    /// yaw").
     HoverFollowing,
     /// The exact wrench by differential flatness of (3) to (9), without small angles (section 12).
     Exact,
@@ -49,8 +50,8 @@ fn flat(state: &NodeState) -> FlatState {
 impl WrenchModel {
     /// The order of the derivative that is the input of each axis, linear between nodes.
     ///
-    /// In the exact model the torques depend on z as well, so the thrust must be twice differentiable, and z is a quadruple
-    /// integrator like x and y.
+    /// In the exact model the torques depend on z as well, so the thrust must be twice differentiable, and z is a
+    /// quadruple integrator like x and y.
     pub fn orders(self) -> [usize; 4] {
         match self {
             WrenchModel::Exact => [4, 4, 4, 2],
@@ -72,7 +73,8 @@ impl WrenchModel {
 
     /// The linearisation of the wrench at a state s, as an affine function of a state s~: `w(s) + (dw/ds) (s~ - s)`.
     ///
-    /// With [`WrenchModel::HoverFollowing`] psi, psi' and psi'' are fixed at their values in `state`, except in `tau_z = Izz psi''`.
+    /// With [`WrenchModel::HoverFollowing`] psi, psi' and psi'' are fixed at their values in `state`; only
+    /// `tau_z = Izz psi''` depends on the yaw of s~.
     pub fn linearised(self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> WrenchMap {
         match self {
             WrenchModel::HoverAt(psi) => WrenchMap::with_free_yaw(vehicle, gravity, psi),
@@ -93,11 +95,12 @@ impl WrenchModel {
         }
     }
 
-    /// The convex part of the curvature of n.w at a state s, as a sum of squares: `sum over factors of (factor.(s~ - s))^2 / 2`. The
-    /// entries of a factor are in the order of [`DIRECTIONS`]. Empty for the models about hover, which are linear.
+    /// The convex part of the curvature of n.w at a state s, as a sum of squares: `sum over factors of (factor.(s~ -
+    /// s))^2 / 2`. The entries of a factor are in the order of [`DIRECTIONS`]. Empty for the models about hover, which
+    /// are linear.
     ///
-    /// Eigenvectors of the Hessian are taken with accelerations in units of g and time in units of `tau` (s); eigenvalues at or
-    /// below 1e-3 of the largest are dropped (`docs/method.md`, (73)).
+    /// Eigenvectors of the Hessian are taken with accelerations in units of g and time in units of `tau` (s);
+    /// eigenvalues at or below 1e-3 of the largest are dropped (`docs/method.md`, (73)).
     pub fn curvature(self, vehicle: &Vehicle, gravity: f64, state: &NodeState, n: &Wrench, tau: f64) -> Vec<FlatState> {
         if self != WrenchModel::Exact {
             return Vec::new();
@@ -107,7 +110,8 @@ impl WrenchModel {
         factors.into_iter().map(|f| FlatState::from_column_slice(f.as_slice())).collect()
     }
 
-    /// The commanded wrench `c = w + lag w'` (N and N m) for rotors with a first-order lag of time constant `lag` (s): (83) and (84).
+    /// The commanded wrench `c = w + lag w'` (N and N m) for rotors with a first-order lag of time constant `lag` (s):
+    /// (83) and (84).
     pub fn commanded(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> Wrench {
         match self {
             WrenchModel::Exact => flatness::commanded(vehicle, gravity, lag, &command_flat(state)),
@@ -158,9 +162,9 @@ impl WrenchModel {
     }
 }
 
-/// The positive part of a Hessian as factors: eigenvectors times the square roots of their eigenvalues. `inputs` gives axis and order
-/// of each row. Eigenvectors are taken with accelerations in units of g and time in units of `tau` (s). Empty if the Hessian
-/// is not finite.
+/// The positive part of a Hessian as factors: eigenvectors times the square roots of their eigenvalues. `inputs` gives
+/// axis and order of each row. Eigenvectors are taken with accelerations in units of g and time in units of `tau` (s).
+/// Empty if the Hessian is not finite.
 fn upward(inputs: &[(usize, usize)], hessian: DMatrix<f64>, gravity: f64, tau: f64) -> Vec<DVector<f64>> {
     let unit = |&(axis, order): &(usize, usize)| match axis {
         YAW => tau.powi(-(order as i32)),

@@ -40,8 +40,8 @@ impl Affine {
         self.constant += factor * other.constant;
     }
 
-    /// Adds `factor` times another expression and merges terms of the same variable. For expressions with few variables only, because
-    /// it searches them linearly.
+    /// Adds `factor` times another expression and merges terms of the same variable. For expressions with few variables
+    /// only, because it searches them linearly.
     pub(crate) fn gather(&mut self, other: &Affine, factor: f64) {
         for &(variable, coefficient) in &other.terms {
             match self.terms.iter_mut().find(|t| t.0 == variable) {
@@ -140,8 +140,8 @@ impl Builder {
         self.constant += factor * a.constant * b.constant;
     }
 
-    /// Adds `factor` times the sum of the squares of some expressions to the objective. Each pair of variables gives one entry, however
-    /// many expressions contain it.
+    /// Adds `factor` times the sum of the squares of some expressions to the objective. Each pair of variables gives
+    /// one entry, however many expressions contain it.
     pub fn squares(&mut self, expressions: &[Affine], factor: f64) {
         let mut variables: Vec<usize> = expressions.iter().flat_map(|e| e.terms.iter().map(|t| t.0)).collect();
         variables.sort_unstable();
@@ -169,7 +169,8 @@ impl Builder {
         self.constant += factor * expressions.iter().map(|e| e.constant.powi(2)).sum::<f64>();
     }
 
-    /// The program: equalities first, then inequalities, then second-order cones, each in the order in which they were added.
+    /// The program: equalities first, then inequalities, then second-order cones, each in the order in which they were
+    /// added.
     pub fn finish(self) -> QuadraticProgram {
         let grouped_rows: usize = self.cones.iter().map(|c| c.0.len()).sum();
         let rows = self.equal.len() + self.nonnegative.len() + grouped_rows;

@@ -5,8 +5,9 @@ use std::fmt::Write;
 
 /// The program in free MPS format; `None` if it has a second-order cone, which MPS cannot represent.
 ///
-/// Rows are `A x = b` and `A x <= b`, and all variables are free. QUADOBJ lists the upper triangle of P for the objective
-/// `q'x + 1/2 x'P x`. The constant is written as a negative right-hand side of the objective, as the format requires.
+/// Rows are `A x = b` and `A x <= b`, and all variables are free. QUADOBJ lists the upper triangle of P for the
+/// objective `q'x + 1/2 x'P x`. The constant is written as a negative right-hand side of the objective, as the format
+/// requires.
 pub fn render(program: &QuadraticProgram, name: &str) -> Option<String> {
     let mut kinds = Vec::with_capacity(program.b.len());
     for cone in &program.cones {

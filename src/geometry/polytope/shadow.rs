@@ -37,10 +37,11 @@ impl Row {
 }
 
 impl<O: Clone> Polytope<4, O> {
-    /// The projection on the first three axes: all (w_1, w_2, w_3) such that (w_1, w_2, w_3, w_4) is in the set for some w_4.
+    /// The projection on the first three axes: all (w_1, w_2, w_3) such that (w_1, w_2, w_3, w_4) is in the set for
+    /// some w_4.
     ///
-    /// `inside` is a point of the set if there is one; the rows are minimal in that case. `scale` has one positive length for
-    /// each axis.
+    /// `inside` is a point of the set if there is one; the rows are minimal in that case. `scale` has one positive
+    /// length for each axis.
     pub fn shadow(&self, inside: Option<&Vector4<f64>>, scale: &Vector4<f64>) -> Polytope<3, ()> {
         let row = |normal: &Vector4<f64>, offset: f64| Row::new(normal, offset, scale);
         let mut equal: Vec<Row> = self.equalities.iter().map(|e| row(&e.normal, e.offset)).collect();
