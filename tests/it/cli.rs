@@ -150,7 +150,7 @@ fn a_mode_that_cannot_hover_ends_with_3_and_a_report() {
 }
 
 #[test]
-fn modes_with_one_answer_share_a_diagnostic() {
+fn modes_with_the_same_finding_share_a_diagnostic() {
     let args = ["check", "-", "--format", "json", "--set", "plan.against=all"];
     let ran = mavc_with(&args, HOP);
     assert_eq!(code(&ran), 3);
@@ -168,7 +168,7 @@ fn modes_with_one_answer_share_a_diagnostic() {
 }
 
 #[test]
-fn a_broken_override_is_all_that_is_told() {
+fn only_the_broken_override_is_reported() {
     for set in ["plan.against", "plan.against=[", "plan.agianst=[M1]", "wind.speed=3"] {
         let ran = mavc_with(&["check", "-", "--format", "short", "--set", set], HOP);
         assert_eq!(code(&ran), 1);

@@ -84,7 +84,7 @@ fn documented_acai_of_a_quadrotor_plus_and_cross() {
     }
 }
 
-/// Where no mass hovers, or none hovers off the edge, nobody is told to make the vehicle lighter.
+/// If hover is not possible, or is on the edge, at every mass, the help does not suggest a lighter vehicle.
 #[test]
 fn a_lighter_vehicle_is_asked_for_only_where_it_helps() {
     let told = |mut model: Model, gone: &[usize], reserve: f64| {

@@ -311,7 +311,7 @@ proptest! {
     }
 }
 
-/// Neither time nor memory for sets that nobody can plan with: the error comes as soon as the bound is passed.
+/// Sets that are too large for planning take neither time nor memory: the error is reported as soon as the bound is exceeded.
 #[test]
 fn plans_against_too_many_facets_are_refused() {
     let ring = "PN".repeat(16);

@@ -190,7 +190,7 @@ fn tamper(certificate: &mut Value, numbers: &mut Numbers) -> Option<()> {
     Some(())
 }
 
-/// Changes certificates of plans of each model; how many became false, and how many others passed.
+/// Changes certificates of plans of each model; how many became false, and how many others were accepted.
 fn tampered(models: &[Model], often: usize, seed: u64) -> (usize, usize) {
     let mut numbers = Numbers(seed);
     let (mut false_claims, mut accepted) = (0, 0);

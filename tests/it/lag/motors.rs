@@ -62,8 +62,8 @@ struct Followed {
     clipped: bool,
 }
 
-/// Flies the thrusts of a plan: commands by allocation of the lead wrench, each filtered with tau; without a lag the
-/// allocation of the wrench itself.
+/// Flies the thrusts of a plan: the commanded wrench is allocated and each command filtered with tau; without a lag the
+/// wrench itself is allocated.
 fn followed(model: &Model, plan: &Trajectory) -> Followed {
     let vehicle = &model.vehicle;
     let allocator = Allocator::new(vehicle);
