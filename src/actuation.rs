@@ -53,12 +53,15 @@ impl Actuation {
     /// The wrench of rotor k (counted from 0) at full thrust, N and N m.
     ///
     /// # Panics
-    /// If there is no rotor k; so do all methods that take an index.
+    /// If there is no rotor k.
     pub fn full(&self, k: usize) -> Wrench {
         self.effectiveness.column(k) * self.max_square[k]
     }
 
     /// The wrench of rotor k (counted from 0) at its lowest speed, N and N m; zero for a rotor that may stop.
+    ///
+    /// # Panics
+    /// If there is no rotor k.
     pub fn idle(&self, k: usize) -> Wrench {
         self.effectiveness.column(k) * self.min_square[k]
     }

@@ -120,26 +120,20 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     }
     let groups = indistinguishable(model, &[squares(&Allocator::new(&model.vehicle), &hover(model))]);
     let matters = |group: &&Vec<usize>| model.campaign.written || group.iter().any(|m| struck.contains(m));
-    let listed_groups = |group: &Vec<usize>| {
+    let pairs = |group: &Vec<usize>| {
         let names = names(model, group);
         format!("{} from {}", listed(&names[1..]), names[0])
     };
-    let listed_groups: Vec<String> = groups.iter().filter(matters).map(listed_groups).collect();
-    if listed_groups.is_empty() {
+    let pairs: Vec<String> = groups.iter().filter(matters).map(pairs).collect();
+    if pairs.is_empty() {
         return found;
     }
-    let some = if listed_groups.len() > SHOWN {
-        format!("; and {} more groups", listed_groups.len() - SHOWN)
-    } else {
-        String::new()
-    };
-    let message = format!(
-        "in hover the estimator may not distinguish {}{some}",
-        listed_groups[..listed_groups.len().min(SHOWN)].join("; nor ")
-    );
+    let some = if pairs.len() > SHOWN { format!("; and {} more groups", pairs.len() - SHOWN) } else { String::new() };
+    let message =
+        format!("in hover the estimator may not distinguish {}{some}", pairs[..pairs.len().min(SHOWN)].join("; nor "));
     found.push(warning(ALIKE, message).help(
         "their torques in hover differ by less than the threshold for one sample: write `detection = 50 ms` if \
-             something else reports the faults",
+         something else reports the faults",
     ));
     found
 }
