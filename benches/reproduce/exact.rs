@@ -7,7 +7,7 @@ use super::specs;
 use mavc::admissible::row::{SetRow, VIOLATED};
 use mavc::model::{Model, PlannerKind};
 use mavc::motion::Z;
-use mavc::motion::checks::stretch;
+use mavc::motion::checks::linear_range;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::studies::{MissionPlan, PlannerRun, Run};
 use mavc::planner::transcription::UPRIGHT;
@@ -73,7 +73,7 @@ pub fn exactly(solved: &MissionPlan, model: &Model, rows: &[SetRow]) -> Exactly 
 
 /// The largest tilt of a plan.
 pub fn degrees(solved: &MissionPlan, model: &Model) -> String {
-    fixed(stretch(&solved.trajectory, model).tilt.value.to_degrees(), 0)
+    fixed(linear_range(&solved.trajectory, model).tilt.value.to_degrees(), 0)
 }
 
 fn hover_plans() -> String {

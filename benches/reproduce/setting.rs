@@ -5,7 +5,7 @@ use super::paper_plans::{WAYPOINTS, own_times};
 use super::plans::{self, Plans};
 use mavc::admissible::row::VIOLATED;
 use mavc::model::Waypoint;
-use mavc::motion::checks::stretch;
+use mavc::motion::checks::linear_range;
 use mavc::number::{number, percent};
 use mavc::planner::studies::Run;
 use mavc::planner::timing::search::RESOLUTION;
@@ -38,7 +38,7 @@ fn marks() -> String {
 fn linear(cases: &[&Plans]) -> String {
     let tilts = cases.iter().flat_map(|c| {
         let plans = c.runs(Run::Own).filter_map(plans::solved);
-        plans.map(|s| stretch(&s.trajectory, &c.model).tilt.value.to_degrees())
+        plans.map(|s| linear_range(&s.trajectory, &c.model).tilt.value.to_degrees())
     });
     let (least, most) = tilts.fold((f64::INFINITY, 0.0_f64), |(low, high), t| (low.min(t), high.max(t)));
     paragraph(&format!(

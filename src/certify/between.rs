@@ -95,7 +95,7 @@ pub fn between(model: &Model, mission: &Mission, run: &PlannerRun, solved: &Miss
             rows.map(|row| row.violation(lead)).fold(f64::NEG_INFINITY, f64::max)
         };
         found.push(kept_facets((setting.dynamics(), &motion), held, &planes, trajectory, |k, state| {
-            largest(&trajectory.lead(&model.vehicle, model.gravity, tau, k, state))
+            largest(&trajectory.commanded(&model.vehicle, model.gravity, tau, k, state))
         }));
     }
     found

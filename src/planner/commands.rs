@@ -42,8 +42,8 @@ impl YawPlan {
     /// The commanded wrench of the hover model at both ends of every interval. `tau` is the time constant of the rotors, s.
     pub fn commands(&self, vehicle: &Vehicle, gravity: f64, grid: &TimeGrid, tau: f64) -> CommandMaps {
         let map = |node: usize, jerk: f64| match self {
-            YawPlan::Free { psi } => WrenchMap::leading_with_free_yaw(vehicle, gravity, *psi, tau),
-            YawPlan::Frozen(states) => WrenchMap::leading(vehicle, gravity, states[node], jerk, tau),
+            YawPlan::Free { psi } => WrenchMap::commanded_with_free_yaw(vehicle, gravity, *psi, tau),
+            YawPlan::Frozen(states) => WrenchMap::commanded(vehicle, gravity, states[node], jerk, tau),
         };
         let ends = |(interval, step): (usize, f64)| {
             let jerk = match self {

@@ -44,7 +44,7 @@ use crate::planner::limits::place;
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
 use crate::planner::transcription::{Row, RowAt, Transcription, splines};
-use crate::solve::{Approach, Outcome, Solution, approach, solve_graded};
+use crate::solve::{Outcome, Solution, StepSolution, solve_graded, solve_step};
 use commands::Lag;
 use settings::ProximalSettings;
 use std::collections::{BTreeMap, BTreeSet};
@@ -313,13 +313,13 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         let mut found = None;
         for (form, scaled) in ways {
             let (program, places) = form.step_program(&step, &chosen);
-            let (approached, effort) = approach(&program, scaled);
+            let (approached, effort) = solve_step(&program, scaled);
             self.hover.effort += effort;
-            let Some(Approach { solution: Solution { x, z, .. }, is_least }) = approached else { continue };
-            if is_least || found.is_none() {
+            let Some(StepSolution { solution: Solution { x, z, .. }, is_optimal }) = approached else { continue };
+            if is_optimal || found.is_none() {
                 found = Some((form, x, z, places));
             }
-            if is_least {
+            if is_optimal {
                 break;
             }
         }

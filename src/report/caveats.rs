@@ -1,7 +1,7 @@
 //! Where a plan is not what it seems: limits passed between nodes, the linear model out of its range.
 
 use crate::model::{LimitKind, Model};
-use crate::motion::checks::{Excess, coarser_legs, limit_excesses, past_as_checked, peak, stretch};
+use crate::motion::checks::{LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::MissionPlan;
@@ -36,9 +36,9 @@ pub enum CaveatKind {
 }
 
 /// The limits that a plan passes between its samples by more than the check of plans lets pass, in the spec's order.
-pub fn passed(model: &Model, solved: &MissionPlan) -> Vec<Excess> {
+pub fn passed(model: &Model, solved: &MissionPlan) -> Vec<LimitViolation> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
-    let mut passed = limit_excesses(&solved.trajectory, model, 0.0);
+    let mut passed = limit_violations(&solved.trajectory, model, 0.0);
     passed.retain(|excess| {
         let limit = &limits[excess.limit];
         let worst = peak(&solved.trajectory, |state| past_as_checked(limit, state, model.gravity));
@@ -100,7 +100,7 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
     if solved.trajectory.model == WrenchModel::Exact {
         return passed.collect();
     }
-    let s = stretch(&solved.trajectory, model);
+    let s = linear_range(&solved.trajectory, model);
     let tilt = s.tilts_too_far().then(|| Caveat {
         kind: CaveatKind::Tilt,
         limit: None,

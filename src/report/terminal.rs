@@ -290,7 +290,7 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
 
 /// The facets of a mode that the plan violates, as RSP selects them: in the exact model at any instant, else at nodes.
 pub(super) fn counted(solved: &MissionPlan, out: &Outside) -> usize {
-    if solved.trajectory.model == WrenchModel::Exact { out.passed.len() } else { out.facets.len() }
+    if solved.trajectory.model == WrenchModel::Exact { out.violated.len() } else { out.facets.len() }
 }
 
 fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> Table {

@@ -419,7 +419,7 @@ fn reports_are_as_their_schema_says() {
         assert!(!schema.is_valid(&more), "{pointer} may have any member");
     }
 
-    // Too fast for any plan, and a mode that nothing can stand: 3, with a report.
+    // A time too short for any plan, and a mode that cannot be tolerated: exit code 3, with a report.
     desk.run(&[&size[..], &["--set", "plan.time=0.2s"]].concat(), 3);
     schema.assert_valid(&report("r.json"));
     assert_eq!(report("r.json")["planners"][0]["verdict"], "proved infeasible");

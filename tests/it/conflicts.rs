@@ -438,7 +438,7 @@ fn times_offered_are_not_below_what_closed_forms_allow() {
     ];
     for (name, least, more) in cases {
         let time = time_of(name);
-        // Between nodes a limit may be passed by 5 %.
+        // Between nodes a limit may be violated by 5 %.
         assert!(time > 0.95 * least && time <= least * more, "{name}: {time} s, at least {least} s");
     }
 }

@@ -295,7 +295,7 @@ fn flights_and_campaigns_have_pages() {
 
 /// The page tells a lost flight, and the delay of detection, in the words of the text.
 #[test]
-fn a_lost_flight_is_told_as_in_the_text() {
+fn a_lost_flight_is_reported_as_in_the_text() {
     let dir = tempfile::tempdir().unwrap();
     let spec = HOSTILE.replace(
         "yaw_rate <= 90 deg/s }",

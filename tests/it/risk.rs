@@ -39,7 +39,7 @@ fn tiny_risks_keep_their_digits() {
     assert_eq!(risk([]), 0.0);
 }
 
-/// A flight of the paper's curve that cares for no fault, at a time at which it passes the set of rotor 1's loss.
+/// A plan along the paper's curve that ignores faults, at a time at which it violates the set of rotor 1's loss.
 fn careless(modes: &[usize]) -> Model {
     let mut model = paper_case(PlannerKind::Rip, modes);
     model.plan.samples = 100;
@@ -109,7 +109,7 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
     for time in [MissionTime::Minimum, MissionTime::Fixed(18.0)] {
         let free = required(0.9, time);
         let nothing = run(&free, Scope::Plan);
-        // A bound that the RIP plan keeps asks for no protection.
+        // A bound that the RIP plan keeps needs no protection.
         assert_eq!(nothing.trade_off.len(), 1);
         assert_eq!(nothing.trade_off[0].added, Protection::Nothing);
         let before = nothing.trade_off[0].risk;
@@ -132,7 +132,7 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
 }
 
 #[test]
-fn a_risk_that_cannot_be_kept_is_told_with_the_best_curve() {
+fn a_risk_that_cannot_be_kept_is_reported_with_the_best_curve() {
     // At 16 s RIP has a plan and RCP jointly, from 16.83 s on, has none.
     let mut model = required(0.0, MissionTime::Fixed(16.2));
     model.plan.samples = 100;
@@ -199,7 +199,7 @@ fn a_required_risk_is_kept_in_the_exact_model() {
 #[test]
 #[ignore = "seconds long: cargo test -- --include-ignored"]
 fn the_facet_passed_last_is_among_what_is_tried() {
-    // At the shortest times one facet is cheaper than all that are passed.
+    // At the shortest times adding one facet is cheaper than adding all that are violated.
     let finer = |bound: f64| {
         let mut model = required(bound, MissionTime::Minimum);
         model.plan.samples = 60;
@@ -244,7 +244,7 @@ fn told(command: &str, spec: &str, arguments: &[&str]) -> (i32, String, Value) {
 }
 
 #[test]
-fn reports_tell_what_the_mission_does_after_each_fault() {
+fn reports_show_what_the_mission_does_after_each_fault() {
     for model in ["hover", "exact"] {
         let choice = format!("plan.model={model}");
         let (code, text, json) = told("plan", DROP, &["--set", &choice]);
@@ -272,7 +272,7 @@ fn reports_tell_what_the_mission_does_after_each_fault() {
     assert_eq!(json["planners"][0]["modes"][0]["after_fault"], "continue");
 }
 
-/// Under a turning yaw the hover model's wrench bends between nodes, where even RCP passes its rows by a little.
+/// Under a changing yaw the hover model's wrench is not linear between nodes, where even RCP violates its rows slightly.
 #[test]
 fn risk_says_where_it_counts_only_what_lies_between_samples() {
     let spec = r#"
@@ -321,7 +321,7 @@ fn comparisons_count_risk_by_what_is_done_after_a_fault() {
     assert!(flat.contains("where the mission holds, the last one without a stop after it"), "{text}");
 }
 
-/// A descent that what is left can fly, with a bound on the risk.
+/// A descent that the faulty vehicle can fly, with a bound on the risk.
 fn slower(bound: f64) -> String {
     DROP.replace("time = 5 s", "time = 8 s").replace("planner = rip", &format!("require risk <= {bound}"))
 }
@@ -353,7 +353,7 @@ fn a_required_risk_counts_stops() {
 }
 
 #[test]
-fn a_required_risk_is_told_in_the_exact_model() {
+fn a_required_risk_is_reported_in_the_exact_model() {
     let bound = 5.0 * 1e-4 / 3600.0;
     let spec = slower(bound);
     let chosen = ["--set", "plan.against=[tired]", "--set", "plan.samples=20"];

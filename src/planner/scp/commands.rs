@@ -3,8 +3,8 @@
 //! where w stays in a plane, w' does too.
 
 use super::*;
-use crate::flatness::LeadFlatState;
-use crate::motion::wrench_model::LEAD_FLAT;
+use crate::flatness::CommandFlatState;
+use crate::motion::wrench_model::COMMAND_DERIVATIVES;
 use crate::motion::{CommandState, with_slopes};
 use crate::planner::commands::{CommandAt, Slope, interval_of};
 use crate::planner::scp::subproblem::{ORDER_OF_TIME, Step};
@@ -41,8 +41,8 @@ pub(super) struct CommandLinearisation {
     linearised: BTreeMap<CommandAt, LinearisedCommand>,
     /// See [`Lag::local_tightening`].
     local_tightening: Vec<f64>,
-    /// Curvature of the Lagrangian, as in [`Step::curvature`], over [`LEAD_FLAT`].
-    curvature: Vec<(CommandAt, CommandState, Vec<LeadFlatState>)>,
+    /// Curvature of the Lagrangian, as in [`Step::curvature`], over [`COMMAND_DERIVATIVES`].
+    curvature: Vec<(CommandAt, CommandState, Vec<CommandFlatState>)>,
 }
 
 impl ScpPlanner<'_, '_> {
@@ -61,7 +61,7 @@ impl ScpPlanner<'_, '_> {
 
     /// The violation of each row of the set by the commanded wrench, with its local tightening.
     fn command_violations<'s>(&'s self, lag: &'s Lag, state: &CommandState) -> impl Iterator<Item = f64> + 's {
-        let wrench = self.wrench.lead(&self.hover.model.vehicle, self.hover.model.gravity, lag.tau, state);
+        let wrench = self.wrench.commanded(&self.hover.model.vehicle, self.hover.model.gravity, lag.tau, state);
         self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, tightening))| {
             match row.equality {
                 true => f64::NEG_INFINITY,
@@ -86,7 +86,7 @@ impl ScpPlanner<'_, '_> {
             return f64::NEG_INFINITY;
         };
         let Model { vehicle, gravity, .. } = self.hover.model;
-        self.violation_of_row(facet, &self.wrench.lead(vehicle, *gravity, lag.tau, &state))
+        self.violation_of_row(facet, &self.wrench.commanded(vehicle, *gravity, lag.tau, &state))
     }
 
     /// Rows on the commanded wrench with a violation over `threshold`, on both sides of a node.
@@ -152,7 +152,7 @@ impl ScpPlanner<'_, '_> {
             let Some(state) = self.command_state(iterate, at).filter(|_| !linearised.contains_key(&at)) else {
                 continue;
             };
-            let map = self.wrench.lead_linearised(vehicle, *gravity, lag.tau, &state);
+            let map = self.wrench.commanded_linearised(vehicle, *gravity, lag.tau, &state);
             let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
                 let order: usize = order;
                 sum - c * (order as f64 * state[axis][order])
@@ -163,7 +163,7 @@ impl ScpPlanner<'_, '_> {
         let unit = self.transcription(&iterate.grid, &[]).mean_tau();
         let curvature = lag.multipliers.iter().filter_map(|(&at, n)| {
             let state = self.command_state(iterate, at)?;
-            Some((at, state, self.wrench.lead_curvature(vehicle, *gravity, lag.tau, &state, n, unit)))
+            Some((at, state, self.wrench.commanded_curvature(vehicle, *gravity, lag.tau, &state, n, unit)))
         });
         Some(CommandLinearisation {
             linearised,
@@ -204,8 +204,10 @@ impl Transcription<'_> {
                 let now = self.command_derivative(*at, (axis, order), &no_jump)?;
                 Some(now.plus_constant(-from[axis][order]))
             };
-            let Some(directions) = LEAD_FLAT.iter().map(direction).collect::<Option<Vec<Affine>>>() else { continue };
-            let change = |factor: &LeadFlatState| {
+            let Some(directions) = COMMAND_DERIVATIVES.iter().map(direction).collect::<Option<Vec<Affine>>>() else {
+                continue;
+            };
+            let change = |factor: &CommandFlatState| {
                 let mut change = Affine::default();
                 for (direction, weight) in directions.iter().zip(factor.iter()) {
                     change.add(direction, *weight);

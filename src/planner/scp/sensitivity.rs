@@ -100,9 +100,9 @@ impl ScpPlanner<'_, '_> {
         let form = self.transcription(&iterate.grid, &linear.maps);
         let (program, _) = form.step_program(&step, &chosen);
         let solved = [false, true].into_iter().find_map(|scaled| {
-            let (approached, effort) = approach(&program, scaled);
+            let (approached, effort) = solve_step(&program, scaled);
             self.hover.effort += effort;
-            approached.filter(|approached| approached.is_least)
+            approached.filter(|approached| approached.is_optimal)
         });
         let Solution { x, z, .. } = solved?.solution;
         let mission = relaxed(self.hover.mission);

@@ -54,7 +54,7 @@ impl PlanningSets {
         let trajectory = planned.trajectory();
         let of = |set: &PlanningSet| {
             let found = outside(&trajectory, &model.vehicle, model.gravity, &set.rows);
-            let rows = if planned.model == WrenchModel::Exact { found.passed } else { found.facets };
+            let rows = if planned.model == WrenchModel::Exact { found.violated } else { found.facets };
             rows.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
         };
         self.modes.iter().flat_map(of).collect()

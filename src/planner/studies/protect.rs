@@ -7,7 +7,7 @@
 use super::{Comparison, MissionPlan, NotFound, PlanOutcome, Run, Setting};
 use crate::admissible::row::SetRow;
 use crate::model::PlannerKind;
-use crate::motion::outside::{Stretch, stretches};
+use crate::motion::outside::{ViolationInterval, violation_intervals};
 use crate::motion::risk::risk;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
@@ -158,11 +158,11 @@ impl Setting<'_> {
         let (trajectory, until) = (&solved.trajectory, solved.committed[mode]);
         let rows = &self.sets.modes[mode].rows;
         let before = (0..trajectory.intervals()).rev().filter(|&k| trajectory.times[k] < until);
-        let last = |k: usize| -> Option<Stretch> {
-            let (found, _) = stretches(trajectory, &self.model.vehicle, self.model.gravity, rows, k);
+        let last = |k: usize| -> Option<ViolationInterval> {
+            let (found, _) = violation_intervals(trajectory, &self.model.vehicle, self.model.gravity, rows, k);
             found.into_iter().filter(|s| s.from < until).max_by(|a, b| a.to.total_cmp(&b.to))
         };
-        before.into_iter().find_map(last).map(|stretch| stretch.row)
+        before.into_iter().find_map(last).map(|interval| interval.row)
     }
 
     fn tried(&self, before: &Step, candidate: Candidate) -> (Result<Step, PlanOutcome>, Effort) {

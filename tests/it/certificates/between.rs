@@ -97,7 +97,7 @@ fn hurry(plan: &mut MissionPlan, factor: f64) {
     }
 }
 
-/// What the report says of a plan is what the checker says of its certificate.
+/// The report of a plan agrees with the checker's result for its certificate.
 #[test]
 fn reports_and_certificates_say_the_same() {
     for (planner, time) in [(PlannerKind::Rsp, 8.0), (PlannerKind::Rcp, 8.0), (PlannerKind::Rip, 12.0)] {
@@ -150,7 +150,7 @@ fn some_facets_proved_are_counted() {
     assert!(partly > 0, "all or none are proved");
 }
 
-/// A plan flown faster than its set and limits allow: nothing false is said, and how far rows are passed is.
+/// A plan flown faster than its set and limits allow: the report claims nothing false and gives the violation of rows.
 #[test]
 fn what_does_not_hold_is_not_proved() {
     let model = hop(PlannerKind::Rip, 7.2);
@@ -164,7 +164,7 @@ fn what_does_not_hold_is_not_proved() {
     assert!(passed.contains(&WRENCH) && passed.contains(&"speed"), "{found:?}");
     let text = words::between(&model, solved(&comparison), &found);
     assert!(text.contains("Checked on a grid of 64 points an interval"), "{text}");
-    // That a limit is passed is said once, by the caveat that knows the instant.
+    // The violation of a limit is reported once, by the caveat that knows the instant.
     let caveats: Vec<String> = caveats(&model, solved(&comparison)).into_iter().map(|c| c.message).collect();
     let whole = format!("{}\n{text}", caveats.join("\n"));
     assert!(whole.contains("the speed limit is passed by"), "{whole}");
@@ -173,7 +173,7 @@ fn what_does_not_hold_is_not_proved() {
 
 /// 64 m in 0.6 s at a mean of 107 m/s: without a limit on the speed a plan says how fast it is.
 #[test]
-fn speeds_of_no_multirotor_are_told() {
+fn impossible_speeds_are_reported() {
     let mut model = hop(PlannerKind::Rip, 0.6);
     let flight = model.mission.as_mut().unwrap();
     flight.waypoints = vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([64.0, 0.0, 2.0], 0.0)];

@@ -192,9 +192,9 @@ fn files_and_usage() {
     assert!(!Path::new(&folder.at("none")).exists());
 }
 
-/// Files that are no certificates: told so, never a panic.
+/// Files that are not certificates are reported as such and never cause a panic.
 #[test]
-fn what_is_no_certificate_is_told() {
+fn what_is_not_a_certificate_is_reported() {
     let folder = Folder::new(SPEC);
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/certificates");
     let mut seen = 0;

@@ -108,7 +108,7 @@ fn without_a_first_plan_there_is_nothing_to_protect() {
 
 /// A plan that is outside, while a stop is found wherever a fault may strike.
 #[test]
-fn no_risk_by_stops_is_told_as_that() {
+fn zero_risk_with_stops_is_reported_as_such() {
     let fast = ["plan", "-", "--set", "plan.time=1.7s", "--set", "plan.planner=rip", "--set", "plan.after_fault=hold"];
     let told = |spec: &str| flat(&out(&mavc_with(&fast, spec)));
     let text = told(TURN);

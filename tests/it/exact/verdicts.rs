@@ -232,7 +232,8 @@ mission dash {
 plan { planner = rcp; timing = proportional; against = [M1, M2]; time = 7.01 s; samples = 60 }
 "#;
 
-/// Where a waypoint has a time of its own another set's plan of the same times is begun from too: one mode leaves all that two do.
+/// With a fixed waypoint time, another set's plan with the same times serves as an initial guess too: the set of one mode contains
+/// that of two.
 #[test]
 fn with_fixed_times_one_mode_has_the_plan_of_two() {
     let model = mavc::compile(DASH).into_result().unwrap().model().clone();

@@ -1,4 +1,4 @@
-//! How a spec asks for rotors that lag, and what is said of them.
+//! How a spec configures lagging rotors, and what is reported about them.
 
 use serde_json::Value;
 use std::process::{Command, Output};

@@ -187,7 +187,7 @@ fn a_list_is_offered_what_it_does_not_have() {
 }
 
 #[test]
-fn shares_plain_numbers_and_units_that_go_on_are_told_apart() {
+fn shares_plain_numbers_and_longer_units_are_distinguished() {
     let all = offers(
         "faults {\n mode a { rotor 1 reduced to 60 |; severity = 7 | }\n every 1 rotor stuck at 5 |\n}\nlet v = 3 m/|\n\
          mission m {\n limits { speed <= 3 m/|; acceleration <= 2 m/s^| }\n}\nplan { samples = 40 |; against = where rate > 2 1/| }\n",

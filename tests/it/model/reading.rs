@@ -75,7 +75,7 @@ fn deep_expressions_need_no_large_stack() {
 }
 
 #[test]
-fn bytes_that_are_no_text_and_files_too_large_are_told() {
+fn bytes_that_are_not_text_and_files_too_large_are_reported() {
     let (set, diagnostics) = load_all(&[("a.mav", b"let a = 1\n\xff\xfe")]);
     assert_eq!(codes(&diagnostics), ["mavc::file::encoding"]);
     assert_eq!((diagnostics[0].span.start, set.sources.snippet(diagnostics[0].span)), (10, "\u{fffd}"));
@@ -132,7 +132,7 @@ fn tables_become_waypoints() {
 }
 
 #[test]
-fn tables_with_mistakes_are_told_by_row() {
+fn mistakes_in_tables_are_reported_by_row() {
     let root = format!("{QUAD}mission m {{ waypoints from \"t.csv\" }}\n");
     for (table, count) in [
         ("", 1),
