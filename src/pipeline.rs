@@ -8,14 +8,15 @@ mod sweep;
 mod tasks;
 
 pub use certificates::{Rejected, Uncertified, certify, verify, verify_within};
-pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, sized};
-pub use stages::Program;
+pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict, sized};
+pub use records::defaults_text;
+pub use stages::{CONES_IN_MPS, ConesInMps, Program, actuation_text, sets_text};
 pub use sweep::{Flip, Sweep};
 pub use tasks::{Explained, NO_MISSION, Planning, Refusal, Task, compare, explain, no_mission, plan};
 
-use crate::admissible::diagnose::diagnose;
+use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::admissible::verdict::{ModeAnalysis, analyze_each};
-use crate::diagnostic::{Checked, Diagnostic, sort};
+use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::flight::twins;
 use crate::source::{FileId, Source};
 use crate::spec::{Compiled, Compiler, Spec};
@@ -82,4 +83,10 @@ pub fn check(spec: &Spec) -> Vec<Diagnostic> {
     diagnostics.extend(twins::diagnose(spec.model()));
     sort(&mut diagnostics);
     diagnostics
+}
+
+/// Whether the diagnostics of [`check`] name a fault mode that the plan must tolerate but cannot. Sets that are too large to
+/// work with are errors of another kind: whether the plan tolerates the mode is then unknown.
+pub fn is_intolerable(found: &[Diagnostic]) -> bool {
+    found.iter().any(|d| d.severity == Severity::Error) && !is_too_large(found)
 }

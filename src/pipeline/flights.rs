@@ -2,16 +2,16 @@
 
 use super::tasks::{Planning, Refusal, Task};
 use crate::campaign::cases::{MAX_FLIGHTS, Shard};
-use crate::campaign::design::Design;
+use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::flight::{Flight, Sample, Sortie, fly as fly_sortie, longest, twins};
 use crate::model::{coarse_step, past_the_end, too_many_steps};
 use crate::observer::{Observer, Silent, timed};
-use crate::planner::studies::MissionPlan;
+use crate::planner::studies::{Comparison, MissionPlan};
 use crate::report::campaign_record::CampaignRecord;
-use crate::spec::Spec;
+use crate::spec::{Spec, program_sha256};
 use crate::verdict::Verdict;
 use std::convert::Infallible;
 use std::error::Error;
@@ -111,6 +111,26 @@ pub fn sized(spec: &Spec, times: usize, seeds: usize) -> Result<Spec, NoFlight> 
         Some(n) if n <= MAX_FLIGHTS => Ok(spec.with_campaign(times, seeds)),
         _ => Err(NoFlight::TooMany),
     }
+}
+
+impl Task<'_> {
+    /// The campaign that `mavc campaign` flies along the plans at the common time. Its identity, by which rows of different
+    /// campaigns are kept apart, depends on the spec and on the running program.
+    ///
+    /// # Errors
+    /// No planner has a plan; the error lists the outcome of each.
+    pub fn design(&self, comparison: &Comparison) -> Result<Design<'_>, Vec<Missing>> {
+        let origin = self.spec().sha256().to_string() + &program_sha256();
+        Design::new(self.model(), comparison, &origin)
+    }
+}
+
+/// One verdict for the planners of a campaign that have no plan: `not found` if a search ended without a plan and without a
+/// proof, else `proved infeasible` if there is a proof, else `not attempted`.
+pub fn missing_verdict(missing: &[Missing]) -> Verdict {
+    let verdicts: Vec<Verdict> = missing.iter().map(Missing::verdict).collect();
+    let order = [Verdict::NotFound, Verdict::ProvedInfeasible];
+    order.into_iter().find(|verdict| verdicts.contains(verdict)).unwrap_or(Verdict::NotAttempted)
 }
 
 /// What keeps a plan of `time` s from being flown, and what is remarked of its flight: some of it shows only once the

@@ -8,7 +8,9 @@ use crate::planner::studies::Comparison;
 use crate::planner::studies::rounds::Round;
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::record::{Record, RoundRecord};
+use crate::report::table::Table;
 use crate::report::{self, terminal};
+use crate::spec::Spec;
 
 impl Task<'_> {
     /// The report of a plan: `mavc plan --report`.
@@ -47,4 +49,13 @@ impl Task<'_> {
         record.rounds = rounds.map(|all| all.iter().map(of_round).collect());
         record
     }
+}
+
+/// The defaults that filled in for fields that the spec leaves out, as a table: `mavc check --explain-defaults`.
+pub fn defaults_text(spec: &Spec) -> String {
+    let mut table = Table::new(&["field", "default", "why"]);
+    for d in &spec.model().defaults {
+        table.row(vec![d.field.clone(), d.value.clone(), d.reason.clone()]);
+    }
+    table.render_left(0)
 }

@@ -1,13 +1,17 @@
-//! The convex program behind a plan, with all of its rows.
+//! What stages before the plan make of a spec, and the convex program behind a plan, with all of its rows.
 
 use super::tasks::{Planning, Task};
+use crate::actuation::Actuation;
 use crate::admissible::AdmissibleSet;
 use crate::planner::hover::{FEASIBLE, HoverPlanner};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use crate::planner::transcription::{Purpose, Transcription};
-use crate::qp::QuadraticProgram;
+use crate::qp::{QuadraticProgram, mps};
+use crate::spec::Spec;
 use serde::Serialize;
+use std::error::Error;
+use std::fmt;
 
 /// A convex program as exported: minimise 1/2 x'P x + q'x + constant subject to A x + s = b, s in the cones.
 #[derive(Debug, Serialize)]
@@ -16,6 +20,51 @@ pub struct Program {
     pub time_s: f64,
     #[serde(flatten)]
     pub program: QuadraticProgram,
+}
+
+/// A program with second-order cones has no MPS.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ConesInMps;
+
+pub const CONES_IN_MPS: &str = "mavc::emit::cones";
+
+impl fmt::Display for ConesInMps {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "error[{CONES_IN_MPS}]: this program has second-order cones, which MPS cannot express")?;
+        writeln!(
+            f,
+            "  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e6km`) and without limits on"
+        )?;
+        writeln!(f, "        norms the program has no cones")
+    }
+}
+
+impl Error for ConesInMps {}
+
+impl Program {
+    /// The program for people: `mavc emit qp`.
+    pub fn to_text(&self) -> String {
+        format!("mission time {} s\n{}", self.time_s, self.program)
+    }
+
+    /// The program as free MPS.
+    ///
+    /// # Errors
+    /// The program has second-order cones, which MPS cannot express.
+    pub fn to_mps(&self) -> Result<String, ConesInMps> {
+        mps::render(&self.program, "mavc").ok_or(ConesInMps)
+    }
+}
+
+/// The actuation matrix A, from rotor thrusts (N) to wrench (N, N m): `mavc emit actuation`.
+pub fn actuation_text(spec: &Spec) -> String {
+    Actuation::of(&spec.model().vehicle).to_string()
+}
+
+/// The admissible set of the healthy vehicle and of every declared mode: `mavc emit sets`.
+pub fn sets_text(spec: &Spec) -> String {
+    let sets: Vec<String> = AdmissibleSet::each(spec.model()).map(|set| set.to_string()).collect();
+    sets.join("\n")
 }
 
 impl Planning {
