@@ -1,9 +1,9 @@
-//! The tutorial's commands do what the page says, in its order: one folder, one shell line after the other.
+//! The tutorial's commands do what the page says, in its order: in one folder, one line of shell after another.
 //!
-//! - ` ```sh `: each line is run. It ends with 0, or with what its comment `# exit code N` says.
-//! - ` ```diff `: an edit of the spec. What the lines with ` ` and `-` say stands in it exactly once.
-//! - ` ```text `: what the commands of the block before print. A line `...` stands for any lines, a line that ends
-//!   with ` ...` for any end of it; all else is compared letter by letter.
+//! - ` ```sh `: each line is run. It must end with 0, or with the code in its comment `# exit code N`.
+//! - ` ```diff `: an edit of the spec. The text of the lines with ` ` and `-` must occur in it exactly once.
+//! - ` ```text `: the output of the commands of the block before. A line `...` stands for any lines, and ` ...` at the end
+//!   of a line for any rest of it; everything else is compared letter by letter.
 
 use std::path::Path;
 use std::process::Command;
@@ -50,20 +50,22 @@ fn edited(spec: &str, diff: &str) -> String {
     spec.replace(&old, &new)
 }
 
-/// Whether a line of the page stands for a printed one.
-fn same(told: &str, printed: &str) -> bool {
-    match told.strip_suffix(" ...") {
+/// Whether a line of the tutorial stands for a printed one.
+fn same(quoted: &str, printed: &str) -> bool {
+    match quoted.strip_suffix(" ...") {
         Some(beginning) if !beginning.trim().is_empty() => printed.starts_with(beginning),
-        _ => told == printed.trim_end(),
+        _ => quoted == printed.trim_end(),
     }
 }
 
-/// Whether the lines of the page stand for the printed ones.
-fn matches(told: &[&str], printed: &[&str]) -> bool {
-    match told.split_first() {
+/// Whether the lines of a page stand for the printed ones: `...` for any lines, another for one that is the `same`.
+pub fn matches(quoted: &[&str], printed: &[&str], same: &dyn Fn(&str, &str) -> bool) -> bool {
+    match quoted.split_first() {
         None => printed.is_empty(),
-        Some((first, rest)) if first.trim() == "..." => (0..=printed.len()).any(|k| matches(rest, &printed[k..])),
-        Some((first, rest)) => printed.split_first().is_some_and(|(p, more)| same(first, p) && matches(rest, more)),
+        Some((first, rest)) if first.trim() == "..." => (0..=printed.len()).any(|k| matches(rest, &printed[k..], same)),
+        Some((first, rest)) => {
+            printed.split_first().is_some_and(|(p, more)| same(first, p) && matches(rest, more, same))
+        }
     }
 }
 
@@ -94,11 +96,11 @@ fn the_tutorial_tells_the_truth() {
             }
             "text" => {
                 let lines: Vec<&str> = printed.trim_matches('\n').lines().collect();
-                let told: Vec<&str> = text.lines().collect();
-                assert!(matches(&told, &lines), "{place} says\n{text}\nand mavc\n{printed}");
+                let quoted: Vec<&str> = text.lines().collect();
+                assert!(matches(&quoted, &lines, &same), "{place} shows\n{text}\nand mavc prints\n{printed}");
                 pictures += 1;
             }
-            other => panic!("{place}: {other} is no kind of block of this page"),
+            other => panic!("{place}: a block of this page cannot be `{other}`"),
         }
     }
     assert!(commands > 10 && pictures > 10, "{commands} {pictures}");
@@ -107,7 +109,7 @@ fn the_tutorial_tells_the_truth() {
 #[test]
 fn dots_stand_for_what_is_left_out_and_nothing_else_does() {
     let printed = ["a 1.5 s", "", "b", "c"];
-    let told = |lines: &[&str]| matches(lines, &printed);
+    let told = |lines: &[&str]| matches(lines, &printed, &same);
     assert!(told(&["a 1.5 s", "", "b", "c"]));
     assert!(told(&["a 1.5 ...", "...", "c"]));
     assert!(told(&["...", "", "b", "  ...", "c", "..."]));
