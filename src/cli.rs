@@ -11,6 +11,7 @@ mod explain;
 mod files;
 mod fmt;
 mod links;
+#[cfg(feature = "lsp")]
 mod lsp;
 mod new;
 mod plan;
@@ -93,6 +94,7 @@ pub fn run() -> u8 {
         Command::Fmt(args) => fmt::run(args, &options),
         Command::Emit(args) => emit::run(args, &options),
         Command::New { file } => new::run(file, &options),
+        #[cfg(feature = "lsp")]
         Command::Lsp { stdio: _ } => lsp::run(),
         Command::Explain { code } => explain::run(code.as_deref()),
         Command::Completions { shell } => shell::completions(*shell),

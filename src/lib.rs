@@ -6,6 +6,7 @@ pub mod builder;
 pub mod campaign;
 pub mod certificate;
 pub mod certify;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod diagnostic;
 pub mod explain;
@@ -15,6 +16,7 @@ pub mod format;
 pub mod geometry;
 pub mod input;
 pub mod language;
+#[cfg(feature = "lsp")]
 pub mod lsp;
 pub mod model;
 pub mod motion;

@@ -47,6 +47,7 @@ pub use flight_blocks::FlightBlocks;
 pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
 pub use mission::MAX_WAYPOINTS;
+#[cfg(feature = "lsp")]
 pub(crate) use near_files::is_unfit;
 pub use near_files::{List, entries};
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};

@@ -12,6 +12,7 @@ pub mod conflict_record;
 pub mod flight;
 pub mod heat;
 pub mod least_time;
+#[cfg(feature = "report")]
 pub mod page;
 pub mod record;
 pub mod table;

@@ -66,6 +66,7 @@ pub(super) enum Command {
         file: PathBuf,
     },
     /// Run the language server, over standard input and output
+    #[cfg(feature = "lsp")]
     Lsp {
         /// Accepted because some editors pass it; there is no other transport
         #[arg(long, hide = true)]

@@ -9,7 +9,7 @@ use mavc::explain::diagnose::diagnose;
 use mavc::explain::planners::Planners;
 use mavc::explain::statement::statements;
 use mavc::explain::{Change, Explanation, Statement, explain};
-use mavc::model::{FileSet, Mission, MissionTime, Model, elaborate, load, parse_override};
+use mavc::model::{FileSet, Mission, MissionTime, Model};
 use mavc::motion::time_grid::determined;
 use mavc::planner::studies::{PlanOutcome, Proof, Scope, compare};
 use mavc::source::Span;
@@ -40,14 +40,11 @@ impl Text {
             Some(text) => Ok(text.clone().into_bytes()),
             None => std::fs::read(self.folder.join(used)),
         };
-        let (mut files, diagnostics) = load(&self.name, self.files[&self.name].as_bytes(), &reader);
-        assert!(diagnostics.is_empty(), "{}: {diagnostics:?}", self.name);
-        let overrides: Vec<_> =
-            self.overrides.iter().map(|text| parse_override(text, &mut files.sources).unwrap()).collect();
-        let checked = elaborate(&files, &overrides);
-        let told = render_human(&checked.diagnostics, &files.sources, 100, false);
-        let model = checked.value.unwrap_or_else(|| panic!("{:?}\n{}\n{told}", self.overrides, self.files[&self.name]));
-        (files, model)
+        let compiler = self.overrides.iter().fold(mavc::Compiler::new().reading(&reader), |c, text| c.set(text));
+        let compiled = compiler.text(&self.name, self.files[&self.name].as_bytes());
+        let spec =
+            compiled.into_result().unwrap_or_else(|e| panic!("{:?}\n{}{e:?}", self.overrides, self.files[&self.name]));
+        (spec.files().clone(), spec.model().clone())
     }
 
     /// How `mavc plan` ends.

@@ -121,6 +121,7 @@ fn commands_have_at_most_eighty_lines() {
 /// The names below a heading of Cargo.toml such as `[dependencies]`.
 fn dependencies(manifest: &str, heading: &str) -> Vec<String> {
     let lines = manifest.lines().skip_while(|line| *line != heading).skip(1).take_while(|line| !line.starts_with('['));
+    let lines = lines.filter(|line| !line.starts_with('#'));
     lines.filter_map(|line| Some(line.split_once(" = ")?.0.replace('-', "_"))).collect()
 }
 
@@ -145,4 +146,30 @@ fn every_dependency_is_used() {
             assert!(is_used, "{heading} {name} is used nowhere");
         }
     }
+}
+
+/// Without features the library depends on what docs/library.md lists with reasons, and on nothing else.
+#[test]
+fn the_bare_library_needs_what_its_page_lists() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |name: &str| fs::read_to_string(root.join(name)).unwrap();
+    let manifest = read("Cargo.toml");
+    let is_optional = |name: &str| {
+        manifest
+            .lines()
+            .any(|line| line.replace('-', "_").starts_with(&format!("{name} = ")) && line.contains("optional"))
+    };
+    let headings = ["[dependencies]", "[target.'cfg(unix)'.dependencies]"];
+    let needed: BTreeSet<String> = headings
+        .iter()
+        .flat_map(|heading| dependencies(&manifest, heading))
+        .filter(|name| !is_optional(name))
+        .collect();
+    let page = read("docs/library.md");
+    let table = page.split("## Dependencies of the bare library").nth(1).unwrap();
+    let cells = table.lines().filter_map(|line| line.strip_prefix("| `")?.split_once(" | ")).map(|(first, _)| first);
+    let listed: BTreeSet<String> =
+        cells.flat_map(|cell| cell.split(", ")).map(|name| name.trim_matches('`').replace('-', "_")).collect();
+    assert!(needed.len() > 10, "{needed:?}");
+    assert_eq!(listed, needed);
 }

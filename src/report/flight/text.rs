@@ -212,6 +212,7 @@ pub fn length(metres: f64) -> String {
 }
 
 /// How a fault becomes known: the spec's word, with the delay in s where there is one, as in `after 20 ms`.
+#[cfg(feature = "report")]
 pub fn detection(word: &str, delay: Option<f64>) -> String {
     delay.map_or_else(|| word.to_string(), |delay| format!("{word} {}", duration(delay)))
 }

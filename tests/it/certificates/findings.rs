@@ -2,7 +2,7 @@
 
 use super::decide;
 use mavc::certificate::{Certificate, Claim, InfeasibleClaim, Multiplier, RowRecord, Side};
-use mavc::model::{Model, elaborate, load};
+use mavc::model::Model;
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {
@@ -11,10 +11,8 @@ fn folder() -> PathBuf {
 
 /// A spec of the corpus, elaborated.
 fn spec(name: &str) -> Model {
-    let text = std::fs::read(folder().join(format!("{name}.mav"))).unwrap();
-    let (files, diagnostics) = load(name, &text, &|used: &Path| std::fs::read(folder().join(used)));
-    assert!(diagnostics.is_empty(), "{diagnostics:?}");
-    elaborate(&files, &[]).value.unwrap()
+    let path = folder().join(format!("{name}.mav"));
+    mavc::Compiler::new().file(path).unwrap().into_result().unwrap().model().clone()
 }
 
 fn forged(name: &str) -> Certificate {

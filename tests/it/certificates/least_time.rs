@@ -3,7 +3,7 @@
 use super::{SHA, decide, planned, verify};
 use crate::vehicles::{limit, mission, octocopter, waypoint};
 use mavc::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
-use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind, elaborate, load};
+use mavc::model::{LimitKind, MissionTime, Model, PlanModel, PlannerKind};
 use mavc::planner::timing::kinematics::least_time_within;
 use std::path::Path;
 
@@ -109,10 +109,7 @@ fn holds_and_fixed_times_count() {
 fn shipped(name: &str) -> Model {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs");
     let path = folder.join(format!("{name}.mav"));
-    let (files, diagnostics) =
-        load(name, &std::fs::read(&path).unwrap(), &|used: &Path| std::fs::read(folder.join(used)));
-    assert!(diagnostics.is_empty(), "{diagnostics:?}");
-    elaborate(&files, &[]).value.unwrap()
+    mavc::Compiler::new().file(path).unwrap().into_result().unwrap().model().clone()
 }
 
 /// No plan of a shipped spec is shorter than its bound, and each certificate carries one that is accepted.

@@ -3,7 +3,7 @@
 use super::{compared, last, planning};
 use crate::vehicles::{limit, mission, waypoint};
 use mavc::admissible::AdmissibleSet;
-use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind, elaborate, load};
+use mavc::model::{LimitKind, Mission, MissionTime, Model, PlannerKind};
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::hover::{Decision, HoverPlanner, Planned};
 use mavc::planner::scp::{NOT_FOUND, ScpPlanner};
@@ -235,8 +235,7 @@ plan { planner = rcp; timing = proportional; against = [M1, M2]; time = 7.01 s; 
 /// Where a waypoint has a time of its own another set's plan of the same times is begun from too: one mode leaves all that two do.
 #[test]
 fn with_fixed_times_one_mode_has_the_plan_of_two() {
-    let (files, _) = load("dash.mav", DASH.as_bytes(), &|_| Err(std::io::ErrorKind::NotFound.into()));
-    let model = elaborate(&files, &[]).value.unwrap();
+    let model = mavc::compile(DASH).into_result().unwrap().model().clone();
     let (sets, healthy) = (PlanningSets::of(&model), AdmissibleSet::healthy(&model));
     let mut engine = HoverPlanner::new(&model, model.mission.as_ref().unwrap(), &healthy);
     let mut plan = |set, initial_guesses: &[&Planned]| match ScpPlanner::new(&mut engine, WrenchModel::Exact, set)

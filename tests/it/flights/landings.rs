@@ -1,11 +1,11 @@
 //! Landings and holds begun at any instant of missions: the path that is followed does not strike the ground itself.
 
 use super::strike;
+use mavc::PlanOutcome;
 use mavc::flight::reference::{Course, DESCENT, Stop};
 use mavc::flight::{Outcome, Sortie, fly};
-use mavc::model::{AfterFault, Detection, FaultMode, Model, elaborate, load, parse_override};
+use mavc::model::{AfterFault, Detection, FaultMode, Model};
 use mavc::motion::Trajectory;
-use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use std::sync::LazyLock;
 
 /// Specs, and what keeps their plans quick to make: any plan will do.
@@ -27,12 +27,10 @@ static PLANS: LazyLock<Vec<(&str, Model, Trajectory)>> =
 
 fn planned(name: &'static str, settings: &[&str]) -> (&'static str, Model, Trajectory) {
     let path = format!("{}/{name}", env!("CARGO_MANIFEST_DIR"));
-    let (mut files, _) = load(&path, &std::fs::read(&path).unwrap(), &|used| std::fs::read(used));
-    let overrides: Vec<_> = settings.iter().map(|s| parse_override(s, &mut files.sources).unwrap()).collect();
-    let model = elaborate(&files, &overrides).value.unwrap_or_else(|| panic!("{name}"));
-    let mut comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
-    match comparison.runs.pop().unwrap().outcome {
-        PlanOutcome::Planned(solved) => (name, model, solved.trajectory),
+    let compiler = settings.iter().fold(mavc::Compiler::new(), |compiler, setting| compiler.set(*setting));
+    let spec = compiler.file(path).unwrap().into_result().unwrap();
+    match mavc::plan(&spec).unwrap().outcome() {
+        PlanOutcome::Planned(solved) => (name, spec.model().clone(), solved.trajectory.clone()),
         other => panic!("{name}: {other:?}"),
     }
 }

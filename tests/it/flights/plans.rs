@@ -2,7 +2,7 @@
 
 use super::strike;
 use mavc::flight::{Flight, Outcome, Sample, Sortie, fly};
-use mavc::model::{AfterFault, Controller, Detection, MissionTime, Model, PlannerKind, elaborate, load};
+use mavc::model::{AfterFault, Controller, Detection, MissionTime, Model, PlannerKind};
 use mavc::motion::Trajectory;
 use mavc::planner::studies::{PlanOutcome, Scope, compare};
 use std::sync::LazyLock;
@@ -13,8 +13,7 @@ static CASE: LazyLock<(Model, Trajectory)> =
 /// A spec of the paper with its plan.
 fn planned(name: &str, change: impl FnOnce(&mut Model)) -> (Model, Trajectory) {
     let path = format!("{}/specs/paper/{name}.mav", env!("CARGO_MANIFEST_DIR"));
-    let (files, _) = load(&path, &std::fs::read(&path).unwrap(), &|used| std::fs::read(used));
-    let mut model = elaborate(&files, &[]).value.unwrap();
+    let mut model = mavc::Compiler::new().file(path).unwrap().into_result().unwrap().model().clone();
     change(&mut model);
     let mut comparison = compare(&model, model.mission.as_ref().unwrap(), Scope::Plan, None);
     match comparison.runs.remove(0).outcome {

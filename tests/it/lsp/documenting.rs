@@ -3,7 +3,6 @@
 use mavc::diagnostic::Diagnostic;
 use mavc::lsp::{field_documentation, field_unit};
 use mavc::model::vocabulary::{clauses, fields, words};
-use mavc::model::{elaborate, load};
 use mavc::syntax::Place;
 
 const PLACES: [Place; 10] = [
@@ -70,9 +69,7 @@ fn with(place: Place, name: &str, value: &str) -> Option<String> {
 }
 
 fn diagnostics(text: &str) -> Vec<Diagnostic> {
-    let (files, mut diagnostics) = load("t", text.as_bytes(), &|_| Err(std::io::ErrorKind::NotFound.into()));
-    diagnostics.extend(elaborate(&files, &[]).diagnostics);
-    diagnostics
+    mavc::compile(text).diagnostics
 }
 
 /// Whether the compiler finds fault with the kind of what a field is given.
