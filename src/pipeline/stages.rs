@@ -1,4 +1,4 @@
-//! What stages before the plan make of a spec, and the convex program behind a plan, with all of its rows.
+//! The outputs of single stages: sets, the actuation matrix, and the convex program of a plan with all of its rows.
 
 use super::tasks::{Planning, Task};
 use crate::actuation::Actuation;
@@ -68,12 +68,12 @@ pub fn sets_text(spec: &Spec) -> String {
 }
 
 impl Planning {
-    /// What was imposed on the wrench at each node.
+    /// The rows that were imposed on the wrench at each node.
     pub fn set(&self) -> &PlanningSet {
         &self.run().set
     }
 
-    /// The mission time of the plan, or of the proof or search that ended without one, s.
+    /// The mission time of the plan, of the proof, or of the search that ended without one, s.
     pub fn time(&self) -> f64 {
         match self.outcome() {
             PlanOutcome::Planned(plan) => plan.time,
@@ -85,8 +85,8 @@ impl Planning {
 }
 
 impl Task<'_> {
-    /// The program of the hover model, with every row, at the mission time of an outcome. `None` where the mission cannot be
-    /// laid out over that time.
+    /// The program of the hover model, with every row, at the mission time of an outcome. `None` if the mission has no time
+    /// grid over that time.
     pub fn program(&self, planning: &Planning) -> Option<Program> {
         let (model, mission, time_s) = (self.model(), self.mission(), planning.time());
         let healthy = AdmissibleSet::healthy(model);
