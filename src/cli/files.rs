@@ -52,7 +52,7 @@ pub fn print(text: &str) -> Result<(), Problem> {
     print_as_it_is(&visible::text(text))
 }
 
-/// As [`print`], and keeps the colours that mavc paints with ([`crate::report::heat`]).
+/// As [`print()`], and keeps the colours that mavc paints with ([`crate::report::heat`]).
 pub fn print_painted(text: &str) -> Result<(), Problem> {
     print_as_it_is(&painted(text))
 }
@@ -105,7 +105,7 @@ fn painted(text: &str) -> String {
     out
 }
 
-/// As [`print_as_it_is`], on standard error.
+/// As [`print_as_it_is()`], on standard error.
 pub fn eprint_as_it_is(text: &str) {
     let _ = anstream::stderr().write_all(text.as_bytes());
 }
