@@ -1,4 +1,4 @@
-"""Where there is a plan, is there one at longer times?
+"""If there is a plan at one time, is there also one at longer times?
 
 Random rest-to-rest missions without lower bounds on rates: each is planned at its shortest time (RIP, 40 samples), then at 1.02, 1.05,
 1.1, 1.3 and 2 times that time. Usage, from the root of the project: python3 benches/longer.py target/release/mavc COUNT SEED
@@ -19,7 +19,7 @@ FACTORS = [1.02, 1.05, 1.1, 1.3, 2.0]
 
 
 def spec(r):
-    """One to four legs of 1 to 50 m, level or up or down, every third mission with turns, and some limits."""
+    """One to four legs of 1 to 50 m, level, up or down; every third mission has turns; some have limits."""
     vehicle, legs = r.choice(VEHICLES), r.randint(1, 4)
     points = [[0.0, 0.0, 5.0]]
     for _ in range(legs):
@@ -52,7 +52,7 @@ def spec(r):
 
 
 def planned(path, time=None):
-    """The time of the plan, or None, and what mavc states."""
+    """The time of the plan, or None, and the statement of mavc."""
     at = [] if time is None else ["--set", f"plan.time={time:.2f}s"]
     command = [sys.argv[1], "plan", path, "--quiet", "--report", "-", *at]
     ran = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "RAYON_NUM_THREADS": "1"})

@@ -22,7 +22,7 @@ SENTENCES = {"statement", "message", "help", "label", "text", "what", "why", "sc
 
 
 def numbers(value):
-    """A report without sentences, its keys as they are now."""
+    """A report without sentences, with its present keys."""
     if isinstance(value, dict):
         return {RENAMED.get(k, k): numbers(v) for k, v in value.items() if k not in SENTENCES}
     if isinstance(value, list):
@@ -31,12 +31,12 @@ def numbers(value):
 
 
 def rows(text):
-    """Rows of a campaign without the campaign's name, which holds the program's hash."""
+    """Rows of a campaign without its identity, which depends on the hash of the program."""
     return [line.split(",")[1:] for line in text.splitlines()]
 
 
 def run(mavc, spec, folder):
-    """Everything that one build makes of a spec: name -> content."""
+    """All outputs of one build for a spec: name -> content."""
     out = {}
 
     def call(name, *args):

@@ -1,4 +1,4 @@
-//! Plans a mission from Rust alone, without a spec file: `cargo run --release --example plan_without_text`.
+//! Plans a mission from Rust values, without a spec file: `cargo run --release --example plan_without_text`.
 
 use mavc::{Builder, PlanOutcome};
 
@@ -10,7 +10,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mission = vehicle.lost("M1", &[1]).waypoint([0.0, 0.0, 2.0]).waypoint([10.0, 0.0, 5.0]).at_most("speed", 6.0);
     let spec = mission.plan("planner", "rcp").plan("samples", 100).build()?;
     match mavc::plan(&spec)?.outcome() {
-        PlanOutcome::Planned(plan) => println!("10 m in {:.2} s, whichever rotor 1 does", plan.time),
+        PlanOutcome::Planned(plan) => println!("found: {:.2} s, inside the set without rotor 1", plan.time),
         PlanOutcome::Infeasible(proof) => println!("proved infeasible at {:?} s", proof.proved),
         PlanOutcome::NotFound(why) => println!("not found: {why:?}"),
         PlanOutcome::NotAttempted { why, .. } => println!("not attempted: {why}"),

@@ -1,4 +1,4 @@
-//! Plans, writes a certificate, reads it back and decides it: `cargo run --release --example read_certificate`.
+//! Plans, makes a certificate, reads it back and verifies it: `cargo run --release --example read_certificate`.
 
 use mavc::{Certificate, Compiler};
 
@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("  shown: {}", shown.statement);
     }
     for weaker in &verdict.weaker {
-        println!("  weaker than the spec asks: {weaker}");
+        println!("  weaker than the spec requires: {weaker}");
     }
     Ok(())
 }

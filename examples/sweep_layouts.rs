@@ -1,4 +1,4 @@
-//! Which layouts of eight rotors tolerate the loss of any one, and up to which mass:
+//! Finds the layouts of eight rotors that tolerate the loss of any one rotor, and up to which mass:
 //! `cargo run --release --example sweep_layouts`.
 
 use mavc::Builder;
@@ -21,14 +21,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .rotor("torque_per_thrust", 0.016)
             .rotor("max_speed", 874.0);
         let spec = (1..=8).fold(vehicle, |vehicle, k| vehicle.lost(&format!("M{k}"), &[k])).build()?;
-        // The first analysis is the healthy vehicle's.
+        // The first analysis is that of the healthy vehicle.
         let modes = mavc::analyze(&spec);
         let heaviest = modes.iter().skip(1).map(|mode| mode.critical_mass_kg.unwrap_or(0.0));
         found.push((heaviest.fold(f64::INFINITY, f64::min), layout));
     }
     found.sort_by(|a, b| b.0.total_cmp(&a.0));
     for (mass, layout) in found {
-        println!("{layout}  hovers without any one rotor up to {mass:.2} kg");
+        println!("{layout}  hovers after the loss of any one rotor up to {mass:.2} kg");
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! Specs from values in place of text, for those who come from Rust or from data.
+//! Specs from Rust values instead of text.
 
 use crate::diagnostic::{Diagnostic, Severity, nearest};
 use crate::format;
@@ -12,11 +12,11 @@ use std::io::ErrorKind;
 /// The name of a built text among the sources of its spec.
 const NAME: &str = "<builder>";
 
-/// Builds a [`Spec`] from values in SI units. Every field of the language can be given by its name (docs/language.md);
-/// what is not given has the default of the language.
+/// Builds a [`Spec`] from values in SI units. Every field of the language can be set by its name (docs/language.md); a field
+/// that is not set has the default of the language.
 ///
-/// The builder writes a text ([`Builder::text`]) and compiles it, so a built spec is checked like a written one, can be
-/// saved, and is what its certificates are about. Mistakes are collected and reported together by [`Builder::build`].
+/// The builder writes a text ([`Builder::text`]) and compiles it. So a built spec is checked like a written one, it can be
+/// saved, and certificates refer to this text. [`Builder::build`] reports all mistakes together.
 ///
 /// ```
 /// use mavc::builder::Builder;
@@ -55,7 +55,7 @@ pub struct Builder {
     problems: Vec<Problem>,
 }
 
-/// A statement, and which call of the builder it is from.
+/// A statement, with the call of the builder that it comes from.
 #[derive(Debug, Clone)]
 struct Line {
     path: String,
@@ -69,16 +69,16 @@ struct Mode {
     fields: Vec<Line>,
 }
 
-/// What a field is given.
+/// The value of a field.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// In SI units.
+    /// A number, in SI units.
     Number(f64),
-    /// In SI units.
+    /// Three numbers, in SI units.
     Vector([f64; 3]),
     /// A word of the language, a name, or a text.
     Word(String),
-    /// Names.
+    /// Several words or names.
     Names(Vec<String>),
 }
 
@@ -141,29 +141,29 @@ impl Builder {
         Builder::default()
     }
 
-    /// A field outside all blocks, such as `gravity` (m/s^2).
+    /// Sets a field outside all blocks, such as `gravity` (m/s^2).
     pub fn top(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Top, "", field, value.into(), " = ");
         self.top.extend(line);
         self
     }
 
-    /// A field of the vehicle, such as `mass` (kg) or `layout`.
+    /// Sets a field of the vehicle, such as `mass` (kg) or `layout`.
     pub fn vehicle(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Vehicle, "vehicle.", field, value.into(), " = ");
         self.vehicle.extend(line);
         self
     }
 
-    /// A field of all rotors, such as `max_thrust` (N).
+    /// Sets a field of all rotors, such as `max_thrust` (N).
     pub fn rotor(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Rotor, "vehicle.rotor.", field, value.into(), " = ");
         self.rotor.extend(line);
         self
     }
 
-    /// Places one more rotor, in m from the centre of gravity, with spin `P` (counter-clockwise seen from above) or `N`;
-    /// `fields` are what it does not share with the others. In place of a `layout`.
+    /// Adds a rotor at a position (m from the centre of gravity), with spin `P` (counter-clockwise seen from above) or `N`.
+    /// `fields` are those that it does not share with the other rotors. Use this instead of a `layout`.
     pub fn placed_rotor(mut self, position: [f64; 3], spin: &str, fields: &[(&str, f64)]) -> Self {
         let path = format!("vehicle.rotors[{}].", self.placed.len() + 1);
         let given = [("at", Value::from(position)), ("spin", Value::from(spin))];
@@ -178,17 +178,17 @@ impl Builder {
         self
     }
 
-    /// Adds a fault mode in which these rotors, counted from 1, are lost; or loses them too in a mode of this name.
+    /// Adds a fault mode in which the given rotors, counted from 1, are lost. If the mode exists already, it loses these too.
     pub fn lost(self, mode: &str, rotors: &[usize]) -> Self {
         self.effect(mode, rotors, "lost".into(), &[])
     }
 
-    /// As [`Builder::lost`], where the rotors give a share of their thrust, 0 to 1.
+    /// As [`Builder::lost`], but the rotors give at most a share of their thrust, 0 to 1.
     pub fn reduced(self, mode: &str, rotors: &[usize], share: f64) -> Self {
         self.effect(mode, rotors, format!("reduced to {}", digits(share)), &[share])
     }
 
-    /// As [`Builder::lost`], where the rotors are stuck at a share of full thrust, 0 to 1.
+    /// As [`Builder::lost`], but the rotors are stuck at a share of their full thrust, 0 to 1.
     pub fn stuck(self, mode: &str, rotors: &[usize], share: f64) -> Self {
         self.effect(mode, rotors, format!("stuck at {}", digits(share)), &[share])
     }
@@ -206,7 +206,7 @@ impl Builder {
         self
     }
 
-    /// A field of a fault mode that was added, such as `rate` (1/s).
+    /// Sets a field of a fault mode that was added before, such as `rate` (1/s).
     pub fn mode(mut self, mode: &str, field: &str, value: impl Into<Value>) -> Self {
         let path = format!("modes.{mode}.");
         let line = self.field(Group::Mode, &path, field, value.into(), " = ");
@@ -217,7 +217,7 @@ impl Builder {
         self
     }
 
-    /// Adds a waypoint (m: x east, y north, z up); the first is the start.
+    /// Adds a waypoint (m; x east, y north, z up). The first is the start.
     pub fn waypoint(self, position: [f64; 3]) -> Self {
         self.waypoint_with(position, &[])
     }
@@ -237,7 +237,7 @@ impl Builder {
         self
     }
 
-    /// Stays at rest at the waypoint before, s.
+    /// Holds at rest at the last waypoint, for a time in s.
     pub fn hold(mut self, seconds: f64) -> Self {
         let path = format!("mission.hold[{}]", self.waypoints);
         self.finite(&path, &[seconds]);
@@ -245,13 +245,13 @@ impl Builder {
         self
     }
 
-    /// Leaves out the rest at the start.
+    /// The mission does not start at rest.
     pub fn start_moving(mut self) -> Self {
         self.mission.push(Line { path: "mission.start_moving".into(), text: "start moving".into() });
         self
     }
 
-    /// Leaves out the rest at the end.
+    /// The mission does not end at rest.
     pub fn end_moving(mut self) -> Self {
         self.mission.push(Line { path: "mission.end_moving".into(), text: "end moving".into() });
         self
@@ -282,21 +282,21 @@ impl Builder {
         self
     }
 
-    /// A field of the plan, such as `time` (s), `planner` or `against`.
+    /// Sets a field of the plan, such as `time` (s), `planner` or `against`.
     pub fn plan(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Plan, "plan.", field, value.into(), " = ");
         self.plan.extend(line);
         self
     }
 
-    /// A field of the simulation, such as `drag` (N s/m).
+    /// Sets a field of the simulation, such as `drag` (N s/m).
     pub fn simulate(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Simulate, "simulate.", field, value.into(), " = ");
         self.simulate.extend(line);
         self
     }
 
-    /// Lets a fault mode strike in the simulation, s after the start.
+    /// Lets a fault mode strike in the simulation, at a time in s after the start.
     pub fn strike(mut self, mode: &str, at: f64) -> Self {
         let path = format!("simulate.fault.{mode}");
         self.name(&path, mode);
@@ -305,25 +305,25 @@ impl Builder {
         self
     }
 
-    /// A field of the campaign, such as `seeds`.
+    /// Sets a field of the campaign, such as `seeds`.
     pub fn campaign(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Campaign, "campaign.", field, value.into(), " = ");
         self.campaign.extend(line);
         self
     }
 
-    /// The text of the spec so far: laid out, and complete once the builder is.
+    /// The formatted text of the spec so far.
     pub fn text(&self) -> String {
         let text: String = self.lines().into_iter().map(|line| line.text + "\n").collect();
-        // Lines stay lines, so that each is still from the same call.
+        // Formatting keeps lines, so each line still belongs to the same call.
         format(&text).unwrap_or(text)
     }
 
-    /// The spec.
+    /// Builds the spec.
     ///
     /// # Errors
-    /// Every mistake, with the call that made it: a field that does not exist, a value that is not finite or of another
-    /// kind, and everything that a text is checked for.
+    /// The error lists every mistake with the call that made it: a field that does not exist, a value that is not finite or of
+    /// the wrong kind, and everything that a text is checked for.
     pub fn build(self) -> Result<Spec, BuildError> {
         let lines = self.lines();
         let text = self.text();
@@ -343,7 +343,7 @@ impl Builder {
         })
     }
 
-    /// The text, each line with the call that it is from.
+    /// The text, each line with the call that it comes from.
     fn lines(&self) -> Vec<Line> {
         let mut lines = self.top.clone();
         let mut block = |path: &str, head: &str, body: Vec<Line>| {
@@ -400,7 +400,8 @@ impl Builder {
     fn name(&mut self, path: &str, name: &str) {
         let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
         if !name.starts_with(is_letter) || !name.chars().all(|c| is_letter(c) || c.is_ascii_digit()) {
-            let message = format!("{name:?} is not a name: write letters, digits and `_`, and begin with a letter");
+            let message =
+                format!("{name:?} is not a name: use letters, digits and `_`, and start with a letter or `_`");
             self.problem(path, BuildCode::NotAName, message);
         }
     }
@@ -451,7 +452,7 @@ impl Builder {
     }
 }
 
-/// A number to the last digit, so that reading it gives the same one.
+/// A number with all its digits, so that reading it gives the same number.
 fn digits(number: f64) -> String {
     match number.abs() {
         size if size == 0.0 || (1e-5..1e15).contains(&size) => format!("{number}"),
@@ -459,7 +460,7 @@ fn digits(number: f64) -> String {
     }
 }
 
-/// The SI unit of an entry, behind a blank; nothing for a plain number.
+/// The SI unit of an entry after a space; empty for a plain number.
 fn unit(entry: &Entry) -> String {
     let Some((usual, unit)) = entry.unit().and_then(|unit| Some((unit, parse_unit(unit, 1.0).ok()?))) else {
         return String::new();
@@ -471,7 +472,7 @@ fn unit(entry: &Entry) -> String {
     }
 }
 
-/// What an entry takes, in words.
+/// A description of the values that an entry takes.
 fn taken(entry: &Entry) -> String {
     let words = entry.words().iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
     match entry.takes {
@@ -497,10 +498,10 @@ impl fmt::Display for Value {
 }
 
 fn unknown_mode(mode: &str) -> String {
-    format!("no fault mode `{mode}` was added before its field")
+    format!("unknown fault mode `{mode}`: add it before its fields, for example by `lost`")
 }
 
-/// Mistakes that only a builder can make.
+/// Mistakes that the builder finds before the text is compiled.
 enum BuildCode {
     NotFinite,
     NotAName,
@@ -524,9 +525,9 @@ impl BuildCode {
 /// One mistake of a built spec.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
-    /// Which call made it, such as `plan.samples` or `mission.waypoints[2]`; a block where something is missing.
+    /// The call that made it, such as `plan.samples` or `mission.waypoints[2]`; the block, if something is missing in it.
     pub field: String,
-    /// `mavc explain` has a page about it.
+    /// The code of the mistake, for `mavc explain`.
     pub code: &'static str,
     pub message: String,
 }
@@ -546,7 +547,7 @@ impl fmt::Display for BuildError {
     }
 }
 
-/// As `Display`, on lines of its own: what a `main` that returns the error prints.
+/// As `Display`, on a new line, because a `main` that returns the error prints it so.
 impl fmt::Debug for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n{self}")

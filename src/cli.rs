@@ -1,4 +1,5 @@
-//! The command line: arguments, files, exit codes. No logic of the field.
+//! The command line: arguments, files, exit codes. Everything about vehicles and missions is in `pipeline` and `report`;
+//! the file of a command has at most 80 lines, and what commands share has a module of its own.
 
 mod analyze;
 mod arguments;
@@ -36,7 +37,7 @@ use arguments::{
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};
 
-/// Done; `analyze` ends so whatever its verdicts.
+/// Success; `analyze` ends with it whatever its verdicts.
 pub const FINE: u8 = 0;
 /// The spec has errors.
 pub const SPEC_ERRORS: u8 = 1;
@@ -46,31 +47,31 @@ pub const USAGE: u8 = 2;
 pub const NO_PLAN: u8 = 3;
 /// Not found, or not attempted because a plan that the search starts from was not found.
 pub const INCONCLUSIVE: u8 = 4;
-/// A certificate does not show what it claims.
+/// The certificate is rejected.
 pub const REJECTED: u8 = 5;
-/// `verify` accepts the certificate, which is weaker than the spec asks.
+/// The certificate is accepted, but proves less than the spec requires.
 pub const WEAKER: u8 = 7;
-/// `verify` would need more than its budget.
+/// Checking the certificate would exceed the budget.
 pub const OVER_BUDGET: u8 = 8;
 /// The simulated vehicle is lost.
 pub const LOST: u8 = 6;
-/// The integration of a flight broke down: what became of the vehicle is unknown.
+/// The integration of a flight diverged: the fate of the vehicle is unknown.
 pub const DIVERGED: u8 = 9;
 
-/// What every subcommand is told.
+/// The options of every command.
 pub(crate) struct Options {
     pub quiet: bool,
     pub timings: bool,
 }
 
-/// Parses the arguments, does what they say and returns the exit code.
+/// Parses the arguments, runs the command and returns the exit code.
 pub fn run() -> u8 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(e) => {
             let mut e = without_disguise(e);
             without_escape(&mut e);
-            return match files::told(e.print()) {
+            return match files::written(e.print()) {
                 Ok(()) if !e.use_stderr() => FINE,
                 Err(problem) if !e.use_stderr() => usage(&problem),
                 _ => USAGE,
@@ -102,7 +103,7 @@ pub fn run() -> u8 {
     result.unwrap_or_else(|problem| usage(&problem))
 }
 
-/// The error with all arguments on one line each and free of disguises: they may be names of files.
+/// The error with every argument on one line and without disguised characters: arguments may be names of files.
 fn without_disguise(error: clap::Error) -> clap::Error {
     let arguments: Vec<String> = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned()).collect();
     if !arguments.iter().any(|argument| argument.contains(visible::is_disguise)) {
@@ -111,7 +112,7 @@ fn without_disguise(error: clap::Error) -> clap::Error {
     Cli::try_parse_from(arguments.iter().map(|argument| visible::line(argument).into_owned())).err().unwrap_or(error)
 }
 
-/// Takes out the tip to pass an unknown option as a value, after `--`: no argument of mavc looks like an option.
+/// Removes the tip to pass an unknown option as a value after `--`: no argument of mavc looks like an option.
 fn without_escape(error: &mut clap::Error) {
     if let Some(ContextValue::StyledStrs(mut tips)) = error.remove(ContextKind::Suggested) {
         tips.retain(|tip| !tip.to_string().contains(" as a value, use "));
@@ -122,9 +123,9 @@ fn without_escape(error: &mut clap::Error) {
 }
 
 fn usage(problem: &Problem) -> u8 {
-    files::tell(&format!("mavc: {}\n", visible::line(problem)));
+    files::eprint(&format!("mavc: {}\n", visible::line(problem)));
     USAGE
 }
 
-/// A problem with usage or files, told on one line.
+/// A problem with usage or files, reported on one line.
 pub(crate) type Problem = String;

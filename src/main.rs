@@ -1,4 +1,4 @@
-//! The command `mavc`. Everything is in the library; here is only the exit code.
+//! The command `mavc`. The library does everything; this file only sets the exit code.
 
 use std::process::ExitCode;
 

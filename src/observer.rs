@@ -1,4 +1,4 @@
-//! Following a long run: what it does now, and how long each stage took.
+//! Following a long run: its progress, and the time of each stage.
 
 use crate::flight::Flight;
 use crate::solve::Effort;
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 /// Receives the progress of a run. Every method does nothing by default; threads may call them at the same time.
 pub trait Observer: Sync {
-    /// Work of this kind has begun, for a line of progress.
+    /// Work has started that `what` describes, for a line of progress.
     fn begins(&self, _what: &str) {}
 
     /// `planner` tries a mission time, s.
@@ -18,15 +18,15 @@ pub trait Observer: Sync {
     /// What the solver did in the stage that ended last.
     fn solved(&self, _effort: &Effort) {}
 
-    /// A flight took `took`; `is_recorded` with a log or a page.
+    /// A flight was simulated in `took`; `is_recorded` if a log or a page is made of it.
     fn flown(&self, _flight: &Flight, _took: Duration, _is_recorded: bool) {}
 
-    /// What a search for an explanation took: the variants of the spec that were planned, where they were counted, and what the
-    /// solver did.
+    /// A search for an explanation has ended: the number of variants of the spec that were planned, if they were counted, and
+    /// what the solver did.
     fn asked(&self, _variants: Option<usize>, _effort: &Effort) {}
 }
 
-/// Follows nothing.
+/// An observer that does nothing.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Silent;
 

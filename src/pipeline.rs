@@ -1,4 +1,4 @@
-//! The pipeline: one function for each question about a [`Spec`]. The crate's root re-exports them.
+//! The pipeline: one function for each question about a [`Spec`]. The crate's root re-exports the functions.
 
 mod certificates;
 mod flights;
@@ -8,22 +8,26 @@ mod sweep;
 mod tasks;
 
 pub use certificates::{Rejected, Uncertified, certify, verify, verify_within};
-pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, sized};
-pub use stages::Program;
+pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict, sized};
+pub use records::defaults_text;
+pub use stages::{CONES_IN_MPS, ConesInMps, Program, actuation_text, sets_text};
 pub use sweep::{Flip, Sweep};
 pub use tasks::{Explained, NO_MISSION, Planning, Refusal, Task, compare, explain, no_mission, plan};
 
-use crate::admissible::diagnose::diagnose;
+use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::admissible::verdict::{ModeAnalysis, analyze_each};
-use crate::diagnostic::{Checked, Diagnostic, sort};
+use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::flight::twins;
 use crate::source::{FileId, Source};
 use crate::spec::{Compiled, Compiler, Spec};
 use std::io::{Error, ErrorKind};
 
-/// Compiles the text of a spec: syntax, names, units and ranges are checked, and every mistake is reported at once.
+/// Compiles the text of a spec (docs/language.md). Syntax, names, units, ranges and plausibility are checked, and all
+/// mistakes are reported together.
 ///
-/// The text may not name other files; [`Compiler`] reads those, takes overrides, and compiles files.
+/// The result holds the [`Spec`] if the text has no errors, and every diagnostic. All numbers of a spec are in SI units.
+///
+/// The text may not name other files. A [`Compiler`] reads such files, compiles a file, and takes overrides.
 ///
 /// ```
 /// let compiled = mavc::compile("vehicle quad { mass = 1.8 m }");
@@ -36,11 +40,11 @@ pub fn compile(text: &str) -> Compiled {
     Compiler::new().reading(&no_files).text("<spec>", text.as_bytes())
 }
 
-/// Lays a spec's text out in the one way of `mavc fmt`: indentation, blanks and columns. Its meaning, its statements'
-/// order, their line breaks and every comment stay (docs/formatting.md).
+/// Formats the text of a spec: indentation, spaces and columns (docs/formatting.md). The meaning, the order of statements,
+/// their line breaks and every comment are kept. Returns the formatted text.
 ///
 /// # Errors
-/// The text has errors of syntax, which are the diagnostics given, or would grow beyond the size of a file.
+/// The text has errors of syntax, or would exceed the largest size of a file. The diagnostics are returned.
 ///
 /// ```
 /// assert_eq!(mavc::format("let  m=2 kg").unwrap(), "let m = 2 kg\n");
@@ -51,11 +55,12 @@ pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
     value.ok_or(diagnostics)
 }
 
-/// What remains of the vehicle in each fault mode: the verdict, the margins of hover (N, N m), the heaviest mass (kg) and
-/// the headroom. The healthy vehicle comes first, then every declared mode in its order.
+/// Analyses what the vehicle can still do in each fault mode: the verdict, the margins of hover (N, N m), the heaviest mass
+/// (kg) and the headroom (N, N m). The healthy vehicle comes first, then every declared mode in its order.
 ///
-/// The verdicts are those of section 3 of the paper: ACAI (31) for controllability, the rank of the controllability
-/// matrix, and the residual of the nearest admissible wrench.
+/// The verdicts are those of section 3 of the paper: the available control authority index (ACAI, equation 31) for
+/// controllability, the rank of the controllability matrix, and the residual of the nearest admissible wrench. See
+/// docs/method.md, section 3. The mission and the plan have no influence.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -68,9 +73,11 @@ pub fn analyze(spec: &Spec) -> Vec<ModeAnalysis> {
     analyze_each(spec.model())
 }
 
-/// What the admissible sets and the estimator show about a spec: fault modes that the plan must tolerate but cannot, hover
-/// on the edge of a set, modes that an estimator cannot tell apart. `mavc check` reports these with the diagnostics of
-/// [`compile`].
+/// Checks a spec against the admissible sets and the estimator: fault modes that the plan must tolerate but cannot (errors),
+/// hover on the edge of a set, and modes that an estimator cannot distinguish (warnings).
+///
+/// Returns the diagnostics in the order of their places in the spec; it is empty if there is nothing to report. `mavc check`
+/// prints them together with those of [`compile`]. See docs/method.md, section 3, for the sets.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -82,4 +89,10 @@ pub fn check(spec: &Spec) -> Vec<Diagnostic> {
     diagnostics.extend(twins::diagnose(spec.model()));
     sort(&mut diagnostics);
     diagnostics
+}
+
+/// Whether the diagnostics of [`check`] name a fault mode that the plan must tolerate but cannot. Sets that are too large to
+/// work with are errors of another kind: whether the plan tolerates the mode is then unknown.
+pub fn is_intolerable(found: &[Diagnostic]) -> bool {
+    found.iter().any(|d| d.severity == Severity::Error) && !is_too_large(found)
 }

@@ -1,4 +1,4 @@
-//! Specs: a text is compiled into one, or into the diagnostics that say why not.
+//! Specs, and the compiler that makes one from a text.
 
 use crate::diagnostic::{Diagnostic, Severity, render_human, sort};
 use crate::input::read_named;
@@ -17,8 +17,8 @@ use std::sync::Arc;
 
 /// A spec without errors: names resolved, units and ranges checked, every number finite and in SI units.
 ///
-/// Only [`compile`](crate::compile) and a [`Compiler`] make one, so whatever
-/// takes a `Spec` can rely on that.
+/// Only [`compile`](crate::compile), a [`Compiler`] and a [`Builder`](crate::Builder) make one, so all functions that take a
+/// `Spec` rely on this.
 #[derive(Debug, Clone)]
 pub struct Spec {
     model: Model,
@@ -34,7 +34,7 @@ impl Spec {
         &self.model
     }
 
-    /// The mission; `None` where the spec describes only vehicles or faults.
+    /// The mission; `None` if the spec describes only vehicles or faults.
     pub fn mission(&self) -> Option<&Mission> {
         self.model.mission.as_ref()
     }
@@ -49,16 +49,16 @@ impl Spec {
         &self.files
     }
 
-    /// SHA-256 of all texts that were read, each with its length, in the order they were named; 64 hexadecimal digits.
-    /// Certificates name their spec by it.
+    /// SHA-256 of all texts that were read, each with its length, in the order in which they were named; 64 hexadecimal
+    /// digits. A certificate identifies its spec by it.
     pub fn sha256(&self) -> &str {
         &self.sha256
     }
 
-    /// The same spec with one more field overridden, as `--set` does: `vehicle.mass=2kg`.
+    /// The same spec with one more field overridden, as by `--set`: `vehicle.mass=2kg`.
     ///
     /// # Errors
-    /// The field, or the spec with it, has errors.
+    /// The override has an error, or the spec has errors with it.
     ///
     /// ```
     /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -84,14 +84,14 @@ impl Spec {
     }
 }
 
-/// What became of a text: a spec where there are no errors, and every diagnostic.
+/// The result of compiling a text: a spec if there are no errors, and every diagnostic.
 #[derive(Debug, Clone)]
 pub struct Compiled {
-    /// `None` where there is an error.
+    /// `None` if there is an error.
     pub spec: Option<Spec>,
-    /// Errors, warnings and advice, in the order they are shown.
+    /// Errors, warnings and advice, in the order in which they are shown.
     pub diagnostics: Vec<Diagnostic>,
-    /// The texts that the diagnostics point into.
+    /// The texts that the diagnostics refer to.
     pub files: Arc<FileSet>,
 }
 
@@ -117,11 +117,11 @@ impl Compiled {
     }
 }
 
-/// The errors of a text that is not a spec, and whatever else was found.
+/// The diagnostics of a text that is not a spec; at least one is an error.
 #[derive(Clone)]
 pub struct CompileError {
     pub diagnostics: Vec<Diagnostic>,
-    /// The texts that the diagnostics point into.
+    /// The texts that the diagnostics refer to.
     pub files: Arc<FileSet>,
 }
 
@@ -131,7 +131,7 @@ impl fmt::Display for CompileError {
     }
 }
 
-/// As `Display`, on lines of its own: what a `main` that returns the error prints.
+/// As `Display`, on a new line, because a `main` that returns the error prints it so.
 impl fmt::Debug for CompileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n{self}")
@@ -140,10 +140,10 @@ impl fmt::Debug for CompileError {
 
 impl Error for CompileError {}
 
-/// Reads the file of this path.
+/// Reads the file at a path.
 type Reader<'a> = &'a dyn Fn(&Path) -> io::Result<Vec<u8>>;
 
-/// Compiles specs: from files, with overrides, or for commands that fly nothing.
+/// Compiles specs from files or texts, with overrides, and with or without their flights.
 #[derive(Clone)]
 pub struct Compiler<'a> {
     read: Reader<'a>,
@@ -158,7 +158,7 @@ impl Default for Compiler<'_> {
     }
 }
 
-/// A text that is parsed and not yet given a meaning.
+/// A text that is parsed but not elaborated.
 pub struct Parsed {
     pub files: FileSet,
     pub overrides: Vec<Override>,
@@ -166,30 +166,30 @@ pub struct Parsed {
 }
 
 impl<'a> Compiler<'a> {
-    /// Reads what a spec names from the disk, overrides nothing, and treats mistakes in `simulate` and `campaign` as errors.
+    /// A compiler that reads named files from the disk, without overrides; mistakes in `simulate` and `campaign` are errors.
     pub fn new() -> Self {
         Compiler::default()
     }
 
-    /// Overrides a field, as `--set` does: `plan.time=20s`.
+    /// Overrides a field, as by `--set`: `plan.time=20s`.
     pub fn set(mut self, text: impl Into<String>) -> Self {
         self.overrides.push(text.into());
         self
     }
 
-    /// Treats mistakes in `simulate` and `campaign` as warnings, and such a block as one that is not written.
+    /// Treats mistakes in `simulate` and `campaign` as warnings, and ignores a block with a mistake.
     pub fn without_flights(mut self) -> Self {
         self.flights = FlightBlocks::Unused;
         self
     }
 
-    /// Reads what a spec names through `read`, which gets paths relative as the spec's own name is.
+    /// Reads the files that a spec names by `read`. A relative path is relative to the same folder as the spec's own name.
     pub fn reading(mut self, read: Reader<'a>) -> Self {
         self.read = read;
         self
     }
 
-    /// Reports the stages `parse` and `model`.
+    /// Reports the stages `parse` and `model` to an observer.
     pub fn observed_by(mut self, observer: &'a dyn Observer) -> Self {
         self.observer = observer;
         self
@@ -198,19 +198,19 @@ impl<'a> Compiler<'a> {
     /// Compiles a file.
     ///
     /// # Errors
-    /// The file itself cannot be read. That a file which it names cannot be read is a diagnostic.
+    /// The file cannot be read. If a file that it names cannot be read, this is a diagnostic instead.
     pub fn file(&self, path: impl AsRef<Path>) -> io::Result<Compiled> {
         let path = path.as_ref();
         Ok(self.text(&path.display().to_string(), &std::fs::read(path)?))
     }
 
-    /// Compiles a text of this name; the name is shown in diagnostics, and paths in the text are relative to its folder.
+    /// Compiles a text. Diagnostics show `name`, and paths in the text are relative to its folder.
     pub fn text(&self, name: &str, bytes: &[u8]) -> Compiled {
         let Parsed { files, overrides, diagnostics } = self.parse(name, bytes);
         timed(self.observer, "model", || elaborated(files, overrides, self.flights, diagnostics))
     }
 
-    /// Parses a text and what it names, and the overrides; no diagnostic that needs a meaning is among those given.
+    /// Parses a text, the files that it names, and the overrides, without the diagnostics of later stages.
     pub fn parse(&self, name: &str, bytes: &[u8]) -> Parsed {
         timed(self.observer, "parse", || {
             let (mut files, mut diagnostics) = load_among(name, bytes, self.read, &entries);
@@ -226,7 +226,7 @@ impl<'a> Compiler<'a> {
     }
 }
 
-/// Gives files a meaning; `diagnostics` are those of parsing.
+/// Elaborates parsed files; `diagnostics` are those of parsing.
 fn elaborated(
     files: FileSet,
     overrides: Vec<Override>,
@@ -237,7 +237,7 @@ fn elaborated(
     let broken = diagnostics.iter().any(|d| d.severity == Severity::Error) || checked.has_errors();
     let model = checked.value.filter(|_| !broken);
     diagnostics.extend(checked.diagnostics);
-    // Until every override is understood, the spec is not the one that is meant, and warnings may be about the other.
+    // If an override has an error, the spec is not the intended one, and warnings about it could mislead.
     let of_set = |d: &Diagnostic| files.sources.get(d.span.file).name == OVERRIDE;
     if diagnostics.iter().any(|d| d.severity == Severity::Error && of_set(d)) {
         diagnostics.retain(|d| d.severity == Severity::Error);
@@ -249,7 +249,7 @@ fn elaborated(
     Compiled { spec, diagnostics, files }
 }
 
-/// Hash of texts, each with its length, in their order.
+/// The hash of all texts in order, each with its length.
 fn sha256(sources: &SourceMap) -> String {
     let mut hash = Sha256::new();
     for (_, source) in sources.iter() {
@@ -264,7 +264,7 @@ fn hex(hash: Sha256) -> String {
     hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
 }
 
-/// SHA-256 of the running program: another build may give other numbers. That of nothing where the program cannot be read.
+/// SHA-256 of the running program, because another build may give other numbers; of no bytes if the program cannot be read.
 pub fn program_sha256() -> String {
     let mut hash = Sha256::new();
     if let Ok(mut file) = std::env::current_exe().and_then(File::open) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A rigid body under a constant body wrench for two seconds, by scipy's DOP853 on a rotation matrix.
 
-Prints the end state that tests/it/flights/body.rs holds the simulator to. Needs numpy and scipy, of any version.
+Prints the end state with which tests/it/flights/body.rs compares the simulator. Needs any numpy and scipy.
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""A planning case as the peers read it: one vehicle, its fault modes, one mission with evenly timed waypoints."""
+"""A planning case for the peers: one vehicle, its fault modes, one mission with evenly timed waypoints."""
 
 import json
 import sys
@@ -10,7 +10,7 @@ GRAVITY = 9.81  # m/s^2
 
 
 class PeerError(Exception):
-    """Something the user can mend; shown without a traceback."""
+    """A mistake that the user can fix; shown without a traceback."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Vehicle:
 
 @dataclass(frozen=True)
 class Case:
-    """Everything steps (a) to (f) need; units are in the names."""
+    """The input of steps (a) to (f); names include units."""
 
     vehicle: Vehicle
     modes: dict  # name -> lost rotors, counted from 1
@@ -75,7 +75,7 @@ class Case:
 
 
 def load(path):
-    """The case in a JSON file; see the README for its fields."""
+    """Reads a case from a JSON file; the README describes its fields."""
     try:
         with open(path, encoding="utf-8") as file:
             fields = json.load(file)

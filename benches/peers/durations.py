@@ -1,9 +1,9 @@
 """Does a derivative-free search over the durations of legs find shorter missions than mavc's own search?
 
-Random rest-to-rest missions (RIP, 60 samples) are planned with `time = minimum`. Then a pattern search over the durations of the legs asks
-mavc for a plan with every waypoint's time fixed, which leaves nothing to choose: it begins with the durations of `timing = proportional`,
-shortens one leg or all of them by a step, keeps what has a plan, and halves the step down to 0.5 % of a leg. Usage, from the
-root of the project: python3 benches/peers/durations.py target/release/mavc COUNT SEED
+Random rest-to-rest missions (RIP, 60 samples) are planned with `time = minimum`. Then a pattern search over the durations of
+the legs lets mavc plan with the time of every waypoint fixed. It starts from the durations of `timing = proportional`,
+shortens one leg or all of them by a step, keeps durations with a plan, and halves the step down to 0.5 % of a leg. Usage, from
+the root of the project: python3 benches/peers/durations.py target/release/mavc COUNT SEED
 """
 
 import json
@@ -21,7 +21,7 @@ MOST_PROBES = 400
 
 
 def mission(r):
-    """Two to four legs of 3 to 25 m under some limits, as lines of waypoints without times, and limits."""
+    """Two to four legs of 3 to 25 m with some limits: lines of waypoints without times, and limits."""
     points, lines = [[0.0, 0.0, 5.0]], []
     for _ in range(r.randint(2, 4)):
         x, y, z = points[-1]
@@ -64,7 +64,7 @@ def ends_of(durations):
 
 
 def search(vehicle, lines, limits):
-    """The shortest mission of the pattern search, s, and how many plans it asked for."""
+    """The shortest mission of the pattern search, s, and the number of plans that it tried."""
     begun = plan(spec(vehicle, lines, limits, "minimum", "proportional"))
     if not begun:
         return None, 0

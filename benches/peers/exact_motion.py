@@ -1,4 +1,4 @@
-"""Motions of the exact model on an even grid: splines whose coefficients are a step's variables, and their cost.
+"""Trajectories of the exact model on an even grid: splines whose coefficients are the variables of a step, and their cost.
 
 x, y and z are quintic and yaw cubic on each interval, with simple knots at the nodes. Time is counted in steps h, so
 the mission time enters as powers of h only.
@@ -20,9 +20,9 @@ WINDOW = sum(degree + 1 for degree in DEGREES)  # coefficients that an interval 
 
 
 def local(degree, order, shares):
-    """(S, degree + 1): derivatives of the B-splines that live on an interval, at shares of it, per step^order."""
+    """(S, degree + 1): derivatives, per step^order, of the B-splines that are nonzero on an interval, at shares of it."""
     basis = BSpline.basis_element(np.arange(degree + 2), extrapolate=False)
-    # At share 1 the piece to the left counts; nothing that is used jumps there.
+    # At share 1 the left piece is used; all derivatives in use are continuous there.
     inside = np.minimum(np.asarray(shares, dtype=float), 1 - 1e-13)[:, None]
     return np.nan_to_num(basis.derivative(order)(inside + np.arange(degree, -1, -1)))
 
@@ -57,12 +57,12 @@ class Grid:
         return self.samples * PARTS + 1
 
     def place(self, instant):
-        """The interval and the part of instants; the last one ends the last interval."""
+        """The interval and the part of each instant; the last instant is the end of the last interval."""
         interval = np.minimum(instant // PARTS, self.samples - 1)
         return interval, instant - interval * PARTS
 
     def at(self, axis, order, share, intervals=None):
-        """Sparse rows: a derivative `share` of the way through intervals, of all coefficients."""
+        """Sparse rows over all coefficients: a derivative at a share of the way through intervals."""
         intervals = np.arange(self.samples) if intervals is None else np.asarray(intervals)
         degree = DEGREES[axis]
         values = np.tile(local(degree, order, [share])[0], len(intervals))
@@ -74,7 +74,7 @@ class Grid:
         return sp.vstack([self.at(axis, order, 0.0), self.at(axis, order, 1.0, [self.samples - 1])], format="csr")
 
     def derivatives(self, motion, order, shares):
-        """(intervals, S, 4) in SI units; yaw's above its input are left out (zero)."""
+        """(intervals, S, 4) in SI units; derivatives of yaw above its input are zero."""
         h = motion.total / self.samples
         found = np.zeros((self.samples, len(shares), 4))
         for axis, degree in enumerate(DEGREES):
@@ -91,7 +91,7 @@ class Grid:
         return np.vstack([found[:, :-1].reshape(-1, flatness.INPUTS), found[-1:, -1]])
 
     def flat_of_windows(self, instants, h):
-        """(N, 12, WINDOW): what the flat inputs at instants are of their windows, in SI units."""
+        """(N, 12, WINDOW): the flat inputs at instants as linear functions of their windows, in SI units."""
         return self.inputs[self.place(instants)[1]] * h ** -flatness.ORDERS[:, None].astype(float)
 
     def _cost(self):
@@ -116,7 +116,7 @@ class Grid:
         self.targets = np.r_[self.case.waypoints_m.T.ravel(), yaw]
 
     def weights(self, total):
-        """Of the integrals of squared snap, squared acceleration, and of squared distances, at one mission time."""
+        """The weights of the integrals of squared snap and acceleration and of squared distances, at one mission time."""
         h, w = total / self.samples, self.case.weights
         return w["snap"] * h / h**8, w["acceleration"] * h / h**4, w["waypoint"]
 
@@ -138,7 +138,7 @@ class Grid:
         repeat = fine.samples // self.samples
         for axis, degree in enumerate(DEGREES):
             mine = slice(self.first[axis], self.first[axis + 1])
-            # Both sides at the same instants: share s of part p of a coarse interval.
+            # Both trajectories at the same instants: share s of part p of a coarse interval.
             theirs = sp.vstack([fine.at(axis, 0, s) for s in shares])
             theirs = theirs[:, fine.first[axis] : fine.first[axis + 1]]
             values = []
@@ -150,8 +150,8 @@ class Grid:
 
 
 def taylor(nodes, times, shares):
-    """(intervals, S, 12): flat inputs, shares of the way through each interval, of a motion known at its nodes
-    (nodes, 5, 4): the input's slope is constant in between. Knows nothing of splines, so it serves any plan."""
+    """(intervals, S, 12): flat inputs at shares of each interval, of a trajectory given at its nodes (nodes, 5, 4). The
+    slope of the input is constant between nodes. This function does not use splines, so it works for any plan."""
     steps = np.diff(times)[:, None]
     t = steps * shares
     highest = [4, 4, 4, 2]

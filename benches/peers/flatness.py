@@ -1,8 +1,8 @@
 """The exact wrench of a motion and its derivatives, many instants at once.
 
-Written from the attitude itself: columns of the rotation as vectors with their time derivatives, body rates from
-w_x = z_b . y_b' and so on. No angle appears, and derivatives by the inputs come from arrays that carry them along
-(forward mode), so nothing here is shared with src/flatness.rs but (3) to (9).
+It starts from the attitude: columns of the rotation as vectors with their time derivatives, body rates from
+w_x = z_b . y_b' and so on. There are no angles, and derivatives with respect to the inputs are computed in forward mode, so
+this code shares nothing with src/flatness.rs except (3) to (9).
 """
 
 import numpy as np
@@ -16,7 +16,7 @@ ORDERS = np.array([order for _, order in FLAT])
 
 
 class Dual:
-    """Per instant a value (N,), its gradient (N, 12) and, unless None, its Hessian (N, 12, 12) by the inputs."""
+    """A value (N,) for each instant, its gradient (N, 12) and, unless None, its Hessian (N, 12, 12) in the inputs."""
 
     __array_ufunc__ = None  # so that numpy leaves products with arrays to this class
 
@@ -93,7 +93,7 @@ def minus(u, v):
 
 
 def unit(vector):
-    """A vector of jets over its length."""
+    """A vector of jets divided by its length."""
     square = plus(plus(times(vector[0], vector[0]), times(vector[1], vector[1])), times(vector[2], vector[2]))
     u, u1, u2 = square
     f, f1, f2 = power(u, -0.5), -0.5 * power(u, -1.5), 0.75 * power(u, -2.5)
@@ -113,7 +113,7 @@ def along_change(u, v):
 
 
 def of(vehicle, inputs):
-    """[T, tau_x, tau_y, tau_z] in N and N m of twelve inputs, each an array (N,) or a Dual."""
+    """[T, tau_x, tau_y, tau_z] in N and N m for twelve inputs, each an array (N,) or a Dual."""
     x2, y2, z2, x3, y3, z3, x4, y4, z4, psi, psi1, psi2 = inputs
     a = [[x2, x3, x4], [y2, y3, y4], [z2 + GRAVITY, z3, z4]]
     s, c = sin_cos(psi)
@@ -136,17 +136,17 @@ def of(vehicle, inputs):
 
 
 def wrench(vehicle, flat):
-    """(N, 4) of inputs (N, 12)."""
+    """The wrench (N, 4) for inputs (N, 12)."""
     return np.stack(of(vehicle, list(flat.T)), axis=1)
 
 
 def wrench_and_slope(vehicle, flat):
-    """(N, 4) and (N, 4, 12)."""
+    """The wrench (N, 4) and its derivatives (N, 4, 12)."""
     w = of(vehicle, duals(flat, second=False))
     return np.stack([part.value for part in w], axis=1), np.stack([part.slope for part in w], axis=1)
 
 
 def curvature(vehicle, flat, along):
-    """(N, 12, 12): second derivatives of along.w, for one `along` (N, 4) an instant."""
+    """(N, 12, 12): second derivatives of along.w, with one `along` (N, 4) for each instant."""
     w = of(vehicle, duals(flat, second=True))
     return sum(along[:, i, None, None] * part.bend for i, part in enumerate(w))

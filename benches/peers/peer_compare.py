@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Steps (a) to (f) of the paper's section 5.3 in CVXPY with Clarabel: every facet at every node, bisection on T.
 
-One compiled problem serves all times of a set: with derivatives measured in steps of h = T / samples the dynamics
-do not depend on T, which enters as powers of 1/h only (CVXPY parameters under the DPP rules).
+One compiled problem serves all times of a set: with derivatives measured in steps of h = T / samples, the dynamics do not
+depend on T, which appears as powers of 1/h only (CVXPY parameters under the DPP rules).
 """
 
 import argparse
@@ -49,7 +49,7 @@ def hold_root(samples):
 
 
 class Effort:
-    """What it took, summed over solves: count, iterations, and the solver's own seconds."""
+    """Effort summed over solves: their number, iterations, and the seconds that the solver reports."""
 
     def __init__(self):
         self.solves = self.iterations = 0
@@ -58,7 +58,7 @@ class Effort:
     def add(self, stats, elapsed):
         self.solves += 1
         self.iterations += stats.num_iters
-        # A solver that is updated in place counts its first setup into every later time; the clock does not.
+        # A solver that is updated in place includes its first setup in every later time; this clock does not.
         self.seconds += min(stats.solve_time, elapsed)
 
 
@@ -80,7 +80,7 @@ class Planner:
         self.x, self.y = cp.Variable((SNAP + 1, k + 1)), cp.Variable((SNAP + 1, k + 1))
         self.z, self.yaw = cp.Variable((ACCELERATION + 1, k + 1)), cp.Variable((ACCELERATION + 1, k + 1))
         overshoot = cp.Variable()
-        # Powers of 1/h and the objective's weights: all that depends on the total time.
+        # Powers of 1/h and the weights of the objective: everything that depends on the total time.
         self.per_h2, self.per_h4 = cp.Parameter(nonneg=True), cp.Parameter(nonneg=True)
         self.snap_weight, self.acceleration_weight = cp.Parameter(nonneg=True), cp.Parameter(nonneg=True)
 
@@ -145,7 +145,7 @@ class Planner:
         return self._solve(self.feasibility, total) <= FEASIBLE
 
     def shortest(self, low, high):
-        """A feasible total time at most RESOLUTION above an infeasible one; `low` is known to be infeasible."""
+        """A feasible total time, at most RESOLUTION above an infeasible one; `low` is known to be infeasible."""
         while not self.feasible(high):
             low, high = high, 1.5 * high
             if high > LONGEST:
@@ -156,7 +156,7 @@ class Planner:
         return low, high
 
     def plan(self, total):
-        """The best plan at one total time, or None where there is none; each time is solved once."""
+        """The best plan at one total time, or None if there is none; each time is solved once."""
         if total not in self.plans:
             self.plans[total] = None
             value = self._solve(self.optimum, total)
@@ -168,7 +168,7 @@ class Planner:
 
 
 def excess(plan, facets, healthy):
-    """(nodes, N): how far each node lies beyond each facet, as a share of the healthy set's width."""
+    """(nodes, N): the violation of each facet at each node, as a share of the healthy set's width."""
     normals, offsets = facets
     width = np.abs(normals @ healthy).sum(axis=1)
     return (plan.wrench @ normals.T - offsets) / width

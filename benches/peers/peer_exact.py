@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Plans in the exact model by mavc and by the same algorithm in CVXPY with Clarabel, at fixed mission times.
 
-Both plans are then judged alike, by code that knows neither: cost (48) and the wrench from the derivatives at the
-nodes, on a grid of --parts instants an interval, against the facets of scipy's convex hull. Exit code 1 where mavc's
-plan is not what its table says (wrench or objective), or where either passes a facet by more than 1e-4 of its width.
+The same independent code judges both plans: it computes cost (48) and the wrench from the derivatives at the nodes, on a
+grid of --parts instants for each interval, and compares the wrench with the facets of scipy's convex hull. Exit code 1 if
+mavc's plan differs from its table (wrench or objective), or if either plan violates a facet by more than 1e-4 of its width.
 """
 
 import argparse
@@ -32,7 +32,7 @@ SAME = 1e-6  # relative
 
 @dataclass
 class Result:
-    """A plan, (nodes, 5, 4) at times, and what it took."""
+    """A plan, (nodes, 5, 4) at times, and its effort."""
 
     who: str
     nodes: np.ndarray
@@ -73,7 +73,7 @@ def mavc_plan(options, case, total):
 
 
 def peer_plan(case, facets, total):
-    """The peer's plan, or None where it finds none."""
+    """The peer's plan, or None if it finds none."""
     effort, begin, user = Steps(), time.perf_counter(), time.process_time()
     planner = Successive(case, facets, case.samples, effort)
     motion = planner.shortest() if total is None else planner.plan(total)
@@ -88,7 +88,7 @@ def peer_plan(case, facets, total):
 
 @dataclass
 class Judged:
-    """Cost (48), the largest excess over a facet (widths) and (68) (g), the largest distance to a waypoint (m)."""
+    """Cost (48), the largest violation of a facet (widths) and of (68) (g), the largest distance to a waypoint (m)."""
 
     cost: float
     excess: float
@@ -114,7 +114,7 @@ def judge(case, facets, plan, parts):
 
 
 def rows(case, facets, total, options):
-    """Prints what both make of one time; words on what is wrong."""
+    """Prints the results of both at one time; returns what is wrong, in words."""
     plan, wrench, objective = mavc_plan(options, case, total)
     words = []
     at_nodes = taylor(plan.nodes, plan.times, np.array([0.0, 1.0]))

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""One quadcopter flight in RotorPy and in mavc: a circle of 1 m in 5 s a round, 20 s, geometric controller.
+"""One quadcopter flight in RotorPy and in mavc: a circle of 1 m at 5 s for each round, 20 s, geometric controller.
 
-RotorPy: its Hummingbird with SE3Control, scipy's RK45 inside each step, at 100 and 500 steps a second; Python's start and
-imports are left out. mavc: `simulate` of circle.mav, Runge-Kutta steps of fourth order at 1 kHz, controller at 500 Hz, gyroscope
-and position noise, capacities estimated; its flight alone as `--timings` gives it, the same with a log of 500 rows a second
-as text, and the whole process with planning and log. RotorPy keeps its states in arrays. The models differ in detail (RotorPy has blade drag, mavc an estimator): what is compared is the price of such
-a flight, and that both track it.
+RotorPy: its Hummingbird with SE3Control, scipy's RK45 inside each step, at 100 and 500 steps per second; the start of Python
+and imports are excluded. mavc: `simulate` of circle.mav, Runge-Kutta steps of fourth order at 1 kHz, controller at 500 Hz,
+gyroscope and position noise, estimated capacities. Its times are those of the flight alone as `--timings` prints it, of the
+flight with a log of 500 rows per second as text, and of the whole process with planning and log. RotorPy keeps its states in
+arrays. The models differ in detail (RotorPy has blade drag, mavc an estimator). The comparison is of the time that such a flight
+takes, and of whether both track the circle.
 """
 
 import argparse
@@ -56,7 +57,7 @@ def rotorpy_flight(rate):
 
 
 def mavc_flight(binary, repeat):
-    """Least wall seconds of the flight, of the flight with its log, of the whole process; and the largest error (m)."""
+    """Least wall seconds of the flight, of the flight with its log, and of the whole process; the largest error (m)."""
     bare, logged, wholes = [], [], []
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "sim.json"

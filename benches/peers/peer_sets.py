@@ -42,7 +42,7 @@ def hull(generators):
 
 
 def wrench_scale(vehicle):
-    """(4,): what all rotors give together along each axis, so that scaled wrenches are of order one."""
+    """(4,): the sum of all rotors along each axis, so that scaled wrenches are of order one."""
     return np.abs(vehicle.generators()).sum(axis=1)
 
 
@@ -56,7 +56,7 @@ def admissible_set(vehicle, lost=(), reserve=0.0):
 
 
 def intersection(sets, inside):
-    """The facets that remain of several sets: vertices of the polar dual about the point `inside` of all."""
+    """The facets of the intersection of several sets: vertices of the polar dual about a point `inside` of all."""
     normals = np.vstack([n for n, _ in sets])
     offsets = np.concatenate([e for _, e in sets])
     _, group = np.unique(np.round(normals, 6) + 0.0, axis=0, return_inverse=True)

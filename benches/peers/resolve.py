@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Re-solves exported problems with independent solvers and compares what they say.
+"""Solves exported problems again with independent solvers and compares the results.
 
 Reads the JSON of `mavc emit qp --format json` (P the upper triangle, q, constant, A, b, cones), or free MPS with
-QUADOBJ, which goes through HiGHS's own reader. Exit code 1 where verdicts or objectives differ.
+QUADOBJ, which HiGHS reads itself. Exit code 1 if verdicts or objectives differ.
 """
 
 import argparse
@@ -32,7 +32,7 @@ def matrix(fields, name):
 
 
 def read_json(text, name):
-    """The Problem in an export; `name` stands in error messages."""
+    """The Problem in an export; `name` is used in error messages."""
     try:
         fields = json.loads(text)
         upper, A = matrix(fields["P"], f"{name}: P"), matrix(fields["A"], f"{name}: A")
@@ -57,7 +57,7 @@ def read_json(text, name):
 
 
 def resolve(problem, names, trials=1):
-    """One record per solver: verdict, objective, how far rows are missed, seconds (the least of the trials)."""
+    """One record per solver: verdict, objective, largest violation of a row, seconds (the least of the trials)."""
     records = []
     for name in names:
         try:
@@ -78,7 +78,7 @@ def resolve(problem, names, trials=1):
 
 
 def resolve_mps(path):
-    """The same for an MPS file; the objective is worked out again from the model that HiGHS read."""
+    """The same for an MPS file; the objective is computed again from the model that HiGHS read."""
     import highspy
 
     solver = quiet_highs()
@@ -101,9 +101,9 @@ def resolve_mps(path):
 
 
 def disagreements(records, expected=None, tolerance=1e-5):
-    """What contradicts the expected objective, or without one the first verdict, in words.
+    """What contradicts the expected objective, or the first verdict if there is none, in words.
 
-    Objectives may differ by the tolerance, relative where they exceed one, and by as much as rows are missed.
+    Objectives may differ by the tolerance, relative if they exceed one, and by the violation of rows.
     """
     verdicts = [r for r in records if r["status"] in ("solved", "infeasible")]
     if not verdicts:

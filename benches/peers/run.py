@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""One table from one run: mavc beside its peers, ratio by ratio, and whether both find the same numbers.
+"""One table from one run: the times of mavc and its peers, their ratios, and whether both find the same numbers.
 
-mavc's times are whole processes (the least of --repeat runs); the peers' exclude starting Python and its imports.
-Exit code 1 where mavc and a peer disagree about a number; a missed ratio does not fail the run.
+mavc's times are those of whole processes (the least of --repeat runs); the peers' times exclude the start of Python and
+imports. Exit code 1 if mavc and a peer disagree about a number; a missed ratio does not fail the run.
 """
 
 import argparse
@@ -28,7 +28,7 @@ MEGABYTES = 300  # resident, case 3
 
 @dataclass
 class Finished:
-    """A process that ended well: wall and user time in s, resident memory in MB, what it printed."""
+    """A successful process: wall and user time in s, resident memory in MB, its output."""
 
     seconds: float
     user_seconds: float
@@ -39,7 +39,7 @@ class Finished:
 
 
 def parse_timings(text):
-    """Seconds by name from lines such as `admissible sets  1.25 ms`; other lines are passed over."""
+    """Seconds by name from lines such as `admissible sets  1.25 ms`; other lines are ignored."""
     pattern = re.compile(r"^\s*(\S.*?)[\s:=]+([0-9.]+(?:e-?\d+)?)\s*(ns|us|µs|ms|s)\b", re.MULTILINE)
     return {name: float(value) * UNITS[unit] for name, value, unit in pattern.findall(text)}
 
@@ -70,13 +70,13 @@ def run(command, repeat=1):
 
 
 class Table:
-    """Rows of peer, mavc, ratio and what is asked for."""
+    """Rows of peer, mavc, ratio and required ratio."""
 
     def __init__(self):
         self.rows, self.differences = [], []
 
     def add(self, what, peer, mavc, target, at_least=True, unit="s"):
-        """A ratio: peer / mavc that should be at least the target, or mavc / peer at most."""
+        """Adds a ratio: peer / mavc, required to be at least the target, or mavc / peer, at most the target."""
         if mavc is None:
             self.rows.append((what, f"{peer:.4g} {unit}", "not reported", "", f"{target:g}", ""))
             return
@@ -87,7 +87,7 @@ class Table:
         self.rows.append((what, *cells))
 
     def agree(self, what, words):
-        """A comparison of numbers: `words` says what differs, empty where nothing does."""
+        """Adds a comparison of numbers; `words` lists the differences and is empty if there are none."""
         self.rows.append((what, "", "", "", "", "DIFFERS" if words else "agrees"))
         self.differences += [f"{what}: {line}" for line in words]
 
@@ -102,7 +102,7 @@ class Table:
 
 
 def named(timings, *words):
-    """The time whose name contains one of the words, tried in order; None where there is none."""
+    """The time whose name contains one of the words, tried in order; None if there is none."""
     for word in words:
         for name, seconds in timings.items():
             if word in name.lower():
@@ -138,7 +138,7 @@ def case_rows(table, name, options):
 
 
 def bare_rsp(peer, spec, options):
-    """Seconds of one solve of the full-row RSP at its own time: mavc's export where it gives one, else the peer's."""
+    """Seconds of one solve of RSP with all rows at its own time: of mavc's export if there is one, else of the peer."""
     time_s = peer["planners"]["rsp"]["time_s"]
     fallback = peer["planners"]["rsp"]["own"]["solver_seconds"]
     try:
@@ -173,7 +173,7 @@ def times_that_differ(peer, planners):
 
 
 def objectives_that_differ(case, planners, tolerance=1e-4):
-    """RIP and the RCPs again at mavc's own common time, by the peer."""
+    """Plans RIP and the RCPs again by the peer, at the common time of mavc."""
     healthy, sets, joint = planning_sets(case)
     known = {"rip": healthy, "rcp all": joint} | {f"rcp {name}": facets for name, facets in sets.items()}
     words = []
@@ -189,7 +189,7 @@ def objectives_that_differ(case, planners, tolerance=1e-4):
 
 
 def export_rows(table, name, options):
-    """The spec's exported problem at a time well above its shortest, by four other solvers."""
+    """Solves the exported problem of a spec at a time well above its shortest, by four other solvers."""
     spec = str(options.specs / f"{name}.mav")
     command = [options.mavc, "emit", "qp", spec, "--format", "json", "--set", f"plan.time={options.export_time}"]
     records = resolve(read_json(run(command).out, "mavc emit qp"), ["clarabel", "ecos", "scs", "piqp"])

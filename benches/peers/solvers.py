@@ -1,7 +1,7 @@
 """Independent solvers behind one signature: Problem -> (status, x or None).
 
-"solved" and "infeasible" are verdicts; any other status is the solver's own word for having none.
-Solvers that know linear rows only stand in tangent planes for second-order cones, more until none is passed.
+"solved" and "infeasible" are verdicts; any other status is the solver's own word for having no verdict. For solvers with
+linear rows only, tangent planes replace second-order cones; planes are added until no cone is violated.
 """
 
 import math
@@ -38,7 +38,7 @@ class Problem:
         return [(int(end) - n, int(end)) for (kind, n), end in zip(self.cones, ends) if kind == wanted]
 
     def part(self, *kinds):
-        """A and b of all rows of these kinds, kind after kind."""
+        """A and b of all rows of the given kinds, one kind after the other."""
         pick = [np.arange(i, j) for kind in kinds for i, j in self.spans(kind)]
         pick = np.concatenate(pick) if pick else np.array([], dtype=int)
         return self.A[pick], self.b[pick]
@@ -47,7 +47,7 @@ class Problem:
         return [j - i for i, j in self.spans("second_order")]
 
     def violation(self, x):
-        """How far b - A x lies outside its cones."""
+        """The largest violation of the cones by b - A x."""
         s = self.b - self.A @ x
         worst = [np.abs(s[i:j]).max() for i, j in self.spans("zero")]
         worst += [-s[i:j].min() for i, j in self.spans("nonnegative")]
@@ -118,7 +118,7 @@ def square_root(P):
 
 
 def by_tangents(solver):
-    """Makes a solver of linear rows, called as solver(problem, G, h) with G x <= h, fit for cones."""
+    """Extends a solver of linear rows, called as solver(problem, G, h) with G x <= h, to cones."""
 
     def solve(p):
         G, h = ([m] for m in p.part("nonnegative"))

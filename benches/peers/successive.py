@@ -1,8 +1,8 @@
-"""Plans under the exact wrench by successive convexification, step by step as docs/method.md section 12 has it.
+"""Plans in the exact model by sequential convex programming, with the steps of docs/method.md, section 12.
 
-One compiled problem serves all steps and times of a grid: rows and squares of curvature stand in slots, a number of
-them on each interval whose coefficients they may couple, and what stands there are parameters. Where an interval runs
-out of slots the problem is compiled anew with more.
+One compiled problem serves all steps and times of a grid. Rows and squares of curvature are parameters in slots; each interval
+has a number of slots, whose rows may couple its coefficients. If an interval has too few slots, the problem is compiled again
+with more.
 """
 
 import math
@@ -37,7 +37,7 @@ TIME_GRID = 0.01  # s
 
 
 class Steps(Effort):
-    """Effort with the compilations that row generation costs."""
+    """Effort, with the compilations that row generation needs."""
 
     def __init__(self):
         super().__init__()
@@ -46,7 +46,7 @@ class Steps(Effort):
 
 
 class StepProgram:
-    """The convex program of one step, with so many slots for rows and for squares on each interval."""
+    """The convex program of one step, with the given numbers of slots for rows and for squares on each interval."""
 
     def __init__(self, grid, rows, squares):
         self.grid, self.capacity = grid, (rows, squares)
@@ -89,7 +89,7 @@ def windows_of(counts):
 
 
 def fill(parameter, factors):
-    """Sets a sparse parameter, one row of factors a slot."""
+    """Sets a sparse parameter, with one row of factors for each slot."""
     where = parameter.value_sparse.coords
     parameter.value_sparse = sp.coo_array((factors.ravel(), where), parameter.shape)
 
@@ -109,7 +109,7 @@ def meet(grid, c):
 
 
 def cost(grid, c, weights):
-    """(48) but for a constant."""
+    """Cost (48) up to a constant."""
     snap, acceleration, waypoint = weights
     distance = cp.quad_form(c, (grid.meet.T @ grid.meet).tocsc(), assume_PSD=True)
     distance -= 2 * (grid.meet.T @ grid.targets) @ c
@@ -131,10 +131,10 @@ class Successive:
         self.program = None
         self.first_program = None
 
-    # What a motion passes.
+    # Violations of a trajectory.
 
     def excesses(self, motion, parts=PARTS):
-        """(instants, facets + 1): the last column is (68)."""
+        """The violations (instants, facets + 1); the last column is that of (68)."""
         flat = self.grid.flat(motion, parts)
         with np.errstate(all="ignore"):
             beyond = flatness.wrench(self.case.vehicle, flat) @ self.normals.T - self.offsets + self.bends
@@ -143,7 +143,7 @@ class Successive:
         return np.where(np.isnan(found), np.inf, found)
 
     def excess_by(self, motion, pool):
-        """At the nodes and the pool's instants; where nothing is passed there, at all."""
+        """The largest violation at the nodes and in the working set; if there is none, at all instants."""
         excesses = self.excesses(motion)
         known = pool.any(axis=1)
         known[::PARTS] = True
@@ -154,7 +154,7 @@ class Successive:
         return np.zeros((self.grid.instants(), len(self.offsets) + 1), dtype=bool)
 
     def rows_between(self, motion):
-        """Each row that is passed within an interval, where it is passed most."""
+        """Each row that is violated inside an interval, at the instant of its largest violation."""
         inner = self.excesses(motion)[:-1].reshape(self.grid.samples, PARTS, -1)[:, 1:]
         worst = inner.argmax(axis=1)
         interval, row = np.nonzero(inner.max(axis=1) > 0)
@@ -165,7 +165,7 @@ class Successive:
     # One program.
 
     def smooth(self, total):
-        """The cheapest motion through the waypoints that knows no set."""
+        """The minimum-snap initial guess: the cheapest trajectory through the waypoints without any set."""
         if self.first_program is None:
             c = cp.Variable(self.grid.variables)
             weights = [cp.Parameter(nonneg=True) for _ in range(3)]
@@ -191,8 +191,8 @@ class Successive:
         return problem.status == cp.OPTIMAL
 
     def step(self, motion, pool, *, proximity, penalty, smoothing):
-        """The program about a motion: its coefficients and sigma, or None without a verdict. Rows at nodes that the
-        motion is near to join the pool."""
+        """Solves the program linearised about an iterate: its coefficients and sigma, or None without a verdict. Rows at nodes
+        that the iterate is near to join the working set."""
         grid, h = self.grid, motion.total / self.grid.samples
         excesses = self.excesses(motion)
         pool[::PARTS] |= excesses[::PARTS] > -NEAR
@@ -234,10 +234,10 @@ class Successive:
         return program.c.value.copy(), max(float(program.sigma.value), 0.0)
 
     def with_slots(self, need):
-        """The compiled problem if it has the slots, else another one with some to spare."""
+        """The compiled problem if it has enough slots, else a new one with some to spare."""
         if self.program is None or any((n > c).any() for n, c in zip(need, self.program.capacity)):
             before = self.program.capacity if self.program else [np.full(self.grid.samples, 2)] * 2
-            # What binds moves on to the intervals beside it.
+            # Binding rows also enter the neighbouring intervals.
             wider = [np.maximum(c, 2 * maximum_filter1d(n, 7) + 2) for n, c in zip(need, before)]
             self.program = StepProgram(self.grid, *wider)
         return self.program
@@ -255,7 +255,7 @@ class Successive:
         program.turn_from.value = root * psi
 
     def curvature(self, flat, h):
-        """Squares |factor . (d' - d)|^2 / 2 of the Lagrangian's convex part: instants, factors by window, constants."""
+        """Squares |factor . (d' - d)|^2 / 2 of the convex part of the Lagrangian: instants, factors by window, constants."""
         at = np.array(sorted(self.multipliers), dtype=int)
         if not len(at):
             return at, np.zeros((0, WINDOW)), np.zeros(0)
@@ -271,10 +271,10 @@ class Successive:
         by_window = np.einsum("ri,riw->rw", factors, self.grid.flat_of_windows(instants, h))
         return instants, by_window, np.einsum("ri,ri->r", factors, flat[instants])
 
-    # Sequences at one time.
+    # Sequences of steps at one time.
 
     def restore(self, motion, pool):
-        """Steps towards the least excess; the motion inside at every instant, or None."""
+        """The feasibility phase: steps that reduce the violation; a trajectory without violation at all instants, or None."""
         proximity, history = RESTORING, []
         self.multipliers = {}
         excess = self.excess_by(motion, pool)
@@ -304,7 +304,7 @@ class Successive:
         return motion
 
     def settle(self, motion, care, pool):
-        """Steps towards the least cost, from a motion inside to the cheapest one met inside."""
+        """The cost phase: steps that reduce the cost; the cheapest trajectory without violation that was met."""
         proximity, penalty = SETTLING, PENALTY
         best, cheapest = motion, self.grid.cost(motion)
         at, excess = motion, 0.0
@@ -346,7 +346,7 @@ class Successive:
         return best
 
     def kept(self, motion, care, pool):
-        """Settled, with more kept free of rows that are passed between the instants; None where that does not end."""
+        """The cost phase, with tightened rows for those violated between the instants; None if this does not converge."""
         motion = self.settle(motion, care, pool)
         for _ in range(MOST_BENDS):
             over = self.excesses(motion, PARTS * FINER)[:, :-1].max(axis=0) - self.bends
@@ -362,7 +362,7 @@ class Successive:
     # Times.
 
     def timed(self, motion):
-        """The motion about as fast as stays inside at the nodes."""
+        """The trajectory at about the shortest time without violation at the nodes."""
 
         def inside(factor):
             return self.excesses(slower(motion, factor), 1).max() <= 0
@@ -400,7 +400,7 @@ class Successive:
         return motion
 
     def first(self, near):
-        """A first motion inside the set, about as fast as `near`, found on a coarse grid."""
+        """A first trajectory inside the set, about as fast as `near`, found on a coarse grid."""
         legs = len(self.case.waypoints_m) - 1
         coarse = max(5 * legs, 60)
         if self.grid.samples % coarse:
@@ -456,7 +456,7 @@ class Successive:
 
 
 def put(intervals, capacity):
-    """The slot of each entry, entries of an interval one after the other; intervals ascend."""
+    """The slot of each entry; entries are in the order of their intervals."""
     begin = np.cumsum(capacity) - capacity
     first = np.searchsorted(intervals, intervals)
     return begin[intervals] + np.arange(len(intervals)) - first
@@ -477,7 +477,7 @@ def towards(motion, coefficients, share):
 
 
 def guess(case):
-    """A time to begin from: legs flown at half of gravity, one half speeding up and one slowing down."""
+    """An initial guess of the time: each leg accelerates at half of gravity for one half and brakes for the other."""
     lengths = np.linalg.norm(np.diff(case.waypoints_m, axis=0), axis=1)
     return max((2 * np.sqrt(lengths / (0.5 * GRAVITY))).sum(), 1.0)
 

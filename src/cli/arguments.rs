@@ -6,67 +6,82 @@ use crate::verify::cost::Budget;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  success
+  1  the spec has errors
+  2  wrong usage, or a file cannot be read or written
+  3  proved infeasible, or a mode that the plan must tolerate cannot hover
+  4  no plan was found, or none was attempted
+  5  the certificate is rejected
+  6  the simulated vehicle is lost
+  7  the certificate is accepted, but proves less than the spec requires
+  8  checking the certificate would exceed the budget
+  9  the integration of a simulated flight diverged
+
+SPEC may be `-` for standard input.";
+
 #[derive(Parser)]
 #[command(
     name = "mavc",
     version,
     long_version = include_str!(concat!(env!("OUT_DIR"), "/version.txt")),
-    about = "Checks a one-page multirotor spec, says which rotor faults it survives and by what margin, and plans the mission",
-    after_help = "Exit codes: 0 fine; 1 the spec has errors; 2 usage or files; 3 proved infeasible, or a mode the plan\nmust tolerate cannot hover; 4 not found; 5 the certificate is rejected; 6 the simulated vehicle is lost;\n7 the certificate is true but weaker than the spec asks; 8 deciding it would exceed the budget; 9 the integration of a flight broke down. SPEC may be `-` for standard input."
+    about = "Checks a one-page spec of a multirotor mission, analyses which rotor faults the vehicle tolerates, and plans the mission",
+    after_help = EXIT_CODES
 )]
 pub(super) struct Cli {
     #[command(subcommand)]
     pub command: Command,
-    /// Keep results and errors only: no warnings or advice (but of `check`), no progress, no notes such as where a file went
+    /// Print results and errors only: no progress, no notes, and no warnings (except in `check`)
     #[arg(short, long, global = true)]
     pub quiet: bool,
-    /// Print what each stage took, on standard error
+    /// Print the time of each stage to standard error
     #[arg(long, global = true)]
     pub timings: bool,
 }
 
 #[derive(Subcommand)]
 pub(super) enum Command {
-    /// Find every mistake in specs, and the fault modes that the plan must stand but cannot
+    /// Check specs: every mistake, and the fault modes that the plan must tolerate but cannot
     Check(CheckArgs),
-    /// Say for every fault mode what is left: verdict, margins, critical mass, headroom
+    /// Analyse what each fault mode leaves: verdict, margins, heaviest mass, headroom
     Analyze(AnalyzeArgs),
     /// Plan the mission and write the trajectory
     Plan(PlanArgs),
-    /// Run RIP, RCP and RSP side by side
+    /// Plan with RIP, RCP and RSP, and compare the plans
     Compare(CompareArgs),
-    /// Check a certificate that `plan --certificate` wrote, without the planner
+    /// Check a certificate written by `plan --certificate`, without the planner
     Verify(VerifyArgs),
-    /// Plan the mission and fly it, with the spec's faults in flight
+    /// Plan the mission, then simulate a flight with the faults of the spec
     Simulate(SimulateArgs),
-    /// Fly every planner's plan with every fault mode, at many instants and with many noise seeds
+    /// Simulate flights of every planner's plan with every fault mode, at many instants and with many noise seeds
     Campaign(CampaignArgs),
-    /// Lay specs out in the one way: indentation, blanks, columns
+    /// Format specs: indentation, spaces, columns
     Fmt(FmtArgs),
-    /// Print what one stage of the compiler makes of the spec
+    /// Print the output of one stage of the compiler
     Emit(EmitArgs),
-    /// Write a commented spec that plans as it stands
+    /// Write a commented spec that can be planned as it is
     New {
-        /// The file to write, which must not exist, or `-` for standard output
+        /// The file to write, which must not exist yet, or `-` for standard output
         file: PathBuf,
     },
-    /// Serve an editor over standard input and output (Language Server Protocol)
+    /// Run the language server, over standard input and output
     #[cfg(feature = "lsp")]
     Lsp {
-        /// Said by some editors; there is no other way
+        /// Accepted because some editors pass it; there is no other transport
         #[arg(long, hide = true)]
         stdio: bool,
     },
-    /// Explain a diagnostic's code
+    /// Explain the code of a diagnostic, or list codes
     Explain {
-        /// Such as mavc::unit::mismatch; without one, all codes are listed with what they mean
+        /// A code such as mavc::unit::mismatch, or a part of one; without it, all codes are listed
         code: Option<String>,
     },
-    /// Print what a shell needs to complete mavc's commands and options
+    /// Print a completion script for a shell
     Completions { shell: clap_complete::Shell },
-    /// Print mavc's manual page, or write a page for each command into a folder
+    /// Print the manual page, or write a page for each command into a folder
     Man {
-        /// A folder that exists, such as ~/.local/share/man/man1
+        /// The folder, such as ~/.local/share/man/man1; it is created if it is missing
         folder: Option<PathBuf>,
     },
 }
@@ -76,7 +91,7 @@ pub(super) struct SpecArgs {
     /// The spec, or `-` for standard input
     #[arg(value_hint = clap::ValueHint::FilePath)]
     pub spec: String,
-    /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
+    /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
     #[arg(long = "set", value_name = "FIELD=VALUE", value_hint = clap::ValueHint::Other)]
     pub set: Vec<String>,
 }
@@ -86,16 +101,16 @@ pub(super) struct CheckArgs {
     /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input
     #[arg(required = true, value_name = "SPEC")]
     pub specs: Vec<String>,
-    /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
+    /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
     #[arg(long = "set", value_name = "FIELD=VALUE", value_hint = clap::ValueHint::Other)]
     pub set: Vec<String>,
-    /// How problems are printed
+    /// Print diagnostics for people, on one line each, or as JSON
     #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
     pub format: CheckFormat,
-    /// Treat warnings as errors
+    /// Treat warnings as errors: exit code 1
     #[arg(long, value_name = "warnings", value_enum)]
     pub deny: Option<Deny>,
-    /// Print every default that filled in for something not written
+    /// Print every default that applies because the spec leaves a field out
     #[arg(long)]
     pub explain_defaults: bool,
     /// Check again whenever a file that was read changes, until Ctrl-C
@@ -125,9 +140,10 @@ pub(super) enum Format {
 pub(super) struct AnalyzeArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
+    /// Print tables for people, or JSON
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
-    /// Vary a field of the vehicle, gravity or a `let` and print where verdicts flip: mass=1.5..2.5kg
+    /// Vary a field of the vehicle, gravity or a `let`, and print where verdicts change: mass=1.5..2.5kg
     #[arg(long, value_name = "FIELD=LOW..HIGH", value_hint = clap::ValueHint::Other)]
     pub sweep: Option<String>,
 }
@@ -136,35 +152,35 @@ pub(super) struct AnalyzeArgs {
 pub(super) struct PlanArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// Where the trajectory goes (CSV); `-` for standard output
+    /// Write the trajectory (CSV) to this file; `-` for standard output
     #[arg(short, long, value_name = "TRAJ.CSV")]
     pub output: Option<PathBuf>,
-    /// Where the report goes (JSON); `-` for standard output, without the one for people
+    /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "REPORT.JSON")]
     pub report: Option<PathBuf>,
-    /// Rows of the trajectory at a fixed rate, such as 100Hz, in place of one for each node: the last at or just after the
-    /// plan's end, where it keeps its last state; waypoints are marked at the nearest row
+    /// Write rows at a fixed rate, such as 100Hz, instead of one for each node. The last row is at the end of the plan or just
+    /// after it, with the last state; each waypoint is marked in the row nearest to it
     #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     pub rate: Option<String>,
-    /// Where the certificate goes (JSON), for `mavc verify`
+    /// Write a certificate (JSON) for `mavc verify` to this file
     #[arg(long, value_name = "CERT.JSON")]
     pub certificate: Option<PathBuf>,
-    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    /// Write the report as one HTML page with charts, which needs no network
     #[arg(long, value_name = "REPORT.HTML")]
     pub html: Option<PathBuf>,
-    /// A folder for the charts as SVG files, for papers; it is made where it is missing
+    /// Write the charts as SVG files into this folder, which is created if it is missing
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
 }
 
 #[derive(Args)]
 pub(super) struct VerifyArgs {
-    /// The certificate
+    /// The certificate, or `-` for standard input
     #[arg(value_name = "CERT.JSON")]
     pub certificate: PathBuf,
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// What deciding it may cost at most; more work may also prove more between the nodes
+    /// Limit the time and memory of the check; a larger budget may also prove more between the nodes
     #[arg(long, value_name = "10s,500MB", value_parser = verify::parse_budget)]
     pub budget: Option<Budget>,
 }
@@ -173,16 +189,16 @@ pub(super) struct VerifyArgs {
 pub(super) struct CompareArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// Where the report goes (JSON); `-` for standard output, without the one for people
+    /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "REPORT.JSON")]
     pub report: Option<PathBuf>,
-    /// Also compare numbers of rounds of selection at T_d, such as 0..5
+    /// Also compare numbers of rounds of selection at the common time T_d, such as 0..5
     #[arg(long, value_name = "FIRST..LAST", value_hint = clap::ValueHint::Other)]
     pub rounds: Option<String>,
-    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    /// Write the report as one HTML page with charts, which needs no network
     #[arg(long, value_name = "REPORT.HTML")]
     pub html: Option<PathBuf>,
-    /// A folder for the charts as SVG files, for papers; it is made where it is missing
+    /// Write the charts as SVG files into this folder, which is created if it is missing
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
 }
@@ -191,37 +207,38 @@ pub(super) struct CompareArgs {
 pub(super) struct SimulateArgs {
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// Where the flight log goes (CSV); `-` for standard output
+    /// Write the flight log (CSV) to this file; `-` for standard output
     #[arg(short, long, value_name = "FLIGHT.CSV")]
     pub output: Option<PathBuf>,
-    /// Where the report goes (JSON); `-` for standard output, without the one for people
+    /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "REPORT.JSON")]
     pub report: Option<PathBuf>,
-    /// Rows of the log, such as 100Hz; at most as often as the controller acts
+    /// Write rows of the log at this rate, such as 100Hz; at most the rate of the controller
     #[arg(long, value_name = "RATE", value_hint = clap::ValueHint::Other)]
     pub rate: Option<String>,
-    /// Where the page goes (HTML): one file with charts, for a browser without a network
+    /// Write the report as one HTML page with charts, which needs no network
     #[arg(long, value_name = "REPORT.HTML")]
     pub html: Option<PathBuf>,
 }
 
 #[derive(Args)]
 pub(super) struct FmtArgs {
-    /// Specs, folders with specs (`*.mav`, at any depth), or `-` for standard input to standard output
+    /// Specs, folders with specs (`*.mav`, at any depth), or `-` to format standard input to standard output
     #[arg(required = true, value_name = "SPEC")]
     pub specs: Vec<String>,
-    /// Write nothing: list the files that would change and end with 1 if there are any
+    /// Write nothing; list the files that would change, and exit with 1 if there are any
     #[arg(long)]
     pub check: bool,
 }
 
 #[derive(Args)]
 pub(super) struct EmitArgs {
+    /// The stage whose output is printed
     #[arg(value_enum)]
     pub stage: Stage,
     #[command(flatten)]
     pub spec: SpecArgs,
-    /// For `qp`: text, json (P, q, A, b, cones, row origins) or free MPS
+    /// The format of `qp`: text, json (P, q, A, b, cones, origins of rows) or free MPS, which has no cones
     #[arg(long, value_enum, default_value_t = EmitFormat::Text)]
     pub format: EmitFormat,
 }
@@ -243,8 +260,8 @@ pub(super) enum Stage {
     Actuation,
     /// The admissible set of every mode
     Sets,
-    /// The rows the planner imposes on the wrench
+    /// The rows that the planner imposes on the wrench
     Constraints,
-    /// The convex program
+    /// The convex program of the hover model, at the time of the plan
     Qp,
 }

@@ -1,4 +1,4 @@
-//! `mavc compare`: every planner, side by side.
+//! `mavc compare`: runs every planner, side by side.
 
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
@@ -18,11 +18,11 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
         ..Names::default()
     })?;
     let watch = Watch::new(options);
-    let (spec, mut told) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
-    places.spare(&told)?;
-    let task = match told.start(spec.as_ref(), Task::to_compare, options) {
+    let (spec, mut findings) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
+    places.spare(&findings)?;
+    let task = match findings.start(spec.as_ref(), Task::to_compare, options) {
         Start::Task(task) => task,
-        Start::Refused => return places.refuse(spec.as_ref(), &told, options),
+        Start::Refused => return places.refuse(spec.as_ref(), &findings, options),
         Start::Ended(code) => return Ok(code),
     };
     let mut comparison = task.compare(&watch);
@@ -31,7 +31,7 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     let record = task.comparison_report(&comparison, rounds.as_deref());
     let mut results = Results::new(&places);
     results.report(&record)?;
-    results.page(|| page::plans(Kind::Compare, &subject(&task, &told.diagnostics), &comparison, &record));
+    results.page(|| page::plans(Kind::Compare, &subject(&task, &findings.diagnostics), &comparison, &record));
     results.print(&comparison_text::compare(model, mission, &comparison, results.are_coloured()))?;
     if let Some(rounds) = &rounds {
         results.print(&comparison_text::rounds(model, mission, &comparison, rounds))?;
@@ -42,13 +42,13 @@ pub fn run(args: &CompareArgs, options: &Options) -> Result<u8, Problem> {
     Ok(plan::code(comparison.verdict(model, mission)))
 }
 
-/// `0..5` or `3`, both ends included.
+/// Reads `0..5` or `3`; both ends are included.
 fn parse_rounds(text: &str) -> Result<(usize, usize), Problem> {
     let (first, last) = text.split_once("..").unwrap_or((text, text));
     let whole = |t: &str| t.trim().parse::<usize>().ok().filter(|n| *n <= MAX_ROUNDS);
     match (whole(first), whole(last)) {
         (Some(a), Some(b)) if a <= b => Ok((a, b)),
-        (Some(_), Some(_)) => Err(format!("--rounds {text}: the first number is the smaller one, as in 0..5")),
+        (Some(_), Some(_)) => Err(format!("--rounds {text}: the first number must be the smaller one, as in 0..5")),
         _ => Err(format!("--rounds {text}: write whole numbers up to {MAX_ROUNDS}, such as 0..5")),
     }
 }

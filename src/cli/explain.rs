@@ -1,8 +1,9 @@
+//! `mavc explain`: prints the page of a diagnostic code, or lists codes.
+
 use super::{FINE, Problem, USAGE, files};
 use crate::diagnostic::{codes, nearest};
 use crate::source::visible;
 
-/// `mavc explain`
 pub fn run(code: Option<&str>) -> Result<u8, Problem> {
     let Some(code) = code else {
         files::print(&listed(codes::all()))?;
@@ -16,7 +17,7 @@ pub fn run(code: Option<&str>) -> Result<u8, Problem> {
     let found = if kind.is_empty() { by_part(code) } else { kind };
     match found[..] {
         [] => {
-            files::tell(&format!("mavc: {}\n", unknown(&visible::line(code))));
+            files::eprint(&format!("mavc: {}\n", unknown(&visible::line(code))));
             Ok(USAGE)
         }
         [only] => files::print(&whole(only)).map(|()| FINE),
@@ -24,32 +25,32 @@ pub fn run(code: Option<&str>) -> Result<u8, Problem> {
     }
 }
 
-/// A page under its code.
+/// A page below its code.
 fn whole(page: &codes::CodePage) -> String {
     format!("{}\n\n{}\n", page.code, page.page.trim())
 }
 
-/// The codes that have this in them.
+/// The codes that contain `part`.
 fn by_part(part: &str) -> Vec<&'static codes::CodePage> {
     let part = part.trim().trim_matches(':').to_lowercase().replace(['-', ' '], "_");
     codes::all().iter().filter(|page| !part.is_empty() && page.code.contains(&part)).collect()
 }
 
-/// The codes whose middle word this is, with or without the first.
+/// The codes whose middle word is `kind`, given with or without `mavc::`.
 fn of_kind(kind: &str) -> impl Iterator<Item = &'static codes::CodePage> {
     let kind = kind.trim().trim_end_matches("::");
     let within = format!("mavc::{}::", kind.strip_prefix("mavc::").unwrap_or(kind).to_lowercase());
     codes::all().iter().filter(move |page| page.code.starts_with(&within))
 }
 
-/// One line a code, its title beside it.
+/// One line for each code, with its title.
 fn listed<'p>(pages: impl IntoIterator<Item = &'p codes::CodePage>) -> String {
     let pages: Vec<_> = pages.into_iter().collect();
     let width = pages.iter().map(|page| page.code.len()).max().unwrap_or(0);
     pages.iter().map(|page| format!("{:<width$}  {}\n", page.code, page.title)).collect()
 }
 
-/// What to ask for instead of `code`: the nearest, by the whole or by its last word.
+/// The message about an unknown code, with the nearest one, by the whole code or by its last word.
 fn unknown(code: &str) -> String {
     let word = code.to_lowercase().replace(['-', ' '], "_");
     let written = if word.starts_with("mavc::") { word.clone() } else { format!("mavc::{word}") };

@@ -1,4 +1,4 @@
-//! Reading specs, and what is told on standard output and standard error.
+//! Reading specs, and printing to standard output and standard error.
 
 use super::Problem;
 use crate::input::{Kind, at_most, open_regular, read_named};
@@ -6,15 +6,15 @@ use crate::source::visible;
 use std::io::{Error, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
-/// The bytes of a spec or a certificate, at most one more than `most`; `-` is standard input. A name that ends as a spec's
-/// is held to what `use` is held to: somebody else may have put a link or a pipe there. Any other name is that of a stream
-/// or a file that the user means, `/dev/fd/63` among them.
+/// The bytes of a spec or a certificate, at most one more than `most`; `-` is standard input. A name that ends in `.mav` is
+/// read by the rules of `use`, because somebody else may have put a link or a pipe there. Any other name is read as it is:
+/// the user means that stream or file, such as `/dev/fd/63`.
 pub fn read_spec(name: &str, most: usize) -> Result<Vec<u8>, Problem> {
     let path = Path::new(name);
     let result = if name == "-" {
         at_most(std::io::stdin().lock(), most)
     } else if Kind::of(path) == Some(Kind::Spec) {
-        // Past its limit a spec is an error of the spec, told with a code.
+        // A spec above its limit of size is an error in the spec, reported with a code.
         match read_named(path) {
             Err(e) if e.kind() == ErrorKind::FileTooLarge => open_regular(path).and_then(|file| at_most(file, most)),
             read => read,
@@ -47,52 +47,52 @@ pub fn reason(e: &Error) -> String {
     }
 }
 
-/// Prints to standard output what is there to be read: disguises of others are shown as escapes.
+/// Prints a text for people to standard output, disguised characters as escapes.
 pub fn print(text: &str) -> Result<(), Problem> {
     print_as_it_is(&visible::text(text))
 }
 
-/// The same where mavc itself paints with colours ([`crate::report::heat`]): these escapes stay.
+/// As [`print()`], and keeps the colours that mavc paints with ([`crate::report::heat`]).
 pub fn print_painted(text: &str) -> Result<(), Problem> {
     print_as_it_is(&painted(text))
 }
 
-/// Prints a result, byte by byte as a file would get it; only on a terminal are disguises shown as escapes.
+/// Prints a result with the bytes that a file would get; on a terminal disguised characters are shown as escapes.
 pub fn print_result(text: &str) -> Result<(), Problem> {
     if std::io::stdout().is_terminal() {
         return print(text);
     }
     let mut stream = std::io::stdout().lock();
-    told(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
+    written(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
 }
 
-/// Prints what is free of disguises with the colours and links that belong there.
+/// Prints a text without disguised characters, with its colours and links.
 pub fn print_as_it_is(text: &str) -> Result<(), Problem> {
     let mut stream = anstream::stdout().lock();
-    told(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
+    written(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
 }
 
-/// Whether standard output took what was printed; a reader that has gone away is no error.
-pub fn told(outcome: std::io::Result<()>) -> Result<(), Problem> {
+/// Whether standard output took the text; a reader that has gone away is not an error.
+pub fn written(outcome: std::io::Result<()>) -> Result<(), Problem> {
     unless_gone(outcome).map_err(|e| format!("cannot write to standard output: {}", reason(&e)))
 }
 
-/// A reader that has gone away has seen all that it wanted.
+/// Ignores that the reader has gone away: it has seen all that it wanted.
 pub fn unless_gone(outcome: std::io::Result<()>) -> std::io::Result<()> {
     outcome.or_else(|e| if e.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(e) })
 }
 
-/// Tells something on standard error; where that fails, nobody is left to be told. Disguises are shown as escapes.
-pub fn tell(text: &str) {
-    tell_as_it_is(&visible::text(text));
+/// Prints to standard error, disguised characters as escapes. Failures are ignored: there is no other place to report them.
+pub fn eprint(text: &str) {
+    eprint_as_it_is(&visible::text(text));
 }
 
 /// As [`print_painted`], on standard error.
-pub fn tell_painted(text: &str) {
-    tell_as_it_is(&painted(text));
+pub fn eprint_painted(text: &str) {
+    eprint_as_it_is(&painted(text));
 }
 
-/// The text with all disguises as escapes, except for the colours of one mavc paints with.
+/// The text with disguised characters as escapes, except for the colours that mavc paints with.
 fn painted(text: &str) -> String {
     let mut pieces = text.split('\u{1b}');
     let mut out = visible::text(pieces.next().unwrap_or_default()).into_owned();
@@ -105,8 +105,8 @@ fn painted(text: &str) -> String {
     out
 }
 
-/// Tells on standard error what is free of disguises, with the colours and links that belong there.
-pub fn tell_as_it_is(text: &str) {
+/// As [`print_as_it_is()`], on standard error.
+pub fn eprint_as_it_is(text: &str) {
     let _ = anstream::stderr().write_all(text.as_bytes());
 }
 

@@ -1,17 +1,17 @@
-//! Links from codes to their pages, in terminals that show them.
+//! Links from diagnostic codes to their pages, in terminals that show links.
 
 use super::spec::colored;
 use std::io::IsTerminal;
 use std::path::Path;
 
-/// Says where the documentation is, as an address of its folder; empty for no links.
+/// The environment variable with the address of the documentation's folder; empty for no links.
 const VARIABLE: &str = "MAVC_DOCS_URL";
 
-/// The address of the documentation's folder, if codes that are printed on `stream` shall lead there: what [`VARIABLE`]
-/// says, or else the checkout that this mavc was built from, if it is still on this machine and the reader sits at it. Never
-/// where the stream is no terminal, whatever the environment asks for.
+/// The address of the documentation's folder, if codes printed on `stream` shall link there: the value of [`VARIABLE`], or
+/// else the checkout that this mavc was built from, if it is still on this machine and the reader is at it. `None` if the
+/// stream is not a terminal, whatever the environment says.
 pub fn docs(stream: &impl IsTerminal) -> Option<String> {
-    // Without colour escapes are taken out, links among them.
+    // Without colour all escapes are removed, and links are escapes.
     if !colored(stream) || !supports_hyperlinks::supports_hyperlinks() {
         return None;
     }
@@ -27,7 +27,7 @@ fn checkout(docs: &Path) -> Option<String> {
     let plain = |b: u8| b.is_ascii_alphanumeric() || b"/-._~".contains(&b);
     let encoded: String =
         path.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect();
-    // Paths that begin with a drive's letter have to be told from a host.
+    // A drive letter must not be read as a host.
     Some(format!("file://{}{encoded}", if path.starts_with('/') { "" } else { "/" }))
 }
 

@@ -1,4 +1,4 @@
-//! `mavc plan`
+//! `mavc plan`: plans the mission and writes the results.
 
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
@@ -22,11 +22,11 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         charts: args.svg.as_deref(),
     })?;
     let watch = Watch::new(options);
-    let (spec, mut told) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
-    places.spare(&told)?;
-    let task = match told.start(spec.as_ref(), Task::new, options) {
+    let (spec, mut findings) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
+    places.spare(&findings)?;
+    let task = match findings.start(spec.as_ref(), Task::new, options) {
         Start::Task(task) => task,
-        Start::Refused => return places.refuse(spec.as_ref(), &told, options),
+        Start::Refused => return places.refuse(spec.as_ref(), &findings, options),
         Start::Ended(code) => return Ok(code),
     };
     let planning = task.plan(&watch);
@@ -36,7 +36,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         watch.begins("making the certificate");
         match timed(&watch, "certify", || certify(task.spec(), &planning)) {
             Ok(certificate) => results.certificate(&certificate)?,
-            Err(why) => files::tell(&format!("mavc: no certificate is written: {why}\n")),
+            Err(why) => files::eprint(&format!("mavc: no certificate was written: {why}\n")),
         }
     }
     let between = planning.between(&task, &watch);
@@ -47,7 +47,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         }
         let record = task.report(&planning, &explained, between.clone());
         results.report(&record)?;
-        let shown: Vec<Diagnostic> = told.diagnostics.iter().chain(&conflict).cloned().collect();
+        let shown: Vec<Diagnostic> = findings.diagnostics.iter().chain(&conflict).cloned().collect();
         let comparison = planning.comparison();
         results.page(|| page::plans(Kind::Plan, &subject(&task, &shown), comparison, &record));
         let text = task.text(&planning, &explained, between.as_deref(), results.are_coloured());
@@ -55,9 +55,9 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         results.charts(&subject(&task, &[]), comparison)?;
         results.write()?;
         results.print_beside(&text);
-        conflict.iter().for_each(|why| told.tell_also(why));
+        conflict.iter().for_each(|why| findings.eprint_also(why));
         match (planning.plan(), &args.output) {
-            (Some(_), None) => results.hint("\nNo trajectory was written: say where with -o traj.csv\n", options)?,
+            (Some(_), None) => results.hint("\nNo trajectory was written: name a file with -o traj.csv\n", options)?,
             (Some(_), Some(path)) => results.note("\nTrajectory", Some(path), options)?,
             (None, _) => {}
         }

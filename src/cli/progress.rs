@@ -1,5 +1,5 @@
-//! Progress: which planner and mission time, how many flights and how long they still take. On interactive terminals a
-//! line that changes; elsewhere plain lines on standard error, few and late.
+//! Progress: the planner and mission time being tried, or the number of flights and the time left. On a terminal it is one
+//! line that changes; elsewhere plain lines on standard error, at most one every ten seconds.
 
 mod lines;
 
@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Where progress is shown.
+/// The form in which progress is shown.
 enum Shown {
     Bar(ProgressBar),
     Lines(Lines),
@@ -42,11 +42,11 @@ impl Shown {
     }
 }
 
-/// Follows a run: progress while something is done, and with `--timings` what each stage took.
+/// Follows a run: shows progress, and with `--timings` prints the time of each stage.
 pub struct Watch {
     quiet: bool,
     timings: bool,
-    /// While something is done.
+    /// `None` between stages.
     shown: Mutex<Option<Shown>>,
 }
 
@@ -72,7 +72,7 @@ impl Observer for Watch {
         };
         match self.shown().get_or_insert_with(|| Shown::new(self.quiet, bar)) {
             Shown::Bar(bar) => bar.set_message(what.to_string()),
-            Shown::Lines(lines) => lines.tell(what.to_string()),
+            Shown::Lines(lines) => lines.update(what.to_string()),
             Shown::Nowhere => {}
         }
     }
@@ -86,7 +86,7 @@ impl Observer for Watch {
             shown.done();
         }
         if self.timings {
-            files::tell(&format!("{stage:<10} {:>9.2} ms\n", took.as_secs_f64() * 1e3));
+            files::eprint(&format!("{stage:<10} {:>9.2} ms\n", took.as_secs_f64() * 1e3));
         }
     }
 
@@ -102,7 +102,7 @@ impl Observer for Watch {
         };
         let milliseconds = effort.time.as_secs_f64() * 1e3;
         let line = format!("{milliseconds:>9.2} ms in {solves} solves, {iterations} iterations{starts}");
-        files::tell(&format!("{:<10} {line}\n", "  solver"));
+        files::eprint(&format!("{:<10} {line}\n", "  solver"));
     }
 
     fn flown(&self, flight: &Flight, took: Duration, is_recorded: bool) {
@@ -111,22 +111,22 @@ impl Observer for Watch {
             let with_log = if is_recorded { ", with its log" } else { "" };
             let pace = number((flight.end / seconds).round());
             let step = number((1e9 * seconds / flight.steps.max(1) as f64).round());
-            files::tell(&format!("{:<10} {pace:>9} simulated seconds a second, {step} ns a step{with_log}\n", ""));
+            files::eprint(&format!("{:<10} {pace:>9} simulated seconds a second, {step} ns a step{with_log}\n", ""));
         }
     }
 
     fn asked(&self, variants: Option<usize>, effort: &Effort) {
         if self.timings {
-            let variants = variants.map_or(String::new(), |n| format!("{n} questions, "));
-            files::tell(&format!("{:<10} {variants}{} solves\n", "  solver", effort.solves));
+            let variants = variants.map_or(String::new(), |n| format!("{n} variants, "));
+            files::eprint(&format!("{:<10} {variants}{} solves\n", "  solver", effort.solves));
         }
     }
 }
 
-/// Of flights.
+/// The progress of flights.
 pub struct Flights {
     shown: Shown,
-    /// Flights that were there.
+    /// Flights that an earlier run has flown.
     before: usize,
     done: AtomicUsize,
     all: usize,
@@ -134,14 +134,14 @@ pub struct Flights {
 }
 
 impl Flights {
-    /// `done` of `all` are there already; they do not count towards the speed.
+    /// An earlier run has flown `done` of `all`; they do not count towards the speed.
     pub fn new(options: &Options, done: usize, all: usize) -> Self {
         let begin = Instant::now();
         let bar = || {
             let bar = ProgressBar::new(all as u64).with_position(done as u64);
             let template = "{wide_bar} {human_pos}/{human_len} flights{pace}";
             if let Ok(style) = ProgressStyle::with_template(template) {
-                // Of indicatif's own the rows that were there before would be part.
+                // The speed that indicatif computes would include the flights of the earlier run.
                 let pace = move |state: &ProgressState, out: &mut dyn Write| {
                     let _ = out.write_str(&pace(done, state.pos() as usize, all, begin.elapsed()));
                 };
@@ -159,7 +159,7 @@ impl Flights {
             Shown::Bar(bar) => bar.inc(flights as u64),
             Shown::Lines(lines) => {
                 let pace = pace(self.before, done, self.all, self.begin.elapsed());
-                lines.tell(format!("{done} of {} flights{pace}", self.all));
+                lines.update(format!("{done} of {} flights{pace}", self.all));
             }
             Shown::Nowhere => {}
         }
@@ -170,8 +170,8 @@ impl Flights {
     }
 }
 
-/// `, 130 a second, 12 s left`, by the flights of this run alone: `before` of the `done` were there. Nothing before the
-/// first.
+/// `, 130 a second, 12 s left`, from the flights of this run alone: an earlier run flew `before` of the `done`. Empty until
+/// this run has flown one.
 fn pace(before: usize, done: usize, all: usize, elapsed: Duration) -> String {
     let (flown, seconds) = (done.saturating_sub(before), elapsed.as_secs_f64());
     if flown == 0 || seconds <= 0.0 {
@@ -193,6 +193,6 @@ mod tests {
         assert_eq!(pace(0, 1_000, 4_000, ten), ", 100 a second, 30 seconds left");
         assert_eq!(pace(900_000, 901_000, 904_000, ten), pace(0, 1_000, 4_000, ten));
         assert_eq!(pace(10, 25, 40, ten), ", 1.5 a second, 10 seconds left");
-        assert_eq!(pace(900, 900, 1_000, ten), "", "nothing is known yet");
+        assert_eq!(pace(900, 900, 1_000, ten), "", "no flight of this run yet");
     }
 }

@@ -1,7 +1,7 @@
-//! The results of a run: each has a place of its own, standard output takes one of them or the text for people, and files
+//! The results of a run. Each goes to a place of its own; standard output takes one of them or the text for people; files
 //! appear together.
 
-use super::spec::{Told, colored};
+use super::spec::{Findings, colored};
 use super::target::{Target, cannot_write, write};
 use super::{NO_PLAN, Options, Problem, files, plan};
 use crate::diagnostic::Diagnostic;
@@ -15,7 +15,7 @@ use serde::Serialize;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// The names that the arguments give.
+/// The names of the results, as given on the command line.
 #[derive(Default)]
 pub struct Names<'a> {
     pub table: Option<&'a Path>,
@@ -26,7 +26,7 @@ pub struct Names<'a> {
     pub charts: Option<&'a Path>,
 }
 
-/// Where the results of one run go: apart from each other.
+/// The places that the results of one run go to, all different.
 pub struct Places<'a> {
     names: Names<'a>,
     pub table: Option<Target>,
@@ -36,14 +36,14 @@ pub struct Places<'a> {
 }
 
 impl<'a> Places<'a> {
-    /// Finds every place, before minutes of work. Two results do not go to one.
+    /// Finds every place before minutes of work, and refuses one place for two results.
     pub fn new(names: Names<'a>) -> Result<Self, Problem> {
         let target = |name: Option<&Path>| name.map(Target::new).transpose();
         let (table, report) = (target(names.table)?, target(names.report)?);
         if let (Some(a), Some(b)) = (&table, &report)
             && a.is_same(b)
         {
-            return Err("the trajectory and the report would go to one place: give -o and --report two names".into());
+            return Err("-o and --report name the same place: give them different names".into());
         }
         let (certificate, page) = (target(names.certificate)?, target(names.page)?);
         apart("the certificate", "--certificate", &certificate, &[&table, &report])?;
@@ -56,21 +56,21 @@ impl<'a> Places<'a> {
         [&self.table, &self.report, &self.certificate, &self.page].into_iter().flatten()
     }
 
-    /// Refuses places where a result would replace a file of the spec.
-    pub fn spare(&self, told: &Told) -> Result<(), Problem> {
-        let read = || told.files.sources.iter().map(|(_, source)| source.name.as_str());
+    /// Refuses places at which a result would replace a file of the spec.
+    pub fn spare(&self, findings: &Findings) -> Result<(), Problem> {
+        let read = || findings.files.sources.iter().map(|(_, source)| source.name.as_str());
         self.all().try_for_each(|target| target.must_spare(read()))
     }
 
-    /// A mode cannot be tolerated: the report says that nothing was planned.
-    pub fn refuse(&self, spec: Option<&Spec>, told: &Told, options: &Options) -> Result<u8, Problem> {
+    /// Writes the report of a mission that was not planned, because a mode that the plan must tolerate cannot hover.
+    pub fn refuse(&self, spec: Option<&Spec>, findings: &Findings, options: &Options) -> Result<u8, Problem> {
         let Some(spec) = spec else { return Ok(NO_PLAN) };
         let record = Record::refused(spec.model(), spec.sha256().into());
         let mut results = Results::new(self);
         results.report(&record)?;
         if let Some(mission) = spec.mission() {
             let subject =
-                Subject { model: spec.model(), mission, sources: spec.sources(), diagnostics: &told.diagnostics };
+                Subject { model: spec.model(), mission, sources: spec.sources(), diagnostics: &findings.diagnostics };
             results.page(|| page::refused(&subject, &record));
         }
         results.write()?;
@@ -78,19 +78,19 @@ impl<'a> Places<'a> {
         Ok(NO_PLAN)
     }
 
-    /// There is no plan to fly: the report is that of the plan.
+    /// Writes the report of the outcome of planning, because there is no plan to fly.
     pub fn report_no_flight(
         &self,
         task: &Task,
         planning: &Planning,
-        told: &Told,
+        findings: &Findings,
         options: &Options,
     ) -> Result<u8, Problem> {
         let comparison = planning.comparison();
         let record = task.report(planning, &Explained::default(), None);
         let mut results = Results::new(self);
         results.report(&record)?;
-        results.page(|| page::plans(Kind::Plan, &subject(task, &told.diagnostics), comparison, &record));
+        results.page(|| page::plans(Kind::Plan, &subject(task, &findings.diagnostics), comparison, &record));
         results.print(&task.text(planning, &Explained::default(), None, results.are_coloured()))?;
         results.print("\nNo flight was simulated because there is no plan. Run `mavc plan` for details.\n")?;
         results.write()?;
@@ -99,7 +99,7 @@ impl<'a> Places<'a> {
     }
 }
 
-/// What one run gives, until it is written.
+/// The results of one run, collected until they are written.
 pub struct Results<'p> {
     places: &'p Places<'p>,
     made: Vec<(&'p Target, String)>,
@@ -131,8 +131,8 @@ impl<'p> Results<'p> {
         self.made.extend(self.places.page.as_ref().map(|target| (target, make())));
     }
 
-    /// Draws the charts for a folder, which is made where it is missing. None goes where a file is read or another result
-    /// goes.
+    /// Draws the charts into a folder, which is created if it is missing. A chart replaces neither a file that is read nor
+    /// another result.
     pub fn charts(&mut self, subject: &Subject, comparison: &Comparison) -> Result<(), Problem> {
         let Some(folder) = self.places.names.charts else { return Ok(()) };
         std::fs::create_dir_all(folder).map_err(|e| cannot_write(folder, &e))?;
@@ -143,7 +143,7 @@ impl<'p> Results<'p> {
             match self.places.all().any(|other| target.is_same(other)) {
                 true => {
                     let shown = target.shown();
-                    Err(format!("a chart and another result would go to {shown}: give --svg its own folder"))
+                    Err(format!("a chart and another result have the same place {shown}: give --svg its own folder"))
                 }
                 false => Ok((target, text)),
             }
@@ -152,19 +152,19 @@ impl<'p> Results<'p> {
         Ok(())
     }
 
-    /// Whether standard output takes a result: it then has it to itself, and the text goes to standard error.
+    /// Whether standard output takes a result. The text for people then goes to standard error.
     pub fn take_stdout(&self) -> bool {
         self.made.iter().any(|(target, _)| target.is_stdout())
     }
 
-    /// Writes everything; files appear together, or none does.
+    /// Writes everything: files appear together, or none does.
     pub fn write(&self) -> Result<(), Problem> {
         let made = self.made.iter().map(|(target, text)| (*target, text.as_str()));
         let charts = self.charts.iter().map(|(target, text)| (target, text.as_str()));
         write(&made.chain(charts).collect::<Vec<_>>())
     }
 
-    /// Whether the text for people is in colour.
+    /// Whether the text for people has colours.
     pub fn are_coloured(&self) -> bool {
         if self.take_stdout() { colored(&std::io::stderr()) } else { colored(&std::io::stdout()) }
     }
@@ -174,40 +174,40 @@ impl<'p> Results<'p> {
         if self.take_stdout() { Ok(()) } else { files::print_painted(text) }
     }
 
-    /// Prints the text for people on standard error where standard output takes a result, unless that is the report.
+    /// Prints the text for people to standard error if standard output takes a result other than the report.
     pub fn print_beside(&self, text: &str) {
         if self.take_stdout() && !self.places.report.as_ref().is_some_and(Target::is_stdout) {
-            files::tell_painted(text);
+            files::eprint_painted(text);
         }
     }
 
-    /// Prints what one may do next, beside the text for people.
+    /// Prints a hint at what to do next after the text for people, unless quiet.
     pub fn hint(&self, text: &str, options: &Options) -> Result<(), Problem> {
         if self.take_stdout() || options.quiet { Ok(()) } else { files::print(text) }
     }
 
-    /// Says where a result is, beside the text for people.
+    /// Prints where a result is, after the text for people, unless quiet.
     pub fn note(&self, what: &str, name: Option<&Path>, options: &Options) -> Result<(), Problem> {
         name.map_or(Ok(()), |name| self.hint(&format!("{what} written to {}\n", files::shown(name)), options))
     }
 
-    /// Says where page and charts are.
+    /// Prints where the page and the charts are.
     pub fn note_page(&self, options: &Options) -> Result<(), Problem> {
         self.note("Page", self.places.names.page, options)?;
         self.note("Figures", self.places.names.charts, options)
     }
 }
 
-/// Refuses one place for two results; `called` is this one, given by `option`.
+/// Refuses one place for two results. `called` is the result that `option` names.
 pub fn apart(called: &str, option: &str, result: &Option<Target>, others: &[&Option<Target>]) -> Result<(), Problem> {
     let Some(result) = result else { return Ok(()) };
     match others.iter().copied().flatten().any(|other| result.is_same(other)) {
-        true => Err(format!("{called} and another result would go to one place: give {option} its own name")),
+        true => Err(format!("{called} and another result have the same place: give {option} its own name")),
         false => Ok(()),
     }
 }
 
-/// Says early that no folder can be there: something else is, or is in its way.
+/// Refuses a folder that cannot be created because its name, or a part of it, is a file.
 fn is_folder(name: &Path) -> Result<(), Problem> {
     let there = name.ancestors().find(|a| a.as_os_str().is_empty() || a.symlink_metadata().is_ok());
     match there.filter(|a| !a.as_os_str().is_empty()) {
@@ -221,7 +221,13 @@ pub fn json(record: &impl Serialize) -> Result<String, Problem> {
     Ok(visible::json(text) + "\n")
 }
 
-/// What a page is about.
+/// As [`json`], on one line.
+pub fn compact_json(record: &impl Serialize) -> Result<String, Problem> {
+    let text = serde_json::to_string(record).map_err(|e| e.to_string())?;
+    Ok(visible::json(text) + "\n")
+}
+
+/// The subject of a page.
 pub fn subject<'a>(task: &Task<'a>, diagnostics: &'a [Diagnostic]) -> Subject<'a> {
     Subject { model: task.model(), mission: task.mission(), sources: task.spec().sources(), diagnostics }
 }

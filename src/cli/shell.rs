@@ -1,4 +1,4 @@
-//! What shells and `man` want to know of the command line; clap knows it.
+//! Completions for shells and manual pages, which clap generates from the arguments.
 
 use super::target::{Target, cannot_write, write};
 use super::{Cli, FINE, Problem, files};
@@ -11,7 +11,7 @@ use std::path::Path;
 
 /// `mavc completions`
 pub fn completions(shell: Shell) -> Result<u8, Problem> {
-    // Which code is none `explain` says better than clap: here alone is the list part of the command line.
+    // The list of codes is part of the arguments here only: `explain` reports an unknown code better than clap.
     let codes: PossibleValuesParser = codes::all().iter().map(|page| page.code).into();
     let mut command = Cli::command().mut_subcommand("explain", |c| c.mut_arg("code", |code| code.value_parser(codes)));
     let mut script = Vec::new();
@@ -25,21 +25,20 @@ pub fn completions(shell: Shell) -> Result<u8, Problem> {
     Ok(FINE)
 }
 
-/// The script of clap for bash offers every option at every place, and then no file: another function picks.
+/// clap's script for bash offers every option at every place and no files; the function in `words.bash` filters it.
 fn choosy(script: &str) -> String {
     let (functions, registration) = script.split_once("\nif [[ \"${BASH_VERSINFO").unwrap_or((script, ""));
     let registration = registration.replace("complete -F _mavc ", "complete -F _mavc_words ");
     format!("{functions}\n{}if [[ \"${{BASH_VERSINFO{registration}", include_str!("shell/words.bash"))
 }
 
-/// The script of clap for fish offers no values of arguments without a name.
+/// clap's script for fish offers no values for positional arguments.
 fn codes_for_fish() -> String {
     let codes: Vec<&str> = codes::all().iter().map(|page| page.code).collect();
     format!("complete -c mavc -n \"__fish_mavc_using_subcommand explain\" -f -a \"{}\"\n", codes.join(" "))
 }
 
-/// `mavc man`: the page of the whole on standard output, or that and one for each command in a folder, which is made where
-/// it is missing.
+/// `mavc man`: prints the page of mavc, or writes it and a page for each command into a folder, which is created if missing.
 pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
     let mut command = Cli::command().disable_help_subcommand(true);
     command.build();
@@ -55,12 +54,12 @@ pub fn man(folder: Option<&Path>) -> Result<u8, Problem> {
     Ok(FINE)
 }
 
-/// File name and text.
+/// The file name and the text of a command's page.
 fn page(command: &clap::Command) -> Result<(String, String), Problem> {
     let man = Man::new(command.clone());
     let mut text = Vec::new();
     man.render(&mut text).map_err(|e| format!("cannot write a manual page: {}", files::reason(&e)))?;
-    // The one thing said behind the options is what the exit codes mean.
+    // The text after the options is about exit codes.
     let text = String::from_utf8_lossy(&text).replace("\n.SH EXTRA\n", "\n.SH \"EXIT STATUS\"\n");
     Ok((man.get_filename(), text))
 }

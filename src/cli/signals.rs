@@ -1,12 +1,12 @@
-//! What is done when somebody ends the process: temporary files go, and a campaign says how to go on. Then the signal does
-//! what it does to any process, so that shells and schedulers see the truth. On other systems than Unix nothing is
-//! done, and the next run removes what is left.
+//! Handling of signals that end the process: temporary files are removed, and a campaign prints how to continue. Then the
+//! signal takes its default effect, so that shells and schedulers see why the process ended. On systems other than Unix
+//! signals are not handled, and the next run removes the files that are left.
 
 use super::files;
 use std::io::IsTerminal;
 use std::sync::{Mutex, PoisonError};
 
-/// What to say of the work that ends.
+/// The message about work that ends.
 type Farewell = Box<dyn Fn() -> String + Send>;
 
 static FAREWELL: Mutex<Option<Farewell>> = Mutex::new(None);
@@ -15,7 +15,7 @@ fn set(farewell: Option<Farewell>) {
     *FAREWELL.lock().unwrap_or_else(PoisonError::into_inner) = farewell;
 }
 
-/// As long as this lives, a signal that ends the process has a line printed first.
+/// While this value lives, a signal that ends the process prints a message first.
 pub struct Saying;
 
 impl Saying {
@@ -35,11 +35,11 @@ impl Drop for Saying {
 #[cfg(not(unix))]
 pub fn watch() {}
 
-/// Begins to watch for signals, once.
+/// Starts to watch for signals, once.
 #[cfg(unix)]
 pub fn watch() {
     static BEGUN: std::sync::Once = std::sync::Once::new();
-    // Where the system takes no handler, signals end the process at once, as they did.
+    // If the system accepts no handler, signals end the process at once, as without one.
     BEGUN.call_once(|| drop(unix::begin()));
 }
 
@@ -47,9 +47,9 @@ pub fn watch() {
 fn say() {
     let farewell = FAREWELL.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(farewell) = farewell.as_ref() {
-        // Progress may stand on the line.
+        // A line of progress may be on the screen.
         let above = if std::io::stderr().is_terminal() { "\n" } else { "" };
-        files::tell(&format!("{above}mavc: {}\n", farewell()));
+        files::eprint(&format!("{above}mavc: {}\n", farewell()));
     }
 }
 
@@ -64,14 +64,14 @@ mod unix {
     use std::sync::atomic::AtomicBool;
 
     pub fn begin() -> Result<()> {
-        // Past a limit on file sizes writing fails, as on a full disk, instead of ending the process.
+        // Beyond a limit on file sizes, writing fails as on a full disk instead of ending the process.
         register(libc::SIGXFSZ, Arc::default())?;
-        // What is ignored, as under `nohup`, stays so.
+        // A signal that is ignored, as under `nohup`, stays ignored.
         let ends = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| !is_ignored(*signal));
         let ends: Vec<i32> = ends.collect();
         let again = Arc::new(AtomicBool::new(false));
         for &signal in &ends {
-            // A second one ends the process even where the farewell finds no way out.
+            // A second signal ends the process even if the message cannot be printed.
             register_conditional_default(signal, again.clone())?;
             register(signal, again.clone())?;
         }

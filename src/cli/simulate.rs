@@ -1,4 +1,4 @@
-//! `mavc simulate`: plan, then fly.
+//! `mavc simulate`: plans the mission, then flies the plan.
 
 use super::progress::Watch;
 use super::results::{Names, Places, Results, subject};
@@ -19,24 +19,24 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
         ..Names::default()
     })?;
     let watch = Watch::new(options);
-    let (spec, mut told) = spec::read(&args.spec, FlightBlocks::Used, &watch)?;
-    places.spare(&told)?;
-    let task = match told.start(spec.as_ref(), Task::new, options) {
+    let (spec, mut findings) = spec::read(&args.spec, FlightBlocks::Used, &watch)?;
+    places.spare(&findings)?;
+    let task = match findings.start(spec.as_ref(), Task::new, options) {
         Start::Task(task) => task,
-        Start::Refused => return places.refuse(spec.as_ref(), &told, options),
+        Start::Refused => return places.refuse(spec.as_ref(), &findings, options),
         Start::Ended(code) => return Ok(code),
     };
     let planning = task.plan(&watch);
-    let Some(solved) = planning.plan() else { return places.report_no_flight(&task, &planning, &told, options) };
-    told.tell_new(departure(task.spec(), solved.time), options);
-    if told.has_errors() {
+    let Some(solved) = planning.plan() else { return places.report_no_flight(&task, &planning, &findings, options) };
+    findings.eprint_new(departure(task.spec(), solved.time), options);
+    if findings.has_errors() {
         return Ok(SPEC_ERRORS);
     }
     let model = task.model();
     let log = |_| Log::at(model, rate, longest(model, solved.time));
     let mut log = places.table.as_ref().map(log).transpose()?;
     if let Some(remark) = log.as_ref().and_then(|log| log.remark.as_ref()).filter(|_| !options.quiet) {
-        files::tell(&format!("mavc: {remark}\n"));
+        files::eprint(&format!("mavc: {remark}\n"));
     }
     let mut track = places.page.as_ref().map(|_| Track::along(model, &solved.trajectory));
     let is_recorded = log.is_some() || track.is_some();
@@ -53,7 +53,7 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     log.into_iter().for_each(|log| results.table(log.csv));
     results.report(&record)?;
     if let Some(track) = track {
-        results.page(|| page::flight(&subject(&task, &told.diagnostics), planning.comparison(), track, &record));
+        results.page(|| page::flight(&subject(&task, &findings.diagnostics), planning.comparison(), track, &record));
     }
     results.print(&text(&flown))?;
     results.write()?;

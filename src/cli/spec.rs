@@ -1,4 +1,4 @@
-//! Reading specs for commands, and telling what was found in them.
+//! Reading specs for commands, and printing the diagnostics found in them.
 
 use super::progress::Watch;
 use super::{Options, Problem, SPEC_ERRORS, SpecArgs, files, links};
@@ -12,22 +12,22 @@ use std::borrow::Cow;
 use std::io::IsTerminal;
 use std::sync::Arc;
 
-/// What is known about a spec that was read, beside the spec itself.
-pub struct Told {
+/// The files and diagnostics of a spec that was read.
+pub struct Findings {
     pub files: Arc<FileSet>,
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Whether a command can go on to plan.
+/// Whether a command can plan.
 pub enum Start<'s> {
     Task(Box<Task<'s>>),
-    /// A mode that the plan must tolerate leaves no hover: the report says that nothing was planned.
+    /// A mode that the plan must tolerate cannot hover: the report says that nothing was planned.
     Refused,
-    /// With this exit code.
+    /// The command ends with this exit code.
     Ended(u8),
 }
 
-/// The spec as messages call it.
+/// The spec's name in messages.
 pub fn name(spec: &str) -> &str {
     if spec == "-" { "<stdin>" } else { spec }
 }
@@ -41,37 +41,37 @@ fn compiler<'a>(args: &SpecArgs, watch: &'a Watch) -> Compiler<'a> {
     args.set.iter().fold(Compiler::new().observed_by(watch), Compiler::set)
 }
 
-/// Reads and parses: no spec yet, and no diagnostic that needs one.
-pub fn parse(args: &SpecArgs, watch: &Watch) -> Result<Told, Problem> {
+/// Reads and parses a spec, without the diagnostics of later stages.
+pub fn parse(args: &SpecArgs, watch: &Watch) -> Result<Findings, Problem> {
     let bytes = files::read_spec(&args.spec, MAX_FILE_BYTES)?;
     let Parsed { files, diagnostics, .. } = compiler(args, watch).parse(name(&args.spec), &bytes);
-    Ok(Told { files: Arc::new(files), diagnostics })
+    Ok(Findings { files: Arc::new(files), diagnostics })
 }
 
-/// Reads and compiles, for a command that may fly nothing. The spec is missing where it has errors.
-pub fn read(args: &SpecArgs, flights: FlightBlocks, watch: &Watch) -> Result<(Option<Spec>, Told), Problem> {
+/// Reads and compiles a spec; `flights` says whether the command flies. The spec is `None` if it has errors.
+pub fn read(args: &SpecArgs, flights: FlightBlocks, watch: &Watch) -> Result<(Option<Spec>, Findings), Problem> {
     let bytes = files::read_spec(&args.spec, MAX_FILE_BYTES)?;
     let compiler = match flights {
         FlightBlocks::Used => compiler(args, watch),
         FlightBlocks::Unused => compiler(args, watch).without_flights(),
     };
     let Compiled { spec, diagnostics, files } = compiler.text(name(&args.spec), &bytes);
-    Ok((spec, Told { files, diagnostics }))
+    Ok((spec, Findings { files, diagnostics }))
 }
 
-impl Told {
+impl Findings {
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
 
-    /// For people who read it on `stream`.
+    /// The diagnostics for people who read them on `stream`.
     pub fn human(&self, stream: &impl IsTerminal) -> String {
         human(&self.diagnostics, &self.files.sources, stream)
     }
 
-    /// Tells one more thing about the spec on standard error.
-    pub fn tell_also(&self, diagnostic: &Diagnostic) {
-        files::tell_as_it_is(&human(std::slice::from_ref(diagnostic), &self.files.sources, &std::io::stderr()));
+    /// Prints one more diagnostic to standard error.
+    pub fn eprint_also(&self, diagnostic: &Diagnostic) {
+        files::eprint_as_it_is(&human(std::slice::from_ref(diagnostic), &self.files.sources, &std::io::stderr()));
     }
 
     pub fn short(&self) -> String {
@@ -82,22 +82,22 @@ impl Told {
         self.diagnostics.iter().map(|d| to_json_line(d, &self.files.sources) + "\n").collect()
     }
 
-    /// Tells errors, and unless quiet everything else, on standard error.
-    pub fn tell(&mut self, options: &Options) {
+    /// Prints errors, and unless quiet all other diagnostics, to standard error.
+    pub fn eprint(&mut self, options: &Options) {
         if options.quiet {
             self.diagnostics.retain(|d| d.severity == Severity::Error);
         }
-        files::tell_as_it_is(&self.human(&std::io::stderr()));
+        files::eprint_as_it_is(&self.human(&std::io::stderr()));
     }
 
-    /// Tells what is new on standard error; what was told before is not repeated, and stays for the page.
-    pub fn tell_new(&mut self, found: Vec<Diagnostic>, options: &Options) {
+    /// Prints new diagnostics to standard error and adds them to those printed before, which the page shows too.
+    pub fn eprint_new(&mut self, found: Vec<Diagnostic>, options: &Options) {
         let earlier = std::mem::replace(&mut self.diagnostics, found);
-        self.tell(options);
+        self.eprint(options);
         self.diagnostics.splice(0..0, earlier);
     }
 
-    /// The task of a spec that was read, by [`Task::new`] or [`Task::to_compare`], once everything is told.
+    /// Makes the task of a spec by `prepare` ([`Task::new`] or [`Task::to_compare`]), and prints all diagnostics.
     pub fn start<'s>(
         &mut self,
         spec: Option<&'s Spec>,
@@ -111,7 +111,7 @@ impl Told {
         });
         self.diagnostics.extend_from_slice(remarks);
         sort(&mut self.diagnostics);
-        self.tell(options);
+        self.eprint(options);
         match prepared {
             Some(Ok(task)) => Start::Task(Box::new(task)),
             Some(Err(Refusal::Intolerable(_))) => Start::Refused,
@@ -120,7 +120,7 @@ impl Told {
     }
 }
 
-/// Columns that `COLUMNS` can ask for: each line is as wide as that in memory.
+/// The largest width taken from `COLUMNS`: each line takes as much memory.
 const MOST_COLUMNS: usize = 1000;
 
 /// Diagnostics for people who read them on `stream`.

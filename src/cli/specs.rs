@@ -1,4 +1,4 @@
-//! Several specs at once: files as named, folders searched for specs.
+//! Finding the specs that a command line names: files, and folders that are searched.
 
 use super::files::reason;
 use super::{Problem, usage};
@@ -7,28 +7,29 @@ use std::io::{Error, ErrorKind};
 use std::path::Path;
 use walkdir::{DirEntry, WalkDir};
 
-/// Entries of a folder that are looked at, at any depth: a link may lead to the whole disk.
+/// The most entries of a folder that are looked at, at any depth: a link may lead to the whole disk.
 const MOST_ENTRIES: usize = 200_000;
+/// Folders within folders that are searched.
 const DEPTH: usize = 64;
 
-/// What names lead to.
+/// The specs that names lead to.
 #[derive(Default)]
 pub struct Found {
     /// Every spec, each once: a file as it is named, a folder's `*.mav` in order of their paths.
     pub specs: Vec<String>,
-    /// What could not be looked at, or led nowhere.
+    /// Names and entries that cannot be read.
     pub problems: Vec<Problem>,
 }
 
 impl Found {
-    /// Tells the problems; the exit code that they call for.
-    pub fn tell(&self) -> u8 {
+    /// Prints the problems to standard error and returns their exit code.
+    pub fn eprint(&self) -> u8 {
         worst(self.problems.iter().map(usage))
     }
 }
 
-/// Every spec that the names lead to. Hidden files and folders of a folder are passed over, and so is what cannot be read
-/// in it. A name that leads nowhere is left for the reader to find, for a file may yet come.
+/// Finds every spec that the names lead to. Hidden files and folders within a folder are skipped, and so are entries that
+/// cannot be read. A name without a file is kept: reading it reports the error, and under `--watch` the file may yet appear.
 pub fn find(names: &[String]) -> Found {
     let mut found = Found::default();
     for name in names {
@@ -52,8 +53,7 @@ impl Found {
         let entries = WalkDir::new(folder).follow_links(true).max_depth(DEPTH).sort_by_file_name().into_iter();
         for (count, entry) in entries.filter_entry(|entry| !is_hidden(entry)).enumerate() {
             if count >= MOST_ENTRIES {
-                self.problems
-                    .push(format!("{folder} has more than {MOST_ENTRIES} entries; the others are not looked at"));
+                self.problems.push(format!("{folder} has more than {MOST_ENTRIES} entries; the rest is not searched"));
                 return;
             }
             match entry {
@@ -67,7 +67,7 @@ impl Found {
         if !is_spec(entry.path()) || entry.file_type().is_dir() {
             return;
         }
-        // As other specs name it: `base.mav`, not `./base.mav`.
+        // The form in which other specs name it: `base.mav`, not `./base.mav`.
         let path = entry.path().strip_prefix(".").unwrap_or(entry.path());
         match (entry.file_type().is_file(), path.to_str()) {
             (true, Some(name)) => self.specs.push(name.into()),
@@ -81,7 +81,7 @@ fn is_spec(path: &Path) -> bool {
     Kind::of(path) == Some(Kind::Spec)
 }
 
-/// What to say of an entry that cannot be looked at; nothing of hidden ones and of links to nowhere that no spec's name has.
+/// The message for an entry that cannot be read. Hidden entries have none, nor have dangling links without a spec's name.
 fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<Problem> {
     let path = error.path().unwrap_or(Path::new(folder));
     let name = path.file_name().unwrap_or_default();
@@ -94,7 +94,7 @@ fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<Problem> {
         _ if path.metadata().is_err_and(|error| error.kind() == ErrorKind::NotFound) => {
             "it is a link to a file that does not exist".into()
         }
-        // It may lead to itself.
+        // A link that leads to itself, for example.
         _ if is_dangling => "it is a link that cannot be followed".into(),
         (None, Some(error)) => reason(&Error::new(error.kind(), error.to_string())),
         (None, None) => error.to_string(),
@@ -102,7 +102,7 @@ fn bad_entry(folder: &str, error: &walkdir::Error) -> Option<Problem> {
     Some(format!("cannot read {}: {why}", path.display()))
 }
 
-/// Of the exit codes of several specs the worst: what could not be read, then errors, then modes that cannot hover.
+/// The worst exit code of several specs: files that cannot be read come first, then errors, then modes that cannot hover.
 pub fn worst(codes: impl IntoIterator<Item = u8>) -> u8 {
     let badness = |code: &u8| match *code {
         super::USAGE => u8::MAX,

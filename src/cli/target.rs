@@ -1,4 +1,4 @@
-//! Where results go: files whole or not at all, pipes, standard output.
+//! The place that a result goes to: a file, which appears whole or not at all; a pipe; or standard output.
 
 use super::Problem;
 use super::files::{print_result, reason, unless_gone};
@@ -8,7 +8,7 @@ use std::fs::{File, OpenOptions};
 use std::io::{Error, ErrorKind, Result as IoResult, Write};
 use std::path::{Path, PathBuf};
 
-/// Where one result goes.
+/// The place of one result.
 pub struct Target {
     /// As the user wrote it.
     name: PathBuf,
@@ -17,14 +17,14 @@ pub struct Target {
 
 enum Place {
     Stdout,
-    /// The file behind all links; it comes about whole, through a temporary neighbour and a rename.
+    /// The file behind all links; it appears whole, by a temporary file beside it and a rename.
     File(PathBuf),
-    /// A pipe or a device: it is opened and written, never replaced.
+    /// A pipe or a device, which is opened and written, never replaced.
     Stream,
 }
 
 impl Target {
-    /// Finds the place and says early that a result could not be written there, before minutes of work.
+    /// Finds the place, and fails before minutes of work if a result cannot be written there.
     pub fn new(name: &Path) -> Result<Target, Problem> {
         let place = if name.as_os_str() == "-" { Ok(Place::Stdout) } else { place(name) };
         let place = place.map_err(|e| cannot_write(name, &e))?;
@@ -40,8 +40,8 @@ impl Target {
         matches!(self.place, Place::Stdout)
     }
 
-    /// The place of a file that mavc names, in a folder that the user names: no link that lies there is followed, it gives
-    /// way as a file does.
+    /// The place of a file that mavc names, in a folder that the user names. A link of that name is not followed: the file
+    /// replaces it.
     pub fn within(folder: &Path, name: &str) -> Result<Target, Problem> {
         let path = folder.join(name);
         let cannot = |e: Error| cannot_write(&path, &e);
@@ -54,10 +54,10 @@ impl Target {
         Ok(Target { name: path, place })
     }
 
-    /// Refuses to write over something that is read, or where another result goes.
+    /// Refuses to replace a file that is read, or one that standard input or output is connected to.
     pub fn must_spare<'a>(&self, read: impl IntoIterator<Item = &'a str>) -> Result<(), Problem> {
         let Place::File(path) = &self.place else { return Ok(()) };
-        // What does not exist yet is none of the files that were read.
+        // A file that does not exist yet is not among the files that were read.
         let Some(own) = own_identity(path) else { return Ok(()) };
         let refuse = |what: &str| Err(format!("{} is {what}: write to another file", self.name.display()));
         let is_own = |name: &&str| {
@@ -74,7 +74,7 @@ impl Target {
         }
     }
 
-    /// The file that it is, behind all links; `None` for streams.
+    /// The file behind all links; `None` for streams.
     pub fn file(&self) -> Option<&Path> {
         match &self.place {
             Place::File(path) => Some(path),
@@ -82,7 +82,7 @@ impl Target {
         }
     }
 
-    /// Begins to write a result piece by piece.
+    /// Starts to write a result piece by piece.
     pub fn begin(&self) -> Result<Pieces<'_>, Problem> {
         let sink = match &self.place {
             Place::Stdout => Ok(Sink::Stream(Box::new(std::io::stdout()))),
@@ -93,7 +93,7 @@ impl Target {
         Ok(Pieces { name: &self.name, sink })
     }
 
-    /// Whether two results would end up in one place.
+    /// Whether two results have the same place.
     pub fn is_same(&self, other: &Target) -> bool {
         match (&self.place, &other.place) {
             (Place::Stdout, Place::Stdout) => true,
@@ -103,7 +103,7 @@ impl Target {
     }
 }
 
-/// A result that is written piece by piece: streams take each piece, a file appears whole once it is finished.
+/// A result that is written piece by piece: a stream takes each piece, a file appears whole once it is finished.
 pub struct Pieces<'a> {
     name: &'a Path,
     sink: Sink<'a>,
@@ -140,7 +140,7 @@ impl Pieces<'_> {
     }
 }
 
-/// Writes results. Files appear together, once each of them and all else could be written.
+/// Writes results. Files appear together, after each of them and everything else has been written.
 pub fn write(results: &[(&Target, &str)]) -> Result<(), Problem> {
     let mut whole = Vec::new();
     for (target, text) in results {
@@ -176,7 +176,7 @@ fn place(name: &Path) -> IoResult<Place> {
             checked(name.canonicalize()?)
         }
         Err(e) if e.kind() == ErrorKind::NotFound => {
-            // A link may lead to a file that is yet to be.
+            // A link may lead to a file that does not exist yet.
             let mut path = name.to_path_buf();
             while let Ok(next) = path.read_link() {
                 path = folder(&path).join(next);
@@ -190,7 +190,7 @@ fn place(name: &Path) -> IoResult<Place> {
     }
 }
 
-/// The folder takes a temporary file.
+/// Checks that the folder takes a temporary file.
 fn checked(path: PathBuf) -> IoResult<Place> {
     remove_stale(&path);
     Temporary::beside(&path)?;
@@ -205,15 +205,15 @@ fn beside(path: &Path, text: &str) -> IoResult<Temporary> {
     Ok(file)
 }
 
-/// The same, still empty.
+/// As [`beside`], still empty.
 fn prepared(path: &Path) -> IoResult<Temporary> {
     let file = Temporary::beside(path)?;
-    // A link lies only where a file of mavc's own naming goes; it has no say.
+    // Only a file that mavc names can be a link here ([`Target::within`]); its permissions do not count.
     if let Some(there) = path.symlink_metadata().ok().filter(std::fs::Metadata::is_file) {
         #[cfg(unix)]
         {
             use std::os::unix::fs::MetadataExt;
-            // Only the superuser may give files away; anybody else owns the new one.
+            // Only the superuser may change the owner; for anybody else the new file is their own.
             let _ = std::os::unix::fs::chown(file.path(), Some(there.uid()), Some(there.gid()));
         }
         std::fs::set_permissions(file.path(), there.permissions())?;
@@ -221,7 +221,7 @@ fn prepared(path: &Path) -> IoResult<Temporary> {
     Ok(file)
 }
 
-/// What tells files apart whatever their names.
+/// What identifies a file, whatever its name.
 #[cfg(unix)]
 type Identity = (u64, u64);
 #[cfg(not(unix))]
@@ -233,7 +233,7 @@ fn identity(path: &Path) -> Option<Identity> {
     path.metadata().ok().map(|there| (there.dev(), there.ino()))
 }
 
-/// That of the link itself, where there is one.
+/// The identity of the link itself, if it is one.
 #[cfg(unix)]
 fn own_identity(path: &Path) -> Option<Identity> {
     use std::os::unix::fs::MetadataExt;
@@ -252,7 +252,7 @@ fn own_identity(path: &Path) -> Option<Identity> {
     name.map_or_else(|| path.canonicalize().ok(), |name| Some(folder(path).canonicalize().ok()?.join(name)))
 }
 
-/// Files that standard input comes from and standard output goes to.
+/// The files that standard input and standard output are connected to.
 #[cfg(unix)]
 fn streams() -> [(&'static str, Option<Identity>); 2] {
     use std::os::fd::AsFd;

@@ -1,8 +1,8 @@
-//! Temporary files: one beside each result that is being written. None is left behind by a run that ends, also by a
-//! signal; what a killed run leaves is found and removed by the next run that writes the same result.
+//! Temporary files: one beside each result that is being written. A run that ends leaves none behind, even if a signal ends
+//! it. The files that a killed run leaves are removed by the next run that writes the same result.
 //!
-//! A temporary file is locked as long as its run lives, so that one without a lock is nobody's. Its name says which
-//! result it is for.
+//! A run locks its temporary files as long as it lives, so a file without a lock has no owner. The name of a temporary file
+//! tells which result it belongs to.
 
 use sha2::{Digest, Sha256};
 use std::fs::{File, TryLockError};
@@ -13,37 +13,37 @@ use tempfile::NamedTempFile;
 
 const PREFIX: &str = ".mavc-";
 
-/// Letters of a name that chance chooses.
+/// The random letters of a name.
 const LETTERS: usize = 8;
 
-/// Attempts at a file that no other run takes for a dead one's.
+/// Attempts to create a file that no other run removes as stale.
 const ATTEMPTS: usize = 16;
 
-/// The temporary files that there are. Whoever makes, renames or removes one holds the lock meanwhile.
+/// All temporary files of this run. Code that creates, renames or removes one holds the lock.
 static PRESENT: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 fn present() -> MutexGuard<'static, Vec<PathBuf>> {
-    // Paths are whole at any time.
+    // A panic cannot leave the list half changed.
     PRESENT.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A temporary file that goes when it is dropped, unless it has taken its place.
+/// A temporary file, removed when it is dropped unless it has become the result.
 pub struct Temporary {
-    /// `None` once it has taken its place.
+    /// `None` once it has become the result.
     file: Option<NamedTempFile>,
 }
 
 impl Temporary {
-    /// An empty one in the folder of `result`, which follows no link.
+    /// Creates an empty file in the folder of `result`.
     ///
     /// # Errors
-    /// Where the folder takes no files.
+    /// No file can be created in the folder.
     pub fn beside(result: &Path) -> Result<Temporary> {
         super::signals::watch();
         let mut builder = tempfile::Builder::new();
         let prefix = prefix(result);
         builder.prefix(&prefix).rand_bytes(LETTERS);
-        // Temporary files are private; results are as any new file is.
+        // Temporary files are private by default; a result has the permissions of any new file.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         for _ in 0..ATTEMPTS {
@@ -54,7 +54,7 @@ impl Temporary {
                 return Ok(Temporary { file: Some(file) });
             }
         }
-        Err(Error::other("its folder is being cleaned by another run"))
+        Err(Error::other("another run is cleaning its folder"))
     }
 
     fn inner(&self) -> &NamedTempFile {
@@ -69,7 +69,7 @@ impl Temporary {
         self.inner().as_file()
     }
 
-    /// Gives it the name of the result, in the place of what has it.
+    /// Renames it to the result, replacing a file of that name.
     pub fn persist(mut self, result: &Path) -> Result<()> {
         let Some(file) = self.file.take() else { return Ok(()) };
         let mut present = present();
@@ -85,14 +85,14 @@ impl Drop for Temporary {
         if let Some(file) = self.file.take() {
             let mut present = present();
             let path = file.path().to_path_buf();
-            // Nothing more can be done about one that does not go; the next run tries again.
+            // If it cannot be removed, the next run tries again.
             let _ = file.close();
             present.retain(|other| *other != path);
         }
     }
 }
 
-/// Removes all temporary files, for a process that ends now: none can be made any more.
+/// Removes all temporary files of a process that ends now. It keeps the lock, so that no more can be created.
 #[cfg(unix)]
 pub fn remove_all() {
     let present = present();
@@ -102,7 +102,7 @@ pub fn remove_all() {
     std::mem::forget(present);
 }
 
-/// Removes what killed runs have left of this result.
+/// Removes the temporary files of this result that killed runs have left.
 pub fn remove_stale(result: &Path) {
     let prefix = prefix(result);
     let is_of_result = |name: &str| {
@@ -113,13 +113,13 @@ pub fn remove_stale(result: &Path) {
     for entry in entries.filter(|entry| entry.file_name().to_str().is_some_and(is_of_result)) {
         if let Some(_locked) = crate::input::open_unfollowed(&entry.path()).ok().filter(|file| file.try_lock().is_ok())
         {
-            // While it is locked no other run can take it for its own.
+            // No other run can lock it meanwhile.
             let _ = std::fs::remove_file(entry.path());
         }
     }
 }
 
-/// `.mavc-`, what tells the result from others of its folder, and a dash.
+/// `.mavc-`, a hash of the result's name, and a dash.
 fn prefix(result: &Path) -> String {
     let name = result.file_name().unwrap_or_default();
     let hash = Sha256::digest(name.as_encoded_bytes());
@@ -127,11 +127,11 @@ fn prefix(result: &Path) -> String {
     format!("{PREFIX}{digits}-")
 }
 
-/// Locks a new file; false where another run has taken it for a dead one's meanwhile.
+/// Locks a new file; false if another run has removed it as stale meanwhile.
 fn is_own(file: &File) -> bool {
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => false,
-        // File systems that know no locks do without: there nothing stale is removed either.
+        // A file system may have no locks; stale files are not removed there either.
         Err(TryLockError::Error(_)) => true,
         Ok(()) => is_named(file),
     }
@@ -147,7 +147,7 @@ fn is_named(file: &File) -> bool {
 
 #[cfg(not(unix))]
 fn is_named(_: &File) -> bool {
-    // Files that are open are not removed there.
+    // On these systems an open file cannot be removed.
     true
 }
 

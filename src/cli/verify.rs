@@ -1,4 +1,4 @@
-//! `mavc verify`: decide a certificate.
+//! `mavc verify`: checks a certificate.
 
 use super::progress::Watch;
 use super::{FINE, OVER_BUDGET, Options, Problem, REJECTED, SPEC_ERRORS, VerifyArgs, WEAKER, files, spec};
@@ -18,16 +18,16 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
     }
     let bytes = files::read_spec(&name, MAX_BYTES)?;
     let watch = Watch::new(options);
-    let (spec, mut told) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
+    let (spec, mut findings) = spec::read(&args.spec, FlightBlocks::Unused, &watch)?;
     let Some(spec) = spec else {
-        let text = told.files.sources.iter().next().map_or("", |(_, spec)| &spec.text);
+        let text = findings.files.sources.iter().next().map_or("", |(_, spec)| &spec.text);
         if read(text.as_bytes(), FileId::default()).is_ok() {
             return Err(format!("{} is a certificate; give the certificate first, then its spec", args.spec.spec));
         }
-        told.tell(options);
+        findings.eprint(options);
         return Ok(SPEC_ERRORS);
     };
-    // Remarks on the spec are `mavc check`'s to make.
+    // Warnings about the spec are left to `mavc check`.
     let budget = args.budget.unwrap_or_default();
     match timed(&watch, "verify", || verify_within(budget, spec::name(&name), &bytes, &spec)) {
         Ok(verdict) => {
@@ -36,16 +36,16 @@ pub fn run(args: &VerifyArgs, options: &Options) -> Result<u8, Problem> {
         }
         Err(Rejected { diagnostic, sources }) => {
             let code = if diagnostic.code == TOO_COSTLY { OVER_BUDGET } else { REJECTED };
-            files::tell_as_it_is(&spec::human(std::slice::from_ref(&*diagnostic), &sources, &std::io::stderr()));
+            files::eprint_as_it_is(&spec::human(std::slice::from_ref(&*diagnostic), &sources, &std::io::stderr()));
             Ok(code)
         }
     }
 }
 
-/// `10s`, `500MB` or both with a comma between.
+/// Reads `10s`, `500MB` or both with a comma between.
 ///
 /// # Errors
-/// It is neither.
+/// The text is neither a time nor a size.
 pub fn parse_budget(text: &str) -> Result<Budget, String> {
     let mut budget = Budget::default();
     for part in text.split(',').map(str::trim) {

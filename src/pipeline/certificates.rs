@@ -1,4 +1,4 @@
-//! Certificates of outcomes, and the decision whether one holds.
+//! Certificates: making one from an outcome, and deciding whether it holds.
 
 use super::tasks::Planning;
 use crate::certificate::Certificate;
@@ -12,15 +12,17 @@ use std::borrow::Cow;
 use std::error::Error;
 use std::fmt;
 
-/// In larger certificates question marks replace control characters, byte by byte: their escapes would take many times the
+/// In larger certificates, control characters are replaced by question marks, byte by byte: escapes would take many times the
 /// memory.
 const MOST_ESCAPED: usize = 1 << 20;
 
-/// Writes the certificate of an outcome: of a plan its trajectory, of a proof the multipliers that show it. It is decided
-/// before it is given, so [`verify`] accepts it. docs/certificates.md states what it shows as a theorem.
+/// Makes the certificate of an outcome of [`plan`](super::plan): the trajectory of a plan, or the multipliers of a proof of
+/// infeasibility. All numbers are in SI units. The certificate is checked before it is returned, so [`verify`] accepts it.
+///
+/// docs/certificates.md states what a certificate shows, as a theorem.
 ///
 /// # Errors
-/// The outcome is neither a plan nor a proof, or the proof is about more mission times than one certificate can show.
+/// The outcome is neither a plan nor a proof, or the proof covers more mission times than one certificate can show.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -34,7 +36,7 @@ pub fn certify(spec: &Spec, planning: &Planning) -> Result<Certificate, Uncertif
     write::of(spec.model(), mission, planning.comparison(), spec.sha256().into()).map_err(Uncertified)
 }
 
-/// Why an outcome has no certificate, in words.
+/// Why an outcome has no certificate, as a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Uncertified(pub String);
 
@@ -46,12 +48,15 @@ impl fmt::Display for Uncertified {
 
 impl Error for Uncertified {}
 
-/// Decides a certificate (JSON) with code of its own, in interval and exact arithmetic: it uses the spec and the
-/// certificate's trajectory or multipliers, and neither the planner nor the solver.
+/// Decides whether a certificate (JSON) holds for a spec. The code works out from the spec what has to hold, and decides it
+/// from the certificate's trajectory or multipliers in interval and exact arithmetic. It uses neither the planner nor the
+/// solver (docs/certificates.md).
+///
+/// The verdict lists what is shown, and in what the certificate proves less than the spec requires.
 ///
 /// # Errors
-/// The bytes are not a certificate, it was written for another spec, it does not hold, or deciding it costs more than the
-/// usual budget of time and memory.
+/// The bytes are not a certificate; the certificate was written for another spec; it does not hold; or the check would exceed
+/// the default budget of time and memory.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -63,7 +68,7 @@ pub fn verify(certificate: &[u8], spec: &Spec) -> Result<Verdict, Rejected> {
     verify_within(Budget::default(), "<certificate>", certificate, spec)
 }
 
-/// As [`verify`], within a budget; `name` is the certificate's, for messages.
+/// As [`verify`], with a budget of time (s) and memory (bytes). `name` is the name of the certificate in messages.
 ///
 /// # Errors
 /// As for [`verify`].
@@ -82,22 +87,22 @@ pub fn verify_within(budget: Budget, name: &str, certificate: &[u8], spec: &Spec
     decided.map_err(|diagnostic| Rejected { diagnostic, sources })
 }
 
-/// Why a certificate is not accepted.
+/// Why a certificate was not accepted.
 #[derive(Clone)]
 pub struct Rejected {
     pub diagnostic: Box<Diagnostic>,
-    /// The texts that the diagnostic points into: the spec's and the certificate.
+    /// The texts that the diagnostic refers to: those of the spec, and the certificate.
     pub sources: SourceMap,
 }
 
 impl fmt::Display for Rejected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let told = std::slice::from_ref(&*self.diagnostic);
-        f.write_str(render_human(told, &self.sources, 100, false).trim_end())
+        let diagnostics = std::slice::from_ref(&*self.diagnostic);
+        f.write_str(render_human(diagnostics, &self.sources, 100, false).trim_end())
     }
 }
 
-/// As `Display`, on lines of its own: what a `main` that returns the error prints.
+/// As `Display`, on a new line, because a `main` that returns the error prints it so.
 impl fmt::Debug for Rejected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n{self}")

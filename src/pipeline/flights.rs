@@ -1,30 +1,30 @@
-//! Flights along plans: one with the faults that the spec names, or a whole campaign.
+//! Simulated flights along plans: one with the faults of the spec, or a campaign.
 
 use super::tasks::{Planning, Refusal, Task};
 use crate::campaign::cases::{MAX_FLIGHTS, Shard};
-use crate::campaign::design::Design;
+use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
 use crate::diagnostic::{Diagnostic, Severity, sort};
 use crate::flight::{Flight, Sample, Sortie, fly as fly_sortie, longest, twins};
 use crate::model::{coarse_step, past_the_end, too_many_steps};
 use crate::observer::{Observer, Silent, timed};
-use crate::planner::studies::MissionPlan;
+use crate::planner::studies::{Comparison, MissionPlan};
 use crate::report::campaign_record::CampaignRecord;
-use crate::spec::Spec;
+use crate::spec::{Spec, program_sha256};
 use crate::verdict::Verdict;
 use std::convert::Infallible;
 use std::error::Error;
 use std::fmt;
 use std::time::Instant;
 
-/// Flies the plan of an outcome in the nonlinear simulation, with the faults, air, sensors and controller of the spec's
-/// `simulate` block (docs/flight.md). The same spec gives the same flight.
+/// Simulates a flight of the nonlinear vehicle along the plan of an outcome of [`plan`](super::plan), with the faults, air,
+/// sensors and controller of the spec's `simulate` block (docs/flight.md). The same spec gives the same flight.
 ///
-/// A flight is simulated and proves nothing; distances are in m, times in s, angles in rad.
+/// Returns how the flight ended, with distances in m, times in s and angles in rad. A simulated flight proves nothing.
 ///
 /// # Errors
-/// There is no plan to fly, or its flight would have errors: a fault after its end, more steps than can be meant.
+/// There is no plan to fly, or the `simulate` block does not fit the plan: a fault after its end, or too many steps.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -41,8 +41,8 @@ pub fn fly(spec: &Spec, planning: &Planning) -> Result<Flight, NoFlight> {
     Ok(fly_plan(spec, plan, None, &Silent))
 }
 
-/// Flies a plan whose [`departure`] has no errors; `record` is given every instant at which the controller acts, and the
-/// last.
+/// Simulates a flight along a plan whose [`departure`] has no errors. `record` is called at every instant at which the
+/// controller acts, and at the last instant.
 pub fn fly_plan(
     spec: &Spec,
     plan: &MissionPlan,
@@ -58,18 +58,20 @@ pub fn fly_plan(
     flight
 }
 
-/// The names of modes that the estimator cannot tell apart with the speeds that a plan needs, group by group.
+/// The groups of modes, by name, that the estimator cannot distinguish at the rotor speeds that a plan needs.
 pub fn indistinguishable<'s>(spec: &'s Spec, plan: &MissionPlan) -> Vec<Vec<&'s str>> {
     let groups = twins::along(spec.model(), &plan.trajectory);
     groups.iter().map(|group| twins::names(spec.model(), group)).collect()
 }
 
-/// Flies a campaign: every planner's plan at the common time T_d, with every declared fault mode, at many instants and
-/// with many seeds of noise (docs/campaigns.md). The record is that of `mavc campaign --report`.
+/// Simulates a campaign of flights: every planner's plan at the common time T_d, with every declared fault mode, at many
+/// instants and with many noise seeds (docs/campaigns.md). The `campaign` block of the spec sets their numbers.
+///
+/// Returns the record of `mavc campaign --report`: shares of flights that survived, and times in s.
 ///
 /// # Errors
-/// The mission cannot be planned, the campaign has too many flights, or a flight would have errors. That no planner found
-/// a plan is not an error: the record then has no flights and says why.
+/// The mission cannot be planned, the campaign has too many flights, or the `simulate` block does not fit the plan. If no
+/// planner found a plan, the result is a record without flights that lists the reasons.
 ///
 /// ```
 /// let text = mavc::TEMPLATE.to_string() + "campaign { times = 2; seeds = 1 }";
@@ -99,10 +101,10 @@ pub fn campaign(spec: &Spec) -> Result<CampaignRecord, NoFlight> {
     Ok(CampaignRecord::new(&design, Shard::WHOLE, &tally, sha256))
 }
 
-/// The spec with another size of its campaign: `times` instants of each fault, `seeds` of noise.
+/// The spec with another size of its campaign: `times` instants of each fault and `seeds` noise seeds.
 ///
 /// # Errors
-/// More flights than a campaign may have.
+/// The campaign would have more flights than [`MAX_FLIGHTS`].
 pub fn sized(spec: &Spec, times: usize, seeds: usize) -> Result<Spec, NoFlight> {
     let (modes, planners) = (spec.model().modes.len(), spec.model().campaign.planners.len());
     let blocks = times.checked_mul(modes).and_then(|n| n.checked_add(1));
@@ -113,8 +115,28 @@ pub fn sized(spec: &Spec, times: usize, seeds: usize) -> Result<Spec, NoFlight> 
     }
 }
 
-/// What keeps a plan of `time` s from being flown, and what is remarked of its flight: some of it shows only once the
-/// mission is planned.
+impl Task<'_> {
+    /// The campaign that `mavc campaign` flies along the plans at the common time. Its identity, by which rows of different
+    /// campaigns are kept apart, depends on the spec and on the running program.
+    ///
+    /// # Errors
+    /// No planner has a plan; the error lists the outcome of each.
+    pub fn design(&self, comparison: &Comparison) -> Result<Design<'_>, Vec<Missing>> {
+        let origin = self.spec().sha256().to_string() + &program_sha256();
+        Design::new(self.model(), comparison, &origin)
+    }
+}
+
+/// One verdict for the planners of a campaign that have no plan: `not found` if a search ended without a plan and without a
+/// proof, else `proved infeasible` if there is a proof, else `not attempted`.
+pub fn missing_verdict(missing: &[Missing]) -> Verdict {
+    let verdicts: Vec<Verdict> = missing.iter().map(Missing::verdict).collect();
+    let order = [Verdict::NotFound, Verdict::ProvedInfeasible];
+    order.into_iter().find(|verdict| verdicts.contains(verdict)).unwrap_or(Verdict::NotAttempted)
+}
+
+/// The errors that prevent a simulated flight along a plan of `time` s, and warnings about it. They depend on the duration, so
+/// they are known only after planning.
 pub fn departure(spec: &Spec, time: f64) -> Vec<Diagnostic> {
     let model = spec.model();
     let mut found = past_the_end(model, model.simulation.duration.unwrap_or(time));
@@ -124,16 +146,16 @@ pub fn departure(spec: &Spec, time: f64) -> Vec<Diagnostic> {
     found
 }
 
-/// Why nothing is flown.
+/// Why no flight was simulated.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NoFlight {
     /// The mission cannot be planned.
     Refused(Refusal),
     /// There is no plan to fly, with this verdict.
     NoPlan(Verdict),
-    /// The campaign would have more flights than one may have ([`MAX_FLIGHTS`]).
+    /// The campaign would have more flights than [`MAX_FLIGHTS`].
     TooMany,
-    /// The flight would have errors, at their places in the spec.
+    /// The `simulate` block does not fit the plan; the errors have their places in the spec.
     Errors(Vec<Diagnostic>),
 }
 
@@ -145,8 +167,8 @@ impl fmt::Display for NoFlight {
             NoFlight::TooMany => {
                 f.write_str("a campaign has at most 100 million flights: take fewer modes, instants or seeds")
             }
-            NoFlight::Errors(told) => {
-                let errors = told.iter().filter(|d| d.severity == Severity::Error);
+            NoFlight::Errors(diagnostics) => {
+                let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
                 let messages: Vec<&str> = errors.map(|d| d.message.as_str()).collect();
                 f.write_str(&messages.join("; "))
             }

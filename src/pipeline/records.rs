@@ -1,4 +1,4 @@
-//! Reports of plans and comparisons, for machines (docs/report.md) and for people.
+//! Reports of plans and comparisons, for programs (docs/schema) and for people.
 
 use super::tasks::{Explained, Planning, Task};
 use crate::certify::between::Between;
@@ -8,7 +8,9 @@ use crate::planner::studies::Comparison;
 use crate::planner::studies::rounds::Round;
 use crate::report::conflict_record::ConflictRecord;
 use crate::report::record::{Record, RoundRecord};
+use crate::report::table::Table;
 use crate::report::{self, terminal};
+use crate::spec::Spec;
 
 impl Task<'_> {
     /// The report of a plan: `mavc plan --report`.
@@ -23,7 +25,7 @@ impl Task<'_> {
         record
     }
 
-    /// The report of a plan for people: what `mavc plan` prints, with the colours of a terminal where `color` is set.
+    /// The report of a plan for people: the text of `mavc plan`, with the colours of a terminal if `color` is set.
     pub fn text(&self, planning: &Planning, explained: &Explained, between: Option<&[Between]>, color: bool) -> String {
         let (model, mission) = (self.model(), self.mission());
         let mut text = terminal::plan(model, mission, planning.comparison(), color);
@@ -34,7 +36,7 @@ impl Task<'_> {
         text
     }
 
-    /// A conflict as a diagnostic on the spec, each of its statements labelled in place.
+    /// The conflict as a diagnostic of the spec that labels each of its statements.
     pub fn diagnose(&self, explained: &Explained) -> Option<Diagnostic> {
         let diagnostic = |why| diagnose(why, self.model(), self.mission(), self.spec().sources());
         explained.conflict.as_ref().map(diagnostic)
@@ -47,4 +49,13 @@ impl Task<'_> {
         record.rounds = rounds.map(|all| all.iter().map(of_round).collect());
         record
     }
+}
+
+/// The defaults that filled in for fields that the spec leaves out, as a table: `mavc check --explain-defaults`.
+pub fn defaults_text(spec: &Spec) -> String {
+    let mut table = Table::new(&["field", "default", "why"]);
+    for d in &spec.model().defaults {
+        table.row(vec![d.field.clone(), d.value.clone(), d.reason.clone()]);
+    }
+    table.render_left(0)
 }

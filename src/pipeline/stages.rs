@@ -1,13 +1,17 @@
-//! The convex program behind a plan, with all of its rows.
+//! The outputs of single stages: sets, the actuation matrix, and the convex program of a plan with all of its rows.
 
 use super::tasks::{Planning, Task};
+use crate::actuation::Actuation;
 use crate::admissible::AdmissibleSet;
 use crate::planner::hover::{FEASIBLE, HoverPlanner};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use crate::planner::transcription::{Purpose, Transcription};
-use crate::qp::QuadraticProgram;
+use crate::qp::{QuadraticProgram, mps};
+use crate::spec::Spec;
 use serde::Serialize;
+use std::error::Error;
+use std::fmt;
 
 /// A convex program as exported: minimise 1/2 x'P x + q'x + constant subject to A x + s = b, s in the cones.
 #[derive(Debug, Serialize)]
@@ -18,13 +22,58 @@ pub struct Program {
     pub program: QuadraticProgram,
 }
 
+/// A program with second-order cones has no MPS.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ConesInMps;
+
+pub const CONES_IN_MPS: &str = "mavc::emit::cones";
+
+impl fmt::Display for ConesInMps {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "error[{CONES_IN_MPS}]: this program has second-order cones, which MPS cannot express")?;
+        writeln!(
+            f,
+            "  help: use `--format json`; without waypoint tolerances (`--set plan.within=1e6km`) and without limits on"
+        )?;
+        writeln!(f, "        norms the program has no cones")
+    }
+}
+
+impl Error for ConesInMps {}
+
+impl Program {
+    /// The program for people: `mavc emit qp`.
+    pub fn to_text(&self) -> String {
+        format!("mission time {} s\n{}", self.time_s, self.program)
+    }
+
+    /// The program as free MPS.
+    ///
+    /// # Errors
+    /// The program has second-order cones, which MPS cannot express.
+    pub fn to_mps(&self) -> Result<String, ConesInMps> {
+        mps::render(&self.program, "mavc").ok_or(ConesInMps)
+    }
+}
+
+/// The actuation matrix A, from rotor thrusts (N) to wrench (N, N m): `mavc emit actuation`.
+pub fn actuation_text(spec: &Spec) -> String {
+    Actuation::of(&spec.model().vehicle).to_string()
+}
+
+/// The admissible set of the healthy vehicle and of every declared mode: `mavc emit sets`.
+pub fn sets_text(spec: &Spec) -> String {
+    let sets: Vec<String> = AdmissibleSet::each(spec.model()).map(|set| set.to_string()).collect();
+    sets.join("\n")
+}
+
 impl Planning {
-    /// What was imposed on the wrench at each node.
+    /// The rows that were imposed on the wrench at each node.
     pub fn set(&self) -> &PlanningSet {
         &self.run().set
     }
 
-    /// The mission time of the plan, or of the proof or search that ended without one, s.
+    /// The mission time of the plan, of the proof, or of the search that ended without one, s.
     pub fn time(&self) -> f64 {
         match self.outcome() {
             PlanOutcome::Planned(plan) => plan.time,
@@ -36,8 +85,8 @@ impl Planning {
 }
 
 impl Task<'_> {
-    /// The program of the hover model, with every row, at the mission time of an outcome. `None` where the mission cannot be
-    /// laid out over that time.
+    /// The program of the hover model, with every row, at the mission time of an outcome. `None` if the mission has no time
+    /// grid over that time.
     pub fn program(&self, planning: &Planning) -> Option<Program> {
         let (model, mission, time_s) = (self.model(), self.mission(), planning.time());
         let healthy = AdmissibleSet::healthy(model);

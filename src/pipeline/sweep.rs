@@ -1,4 +1,4 @@
-//! Where verdicts flip as one field of a spec varies.
+//! The values of one field of a spec at which verdicts change (`mavc analyze --sweep`).
 
 use crate::admissible::edge::Place;
 use crate::admissible::verdict::{ModeAnalysis, Verdict, analyze_each};
@@ -10,10 +10,10 @@ use crate::spec::Spec;
 use crate::syntax::ast::Item;
 use serde::Serialize;
 
-/// Why a sweep is not made, in one sentence.
+/// Why a sweep cannot be made, in one sentence.
 type Problem = String;
 
-/// All rotors together lift less than the vehicle weighs.
+/// The code of a vehicle that weighs more than all its rotors lift.
 const TOO_HEAVY: &str = "mavc::vehicle::too_heavy";
 
 /// A verdict that changes at a value of the swept field.
@@ -28,6 +28,7 @@ pub struct Flip {
     above_hover: Place,
 }
 
+/// A sweep over one field: the verdicts at its low end, and the changes above it.
 pub struct Sweep {
     field: String,
     low: f64,
@@ -49,7 +50,7 @@ impl Flip {
     }
 }
 
-/// A mode's verdict, and where hover lies: a flip of either counts.
+/// A mode's verdict and the place of hover; a change of either is a flip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Standing {
     verdict: Verdict,
@@ -66,7 +67,7 @@ impl Standing {
     }
 }
 
-/// What verdicts depend on: fields of the vehicle as written after `vehicle.`, and gravity.
+/// The fields that verdicts depend on, as written after `vehicle.`; gravity is another.
 const FIELDS: [&str; 9] = [
     "mass",
     "arm",
@@ -80,7 +81,7 @@ const FIELDS: [&str; 9] = [
 ];
 const GRAVITY: &str = "gravity";
 
-/// The override that a swept field stands for.
+/// The path of the override for a swept field.
 fn path(field: &str, files: &FileSet) -> Result<String, Problem> {
     let inner = field.strip_prefix("vehicle.").unwrap_or(field);
     if FIELDS.contains(&inner) {
@@ -100,10 +101,10 @@ fn path(field: &str, files: &FileSet) -> Result<String, Problem> {
     })
 }
 
-/// Looks at this many equal parts, then halves each that holds a flip.
+/// The range is divided into this many equal parts; a part that contains a flip is bisected.
 const PARTS: usize = 64;
 
-/// What a sweep varies, before it is run.
+/// The field that a sweep varies, and its range.
 struct Range<'a> {
     field: &'a str,
     low: f64,
@@ -111,7 +112,7 @@ struct Range<'a> {
     unit: &'a str,
 }
 
-/// Reads `mass=1.5..2.5kg`; `None` where it has another shape.
+/// Reads `mass=1.5..2.5kg`; `None` if the text has another form.
 fn range(text: &str) -> Option<Range<'_>> {
     let (field, range) = text.split_once('=')?;
     let (low, high) = range.split_once("..")?;
@@ -132,7 +133,7 @@ fn range(text: &str) -> Option<Range<'_>> {
     Some(Range { field: field.trim(), low: parse(low)?, high: parse(high)?, unit })
 }
 
-/// The spec under a sweep, and what was found of it as it is written.
+/// The spec that is swept, and the analyses of its modes as it is written.
 struct Subject<'a> {
     spec: &'a Spec,
     modes: &'a [ModeAnalysis],
@@ -156,25 +157,25 @@ impl Subject<'_> {
         }
     }
 
-    /// A vehicle too heavy for all its rotors is an answer here, not a mistake: no mode lifts more than they do.
+    /// A vehicle that is too heavy for all its rotors is a result here, not a mistake: no mode lifts more than they do.
     fn is_too_heavy(&self, error: &Diagnostic) -> bool {
         error.code == TOO_HEAVY && error.labels.iter().any(|label| label.span == self.spec.model().vehicle.span)
     }
 }
 
 impl Sweep {
-    /// Sweeps what `text` says, such as `mass=1.5..2.5kg`: a field of the vehicle, gravity or a `let`, and a range in one
-    /// unit. `modes` are the analyses of the spec as it is written ([`crate::analyze`]).
+    /// Runs the sweep that `text` describes, such as `mass=1.5..2.5kg`: a field of the vehicle, gravity or a `let`, and a range
+    /// in one unit. `modes` are the analyses of the spec as it is written ([`crate::analyze`]).
     ///
     /// # Errors
-    /// The text has another shape, no verdict depends on the field, or the spec has errors at a value of it.
+    /// The text has another form, no verdict depends on the field, or the spec has errors at a value of the field.
     pub fn run(text: &str, spec: &Spec, modes: &[ModeAnalysis]) -> Result<Sweep, Problem> {
         let subject = Subject { spec, modes };
         let fail = |why: String| format!("--sweep {text}: {why}");
         let Range { field, low, high, unit } =
             range(text).ok_or_else(|| fail("write a field and a range such as mass=1.5..2.5kg".into()))?;
         if low.partial_cmp(&high) != Some(std::cmp::Ordering::Less) {
-            return Err(fail("the range must rise".into()));
+            return Err(fail("the range must start with the smaller value".into()));
         }
         let path = path(field, spec.files()).map_err(fail)?;
         let at = |value: f64| subject.verdicts(&path, value, unit).map_err(fail);
@@ -185,9 +186,9 @@ impl Sweep {
             let value = low + (high - low) * i as f64 / PARTS as f64;
             let right = (value, at(value)?);
             for (k, mode) in subject.modes.iter().enumerate() {
-                // Between two of the values looked at a verdict may flip more than once.
+                // Between two sampled values a verdict may change more than once.
                 let mut left = (left.0, left.1[k]);
-                // The edge of a set is passed within its tolerance; only one that stays is worth a line.
+                // Hover is on the edge of a set within a tolerance, so it passes that state; only a lasting one is listed.
                 let is_passed = |flip: &Flip, at: f64| {
                     flip.mode == mode.name && flip.above_hover == Place::OnEdge && at - flip.at <= 1e-4 * (high - low)
                 };
@@ -232,9 +233,9 @@ impl Sweep {
             out.push('\n');
         }
         if model.vehicle.is_uncertain() {
-            out.push_str("The spec's intervals are left out: verdicts are those of the nominal values.\n");
+            out.push_str("Verdicts are those of the nominal values; the intervals of the spec are ignored.\n");
         }
-        out.push_str(&format!("Looked at {} values; two flips closer than a step may be missed.\n", PARTS + 1));
+        out.push_str(&format!("{} values were sampled; two changes within one step can be missed.\n", PARTS + 1));
         out
     }
 }

@@ -1,4 +1,4 @@
-//! Planning: the check that every mode can be tolerated, the plan, planners side by side, and why there is no plan.
+//! Planning: the check that every mode can be tolerated, a plan, a comparison of planners, and why no plan was found.
 
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::certify;
@@ -20,17 +20,18 @@ use std::error::Error;
 use std::fmt;
 use std::time::Instant;
 
-/// A mission to plan is needed but none is written.
+/// The spec has no mission to plan.
 pub const NO_MISSION: &str = "mavc::plan::no_mission";
 
-/// Plans the spec's mission with the spec's planner ([RIP, RCP or RSP](crate::model::PlannerKind)): at the time that the
-/// spec fixes, or at the shortest time found. Sections 5.2 and 5.3 of the paper; docs/method.md for the exact model.
+/// Plans the spec's mission with the spec's planner ([RIP, RCP or RSP](crate::model::PlannerKind)), at the time that the spec
+/// fixes or at the shortest time found. The planners are those of sections 5.2 and 5.3 of the paper; docs/method.md describes
+/// them for the exact model.
 ///
-/// The outcome is a plan that passed the check of finished plans, a proof that none exists, or neither; times are in s,
-/// everything else in SI units.
+/// The outcome is a plan that passed the check of finished plans, a proof of infeasibility, or neither. All numbers are in SI
+/// units.
 ///
 /// # Errors
-/// The spec has no mission, its sets are too large, or a fault mode that the plan must tolerate leaves no hover.
+/// The spec has no mission, its sets are too large, or a fault mode that the plan must tolerate cannot hover.
 ///
 /// ```
 /// use mavc::PlanOutcome;
@@ -39,7 +40,7 @@ pub const NO_MISSION: &str = "mavc::plan::no_mission";
 /// match mavc::plan(&spec)?.outcome() {
 ///     PlanOutcome::Planned(plan) => println!("{:.2} s", plan.time),
 ///     PlanOutcome::Infeasible(proof) => println!("proved infeasible at {:?} s", proof.proved),
-///     PlanOutcome::NotFound(_) | PlanOutcome::NotAttempted { .. } => println!("nothing found, nothing proved"),
+///     PlanOutcome::NotFound(_) | PlanOutcome::NotAttempted { .. } => println!("neither found nor proved infeasible"),
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -47,11 +48,11 @@ pub fn plan(spec: &Spec) -> Result<Planning, Refusal> {
     Ok(Task::new(spec)?.plan(&Silent))
 }
 
-/// Runs RIP, RCP for each mode and jointly, and RSP, each at its own shortest time and all at the common time T_d
-/// (section 5.3 of the paper).
+/// Plans with RIP, RCP for each mode, RCP for all modes jointly, and RSP: each at its own shortest time, and all at the common
+/// time T_d (section 5.3 of the paper). All numbers are in SI units.
 ///
 /// # Errors
-/// As for [`plan`]; and more samples than a comparison can take.
+/// As for [`plan`]; also if the spec has more samples than a comparison may have.
 ///
 /// ```
 /// let compiler = mavc::Compiler::new().set("plan.model=hover").set("plan.samples=60");
@@ -66,10 +67,10 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
     Ok(Task::to_compare(spec)?.compare(&Silent))
 }
 
-/// Explains why a mission has no plan: times nearby at which there is one, or an irreducible set of statements that
-/// cannot hold together, and changes of single statements that give a plan, each tried.
+/// Explains why no plan was found: nearby times (s) at which there is one; or an irreducible set of statements of the spec that
+/// cannot hold together, with changes of single statements that were tried and give a plan (docs/method.md, section 9).
 ///
-/// Of a plan that was found there is nothing to explain, and both parts are empty.
+/// `planning` is the outcome of [`plan`] for this spec. If it is a plan, both parts of the result are empty.
 ///
 /// # Errors
 /// As for [`plan`].
@@ -86,22 +87,22 @@ pub fn explain(spec: &Spec, planning: &Planning) -> Result<Explained, Refusal> {
     Ok(Task::new(spec)?.explain(planning, &Silent))
 }
 
-/// Why a spec is not planned at all.
+/// Why planning was not attempted for a spec.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refusal {
-    /// The spec describes no mission.
+    /// The spec has no mission.
     NoMission(Vec<Diagnostic>),
-    /// The spec asks for more than can be planned or compared.
+    /// The spec is larger than what can be planned or compared.
     TooLarge(Vec<Diagnostic>),
-    /// Hover does not lie inside every set that the plan must keep to.
+    /// Hover is not inside every set that the plan must keep to.
     Intolerable(Vec<Diagnostic>),
 }
 
 impl Refusal {
-    /// The reasons, and warnings beside them, at their places in the spec.
+    /// The reasons, and warnings, at their places in the spec.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         match self {
-            Refusal::NoMission(told) | Refusal::TooLarge(told) | Refusal::Intolerable(told) => told,
+            Refusal::NoMission(found) | Refusal::TooLarge(found) | Refusal::Intolerable(found) => found,
         }
     }
 }
@@ -116,7 +117,7 @@ impl fmt::Display for Refusal {
 
 impl Error for Refusal {}
 
-/// A mission that can be planned: every mode that the plan must tolerate leaves hover inside its set.
+/// A mission that can be planned: hover is inside the set of every mode that the plan must tolerate.
 #[derive(Debug, Clone)]
 pub struct Task<'s> {
     spec: &'s Spec,
@@ -135,27 +136,27 @@ impl Planning {
         &self.comparison.runs[self.comparison.runs.len() - 1]
     }
 
-    /// A plan, a proof that there is none, or neither.
+    /// A plan, a proof of infeasibility, or neither.
     pub fn outcome(&self) -> &PlanOutcome {
         &self.run().outcome
     }
 
-    /// The outcome in one of the four words.
+    /// The outcome as one of four words.
     pub fn verdict(&self) -> Verdict {
         self.outcome().verdict()
     }
 
-    /// The plan, where one was found.
+    /// The plan, if one was found.
     pub fn plan(&self) -> Option<&MissionPlan> {
         self.outcome().plan()
     }
 
-    /// The sets, the facets that RSP selected, and under `require risk` the trade-off: what reports print.
+    /// What reports print: the sets, the facets that RSP selected, and under `require risk` the trade-off.
     pub fn comparison(&self) -> &Comparison {
         &self.comparison
     }
 
-    /// How far the plan's rows are shown to hold between its nodes; `None` where there is no plan.
+    /// Which rows of the plan are proved to hold between its nodes; `None` if there is no plan.
     pub fn between(&self, task: &Task, observer: &dyn Observer) -> Option<Vec<Between>> {
         observer.begins("looking for a proof of every instant");
         timed(observer, "prove", || {
@@ -165,21 +166,21 @@ impl Planning {
     }
 }
 
-/// Why there is no plan.
+/// Why no plan was found.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Explained {
-    /// Times on either side of the spec's at which the planner found a plan. The spec is not blamed where there is one.
+    /// Times below and above the spec's at which the planner found a plan. If there is one, no statement is blamed.
     pub nearby: Nearby,
     /// Statements that cannot hold together, and changes that give a plan.
     pub conflict: Option<Explanation>,
 }
 
 impl<'s> Task<'s> {
-    /// Checks that the spec's mission can be planned: that the vehicle hovers, and with each mode that the plan must
-    /// tolerate.
+    /// Checks that the spec's mission can be planned: the healthy vehicle can hover, and so can the vehicle in each mode that
+    /// the plan must tolerate.
     ///
     /// # Errors
-    /// The spec has no mission, its sets are too large, or a mode leaves no hover.
+    /// The spec has no mission, its sets are too large, or a mode cannot hover.
     pub fn new(spec: &'s Spec) -> Result<Self, Refusal> {
         let model = spec.model();
         let answers = diagnose(model);
@@ -197,10 +198,10 @@ impl<'s> Task<'s> {
         }
     }
 
-    /// The same for planners side by side, which take fewer samples.
+    /// As [`Task::new`], for a comparison of planners, which allows fewer samples.
     ///
     /// # Errors
-    /// As for [`Task::new`], and too many samples.
+    /// As for [`Task::new`]; also if there are too many samples.
     pub fn to_compare(spec: &'s Spec) -> Result<Self, Refusal> {
         match too_many_samples(spec.model()) {
             Some(error) => Err(Refusal::TooLarge(vec![error])),
@@ -225,22 +226,22 @@ impl<'s> Task<'s> {
         &self.remarks
     }
 
-    /// As [`plan`], observed.
+    /// As [`plan`], with an observer.
     pub fn plan(&self, observer: &dyn Observer) -> Planning {
         Planning { comparison: self.run(Scope::Plan, observer) }
     }
 
-    /// As [`compare`], observed.
+    /// As [`compare`], with an observer.
     pub fn compare(&self, observer: &dyn Observer) -> Comparison {
         self.run(Scope::Everything, observer)
     }
 
-    /// RIP, RCP jointly and RSP at the common time alone: what a campaign flies.
+    /// Plans with RIP, the joint RCP and RSP at the common time only: the plans that a campaign flies.
     pub fn at_common_time(&self, observer: &dyn Observer) -> Comparison {
         self.run(Scope::Common, observer)
     }
 
-    /// Numbers of rounds of RSP's selection side by side, from `wanted.0` to `wanted.1`, after a comparison.
+    /// Plans with RSP for each number of rounds of selection from `wanted.0` to `wanted.1`, after a comparison.
     pub fn rounds(&self, comparison: &mut Comparison, wanted: (usize, usize), observer: &dyn Observer) -> Vec<Round> {
         let tries = |round: &str, time: f64| observer.tries(round, time);
         timed(observer, "rounds", || {
@@ -260,12 +261,12 @@ impl<'s> Task<'s> {
         comparison
     }
 
-    /// As [`explain`](explain()), observed.
+    /// As [`explain`](explain()), with an observer.
     pub fn explain(&self, planning: &Planning, observer: &dyn Observer) -> Explained {
         let nearby = self.nearby(planning, observer);
         let is_failed = matches!(planning.outcome(), PlanOutcome::NotFound(NotFound::Check { .. }));
-        // No statement of the spec is to blame where the planner has a plan at another time, or found a trajectory that
-        // fails the check, or where only the required risk is not met.
+        // No statement of the spec is to blame if the planner has a plan at another time, found a trajectory that fails the
+        // check, or only misses the required risk.
         let is_settled = planning.plan().is_some()
             || is_failed
             || nearby.times().next().is_some()
@@ -301,15 +302,15 @@ impl<'s> Task<'s> {
     }
 }
 
-/// A mission is asked for where none is described.
+/// The error of a spec without a mission, for a command that plans.
 pub fn no_mission(model: &Model) -> Option<Diagnostic> {
     let error =
         Diagnostic::error(NO_MISSION, model.vehicle.span, "this spec describes a vehicle but no mission to plan");
-    let error = error.here("only a vehicle stands here");
+    let error = error.here("only a vehicle is described here");
     model.mission.is_none().then(|| error.help("add a `mission` block, or use `mavc analyze` for the vehicle alone"))
 }
 
-/// Every planner looks for its shortest time too, which takes many plans.
+/// A comparison searches for each planner's shortest time, which takes many plans, so it allows fewer samples.
 fn too_many_samples(model: &Model) -> Option<Diagnostic> {
     let samples = model.plan.samples;
     let most = MAX_SAMPLES_OF_A_SEARCH;

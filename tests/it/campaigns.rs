@@ -279,7 +279,7 @@ fn four_shards_one_of_them_killed_merge_to_the_bytes_of_one_run() {
     let told = desk.command(&third.iter().copied().filter(|a| *a != "--quiet").collect::<Vec<_>>()).output().unwrap();
     assert!(told.status.success(), "{}", text(&told));
     let done = first.iter().filter(|b| **b == b'\n').count() - 1;
-    assert!(text(&told).contains(&format!("going on after {done} of 66 flights")), "{}", text(&told));
+    assert!(text(&told).contains(&format!("continuing after {done} of 66 flights")), "{}", text(&told));
     assert!(desk.bytes("3.csv").starts_with(&first));
     assert!(!part.exists());
 
@@ -316,7 +316,7 @@ fn rows_of_another_campaign_or_shard_are_not_gone_on_with() {
     ] {
         let args: Vec<&str> = ["hop.mav", "-o", "rows.csv"].into_iter().chain(args).collect();
         let told = desk.run(&args, 2);
-        assert!(told.contains(what) && told.contains("delete it to begin anew"), "{told}");
+        assert!(told.contains(what) && told.contains("delete it to start again"), "{told}");
         assert!(desk.bytes("rows.csv.part") == before && !desk.path("rows.csv").exists());
     }
     // Damage in the middle is no torn end.

@@ -1,9 +1,13 @@
 //! The arguments of `mavc campaign`.
 
+use crate::campaign::cases::Shard;
+use crate::cli::Problem;
+use crate::pipeline::sized;
+use crate::spec::Spec;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
 
-/// Most instants and seeds of a campaign.
+/// The most instants and seeds of a campaign.
 const MAX_TIMES: u64 = 10_000;
 const MAX_SEEDS: u64 = 1_000_000;
 
@@ -15,44 +19,63 @@ pub struct CampaignArgs {
     /// The spec, or `-` for standard input
     #[arg(required = true)]
     pub spec: Option<String>,
-    /// Override a field: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
+    /// Override a field of the spec for this run: plan.time=20s, vehicle.mass=2kg, plan.reserve=10%
     #[arg(long = "set", value_name = "FIELD=VALUE")]
     pub set: Vec<String>,
-    /// Where the rows go, one a flight: CSV, Parquet by its ending, or `-` for standard output
+    /// Write one row for each flight to this file: CSV, or Parquet if it ends in .parquet; `-` for standard output
     #[arg(short, long, value_name = "ROWS.CSV")]
     pub output: Option<PathBuf>,
-    /// Where the report goes (JSON); `-` for standard output, without the one for people
+    /// Write the report (JSON) to this file; `-` prints it instead of the text for people
     #[arg(long, value_name = "CAMPAIGN.JSON")]
     pub report: Option<PathBuf>,
-    /// Where the page goes (HTML): one file with the map of survival, for a browser without a network
+    /// Write the report as one HTML page with the map of survival, which needs no network
     #[arg(long, value_name = "CAMPAIGN.HTML")]
     pub html: Option<PathBuf>,
-    /// Fly only the I-th of N parts, such as 3/16
+    /// Fly only part I of N, such as 3/16
     #[arg(long, value_name = "I/N")]
     pub shard: Option<String>,
-    /// Threads that fly, at most four for each core; as many as there are cores without it. Results are the same
+    /// Use this many threads, at most four for each core; the default is one for each core. Results do not depend on it
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..))]
     pub threads: Option<u64>,
-    /// Instants of the fault, instead of the spec's
+    /// Use this many instants of the fault instead of the spec's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_TIMES))]
     pub times: Option<u64>,
-    /// Noise seeds, instead of the spec's
+    /// Use this many noise seeds instead of the spec's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_SEEDS))]
     pub seeds: Option<u64>,
-    /// Report from rows that were flown, without flying
+    /// Report from the rows of an earlier run, without flying
     #[arg(long, value_name = "ROWS.CSV", conflicts_with_all = ["output", "threads"])]
     pub rows: Option<PathBuf>,
 }
 
 #[derive(Subcommand)]
 pub enum Action {
-    /// Join the rows of all shards
+    /// Join the rows of all parts that `--shard` flew
     Merge {
-        /// Where the rows go; CSV, or Parquet by its ending
+        /// Write all rows to this file: CSV, or Parquet if it ends in .parquet
         #[arg(short, long, value_name = "ALL.CSV")]
         output: PathBuf,
-        /// The rows of every shard (CSV), in any order
+        /// The rows of every part (CSV), in any order
         #[arg(required = true, value_name = "ROWS.CSV")]
         rows: Vec<PathBuf>,
     },
+}
+
+impl CampaignArgs {
+    /// The part that `--shard` names, `3/16` counted from 1; the whole campaign without it.
+    pub fn shard(&self) -> Result<Shard, Problem> {
+        let Some(text) = &self.shard else { return Ok(Shard::WHOLE) };
+        let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+        match numbers {
+            Some((index @ 1.., of)) if index <= of => Ok(Shard { index: index - 1, of }),
+            _ => Err(format!("--shard {text}: write the part and the number of parts, from 1/16 to 16/16")),
+        }
+    }
+
+    /// The spec with the instants and seeds that `--times` and `--seeds` give.
+    pub fn size(&self, spec: &Spec) -> Result<Spec, Problem> {
+        let own = &spec.model().campaign;
+        let size = |set: Option<u64>, own: usize| set.map_or(own, |n| n as usize);
+        sized(spec, size(self.times, own.times), size(self.seeds, own.seeds)).map_err(|e| e.to_string())
+    }
 }

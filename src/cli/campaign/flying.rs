@@ -1,4 +1,4 @@
-//! Flying what is not there yet, with progress and a word of farewell.
+//! Flying the cases of a campaign that are not flown yet.
 
 use super::output::{Output, Stop};
 use crate::campaign::cases::Shard;
@@ -14,17 +14,17 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// Flies what is not there yet. `None`: the reader of the rows has gone away.
+/// Flies the cases that have no row yet. `None`: the reader of the rows has gone away.
 pub fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Options) -> Result<Option<Tally>, Problem> {
     let (mut output, mut tally) = Output::open(rows, design, shard)?;
-    // Rows that are there are none of this run's speed.
+    // Rows of an earlier run do not count towards the speed.
     let begin = Instant::now();
     let (done, all) = (tally.flights(), shard.count(design.cases.count()));
     if done > 0 && !options.quiet {
-        files::tell(&if output.is_complete() {
+        files::eprint(&if output.is_complete() {
             format!("mavc: {}: all {all} flights are there, nothing to fly\n", visible::line(&output.name()))
         } else {
-            format!("mavc: {}: going on after {done} of {all} flights\n", visible::line(&output.name()))
+            format!("mavc: {}: continuing after {done} of {all} flights\n", visible::line(&output.name()))
         });
     }
     let progress = Flights::new(options, done, all);
@@ -45,23 +45,23 @@ pub fn fly(design: &Design, shard: Shard, rows: Option<&Target>, options: &Optio
         Err(Stop::Problem(problem)) => return Err(problem),
     }
     if options.timings {
-        files::tell(&format!("{:<10} {:>9.2} ms\n", "fly", begin.elapsed().as_secs_f64() * 1e3));
+        files::eprint(&format!("{:<10} {:>9.2} ms\n", "fly", begin.elapsed().as_secs_f64() * 1e3));
     }
     if options.timings {
         let flights = all - done;
         let rate = flights as f64 / begin.elapsed().as_secs_f64();
-        files::tell(&format!("{:<10} {flights} flights, {rate:.1} a second\n", ""));
+        files::eprint(&format!("{:<10} {flights} flights, {rate:.1} a second\n", ""));
     }
     Ok(Some(tally))
 }
 
-/// What Ctrl-C says.
+/// The message on Ctrl-C.
 fn farewell(output: &Output, kept: Arc<AtomicUsize>, all: usize) -> impl Fn() -> String + Send + 'static {
     let part = output.part().map(|part| visible::line(&part.display().to_string()).into_owned());
     move || match (&part, kept.load(Ordering::Relaxed)) {
         (Some(part), done) => {
-            format!("{done} of {all} flights are in {part}: the same command goes on from there")
+            format!("{done} of {all} flights are in {part}: the same command continues from there")
         }
-        (None, _) => "the flights are not kept: with `-o rows.csv` a campaign goes on from where it was stopped".into(),
+        (None, _) => "the flights are not kept: with `-o rows.csv` a campaign can be continued".into(),
     }
 }

@@ -1,4 +1,4 @@
-//! `mavc campaign merge`: from the rows of all shards to those of the whole campaign.
+//! `mavc campaign merge`: joins the rows of all shards to those of the whole campaign.
 
 use super::super::files::{self, cannot_read, reason};
 use super::super::target::Target;
@@ -27,7 +27,7 @@ pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, Pro
     };
     let cannot = |e| problem(MergeError::Write(e));
     let merged = if parquet::is_wanted(output) {
-        // Parquet is made of the whole rows, which stand in a file without a name meanwhile.
+        // Parquet needs all rows at once; a file without a name holds them meanwhile.
         let mut whole = BufWriter::new(tempfile::tempfile().map_err(cannot)?);
         let merged = merge(sources, &mut whole).map_err(problem)?;
         let mut whole = whole.into_inner().map_err(|e| cannot(e.into_error()))?;
@@ -46,7 +46,7 @@ pub fn run(output: &Path, rows: &[PathBuf], options: &Options) -> Result<u8, Pro
     };
     if !options.quiet {
         let (n, files) = (merged.cases, rows.len());
-        files::tell(&format!("mavc: campaign {}: {n} flights from {files} files\n", merged.campaign));
+        files::eprint(&format!("mavc: campaign {}: {n} flights from {files} files\n", merged.campaign));
     }
     Ok(FINE)
 }

@@ -1,5 +1,5 @@
-//! Where the rows of a campaign go. A file grows as `.part` beside its final name, so that an interrupted campaign
-//! goes on from what is there.
+//! The place that the rows of a campaign go to. A file grows as `.part` beside its final name, so that an interrupted
+//! campaign can continue.
 
 use super::super::files::{cannot_read, reason};
 use super::super::target::{Pieces, Target, cannot_write};
@@ -19,7 +19,7 @@ pub struct Output<'a> {
 }
 
 enum Place<'a> {
-    /// Rows are not kept.
+    /// The rows are not kept.
     Nowhere,
     /// Standard output, a pipe or a device.
     Stream(Pieces<'a>),
@@ -33,14 +33,14 @@ enum Place<'a> {
     Complete(&'a Path),
 }
 
-/// Why flying ends early.
+/// Why a run of flights ends early.
 pub enum Stop {
     /// Nobody reads the rows any more.
     ReaderGone,
     Problem(Problem),
 }
 
-/// Where rows stand while they come in: `rows.csv.part`.
+/// The file that rows are appended to: `rows.csv.part`.
 pub fn part_of(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_os_string();
     name.push(".part");
@@ -48,17 +48,17 @@ pub fn part_of(path: &Path) -> PathBuf {
 }
 
 impl<'a> Output<'a> {
-    /// Opens the place, with a tally of the rows that it holds already.
+    /// Opens the place and tallies the rows that it holds already.
     pub fn open(target: Option<&'a Target>, design: &Design, shard: Shard) -> Result<(Self, Tally), Problem> {
         let empty = || Tally::new(design.cases);
         let Some(target) = target else { return Ok((Output { place: Place::Nowhere }, empty())) };
         let Some(path) = target.file() else {
             let mut stream = target.begin()?;
-            // A reader that is gone already is found at the first rows.
+            // If the reader has gone away already, the first rows report it.
             let _ = writeln!(stream, "{}", header());
             return Ok((Output { place: Place::Stream(stream) }, empty()));
         };
-        // Parquet is not read back: it is made anew.
+        // Parquet is not read back; it is made anew.
         let whole = if parquet::is_wanted(path) { None } else { complete(path, design, shard) };
         if let Some(tally) = whole {
             return Ok((Output { place: Place::Complete(path) }, tally));
@@ -78,7 +78,7 @@ impl<'a> Output<'a> {
         matches!(self.place, Place::Complete(_))
     }
 
-    /// The file of rows that an interrupted campaign goes on from.
+    /// The file of rows that an interrupted campaign continues from.
     pub fn part(&self) -> Option<&Path> {
         match &self.place {
             Place::Part { part, .. } => Some(part),
@@ -94,7 +94,7 @@ impl<'a> Output<'a> {
         }
     }
 
-    /// Appends whole lines. They are with the operating system when this returns.
+    /// Appends whole lines, which are handed to the operating system when this returns.
     pub fn add(&mut self, lines: &str) -> Result<(), Stop> {
         match &mut self.place {
             Place::Nowhere | Place::Complete(_) => Ok(()),
@@ -110,7 +110,7 @@ impl<'a> Output<'a> {
         }
     }
 
-    /// Every row is there: the file takes its name.
+    /// Renames the file of all rows to its final name.
     pub fn finish(self) -> Result<(), Stop> {
         let Place::Part { mut file, part, path, target } = self.place else { return Ok(()) };
         let cannot = |e: Error| Stop::Problem(cannot_write(path, &e));
@@ -127,14 +127,14 @@ impl<'a> Output<'a> {
     }
 }
 
-/// Whether a file begins like rows of some campaign, and holds at least one.
+/// Whether a file starts with the heading of rows and holds at least one row.
 fn holds_rows(path: &Path) -> bool {
     let Ok(file) = open_regular(path) else { return false };
     let mut lines = BufReader::new(file).lines();
     lines.next().is_some_and(|line| line.is_ok_and(|l| l == header())) && lines.next().is_some()
 }
 
-/// The tally of a file that holds every row of the shard.
+/// The tally of a file, if it holds every row of the shard.
 fn complete(path: &Path, design: &Design, shard: Shard) -> Option<Tally> {
     let mut tally = Tally::new(design.cases);
     let input = BufReader::new(open_regular(path).ok()?);
@@ -143,11 +143,11 @@ fn complete(path: &Path, design: &Design, shard: Shard) -> Option<Tally> {
 }
 
 fn is_whole(scan: &Scan, design: &Design, shard: Shard) -> bool {
-    // A file without even a heading is not whole, though its shard may have no cases.
+    // A shard may have no cases, but a whole file has at least a heading.
     !scan.torn && scan.bytes > 0 && scan.rows == shard.count(design.cases.count())
 }
 
-/// The file of rows that are coming in, behind its last complete line, with a tally of those that are there.
+/// Opens the file of rows after its last complete line, and tallies the rows that it holds.
 fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), Problem> {
     let cannot = |e: Error| cannot_write(part, &e);
     let mut options = OpenOptions::new();
@@ -155,14 +155,15 @@ fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), P
     without_waiting(&mut options);
     let mut file = options.open(part).map_err(cannot)?;
     file.metadata().and_then(|there| regular(&there)).map_err(cannot)?;
-    // File systems that know no locks do without.
+    // A file system may have no locks; then the file is used without one.
     if let Err(TryLockError::WouldBlock) = file.try_lock() {
         return Err(format!("{} is being written by another run: wait for it, or choose another name", part.display()));
     }
     let mut tally = Tally::new(design.cases);
     let found = scan(design, shard, BufReader::new(&file), |case, row| tally.add(case, row));
-    let found = found
-        .map_err(|e| format!("{}; delete it to begin anew, or choose another name with -o", unfit(part, &e, design)))?;
+    let found = found.map_err(|e| {
+        format!("{}; delete it to start again, or choose another name with -o", unfit(part, &e, design))
+    })?;
     file.set_len(found.bytes).map_err(cannot)?;
     file.seek(SeekFrom::Start(found.bytes)).map_err(cannot)?;
     if found.bytes == 0 {
@@ -171,7 +172,7 @@ fn resume(part: &Path, design: &Design, shard: Shard) -> Result<(File, Tally), P
     Ok((file, tally))
 }
 
-/// The tally of rows that were flown before.
+/// The tally of rows that were flown before (`--rows`).
 pub fn tally(path: &Path, design: &Design, shard: Shard) -> Result<Tally, Problem> {
     let input = open_regular(path).map_err(|e| cannot_read(path, &e))?;
     let mut tally = Tally::new(design.cases);
@@ -179,20 +180,20 @@ pub fn tally(path: &Path, design: &Design, shard: Shard) -> Result<Tally, Proble
     let found = found.map_err(|e| unfit(path, &e, design))?;
     let due = shard.count(design.cases.count());
     if !is_whole(&found, design, shard) {
-        return Err(format!("{} holds {} of {due} rows: let the campaign run to its end", path.display(), found.rows));
+        return Err(format!("{} holds {} of {due} rows: run the campaign to its end", path.display(), found.rows));
     }
     Ok(tally)
 }
 
-/// Why rows are not those of the campaign or shard.
+/// Why a file does not hold the rows of this campaign or shard.
 fn unfit(path: &Path, error: &ScanError, design: &Design) -> Problem {
     let name = path.display();
     match error {
         ScanError::Read(e) => format!("cannot read {name}: {}", reason(e)),
         ScanError::Damaged { line, what } => format!("{name}, line {line}: {what}"),
         ScanError::Foreign => format!(
-            "{name} holds rows of another campaign (this one is {}; the spec, --set, --times, --seeds and the version \
-             make it)",
+            "{name} holds rows of another campaign (this one is {}; it depends on the spec, --set, --times, --seeds and \
+             the version)",
             design.id
         ),
         ScanError::OutOfOrder { line, found, due: Some(due) } if found == due => {
@@ -200,7 +201,7 @@ fn unfit(path: &Path, error: &ScanError, design: &Design) -> Problem {
         }
         ScanError::OutOfOrder { line, found, due } => {
             let due = due.map_or("no more".into(), |due| format!("case {due}"));
-            format!("{name}, line {line}: case {found} stands where {due} is due, as in rows of another shard")
+            format!("{name}, line {line}: case {found} is where {due} is expected, as in rows of another shard")
         }
     }
 }

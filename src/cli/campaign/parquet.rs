@@ -1,16 +1,16 @@
-//! Rows into Parquet, where mavc was built with the feature `parquet`.
+//! Conversion of rows to Parquet, if mavc was built with the feature `parquet`.
 
 use super::super::target::Target;
 use super::Problem;
 use std::io::BufRead;
 use std::path::Path;
 
-/// A name that ends in `.parquet` asks for it.
+/// Whether the name ends in `.parquet`.
 pub fn is_wanted(path: &Path) -> bool {
     path.extension().is_some_and(|e| e == "parquet")
 }
 
-/// Says early that this mavc cannot.
+/// Fails before any flight if Parquet is wanted and this mavc cannot write it.
 pub fn is_possible(path: &Path) -> Result<(), Problem> {
     if is_wanted(path) && !cfg!(feature = "parquet") {
         return Err(format!("{}: {WITHOUT}", path.display()));
@@ -18,9 +18,9 @@ pub fn is_possible(path: &Path) -> Result<(), Problem> {
     Ok(())
 }
 
-const WITHOUT: &str = "this mavc was built without Parquet; build it with `--features parquet`, or name a .csv";
+const WITHOUT: &str = "this mavc was built without Parquet; build it with `--features parquet`, or name a .csv file";
 
-/// Writes finished rows, from their heading on, as Parquet.
+/// Writes finished rows, which start with their heading, as Parquet.
 #[cfg(feature = "parquet")]
 pub fn convert(rows: impl BufRead, target: &Target) -> Result<(), Problem> {
     let mut pieces = target.begin()?;

@@ -1,8 +1,8 @@
-//! Where the rows, the report and the page of a campaign go.
+//! The places that the rows, the report and the page of a campaign go to.
 
 use super::{CampaignArgs, output, parquet};
 use crate::cli::results::{self, apart};
-use crate::cli::spec::Told;
+use crate::cli::spec::Findings;
 use crate::cli::target::{Target, write};
 use crate::cli::{Options, Problem, files};
 use crate::report::campaign_record::CampaignRecord;
@@ -10,18 +10,18 @@ use crate::report::page::{self, Subject};
 use crate::spec::Spec;
 use std::path::Path;
 
-/// Apart from each other.
+/// The places, all different.
 pub struct Places<'a> {
     pub rows: Option<Target>,
     report: Option<Target>,
     page: Option<Target>,
     page_name: Option<&'a Path>,
-    /// Rows that were flown before, which are read.
+    /// The file of rows that were flown before (`--rows`).
     read: Option<&'a Path>,
 }
 
 impl<'a> Places<'a> {
-    /// Finds every place, before minutes of work.
+    /// Finds every place before minutes of work.
     pub fn new(args: &'a CampaignArgs) -> Result<Self, Problem> {
         let target = |name: Option<&Path>| name.map(Target::new).transpose();
         let (rows, report) = (target(args.output.as_deref())?, target(args.report.as_deref())?);
@@ -33,9 +33,9 @@ impl<'a> Places<'a> {
         Ok(Places { rows, report, page, page_name: args.html.as_deref(), read: args.rows.as_deref() })
     }
 
-    /// Refuses places where a result would replace a file that is read.
-    pub fn spare(&self, told: &Told) -> Result<(), Problem> {
-        let read = || told.files.sources.iter().map(|(_, source)| source.name.as_str());
+    /// Refuses places at which a result would replace a file that is read.
+    pub fn spare(&self, findings: &Findings) -> Result<(), Problem> {
+        let read = || findings.files.sources.iter().map(|(_, source)| source.name.as_str());
         [&self.rows, &self.report, &self.page].into_iter().flatten().try_for_each(|t| t.must_spare(read()))?;
         let rows = self.read.and_then(Path::to_str);
         [&self.report, &self.page].into_iter().flatten().try_for_each(|target| target.must_spare(rows))
@@ -45,12 +45,13 @@ impl<'a> Places<'a> {
         target.as_ref().is_some_and(Target::is_stdout)
     }
 
-    /// Prints the text for people: beside rows or a page on standard output on standard error, beside a report nowhere.
+    /// Prints the text for people: to standard error if standard output takes rows or a page, not at all if it takes the
+    /// report.
     pub fn print(&self, text: &str) -> Result<(), Problem> {
         match (Self::is_stdout(&self.report), Self::is_stdout(&self.page) || Self::is_stdout(&self.rows)) {
             (true, _) => Ok(()),
             (false, true) => {
-                files::tell(text);
+                files::eprint(text);
                 Ok(())
             }
             (false, false) => files::print(text),
@@ -65,13 +66,19 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// Writes report and page, and says where the page is.
-    pub fn write(&self, spec: &Spec, told: &Told, record: &CampaignRecord, options: &Options) -> Result<(), Problem> {
+    /// Writes the report and the page, and prints where the page is.
+    pub fn write(
+        &self,
+        spec: &Spec,
+        findings: &Findings,
+        record: &CampaignRecord,
+        options: &Options,
+    ) -> Result<(), Problem> {
         let report =
             self.report.as_ref().map(|target| Ok::<_, Problem>((target, results::json(record)?))).transpose()?;
         let page = self.page.as_ref().zip(spec.mission()).map(|(target, mission)| {
             let subject =
-                Subject { model: spec.model(), mission, sources: spec.sources(), diagnostics: &told.diagnostics };
+                Subject { model: spec.model(), mission, sources: spec.sources(), diagnostics: &findings.diagnostics };
             (target, page::campaign(&subject, record))
         });
         let made: Vec<_> = report.iter().chain(&page).map(|(target, text)| (*target, text.as_str())).collect();
@@ -84,12 +91,12 @@ impl<'a> Places<'a> {
     }
 }
 
-/// Rows, what is still being written of them, and another result must be in different places.
+/// Refuses one place for the rows, or their `.part`, and another result.
 fn rows_apart(rows: &Option<Target>, other: &Option<Target>) -> Result<(), Problem> {
     let (Some(rows), Some(other)) = (rows, other) else { return Ok(()) };
     let part = rows.file().map(output::part_of);
     if rows.is_same(other) || part.is_some() && part.as_deref() == other.file() {
-        return Err("the rows and the report would go to one place: give -o and --report two names".into());
+        return Err("the rows and another result have the same place: give each its own name".into());
     }
     Ok(())
 }

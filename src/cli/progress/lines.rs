@@ -1,46 +1,46 @@
-//! Plain lines of progress, for logs: none in the first seconds, then few.
+//! Plain lines of progress, for logs: the first after ten seconds, then one every ten seconds.
 
 use crate::cli::files;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// Between two lines, and before the first.
+/// The time between two lines, and before the first.
 const EVERY: Duration = Duration::from_secs(10);
 
-/// A thread that prints what was told last, so that a line comes even while one long step tells nothing new.
+/// A thread that prints the latest message, so that a line appears even during one long step.
 pub struct Lines {
-    told: Sender<String>,
+    sender: Sender<String>,
     printer: JoinHandle<()>,
 }
 
 impl Lines {
     pub fn new() -> Self {
-        let (told, heard) = channel();
+        let (sender, messages) = channel();
         let printer = std::thread::spawn(move || {
-            follow(&heard, EVERY, EVERY, |elapsed, message| files::tell(&line(elapsed, message)));
+            follow(&messages, EVERY, EVERY, |elapsed, message| files::eprint(&line(elapsed, message)));
         });
-        Lines { told, printer }
+        Lines { sender, printer }
     }
 
-    pub fn tell(&self, message: String) {
-        // Nobody listens only where the printer has died; then there is nothing to show.
-        let _ = self.told.send(message);
+    pub fn update(&self, message: String) {
+        // This fails only if the printer has died; then there is nothing to show.
+        let _ = self.sender.send(message);
     }
 
     pub fn done(self) {
-        drop(self.told);
+        drop(self.sender);
         let _ = self.printer.join();
     }
 }
 
-/// Prints the last message heard, with the time since the beginning: not before `first`, and then once in each `every`, until
-/// nobody can tell more.
-fn follow(heard: &Receiver<String>, first: Duration, every: Duration, mut print: impl FnMut(Duration, &str)) {
+/// Prints the latest message and the time since the start: first after `first`, then once in each `every`, until the channel
+/// is closed.
+fn follow(messages: &Receiver<String>, first: Duration, every: Duration, mut print: impl FnMut(Duration, &str)) {
     let begin = Instant::now();
     let (mut due, mut last) = (first, String::new());
     loop {
-        match heard.recv_timeout(due.saturating_sub(begin.elapsed())) {
+        match messages.recv_timeout(due.saturating_sub(begin.elapsed())) {
             Ok(message) => last = message,
             Err(RecvTimeoutError::Timeout) => {
                 let elapsed = begin.elapsed();
@@ -64,28 +64,28 @@ mod tests {
 
     const LONG: Duration = Duration::from_secs(1_000_000);
 
-    fn heard(messages: &[&str]) -> (Sender<String>, Receiver<String>) {
-        let (told, heard) = channel();
-        messages.iter().for_each(|m| told.send(m.to_string()).unwrap());
-        (told, heard)
+    fn sent(messages: &[&str]) -> (Sender<String>, Receiver<String>) {
+        let (sender, receiver) = channel();
+        messages.iter().for_each(|m| sender.send(m.to_string()).unwrap());
+        (sender, receiver)
     }
 
     #[test]
-    fn what_ends_before_the_first_line_is_due_prints_nothing() {
-        let (told, heard) = heard(&["RIP: is 9.00 s enough?", "RSP: is 9.00 s enough?"]);
-        drop(told);
-        follow(&heard, LONG, Duration::ZERO, |_, message| panic!("{message}"));
+    fn a_run_that_ends_before_the_first_line_is_due_prints_nothing() {
+        let (sender, receiver) = sent(&["RIP: is 9.00 s enough?", "RSP: is 9.00 s enough?"]);
+        drop(sender);
+        follow(&receiver, LONG, Duration::ZERO, |_, message| panic!("{message}"));
     }
 
     #[test]
-    fn what_was_told_last_is_printed_once_in_an_interval() {
-        let (told, heard) = heard(&["RIP: is 9.00 s enough?", "RSP: is 9.00 s enough?"]);
-        let mut told = Some(told);
+    fn the_latest_message_is_printed_once_in_an_interval() {
+        let (sender, receiver) = sent(&["RIP: is 9.00 s enough?", "RSP: is 9.00 s enough?"]);
+        let mut sender = Some(sender);
         let mut printed = Vec::new();
-        follow(&heard, Duration::ZERO, LONG, |_, message| {
-            // More is told, and then no more, long before the next line is due.
-            if let Some(told) = told.take() {
-                told.send("RSP: is 8.00 s enough?".into()).unwrap();
+        follow(&receiver, Duration::ZERO, LONG, |_, message| {
+            // One more message, and the end, long before the next line is due.
+            if let Some(sender) = sender.take() {
+                sender.send("RSP: is 8.00 s enough?".into()).unwrap();
             }
             printed.push(message.to_string());
         });

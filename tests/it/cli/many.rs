@@ -59,7 +59,7 @@ fn what_several_specs_share_is_reported_once() {
     let ran = mavc(&["check", text(dir.path())]);
     let told = out(&ran);
     assert_eq!(told.matches("mavc::unit::mismatch").count(), 1, "{told}");
-    assert!(told.contains("b.mav: 1 error (1 told above)"), "{told}");
+    assert!(told.contains("b.mav: 1 error (1 reported above)"), "{told}");
     assert_eq!(told.lines().last(), Some("3 specs, 3 with problems: 1 error"));
     let json = out(&mavc(&["check", "--format", "json", text(dir.path())]));
     assert_eq!(json.lines().count(), 1, "{json}");

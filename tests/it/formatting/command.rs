@@ -10,7 +10,7 @@ const BROKEN: &str = "let a = = 1\n";
 
 /// What `--check` says of [`UNTIDY`].
 fn told(name: &str) -> String {
-    format!("{name}:1: would be laid out anew\n  - let  a=1\n  + let a = 1\n")
+    format!("{name}:1: would be reformatted\n  - let  a=1\n  + let a = 1\n")
 }
 
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
@@ -77,7 +77,7 @@ fn check_shows_the_first_line_that_would_change() {
         ("let a = 1\nlet b = 2\r\n", 2, "~ a carriage return at the line's end, where the first line has none"),
         ("\u{feff}let a = 1\n", 1, "~ a byte order mark at the beginning"),
     ] {
-        let expected = format!("<stdin>:{line}: would be laid out anew\n  {shown}\n");
+        let expected = format!("<stdin>:{line}: would be reformatted\n  {shown}\n");
         assert_eq!(fmt(&["--check", "-"], text), (1, expected, String::new()), "{text:?}");
     }
 }

@@ -78,7 +78,7 @@ fn a_campaign_that_is_interrupted_says_how_to_go_on() {
         before = rows(&part);
         let line = said
             .lines()
-            .find(|line| line.contains("the same command goes on from there"))
+            .find(|line| line.contains("the same command continues from there"))
             .unwrap_or_else(|| panic!("{said}"));
         let done: usize = line.split(' ').nth(1).unwrap().parse().unwrap();
         // A chunk may have been written whose rows are not counted yet.

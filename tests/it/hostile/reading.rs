@@ -147,7 +147,7 @@ fn a_folder_goes_on_past_bad_entries_and_reports_them() {
         if command == ["check"] {
             let out = String::from_utf8(ran.stdout.clone()).unwrap();
             assert!(out.contains("sub/good.mav: no problems\n"), "{out}");
-            assert!(out.ends_with("2 specs, 1 could not be read, 3 entries passed over: no problems\n"), "{out}");
+            assert!(out.ends_with("2 specs, 1 could not be read, 3 entries skipped: no problems\n"), "{out}");
         }
     }
     // A name beside the folder is not kept waiting either.

@@ -213,8 +213,8 @@ fn headers_that_cannot_be_read_end_the_server_in_words() {
         let ended = spoken_to(wrong);
         let told = String::from_utf8(ended.stderr).unwrap();
         assert_eq!(ended.status.code(), Some(2), "{wrong:.60?}");
-        let initial_guesses = "mavc: the conversation with the editor broke off: ";
-        assert!(told.starts_with(initial_guesses) && told.lines().count() == 1, "{wrong:.60?}: {told:?}");
+        let expected = "mavc: the connection to the editor was lost: ";
+        assert!(told.starts_with(expected) && told.lines().count() == 1, "{wrong:.60?}: {told:?}");
     }
 }
 
