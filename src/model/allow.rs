@@ -3,8 +3,8 @@
 use std::sync::LazyLock;
 
 use super::context::{Context, no_filter};
+use super::edits;
 use super::elaborate::expr_of;
-use super::mend;
 use crate::diagnostic::{Diagnostic, Severity, codes, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, Field};
@@ -131,7 +131,7 @@ impl<'a> Context<'a> {
             let warning = Diagnostic::warning(IDLE, span, message).here("suppresses nothing");
             let warning = warning.help("remove it, so that it cannot hide a later mistake");
             self.report(match in_list {
-                true => warning.fix(mend::element(self.sources.get(span.file), span), ""),
+                true => warning.fix(edits::element(self.sources.get(span.file), span), ""),
                 false => warning,
             });
         }

@@ -60,12 +60,12 @@ impl<'a> Context<'a> {
         }
         let name = self.sources.snippet(right.span).split([' ', '^']).next().unwrap_or("");
         let message = format!("unknown name `{name}`; a unit must directly follow a number");
-        let mended = format!("{} {unit}", self.without_unit(value));
+        let corrected = format!("{} {unit}", self.without_unit(value));
         self.report(
             Diagnostic::error("mavc::name::unknown", right.span, message)
                 .here("a unit goes directly after a number, `)` or `]`")
-                .help(format!("write `{mended}`"))
-                .fix(left.span.to(right.span), mended),
+                .help(format!("write `{corrected}`"))
+                .fix(left.span.to(right.span), corrected),
         );
         true
     }
@@ -134,7 +134,7 @@ impl<'a> Context<'a> {
         };
         let slip = match bare_side.and_then(|(_, unit)| self.with_unit(bare, unit)) {
             _ if error.help.is_some() => error.help.as_ref().map(|help| format!("a unit is missing: {help}")),
-            Some(mended) => Some(format!("a unit is missing: write `{mended}`")),
+            Some(corrected) => Some(format!("a unit is missing: write `{corrected}`")),
             None if is_share && matches!(left.kind, ExprKind::Number { .. } | ExprKind::Name(_)) => {
                 let [whole, share] = [left, right].map(|side| self.sources.snippet(side.span));
                 Some(format!("to change a quantity by a share, write `{whole}*(1 {} {share})`", symbol(operator)))

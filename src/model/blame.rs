@@ -17,7 +17,7 @@ const MOST_USES: usize = 4;
 /// A use of a `let` that expects another dimension than the `let` has.
 pub(super) struct Suspect<'a> {
     /// Its error, among the diagnostics.
-    told: usize,
+    index: usize,
     name: &'a str,
     /// The help if other uses accept the `let` as it is.
     help: String,
@@ -51,8 +51,8 @@ impl<'a> Context<'a> {
             return self.report(error);
         };
         let key = (name, due.to_string());
-        if let Some(&told) = self.accused.get(&key) {
-            let first = &mut self.diagnostics[told];
+        if let Some(&index) = self.accused.get(&key) {
+            let first = &mut self.diagnostics[index];
             let is_new = first.span != expr.span && first.labels.iter().all(|label| label.span != expr.span);
             // The declaration has a label too.
             if is_new && first.labels.len() <= MOST_USES {
@@ -85,7 +85,7 @@ impl<'a> Context<'a> {
             kind(expected),
         );
         let help = format!("{}\n{action}", mismatch(expected, q.dimension).table);
-        self.suspects.push(Suspect { told: self.diagnostics.len(), name, help });
+        self.suspects.push(Suspect { index: self.diagnostics.len(), name, help });
     }
 
     /// Runs once everything has been read: where a `let` was right for one use, the help asks to change the other use.
@@ -93,13 +93,13 @@ impl<'a> Context<'a> {
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
         // A `let` defined by another does not count as a use.
         let lets: Vec<Span> = self.lets.values().filter_map(|l| expr_of(l.field)).map(|value| value.span).collect();
-        for Suspect { told, name, help } in std::mem::take(&mut self.suspects) {
+        for Suspect { index, name, help } in std::mem::take(&mut self.suspects) {
             let names = |reading: &Reading| {
                 let mut words = self.sources.snippet(reading.span).split(|c| !is_word(c));
                 !lets.contains(&reading.span) && words.any(|word| word == name)
             };
             if self.readings.iter().any(names)
-                && let Some(diagnostic) = self.diagnostics.get_mut(told)
+                && let Some(diagnostic) = self.diagnostics.get_mut(index)
             {
                 diagnostic.help = Some(help);
             }
@@ -120,7 +120,7 @@ impl<'a> Context<'a> {
         let (Some(value), Some(&last)) = (found.filter(|e| trailing_unit(e).is_none()), chain.last()) else {
             return error;
         };
-        let Some(mended) = units.iter().map(|unit| self.with_unit(value, unit)).collect::<Option<Vec<_>>>() else {
+        let Some(corrected) = units.iter().map(|unit| self.with_unit(value, unit)).collect::<Option<Vec<_>>>() else {
             return error;
         };
         for name in &chain {
@@ -129,7 +129,7 @@ impl<'a> Context<'a> {
             }
         }
         let is_set = self.sources.get(value.span.file).name == OVERRIDE;
-        let choices: Vec<String> = mended
+        let choices: Vec<String> = corrected
             .iter()
             .map(|text| match is_set {
                 true => format!("`--set {last}={}`", text.replace(' ', "")),
@@ -138,7 +138,7 @@ impl<'a> Context<'a> {
             .collect();
         let error = error.also(value.span, format!("`{last}` has no unit here"));
         let mut error = error.help(format!("write {}", choices.join(" or ")));
-        error.fix = <[String; 1]>::try_from(mended).ok().map(|[text]| Fix { span: value.span, text });
+        error.fix = <[String; 1]>::try_from(corrected).ok().map(|[text]| Fix { span: value.span, text });
         error
     }
 

@@ -1,8 +1,8 @@
 //! The `campaign` block: how many flights with faults are flown, and with the plans of which planners.
 
 use super::context::{Context, either};
+use super::edits;
 use super::fields::Fields;
-use super::mend;
 use super::simulate::{Around, seed};
 use super::{Campaign, DefaultUsed, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
@@ -88,7 +88,7 @@ fn planners<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<PlannerKind>
             Some(planner) if chosen.contains(&planner) => {
                 let message = format!("`{}` is listed twice", planner.name());
                 let warning = Diagnostic::warning("mavc::campaign::listed_twice", element.span, message);
-                let again = mend::element(cx.sources.get(element.span.file), element.span);
+                let again = edits::element(cx.sources.get(element.span.file), element.span);
                 cx.report(warning.here("already listed").help("remove it").fix(again, ""));
             }
             Some(planner) => chosen.push(planner),

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::allow::Allowed;
 use super::blame::Suspect;
+use super::edits;
 use super::expression::Value;
-use super::mend;
 use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
@@ -199,7 +199,7 @@ impl<'a> Context<'a> {
             let warning = warning.help("use it or remove it");
             // Its doc comment would then describe the next statement, so there is no fix for one that has a comment.
             self.report(match doc {
-                None => warning.fix(mend::removal(self.sources.get(span.file), *span), ""),
+                None => warning.fix(edits::removal(self.sources.get(span.file), *span), ""),
                 Some(_) => warning,
             });
         }
@@ -207,7 +207,7 @@ impl<'a> Context<'a> {
 
     /// Adds the help for a second block where only one is allowed, with a fix that merges the two where that is simple.
     pub fn joined(&self, error: Diagnostic, first: &Block, second: &Block) -> Diagnostic {
-        let junction = mend::junction(self.sources.get(first.span.file), first, second);
+        let junction = edits::junction(self.sources.get(first.span.file), first, second);
         match junction.filter(|_| first.span.file == second.span.file) {
             Some((span, text)) => error.help("merge the two blocks into one").fix(span, text),
             None => error.help("move its contents into the first block, then remove this one"),

@@ -69,8 +69,8 @@ impl<'a> Context<'a> {
         let error = error.here(format!("this is {found}"));
         let error = match (&expr.kind, self.let_behind(expr).map(|(name, value)| (name, &value.kind))) {
             (ExprKind::Negate(inner), None) if value < 0.0 => {
-                let mended = self.sources.snippet(inner.span);
-                error.help(format!("remove the minus sign: write `{mended}`")).fix(expr.span, mended)
+                let corrected = self.sources.snippet(inner.span);
+                error.help(format!("remove the minus sign: write `{corrected}`")).fix(expr.span, corrected)
             }
             (ExprKind::Name(_), Some((name, ExprKind::Negate(inner)))) if value < 0.0 => {
                 let positive = self.sources.snippet(inner.span);
@@ -283,8 +283,8 @@ impl<'a> Context<'a> {
         let error = Diagnostic::error("mavc::unit::missing", expr.span, message).here("missing unit");
         if let ExprKind::Number { text, unit: Some(percent), .. } = &expr.kind {
             let units = likely_units(due, text.parse().unwrap_or(size));
-            let mended = units.iter().map(|unit| format!("{text} {unit}")).collect();
-            return one_of(error.here(format!("`{}` makes it a share", percent.value)), expr.span, mended);
+            let corrected = units.iter().map(|unit| format!("{text} {unit}")).collect();
+            return one_of(error.here(format!("`{}` makes it a share", percent.value)), expr.span, corrected);
         }
         let units = self.likely_units_of(due, size, expr);
         if let ExprKind::Range { high, .. } = &expr.kind
@@ -294,7 +294,7 @@ impl<'a> Context<'a> {
             return error.help(format!("put the unit at the end, as in {}", examples.join(" or ")));
         }
         match units.iter().map(|unit| self.with_unit(expr, unit)).collect::<Option<Vec<_>>>() {
-            Some(mended) => one_of(error, expr.span, mended),
+            Some(corrected) => one_of(error, expr.span, corrected),
             None => error.help(format!("add a unit: `(...) {}`", units[0])),
         }
     }
@@ -307,8 +307,8 @@ impl<'a> Context<'a> {
             ExprKind::Name(_) | ExprKind::Binary { .. } => false,
             _ => true,
         };
-        let mended = if closed { format!("{text} {unit}") } else { format!("({text}) {unit}") };
-        (mended.len() <= 48 && !mended.contains('\n')).then_some(mended)
+        let corrected = if closed { format!("{text} {unit}") } else { format!("({text}) {unit}") };
+        (corrected.len() <= 48 && !corrected.contains('\n')).then_some(corrected)
     }
 
     /// A value as written, without its unit.
@@ -331,10 +331,10 @@ impl<'a> Context<'a> {
 }
 
 /// The error with what to write at `span`: a fix where there is one candidate, a list where only the author can choose.
-fn one_of(error: Diagnostic, span: Span, mended: Vec<String>) -> Diagnostic {
-    let listed: Vec<String> = mended.iter().map(|text| format!("`{text}`")).collect();
+fn one_of(error: Diagnostic, span: Span, corrected: Vec<String>) -> Diagnostic {
+    let listed: Vec<String> = corrected.iter().map(|text| format!("`{text}`")).collect();
     let error = error.help(format!("write {}", listed.join(" or ")));
-    match <[String; 1]>::try_from(mended) {
+    match <[String; 1]>::try_from(corrected) {
         Ok([text]) => error.fix(span, text),
         Err(_) => error,
     }

@@ -257,11 +257,11 @@ impl<'a> Context<'a> {
         }
         if a.dimension != b.dimension {
             let message = format!("a range cannot go from {} to {}", a.dimension.describe(), b.dimension.describe());
-            let told = compare(["start", "end"], a.dimension, b.dimension);
+            let difference = compare(["start", "end"], a.dimension, b.dimension);
             let error = Diagnostic::error("mavc::unit::mismatch", high.span, message)
                 .here(format!("this is {}", b.dimension.describe()))
                 .also(low.span, format!("this is {}", a.dimension.describe()))
-                .help(format!("{}\ngive both ends the same unit, as in `1 .. 30 m`", told.table));
+                .help(format!("{}\ngive both ends the same unit, as in `1 .. 30 m`", difference.table));
             self.report_of_sides([(low, a), (high, b)], error);
             return None;
         }

@@ -1,7 +1,7 @@
 //! The `name = value` statements of a block: reports unknown, repeated and missing fields.
 
 use super::context::{Context, either, listed, no_filter};
-use super::mend;
+use super::edits;
 use super::overrides::is_override;
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::{Entry, Group};
@@ -70,11 +70,11 @@ pub(super) struct Fields<'a> {
     /// The block has statements that could not be parsed, so that no field is certainly missing.
     broken: bool,
     /// Where a missing field would go.
-    room: Room,
+    slot: Slot,
 }
 
 /// Where a missing field goes.
-enum Room {
+enum Slot {
     /// After the last statement of a block, or after the brace of an empty one.
     Block(Option<Span>),
     /// At the end of a statement made of clauses, or of a head.
@@ -84,8 +84,8 @@ enum Room {
 impl<'a> Fields<'a> {
     /// The fields among the statements of a block.
     pub fn of_block(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement], known: Group) -> Self {
-        let room = Room::Block(body.last().map(Statement::span));
-        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, room };
+        let slot = Slot::Block(body.last().map(Statement::span));
+        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, slot };
         for statement in body {
             if let Statement::Broken(span) = statement {
                 // A broken statement that clearly is one field does not hide the others.
@@ -116,8 +116,8 @@ impl<'a> Fields<'a> {
 
     /// The `word value` clauses of a statement.
     pub fn of_clauses(cx: &mut Context<'a>, owner: String, statement: &'a Clauses, known: Group) -> Self {
-        let (span, room) = (statement.span, Room::End(statement.span));
-        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, room };
+        let (span, slot) = (statement.span, Slot::End(statement.span));
+        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, slot };
         for clause in &statement.clauses {
             fields.take(cx, &clause.word, &clause.value, clause.value.span, known);
         }
@@ -138,7 +138,7 @@ impl<'a> Fields<'a> {
                 return;
             }
             let message = format!("`{}` is given twice in {}", name.value, self.owner);
-            let again = mend::removal(cx.sources.get(span.file), name.span.to(span));
+            let again = edits::removal(cx.sources.get(span.file), name.span.to(span));
             cx.report(
                 Diagnostic::error("mavc::name::duplicate", name.span, message)
                     .here("given again")
@@ -268,12 +268,12 @@ impl<'a> Fields<'a> {
     /// The error with a fix that adds the field `text` where the other fields are.
     pub fn add(&self, cx: &Context, error: Diagnostic, text: &str) -> Diagnostic {
         let source = cx.sources.get(self.span.file);
-        let room = match self.room {
+        let slot = match self.slot {
             _ if text.starts_with(',') => Some((Span { start: self.span.end, ..self.span }, text.to_string())),
-            Room::Block(last) => mend::insertion(source, self.span, last, text),
-            Room::End(span) => Some((Span { start: span.end, ..span }, format!(" {text}"))),
+            Slot::Block(last) => edits::insertion(source, self.span, last, text),
+            Slot::End(span) => Some((Span { start: span.end, ..span }, format!(" {text}"))),
         };
-        match room {
+        match slot {
             Some((span, text)) => error.fix(span, text),
             None => error,
         }

@@ -48,12 +48,12 @@ impl<'a> Context<'a> {
         block: Option<Span>,
         read: impl FnOnce(&mut Self) -> T,
     ) -> T {
-        let (told, dropped) = (self.diagnostics.len(), self.dropped);
+        let (before, dropped) = (self.diagnostics.len(), self.dropped);
         let value = read(self);
         if flights == FlightBlocks::Used {
             return value;
         }
-        for diagnostic in self.diagnostics[told..].iter_mut().filter(|d| d.severity == Severity::Error) {
+        for diagnostic in self.diagnostics[before..].iter_mut().filter(|d| d.severity == Severity::Error) {
             diagnostic.severity = Severity::Warning;
             self.softened = true;
             if let Some(span) = block.filter(|span| *span != diagnostic.span) {

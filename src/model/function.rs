@@ -67,13 +67,13 @@ impl<'a> Context<'a> {
             _ => {
                 let other = values.iter().zip(arguments).skip(1).find(|(q, _)| q.dimension != x.dimension);
                 if let Some((q, argument)) = other {
-                    let told = compare(["first", "other"], x.dimension, q.dimension);
+                    let difference = compare(["first", "other"], x.dimension, q.dimension);
                     let message =
                         format!("`{name}` cannot combine {} and {}", x.dimension.describe(), q.dimension.describe());
                     let error = Diagnostic::error("mavc::unit::mismatch", argument.span, message)
                         .here(format!("this is {}", q.dimension.describe()))
                         .also(arguments[0].span, format!("this is {}", x.dimension.describe()))
-                        .help(format!("{}\ngive all arguments the same dimension", told.table));
+                        .help(format!("{}\ngive all arguments the same dimension", difference.table));
                     self.report_of_sides([(&arguments[0], x), (argument, *q)], error);
                     return None;
                 }
@@ -97,12 +97,12 @@ impl<'a> Context<'a> {
 
     fn wrong_argument(&mut self, function: &str, due: &str, found: Quantity, argument: &Expr) -> Option<Value> {
         let message = format!("`{function}` takes {due}, not {}", found.dimension.describe());
-        let told = mismatch(Dimension::PLAIN, found.dimension);
+        let difference = mismatch(Dimension::PLAIN, found.dimension);
         let unit = found.dimension;
         self.report(
             Diagnostic::error("mavc::unit::mismatch", argument.span, message)
                 .here(format!("this is {}", found.dimension.describe()))
-                .help(format!("{}\ndivide by {}, as in `/ (1 {unit})`", told.table, found.dimension.describe())),
+                .help(format!("{}\ndivide by {}, as in `/ (1 {unit})`", difference.table, found.dimension.describe())),
         );
         None
     }

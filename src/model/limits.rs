@@ -2,7 +2,7 @@
 
 use super::context::{Context, listed};
 use super::due::Due;
-use super::{Limit, LimitKind, Waypoint, mend};
+use super::{Limit, LimitKind, Waypoint, edits};
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::table::limits as table;
 use crate::language::{Entry, Group};
@@ -86,7 +86,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, b
                 if let Some(&(.., first)) = earlier {
                     let message = format!("`{}` is limited twice", name.value);
                     let error = Diagnostic::error("mavc::name::duplicate", *span, message).here("limited again");
-                    let again = mend::removal(cx.sources.get(span.file), *span);
+                    let again = edits::removal(cx.sources.get(span.file), *span);
                     cx.report(error.also(first, "first limited here").help("remove one of the two").fix(again, ""));
                     whole = false;
                     continue;
@@ -176,10 +176,10 @@ fn one<'a>(
     let unit = due.unit;
     if !entry.forms().contains(&written) {
         let highest = if let ExprKind::Range { high, .. } = &bound.kind { high } else { bound };
-        let mended = format!("{name} <= {}", cx.sources.snippet(highest.span));
+        let corrected = format!("{name} <= {}", cx.sources.snippet(highest.span));
         let error = Diagnostic::error(FORM, span, format!("`{name}` takes only an upper bound"));
         let error = error.here(format!("`{written}` is not allowed"));
-        cx.report(error.help(format!("write `{mended}`")).fix(span, mended));
+        cx.report(error.help(format!("write `{corrected}`")).fix(span, corrected));
         return None;
     }
     let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
@@ -201,7 +201,7 @@ fn one<'a>(
         let error = Diagnostic::error(ORDER, at.span, message);
         let error = error.here("empty range").help("swap the two ends");
         cx.report(match swapped(cx, at) {
-            Some(mended) => error.fix(at.span, mended),
+            Some(corrected) => error.fix(at.span, corrected),
             None => error,
         });
         return None;

@@ -41,12 +41,12 @@ impl FileSet {
     /// The names of the files that were read and of those that `use` names but that could not be read.
     pub fn names(&self) -> Vec<String> {
         let read = self.sources.iter().map(|(_, source)| source.name.clone());
-        let asked = self.files.iter().flat_map(|file| {
+        let used = self.files.iter().flat_map(|file| {
             let name = &self.sources.get(file.file).name;
             let used = file.items.iter().filter_map(|item| if let Item::Use(path) = item { Some(path) } else { None });
             used.map(|path| resolve(name, &path.value).display().to_string())
         });
-        read.chain(asked).filter(|name| !name.starts_with(['<', '-'])).collect()
+        read.chain(used).filter(|name| !name.starts_with(['<', '-'])).collect()
     }
 
     /// The table at `path`, as written in `file`.
@@ -100,14 +100,14 @@ struct Loader<'r> {
 }
 
 impl Loader<'_> {
-    /// Loads one file and what it uses. `asked` is the place of the `use` that named it.
-    fn file(&mut self, name: String, bytes: &[u8], asked: Option<Span>) {
+    /// Loads one file and what it uses. `used_at` is the place of the `use` that named it.
+    fn file(&mut self, name: String, bytes: &[u8], used_at: Option<Span>) {
         let path = normal(Path::new(&name));
         self.seen.insert(path.clone(), ());
         let id = FileId(self.set.sources.iter().count() as u32);
         if bytes.len() > MAX_FILE_BYTES {
             self.set.sources.add(Source::new(&name, ""));
-            let span = asked.unwrap_or(Span::new(id, 0, 0));
+            let span = used_at.unwrap_or(Span::new(id, 0, 0));
             self.fail(too_large(&name, span, MAX_FILE_BYTES));
             return;
         }
@@ -115,10 +115,10 @@ impl Loader<'_> {
             Ok(source) => self.set.sources.add(source),
             Err(error) => {
                 let file = self.set.sources.add(error.source.clone());
-                let told = not_utf8(file, &error);
-                self.fail(match asked {
-                    Some(span) => told.also(span, "named here"),
-                    None => told,
+                let diagnostic = not_utf8(file, &error);
+                self.fail(match used_at {
+                    Some(span) => diagnostic.also(span, "named here"),
+                    None => diagnostic,
                 });
                 return;
             }
@@ -169,9 +169,9 @@ impl Loader<'_> {
         }
         match self.bytes(Kind::Spec, &target, path, from) {
             Ok(bytes) => self.file(target.display().to_string(), &bytes, Some(path.span)),
-            Err(told) => {
+            Err(diagnostic) => {
                 self.seen.insert(target.clone(), ());
-                self.fail(*told);
+                self.fail(*diagnostic);
             }
         }
     }
@@ -202,7 +202,7 @@ impl Loader<'_> {
                     self.fail(not_utf8(file, &error).also(path.span, "named here"));
                 }
             },
-            Err(told) => self.fail(*told),
+            Err(diagnostic) => self.fail(*diagnostic),
         }
     }
 

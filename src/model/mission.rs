@@ -13,7 +13,7 @@ use super::fields::Fields;
 use super::grid::Spacing;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
-use super::{Mission, Waypoint, limits, mend, sense, survey};
+use super::{Mission, Waypoint, edits, limits, sense, survey};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve_head::POINTS;
@@ -193,8 +193,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         let count = if route.waypoints.is_empty() { "it has no waypoint" } else { "it has only one" };
         let error = error.here(count).help("add `waypoint at [10, 0, 5] m` or a `curve`");
         let last = block.body.last().map(Statement::span);
-        let room = mend::insertion(cx.sources.get(span.file), span, last, "waypoint at [10, 0, 5] m");
-        cx.report(match room.filter(|_| route.waypoints.len() == 1) {
+        let slot = edits::insertion(cx.sources.get(span.file), span, last, "waypoint at [10, 0, 5] m");
+        cx.report(match slot.filter(|_| route.waypoints.len() == 1) {
             Some((span, text)) => error.fix(span, text),
             None => error,
         });

@@ -11,7 +11,7 @@ use super::grid::Spacing;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
 use super::{
-    AfterFault, DefaultUsed, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault, mend,
+    AfterFault, DefaultUsed, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault, edits,
 };
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::table::plan as table;
@@ -73,7 +73,7 @@ impl<'a> Draft<'a> {
             } else if let Some(first) = draft.against {
                 let error =
                     Diagnostic::error("mavc::name::duplicate", field.name.span, "`against` is given twice in `plan`");
-                let again = mend::removal(cx.sources.get(field.span.file), field.span);
+                let again = edits::removal(cx.sources.get(field.span.file), field.span);
                 let error = error.here("given again").also(first.name.span, "first given here");
                 cx.report(error.help("remove one").fix(again, ""));
             } else {

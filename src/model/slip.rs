@@ -47,20 +47,20 @@ impl<'a> Context<'a> {
         let expected = due.dimension();
         let takes = if expected.is_plain() { "a plain number".into() } else { expected.describe() };
         let found = q.dimension.describe();
-        let told = mismatch(expected, q.dimension);
+        let difference = mismatch(expected, q.dimension);
         let error = Diagnostic::error(
             "mavc::unit::mismatch",
             expr.span,
             format!("{} takes {takes}, not {found}", called(due.what)),
         )
         .here(format!("this is {found}"));
-        let with = |action: &str| format!("{}\n{action}", told.table);
+        let with = |action: &str| format!("{}\n{action}", difference.table);
         let behind = self.let_behind(expr);
         let written = behind.map_or(expr, |(_, value)| value);
         if let Some(slip) = self.likely_slip(expected, written) {
             return error.help(with(&slip));
         }
-        if let Some(remedy) = self.remedy(due, q, written, told.action.as_deref()) {
+        if let Some(remedy) = self.remedy(due, q, written, difference.action.as_deref()) {
             let Remedy { purpose, text, besides, is_certain } = remedy;
             let order = match behind {
                 Some((name, _)) => format!("write `let {name} = {text}`"),
@@ -71,7 +71,7 @@ impl<'a> Context<'a> {
             // A `let` is not changed by a fix, because its other uses may be right.
             return if is_certain && behind.is_none() { error.fix(expr.span, text) } else { error };
         }
-        let action = match told.action {
+        let action = match difference.action {
             Some(action) => action,
             None => format!("write {}, as in `2 {}`", kind(expected), due.unit),
         };

@@ -19,15 +19,15 @@ pub(super) fn refused_by_name(
 ) -> Option<Diagnostic> {
     let name = target.file_name().and_then(|name| name.to_str()).filter(|_| Kind::of(target) != Some(kind))?;
     let siblings = list(target.parent().unwrap_or(Path::new("")));
-    let told = |error: &Error| Some(unreadable(kind, target, path, from, error, list));
+    let report = |error: &Error| Some(unreadable(kind, target, path, from, error, list));
     if siblings.iter().any(|other| other.strip_suffix('/') == Some(name)) {
-        return told(&ErrorKind::IsADirectory.into());
+        return report(&ErrorKind::IsADirectory.into());
     }
     let is_listed = (1..MOST_ENTRIES).contains(&siblings.len()) && !name.starts_with('.');
     if is_listed && !siblings.iter().any(|other| other == name) {
-        return told(&ErrorKind::NotFound.into());
+        return report(&ErrorKind::NotFound.into());
     }
-    told(&Refused::Ending(kind).into())
+    report(&Refused::Ending(kind).into())
 }
 
 /// The error for a file that could not be read.

@@ -233,8 +233,8 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
         let error = error.here("not text in quotes");
         cx.report(match &expr.kind {
             ExprKind::Name(name) if name.chars().all(|c| matches!(c.to_ascii_uppercase(), 'P' | 'N')) => {
-                let mended = format!("\"{}\"", name.to_ascii_uppercase());
-                error.help(format!("write `{mended}`")).fix(expr.span, mended)
+                let corrected = format!("\"{}\"", name.to_ascii_uppercase());
+                error.help(format!("write `{corrected}`")).fix(expr.span, corrected)
             }
             _ => error.help("write `layout = \"PNPN\"`"),
         });
@@ -248,8 +248,8 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
         let capitals = text.to_ascii_uppercase();
         error = match letter.to_ascii_uppercase() {
             _ if capitals.chars().all(|c| matches!(c, 'P' | 'N')) => {
-                let mended = format!("\"{capitals}\"");
-                error.help(format!("write `{mended}`")).fix(expr.span, mended)
+                let corrected = format!("\"{capitals}\"");
+                error.help(format!("write `{corrected}`")).fix(expr.span, corrected)
             }
             upper @ ('P' | 'N') => error.help(format!("write `{upper}`")).fix(span, upper.to_string()),
             _ => error.help("write `P` (counter-clockwise seen from above) or `N` (clockwise)"),

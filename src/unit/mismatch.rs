@@ -92,9 +92,9 @@ mod tests {
     fn factors_stand_under_each_other() {
         let inertia = Dimension::MASS.times(Dimension::LENGTH).and_then(|d| d.times(Dimension::LENGTH)).unwrap();
         let found = Dimension::MASS.times(Dimension::LENGTH).unwrap();
-        let told = mismatch(inertia, found);
-        assert_eq!(told.table, "expected  kg  m^2\n   found  kg  m\n missing      m");
-        assert_eq!(told.action.as_deref(), Some("multiply by a length (m)"));
+        let difference = mismatch(inertia, found);
+        assert_eq!(difference.table, "expected  kg  m^2\n   found  kg  m\n missing      m");
+        assert_eq!(difference.action.as_deref(), Some("multiply by a length (m)"));
         assert_eq!(mismatch(found, inertia).action.as_deref(), Some("divide by a length (m)"));
     }
 
@@ -114,8 +114,8 @@ mod tests {
 
     #[test]
     fn nothing_in_common_gives_no_factor() {
-        let told = compare(["left", "right"], Dimension::MASS, Dimension::TIME);
-        assert_eq!(told.table, " left  kg\nright      s");
-        assert_eq!(told.action, None);
+        let difference = compare(["left", "right"], Dimension::MASS, Dimension::TIME);
+        assert_eq!(difference.table, " left  kg\nright      s");
+        assert_eq!(difference.action, None);
     }
 }

@@ -30,10 +30,10 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, field: &'a Field, modes: &Modes, in
     let choice = Choice::new(modes, expr, elements);
     match &expr.kind {
         ExprKind::Text(text) if text == "all" || choice.find(text).is_some() => {
-            let mended = if text == "all" { text.clone() } else { format!("[{text}]") };
+            let corrected = if text == "all" { text.clone() } else { format!("[{text}]") };
             let error =
                 Diagnostic::error(CHOICE, expr.span, "`against` takes fault modes by name").here("text in quotes");
-            cx.report(error.help(format!("write `{mended}`")).fix(expr.span, mended));
+            cx.report(error.help(format!("write `{corrected}`")).fix(expr.span, corrected));
             return None;
         }
         ExprKind::List { unit: None, .. } | ExprKind::Name(_) | ExprKind::Range { .. } | ExprKind::Binary { .. } => {}

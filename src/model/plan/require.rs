@@ -67,10 +67,10 @@ pub(super) fn check(
             all => format!("{} modes, such as `{}`, have no rate, so their risk is unknown", all.len(), first.name),
         };
         let mut error = Diagnostic::error("mavc::plan::without_rate", place, message).here("a risk is required here");
-        let mut told: Vec<Span> = Vec::new();
+        let mut labelled: Vec<Span> = Vec::new();
         for mode in &unrated {
-            if !told.contains(&mode.span) && told.len() < 3 {
-                told.push(mode.span);
+            if !labelled.contains(&mode.span) && labelled.len() < 3 {
+                labelled.push(mode.span);
                 error = error.also(mode.span, "no rate");
             }
         }

@@ -61,8 +61,8 @@ pub fn past_the_end(model: &Model, end: f64) -> Vec<Diagnostic> {
         }
     };
     let takes = format!("the plan takes {} s", number(end));
-    let told = simulation.faults.iter().filter_map(past);
-    told.map(|error| error.also(model.plan.time_span, takes.clone())).collect()
+    let errors = simulation.faults.iter().filter_map(past);
+    errors.map(|error| error.also(model.plan.time_span, takes.clone())).collect()
 }
 
 /// The error for a flight of `end` seconds that takes too many steps; used like [`past_the_end`].
@@ -168,25 +168,25 @@ pub(super) fn rates<'a>(
         let error = error.here(format!("this is {} kHz", number(rate / 1e3))).help("write `rate = 100 kHz` or less");
         written(fields, "rate", error, "100 kHz".into())
     });
-    let mut told = report(cx, too_fast);
+    let mut reported = report(cx, too_fast);
     for ((name, least), given) in MIN_RATES.into_iter().zip([control_rate, estimator_rate]) {
         let too_slow = given.filter(|rate| *rate < least).map(|rate| {
             let error =
                 Diagnostic::error(RATES, place(name), format!("`{name}` must be at least {} Hz", number(least)));
             let error = error.here(format!("this is {} Hz", number(rate)));
-            let mended = format!("{} Hz", number(least));
-            written(fields, name, error.help(format!("write `{name} = {mended}` or more")), mended)
+            let corrected = format!("{} Hz", number(least));
+            written(fields, name, error.help(format!("write `{name} = {corrected}` or more")), corrected)
         });
-        told |= report(cx, too_slow);
+        reported |= report(cx, too_slow);
     }
     // Whether `control_rate` has to change, so that the estimator's rate cannot be checked against it.
     let mut undecided = false;
-    if let (Some(rate), Some(control_rate), Some(vehicle), false) = (rate, control_rate, vehicle, told) {
+    if let (Some(rate), Some(control_rate), Some(vehicle), false) = (rate, control_rate, vehicle, reported) {
         // The suggested `rate` is a multiple of `control_rate` too.
         let given = fields.get("rate").map(|expr| expr.span);
-        told = report(cx, coarse_for(rate, control_rate, place("rate"), given, vehicle));
+        reported = report(cx, coarse_for(rate, control_rate, place("rate"), given, vehicle));
     }
-    if let (Some(rate), Some(control_rate), false) = (rate, control_rate, told) {
+    if let (Some(rate), Some(control_rate), false) = (rate, control_rate, reported) {
         let error = undivided(cx, fields, ("rate", rate), ("control_rate", control_rate), estimator_rate, block);
         undecided = report(cx, error);
     }
@@ -198,10 +198,10 @@ pub(super) fn rates<'a>(
     fine
 }
 
-/// The error with a fix that replaces the value of `name` by `mended`, if it is written.
-fn written(fields: &Fields, name: &str, error: Diagnostic, mended: String) -> Diagnostic {
+/// The error with a fix that replaces the value of `name` by `corrected`, if it is written.
+fn written(fields: &Fields, name: &str, error: Diagnostic, corrected: String) -> Diagnostic {
     match fields.get(name) {
-        Some(expr) => error.fix(expr.span, mended),
+        Some(expr) => error.fix(expr.span, corrected),
         None => error,
     }
 }
@@ -235,16 +235,16 @@ fn undivided(
     };
     // Where `part` is the default, a round number, `whole` is the one to change.
     if let (None, Some(given), true) = (part_given, whole_given, whole.1 > part.1) {
-        let mended = format!("{} Hz", number((whole.1 / part.1).round() * part.1));
-        let help = format!("write `{} = {mended}`; `{}` is {} Hz by default", whole.0, part.0, number(part.1));
-        return Some(error.help(help).fix(given.span, mended));
+        let corrected = format!("{} Hz", number((whole.1 / part.1).round() * part.1));
+        let help = format!("write `{} = {corrected}`; `{}` is {} Hz by default", whole.0, part.0, number(part.1));
+        return Some(error.help(help).fix(given.span, corrected));
     }
-    let mended = format!("{} Hz", number(nearest_part(part.1, whole.1, slower)));
+    let corrected = format!("{} Hz", number(nearest_part(part.1, whole.1, slower)));
     Some(match part_given {
-        Some(expr) => error.help(format!("write `{} = {mended}`", part.0)).fix(expr.span, mended),
+        Some(expr) => error.help(format!("write `{} = {corrected}`", part.0)).fix(expr.span, corrected),
         None => {
-            let error = error.help(format!("add `{} = {mended}`; the default is {} Hz", part.0, number(part.1)));
-            fields.add(cx, error, &format!("{} = {mended}", part.0))
+            let error = error.help(format!("add `{} = {corrected}`; the default is {} Hz", part.0, number(part.1)));
+            fields.add(cx, error, &format!("{} = {corrected}", part.0))
         }
     })
 }

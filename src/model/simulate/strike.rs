@@ -25,9 +25,9 @@ pub(super) fn read_all<'a>(
     let mut fine = true;
     for statement in &block.body {
         let Statement::Strike(clauses) = statement else { continue };
-        let told = cx.diagnostics.len();
+        let before = cx.diagnostics.len();
         let strike = read(cx, clauses, around, end);
-        if cx.diagnostics.len() > told {
+        if cx.diagnostics.len() > before {
             // A strike with an error is not compared with the others.
             fine = false;
             continue;

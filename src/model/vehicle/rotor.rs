@@ -22,7 +22,7 @@ pub(super) fn give_all<'a>(
     base: Option<Traits>,
 ) -> Option<Vec<Rotor>> {
     let mut rotors = Some(Vec::new());
-    let mut told = false;
+    let mut reported = false;
     for place in &places {
         let own = place.own.as_ref().map(|fields| Traits::read(cx, fields));
         let traits = match (&own, &base) {
@@ -32,7 +32,7 @@ pub(super) fn give_all<'a>(
             (None, None) => return None,
         };
         let owner = shared.filter(|_| own.is_none()).or(place.own.as_ref()).or(shared);
-        match (&mut rotors, traits.rotor(cx, place, owner, &mut told)) {
+        match (&mut rotors, traits.rotor(cx, place, owner, &mut reported)) {
             (Some(list), Some(rotor)) => list.push(rotor),
             (list, _) => *list = None,
         }
@@ -137,7 +137,7 @@ impl Traits {
         cx: &mut Context<'a>,
         place: &Place<'a>,
         owner: Option<&Fields<'a>>,
-        told: &mut bool,
+        reported: &mut bool,
     ) -> Option<Rotor> {
         let mut missing = Vec::new();
         if self.max_speed.is_none() {
@@ -150,9 +150,9 @@ impl Traits {
             missing.push(("`drag_coefficient` or `torque_per_thrust`", "drag_coefficient = 1.5e-7 N*m*s^2/rad^2"));
         }
         if !missing.is_empty() {
-            if let Some(owner) = owner.filter(|_| !*told) {
+            if let Some(owner) = owner.filter(|_| !*reported) {
                 missing.iter().for_each(|(what, example)| owner.missing(cx, what, example));
-                *told = true;
+                *reported = true;
             }
             return None;
         }
@@ -184,8 +184,8 @@ impl Traits {
             Some(given) => {
                 let (speed, span) = given?;
                 if speed >= max_speed * slowest {
-                    if !*told {
-                        *told = true;
+                    if !*reported {
+                        *reported = true;
                         cx.report(not_below(speed, max_speed * slowest, span));
                     }
                     return None;

@@ -4,7 +4,7 @@ use super::choose::Runs;
 use crate::diagnostic::Diagnostic;
 use crate::model::FaultMode;
 use crate::model::context::Context;
-use crate::model::mend;
+use crate::model::edits;
 use crate::syntax::ast::Expr;
 
 const LISTED_TWICE: &str = "mavc::plan::listed_twice";
@@ -63,7 +63,7 @@ fn surplus<'a>(
         runs.iter().cloned().flatten().for_each(|mode| counts[mode] -= 1);
         let message = format!("`{}` is listed twice", cx.sources.snippet(element.span));
         let warning = Diagnostic::warning(LISTED_TWICE, element.span, message);
-        let again = mend::element(cx.sources.get(element.span.file), element.span);
+        let again = edits::element(cx.sources.get(element.span.file), element.span);
         found.push(warning.here("already listed").help("remove it").fix(again, ""));
     }
     listed.iter().zip(is_kept).filter(|(_, kept)| *kept).map(|(listed, _)| *listed).collect()
