@@ -37,7 +37,7 @@ fn names_units_and_functions_show_what_they_stand_for() {
     let shown = hovers(&spec.replace("every 1", "ev|ery 1").replace("mode worn", "mo|de worn"));
     assert!(shown[0].contains("a mode for each choice of k rotors"), "{}", shown[0]);
     assert!(shown[1].contains("one fault mode"), "{}", shown[1]);
-    assert!(shown[2].contains("the largest of two or more of a kind"), "{}", shown[2]);
+    assert!(shown[2].contains("the largest of two or more values of one dimension"), "{}", shown[2]);
     assert!(shown[3].contains("`1 ft` = 0.3048 m, a length"), "{}", shown[3]);
     assert!(shown[4].contains("9.81 m/s^2"), "{}", shown[4]);
     assert!(shown[5].contains("As high as the mast.") && shown[5].contains("= **8 m**"), "{}", shown[5]);

@@ -52,7 +52,7 @@ fn every_clear_mistake_has_a_fix_that_works() {
             "    mass    = 1.6 kg\n",
             "",
             "mavc::name::missing_field",
-            "Add `mass = 1.8 kg`, with the figures of your vehicle",
+            "Add `mass = 1.8 kg`, with the values of your vehicle",
         ),
         ("    arm     = 25 cm\n", "", "mavc::name::missing_field", "Add `arm = 0.2 m`"),
         ("    arm     = 25 cm\n", "    arm     = 25 cm\n    arm = 20 cm\n", "mavc::name::duplicate", "Take one out"),

@@ -154,7 +154,7 @@ fn what_depends_on_the_time_of_the_plan_is_reported_once_it_is_known() {
     assert!(past_the_end(&model, 20.0).is_empty());
     let late = past_the_end(&model, 19.0);
     assert_eq!((late.len(), late[0].code), (1, "mavc::simulate::past_the_end"));
-    assert!(late[0].message.contains("is over at 20 s"), "{}", late[0].message);
+    assert!(late[0].message.contains("ends at 20 s"), "{}", late[0].message);
     // A duration of its own has been checked.
     let model = flown("simulate {\n duration = 40 s\n fault M2 at 30 s\n}\n");
     assert!(past_the_end(&model, 20.0).is_empty());

@@ -101,9 +101,9 @@ fn bytes_that_are_not_text_and_files_too_large_are_reported() {
 #[test]
 fn files_that_cannot_be_read_say_why() {
     for (kind, why) in [
-        (io::ErrorKind::NotFound, "there is no file `v.mav`"),
-        (io::ErrorKind::IsADirectory, "`v.mav` is a folder"),
-        (io::ErrorKind::PermissionDenied, "`v.mav` may not be read: permission denied"),
+        (io::ErrorKind::NotFound, "file `v.mav` not found"),
+        (io::ErrorKind::IsADirectory, "`v.mav` is a folder, not a file"),
+        (io::ErrorKind::PermissionDenied, "cannot read `v.mav`: permission denied"),
     ] {
         let (_, diagnostics) = load("a.mav", b"use \"v.mav\"\n", &|_| Err(io::Error::from(kind)));
         assert_eq!(codes(&diagnostics), ["mavc::file::missing"]);

@@ -211,7 +211,7 @@ fn a_warning_shows_what_was_computed_from_what_and_the_slip() {
     let warning = found.iter().find(|d| d.code == "mavc::sense::thrust_to_weight").unwrap();
     assert_eq!(
         warning.message,
-        "the rotors of vehicle `hexa` lift 2141 times its weight, where 1.2 to 20 times is usual"
+        "the rotors of vehicle `hexa` lift 2141 times its weight, outside the usual range of 1.2 to 20 times"
     );
     assert_eq!(
         (warning.label.as_str(), warning.labels[0].message.as_str()),
