@@ -409,8 +409,8 @@ fn reports_are_as_their_schema_says() {
     schema.assert_valid(&whole);
     assert_eq!(whole["flights"], whole["cases"]);
     let gone = &whole["planners"][0]["modes"][0];
-    assert_eq!((&gone["name"], &gone["inside"]), (&Value::from("gone"), &Value::from(false)));
-    assert_eq!(gone["last_outside_s"], 4.0);
+    assert_eq!((&gone["name"], &gone["hover_inside"]), (&Value::from("gone"), &Value::from(false)));
+    assert_eq!(gone["last_violation_s"], 4.0);
     assert_eq!(gone["flights"]["survival"]["share"], 0.0);
     for pointer in ["", "/planners/0", "/planners/0/modes/0", "/planners/0/modes/0/flights", "/agreement/0/by_flight/0"]
     {

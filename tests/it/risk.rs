@@ -253,7 +253,7 @@ fn reports_tell_what_the_mission_does_after_each_fault() {
         let [weak, tired] = [0, 1].map(|i| &run["modes"][i]);
         assert_eq!((&weak["after_fault"], &tired["after_fault"]), (&"hold".into(), &"continue".into()));
         let [held, flown] = [weak, tired].map(|mode| mode["committed_s"].as_f64().unwrap());
-        assert_eq!(tired["committed_s"], tired["last_outside_s"]);
+        assert_eq!(tired["committed_s"], tired["last_violation_s"]);
         assert!(0.0 < held && held < flown, "{held} {flown}");
         let rate = 1e-4 / 3600.0;
         let risk = run["risk"].as_f64().unwrap();
@@ -297,7 +297,7 @@ plan { planner = rcp; model = hover; against = [M1, M2]; time = 5.1 s; samples =
         let (code, text, json) = told("plan", spec, arguments);
         assert_eq!(code, 0, "{text}");
         let modes = json["planners"][0]["modes"].as_array().unwrap();
-        let at_nodes = modes.iter().any(|mode| mode["positions"].as_u64().unwrap() > 0);
+        let at_nodes = modes.iter().any(|mode| mode["violated_nodes"].as_u64().unwrap() > 0);
         let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
         (flat.contains(said), at_nodes, json["planners"][0]["risk"].as_f64().unwrap(), text)
     };
@@ -315,7 +315,7 @@ fn comparisons_count_risk_by_what_is_done_after_a_fault() {
     let rip = json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rip").unwrap();
     let mode = &rip["modes"][0];
     let cell = |key: &str| format!("{:.2}", mode[key].as_f64().unwrap());
-    let shown = format!("{} ({}; {})", cell("outside_s"), cell("last_outside_s"), cell("committed_s"));
+    let shown = format!("{} ({}; {})", cell("violation_duration_s"), cell("last_violation_s"), cell("committed_s"));
     assert!(text.contains(&shown), "{shown}\n{text}");
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(flat.contains("where the mission holds, the last one without a stop after it"), "{text}");

@@ -209,7 +209,7 @@ fn on_the_edge_is_one_word() {
     let flown: Value = serde_json::from_slice(&ran.stdout).unwrap_or_else(|e| panic!("{e} {ran:?}"));
     let modes = flown["planners"][0]["modes"].as_array().unwrap();
     let inside: Vec<(&str, bool)> =
-        modes.iter().map(|m| (m["name"].as_str().unwrap(), m["inside"].as_bool().unwrap())).collect();
+        modes.iter().map(|m| (m["name"].as_str().unwrap(), m["hover_inside"].as_bool().unwrap())).collect();
     assert_eq!(inside, [("gone", false), ("worn", true)]);
 }
 

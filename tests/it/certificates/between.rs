@@ -53,9 +53,9 @@ fn assert_true(model: &Model, comparison: &Comparison, found: &[Between]) {
     }));
     for (b, seen) in found.iter().zip(seen) {
         match b.shown {
-            Shown::Proved => assert!(seen <= b.excess + 1e-9 && b.points.is_none(), "{b:?}: {seen}"),
+            Shown::Proved => assert!(seen <= b.violation + 1e-9 && b.points.is_none(), "{b:?}: {seen}"),
             // Another grid sees about the same.
-            Shown::Checked => assert!((seen - b.excess).abs() < 1e-3 && b.points == Some(64), "{b:?}: {seen}"),
+            Shown::Checked => assert!((seen - b.violation).abs() < 1e-3 && b.points == Some(64), "{b:?}: {seen}"),
         }
     }
 }
@@ -116,7 +116,7 @@ fn reports_and_certificates_say_the_same() {
         let limits = throughout("limit on");
         assert_eq!(limits.len(), mission.limits.len());
         for ((b, limit), proved) in found[1..].iter().zip(&mission.limits).zip(limits) {
-            assert_eq!(b.shown == Shown::Proved && b.excess <= MOST_PAST_LIMIT * limit.size(), proved, "{b:?}");
+            assert_eq!(b.shown == Shown::Proved && b.violation <= MOST_PAST_LIMIT * limit.size(), proved, "{b:?}");
         }
     }
 }

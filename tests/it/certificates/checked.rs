@@ -151,7 +151,7 @@ fn missions_that_were_missed_or_blamed_on_others() {
     let Planned { code, report, .. } = planned(&finding("no_rounds.mav"), &[]);
     let kinds: Vec<&str> =
         report["conflict"]["statements"].as_array().unwrap().iter().map(|s| s["kind"].as_str().unwrap()).collect();
-    assert!(code == 3 && !kinds.contains(&"mode") && report["conflict"]["of_selection"] == false, "{kinds:?}");
+    assert!(code == 3 && !kinds.contains(&"mode") && report["conflict"]["only_for_selection"] == false, "{kinds:?}");
     for spec in ["ends_in_motion.mav", "carried_to_rest.mav"] {
         let Planned { code, text, .. } = planned(&finding(spec), &[]);
         assert_eq!(code, 0, "{spec}: {text}");
