@@ -1,6 +1,6 @@
 //! Terminal text: which constraints are shown to hold between the nodes of a plan.
 
-use super::caveats::passed;
+use super::caveats::exceeded_limits;
 use super::terminal::WIDTH;
 use crate::admissible::row::VIOLATED;
 use crate::certify::between::{Between, COMMANDS, GRID, Shown, WRENCH};
@@ -23,10 +23,10 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
         proved.extend(by_proof);
         checked.extend(on_grid);
     }
-    let passed: Vec<usize> = passed(model, solved).iter().map(|excess| excess.limit).collect();
-    let kept = |shown: Shown| {
-        let kept = limits.iter().enumerate().filter(|(i, b)| b.shown == shown && !passed.contains(i));
-        let mut names: Vec<&str> = kept.map(|(_, b)| b.rows).collect();
+    let exceeded: Vec<usize> = exceeded_limits(model, solved).iter().map(|excess| excess.limit).collect();
+    let satisfied = |shown: Shown| {
+        let satisfied = limits.iter().enumerate().filter(|(i, b)| b.shown == shown && !exceeded.contains(i));
+        let mut names: Vec<&str> = satisfied.map(|(_, b)| b.rows).collect();
         // Two statements may bound the same quantity, from above and from below.
         names.dedup();
         match names[..] {
@@ -35,8 +35,8 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
             _ => Some(format!("the limits on {}", names.join("; "))),
         }
     };
-    proved.extend(kept(Shown::Proved));
-    checked.extend(kept(Shown::Checked));
+    proved.extend(satisfied(Shown::Proved));
+    checked.extend(satisfied(Shown::Checked));
     let heads = [
         (format!("Proved at every instant, to within {}:", percent(MOST_PAST_LIMIT)), proved),
         (format!("Checked on a grid of {GRID} points per interval:"), checked),

@@ -115,8 +115,8 @@ pub fn text(model: &Model, mission: &Mission, solved: &MissionPlan) -> String {
     }
     let others = match others.len() {
         0 => String::new(),
-        1 => "  On the other leg, relaxing no limit, set, tolerance or rest saves 1 ms.\n".to_string(),
-        n => format!("  On the other {n} legs, relaxing no limit, set, tolerance or rest saves 1 ms.\n"),
+        1 => "  On the other leg no relaxation saves 1 ms.\n".to_string(),
+        n => format!("  On the other {n} legs no relaxation saves 1 ms.\n"),
     };
     let notes: String = notes(mission).iter().map(|note| format!("  {note}\n")).collect();
     format!("\n  {HEADLINE}\n{}{others}{notes}", table.render_left(2))

@@ -37,15 +37,15 @@ pub enum CaveatKind {
 }
 
 /// The limits that a plan exceeds between its nodes by more than the check of plans tolerates, in the spec's order.
-pub fn passed(model: &Model, solved: &MissionPlan) -> Vec<Excess> {
+pub fn exceeded_limits(model: &Model, solved: &MissionPlan) -> Vec<Excess> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
-    let mut passed = limit_excesses(&solved.trajectory, model, 0.0);
-    passed.retain(|excess| {
+    let mut exceeded = limit_excesses(&solved.trajectory, model, 0.0);
+    exceeded.retain(|excess| {
         let limit = &limits[excess.limit];
         let worst = peak(&solved.trajectory, |state| past_as_checked(limit, state, model.gravity));
         worst.value > MOST_PAST_LIMIT * limit.size()
     });
-    passed
+    exceeded
 }
 
 /// The caveat of a grid with fewer pieces than the spec's samples give.
@@ -83,7 +83,7 @@ fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
 /// All caveats of a plan: exceeded limits first, in the spec's order.
 pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
-    let passed = passed(model, solved).into_iter().map(|e| {
+    let exceeded = exceeded_limits(model, solved).into_iter().map(|e| {
         let (name, unit, factor) = limits[e.limit].kind.name_and_unit();
         Caveat {
             kind: CaveatKind::LimitBetweenSamples,
@@ -97,9 +97,9 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             ),
         }
     });
-    let passed = passed.chain(coarser(model, solved)).chain(too_fast(model, solved));
+    let all = exceeded.chain(coarser(model, solved)).chain(too_fast(model, solved));
     if solved.trajectory.model == WrenchModel::Exact {
-        return passed.collect();
+        return all.collect();
     }
     let s = stretch(&solved.trajectory, model);
     let tilt = s.tilts_too_far().then(|| Caveat {
@@ -133,5 +133,5 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             ),
         }
     });
-    passed.chain(tilt).chain(thrust).collect()
+    all.chain(tilt).chain(thrust).collect()
 }

@@ -1,6 +1,6 @@
 //! Lower bounds on mission times: no trajectory within the spec's limits is faster.
 
-use super::caveats::passed;
+use super::caveats::exceeded_limits;
 use crate::model::{Mission, Model};
 use crate::motion::time_grid::has_fixed_times;
 use crate::number::{down, down_but_above, percent};
@@ -12,10 +12,10 @@ const DIGITS: usize = 4;
 
 /// The lower bound for a run, over all motions that satisfy the limits at every instant. If the run's plan exceeds limits
 /// between its nodes, the bound allows all motions to exceed them as far.
-pub fn beside(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
+pub fn bound_for(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
     let mut past = vec![0.0; mission.limits.len()];
     if let PlanOutcome::Planned(solved) = &run.outcome {
-        for excess in passed(model, solved) {
+        for excess in exceeded_limits(model, solved) {
             past[excess.limit] = excess.by;
         }
     }
@@ -40,7 +40,7 @@ pub fn sentence(mission: &Mission, least: &LeastTime, total: f64) -> String {
 /// The bound in words and the gap between it and the shortest time found; `None` if the bound is trivial.
 pub fn gap(model: &Model, mission: &Mission, run: &PlannerRun) -> Option<String> {
     let solved = run.outcome.plan()?;
-    let least = beside(model, mission, run);
+    let least = bound_for(model, mission, run);
     if least.seconds <= 0.0 || least.is_above(solved.time) {
         return None;
     }

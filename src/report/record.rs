@@ -276,7 +276,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         },
         verdict: run.outcome.verdict(),
         statement: statement(model, mission, comparison, run),
-        time_lower_bound_s: Some(least_time::beside(model, mission, run).seconds),
+        time_lower_bound_s: Some(least_time::bound_for(model, mission, run).seconds),
         rows: run.set.rows.len() * nodes,
         ..PlannerRecord::default()
     };

@@ -133,7 +133,7 @@ pub fn table(waypoints: &[WaypointRecord], indent: usize) -> String {
         table.row(std::iter::once(w.label()).chain(w.cells()).collect());
     }
     let rest = others.map_or(String::new(), |(n, share)| {
-        format!("{}{n} more, each with at most {} of its tolerances\n", " ".repeat(indent), percent(share))
+        format!("{}{n} more, with errors of at most {} of their tolerances\n", " ".repeat(indent), percent(share))
     });
     table.render(indent) + &rest
 }

@@ -146,7 +146,7 @@ pub fn flight(model: &Model, record: &FlightRecord) -> Found {
     Found { headline: headline(model, record), figures, warnings }
 }
 
-/// Some mode that the plan must stand cannot hover.
+/// If some mode that the plan must tolerate cannot hover.
 pub fn refused(model: &Model, analyses: &[ModeAnalysis], diagnostics: &[Diagnostic]) -> Found {
     let lost: Vec<&str> = model
         .plan

@@ -1,4 +1,4 @@
-//! The page's charts and sections as SVG files, for papers (`--svg`).
+//! The page's charts and sections as SVG files (`--svg`), for publications.
 
 use super::chart::{Bound, Chart};
 use super::content::{Content, RunContent};

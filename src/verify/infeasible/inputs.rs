@@ -113,15 +113,15 @@ impl Rows<'_> {
     }
 
     /// The largest thrust of any plan, N: by the facets' weights, `T = sum of weight (n.w) + rest.w`, and the rest is
-    /// bounded by the set of a mode that every plan keeps to.
+    /// bounded by the set of a mode in which every plan stays.
     pub(super) fn most_thrust(&self) -> Result<Interval, Rejection> {
         let wrong = |why: &str| Err(Rejection::new("the largest thrust", why));
         let mut rest = [Interval::ONE, Interval::ZERO, Interval::ZERO, Interval::ZERO];
         let mut most = Interval::ZERO;
         for entry in &self.claim.thrust {
-            let Some(plane) = self.planes.get(entry.facet) else { return wrong("a facet weighed is not listed") };
+            let Some(plane) = self.planes.get(entry.facet) else { return wrong("a weighted facet is not listed") };
             if !(entry.weight.is_finite() && entry.weight >= 0.0) {
-                return wrong("a weight is negative");
+                return wrong("a weight is negative or not finite");
             }
             let weight = Interval::point(entry.weight);
             most = most + weight * plane.offset;
@@ -130,7 +130,7 @@ impl Rows<'_> {
             }
         }
         let required = required(self.model);
-        let Some(mode) = required.first() else { return wrong("the planner keeps to no set") };
+        let Some(mode) = required.first() else { return wrong("the planner imposes no set") };
         let reach = Generators::of(self.model, mode)?.extent();
         Ok(most + along(&rest, &reach))
     }

@@ -82,7 +82,7 @@ impl Rows<'_> {
             RowRecord::Commands { facet, node, interval } => {
                 let plane = self.planes.get(facet).ok_or(format!("there is no facet {facet}"))?;
                 let tau = self.lag.ok_or("the spec's rotors follow their commands without lag")?;
-                if !self.beside(at(node)?, interval) {
+                if !self.is_adjacent(at(node)?, interval) {
                     return Err(format!("interval {interval} is not adjacent to node {node}"));
                 }
                 Ok(vec![self.keeps_commands(plane, tau, node, interval)])
@@ -162,7 +162,7 @@ impl Rows<'_> {
     }
 
     /// Whether an interval begins or ends at a node.
-    fn beside(&self, node: usize, interval: usize) -> bool {
+    fn is_adjacent(&self, node: usize, interval: usize) -> bool {
         // The certificate's number may be as large as numbers get.
         let ends = interval.checked_add(1).filter(|&end| end < self.nodes());
         ends.is_some_and(|end| interval == node || end == node)
@@ -208,7 +208,7 @@ impl Rows<'_> {
                 with(Expression::constant(tangent * g).plus(node, Z, 2, tangent), parts(&[X, Y], 2))
             }
             LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),
-            LimitKind::Jerk if self.beside(node, interval) => {
+            LimitKind::Jerk if self.is_adjacent(node, interval) => {
                 let times = &self.grid.times;
                 let h = Interval::point(times[interval + 1]) - Interval::point(times[interval]);
                 let rate = Interval::ONE / h;

@@ -223,8 +223,8 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
         let rejection = decide(&changed, model).unwrap_err();
         assert!(rejection.detail.contains(why), "{rejection:?}");
     };
-    refused(&|c| c.multipliers.retain(|m| !is_commands(&m.row)), &model, "contradicts nothing");
-    refused(&|_| (), &fixed(time), "follow their commands at once");
+    refused(&|c| c.multipliers.retain(|m| !is_commands(&m.row)), &model, "is not a contradiction");
+    refused(&|_| (), &fixed(time), "follow their commands without lag");
     refused(
         &|c| {
             for m in &mut c.multipliers {
@@ -240,7 +240,7 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
     let long = 3.0 * time;
     let enough = lagging(fixed(long), 0.3);
     assert!(matches!(planned(&enough).runs[0].outcome, PlanOutcome::Planned(_)));
-    refused(&|_| (), &enough, "contradicts nothing");
+    refused(&|_| (), &enough, "is not a contradiction");
     // Rotors that lag less have one at this time, and the multipliers do not stand there.
     assert!(decide(&certificate, &lagging(fixed(time), 1e-6)).is_err());
 }
