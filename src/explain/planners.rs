@@ -1,4 +1,4 @@
-//! The planners, in either model, as an oracle.
+//! The planners, in both models, as an oracle.
 
 use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
@@ -16,32 +16,34 @@ use crate::planner::{finds_local_optima, planner};
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 
-/// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that passes a limit by far between its
-/// nodes counts as none.
+/// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that exceeds a limit by far between its
+/// nodes does not count as a plan.
 #[derive(Default)]
 pub struct Planners<'p> {
-    /// Those of the last question: most questions differ in the mission alone.
+    /// Sets of the last query: most queries differ only in the mission.
     sets: Option<Sets>,
+    /// Work of all queries.
     pub effort: Effort,
-    /// Told each mission time before it is tried.
+    /// Called with each mission time before it is tried.
     on_progress: Option<&'p dyn Fn(f64)>,
 }
 
 impl<'p> Planners<'p> {
+    /// `on_progress` is called with each mission time (s) before it is tried.
     pub fn new(on_progress: Option<&'p dyn Fn(f64)>) -> Self {
         Planners { on_progress, ..Planners::default() }
     }
 }
 
-/// What a planner imposes, and what it follows from.
+/// The sets that planners impose, and the data from which they follow.
 struct Sets {
     vehicle: Vehicle,
     gravity: f64,
     against: Vec<usize>,
     reserve: f64,
     imposed: PlanningSets,
-    /// Rows that bound in earlier plans, of RIP's and RCP's set.
-    pools: [WorkingSet; 2],
+    /// Rows that were active in earlier plans, of RIP's and RCP's set.
+    working_sets: [WorkingSet; 2],
 }
 
 impl Sets {
@@ -52,7 +54,7 @@ impl Sets {
             against: model.plan.against.clone(),
             reserve: model.plan.reserve,
             imposed: PlanningSets::of(model),
-            pools: Default::default(),
+            working_sets: Default::default(),
         }
     }
 
@@ -65,28 +67,28 @@ impl Sets {
 
 impl Oracle for Planners<'_> {
     fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
-        if let Some(tell) = &self.on_progress {
-            tell(time);
+        if let Some(on_progress) = &self.on_progress {
+            on_progress(time);
         }
-        // What holds for every division of the time, grid and planner needs none.
+        // This bound holds for every division of the time, every grid and every planner.
         if model.plan.chooses_times && least_time_within(model, mission).is_above(time) {
-            return Answer::Infeasible { weights: Vec::new(), of_selection: false, of_samples: false };
+            return Answer::Infeasible { weights: Vec::new(), only_for_selection: false, only_for_samples: false };
         }
         let known = self.sets.take().filter(|sets| sets.are_of(model));
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
-        let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.pools);
+        let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.working_sets);
         let mut planner = planner(model, mission, &sets.imposed.healthy, None);
         let mut decide = |set: &PlanningSet, pool: &mut WorkingSet, settled: bool| {
             let decision = planner.attempt_at(time, set, settled, pool);
             let weights = planner.take_weights();
             let decision = match proofs_are_about(model, mission) {
-                // Without weights the yaw waypoints, or what has no yaw in it, show it by themselves.
+                // Without weights, the proof is about the yaw waypoints alone, or does not involve yaw.
                 Some(about) if about == THESE_TIMES || !weights.is_empty() => not_for_all(decision),
                 _ => decision,
             };
             (decision, weighed(set, weights, model, mission, time))
         };
-        let (mut of_selection, mut selected_by) = (false, Vec::new());
+        let (mut only_for_selection, mut selected_by) = (false, Vec::new());
         let (decision, parts) = match model.plan.planner {
             PlannerKind::Rip => decide(&sets.imposed.rip, &mut of_rip, false),
             PlannerKind::Rcp => decide(&sets.imposed.joint, &mut of_joint, false),
@@ -99,7 +101,7 @@ impl Oracle for Planners<'_> {
                         (Decision::Feasible(planned), parts)
                     }
                     facets => {
-                        of_selection = true;
+                        only_for_selection = true;
                         selected_by.push(planned.trajectory());
                         let (decision, parts) = decide(&sets.imposed.rip.with(facets), &mut of_rip.clone(), false);
                         (about_all_selections(decision, model), parts)
@@ -110,26 +112,26 @@ impl Oracle for Planners<'_> {
         };
         self.effort += planner.effort();
         drop(planner);
-        sets.pools = [of_rip, of_joint];
+        sets.working_sets = [of_rip, of_joint];
         self.sets = Some(sets);
         match decision {
-            Decision::Feasible(planned) if passes_a_limit(&planned, mission, model.gravity) => {
+            Decision::Feasible(planned) if exceeds_a_limit(&planned, mission, model.gravity) => {
                 Answer::NotFound(Vec::new())
             }
-            // A change is offered only where it gives what `mavc plan` would call a plan.
+            // A change is offered only if it gives what `mavc plan` would call a plan.
             Decision::Feasible(planned) => {
                 match certify::is_plan(model, mission, time, &planned.trajectory(), &selected_by) {
                     true => Answer::Feasible,
                     false => Answer::NotFound(Vec::new()),
                 }
             }
-            Decision::Infeasible => Answer::Infeasible { weights: parts, of_selection, of_samples: true },
+            Decision::Infeasible => Answer::Infeasible { weights: parts, only_for_selection, only_for_samples: true },
             Decision::Inconclusive(_) => Answer::NotFound(parts),
         }
     }
 }
 
-/// A proof that is not about all that the spec leaves open is none.
+/// A proof that does not cover everything that the spec leaves open is not a proof for the spec.
 fn not_for_all(decision: Decision) -> Decision {
     match decision {
         Decision::Infeasible => Decision::Inconclusive(NOT_FOUND.into()),
@@ -143,12 +145,12 @@ fn about_all_selections(decision: Decision, model: &Model) -> Decision {
     if finds_local_optima(model) { not_for_all(decision) } else { decision }
 }
 
-/// Limits hold at the nodes. A plan that passes one by more than this share of it between them (of 1 m or 1 rad where it
-/// bounds a coordinate) only shows that the grid is too coarse at this mission time.
+/// Limits hold at the nodes. A plan that exceeds one between them by more than this share of it (of 1 m or 1 rad if it bounds
+/// a coordinate) only shows that the grid is too coarse at this mission time.
 const COARSE: f64 = 0.05;
 
-/// Whether a plan passes some limit by more than [`COARSE`].
-fn passes_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
+/// Whether a plan exceeds some limit by more than [`COARSE`].
+fn exceeds_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
     let trajectory = planned.trajectory();
     mission.limits.iter().any(|limit| {
         let bound = limit.lower.into_iter().chain(limit.upper).map(f64::abs).fold(0.0, f64::max);
@@ -160,7 +162,7 @@ fn passes_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
     })
 }
 
-/// What rows weigh, by what they stand for. A facet that several modes share weighs for each of them.
+/// The weights of rows, assigned to parts. A facet that several modes share counts for each of them.
 fn weighed(
     set: &PlanningSet,
     weights: Vec<(RowOrigin, f64)>,
@@ -179,11 +181,11 @@ fn weighed(
             RowOrigin::Rest { node: 0, .. } => parts.push((Part::RestAtStart, weight)),
             RowOrigin::Rest { node, .. } if Some(node) == last => parts.push((Part::RestAtEnd, weight)),
             RowOrigin::Facet { facet, .. } | RowOrigin::Lag { facet, .. } => {
-                // Mode 0 is the healthy vehicle, which no statement could leave out.
+                // Mode 0 is the healthy vehicle, which no statement can leave out.
                 let modes = set.rows[facet].origin.iter().filter_map(|of| of.mode.checked_sub(1));
                 parts.extend(modes.map(|mode| (Part::Mode(mode), weight)));
             }
-            // The largest thrust is that of all modes together.
+            // The largest thrust depends on all modes.
             RowOrigin::Thrust { .. } if model.plan.planner == PlannerKind::Rcp => {
                 parts.extend(model.plan.against.iter().map(|&mode| (Part::Mode(mode), weight)));
             }

@@ -31,7 +31,7 @@ fn planned(spec: &str, more: &[&str]) -> Value {
 /// Modes whose set the plan leaves at some instant.
 fn left(report: &Value) -> usize {
     let modes = report["planners"][0]["modes"].as_array().unwrap();
-    modes.iter().filter(|mode| mode["outside_s"].as_f64().unwrap() > 0.0).count()
+    modes.iter().filter(|mode| mode["violation_duration_s"].as_f64().unwrap() > 0.0).count()
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn times_of_real_missions_are_near_their_bounds() {
         let [rip, rsp, rcp] = ["rip", "rsp", "rcp"].map(|planner| {
             let report = planned(spec, &["--set", &format!("plan.planner={planner}")]);
             let of = |field: &str| report["planners"][0][field].as_f64().unwrap();
-            let (time, least) = (of("time_s"), of("time_bound_s"));
+            let (time, least) = (of("time_s"), of("time_lower_bound_s"));
             assert!(time <= longest && least >= bound && least < time, "{spec} {planner}: {least} {time}");
             time
         });

@@ -253,22 +253,22 @@ fn reports_show_what_the_mission_does_after_each_fault() {
         let [weak, tired] = [0, 1].map(|i| &run["modes"][i]);
         assert_eq!((&weak["after_fault"], &tired["after_fault"]), (&"hold".into(), &"continue".into()));
         let [held, flown] = [weak, tired].map(|mode| mode["committed_s"].as_f64().unwrap());
-        assert_eq!(tired["committed_s"], tired["last_outside_s"]);
+        assert_eq!(tired["committed_s"], tired["last_violation_s"]);
         assert!(0.0 < held && held < flown, "{held} {flown}");
         let rate = 1e-4 / 3600.0;
         let risk = run["risk"].as_f64().unwrap();
         assert!((risk / (rate * (held + flown)) - 1.0).abs() < 1e-6, "{risk}");
-        assert!(text.contains("last outside  after it  committed"), "{text}");
+        assert!(text.contains("last violation  after fault  committed"), "{text}");
         let row = |name: &str| text.lines().find(|l| l.trim_start().starts_with(name)).unwrap();
         let last_cells = |name: &str| row(name).split_whitespace().rev().take(3).collect::<Vec<_>>();
         assert_eq!(last_cells("weak"), ["s", &format!("{held:.2}"), "hold"], "{text}");
         assert_eq!(last_cells("tired"), ["s", &format!("{flown:.2}"), "continue"], "{text}");
         let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(flat.contains("one that is not found may exist, and counts as none"), "{text}");
+        assert!(flat.contains("a stop that was not found may exist, but is not counted"), "{text}");
     }
     // Where every mode continues the report has no such columns.
     let (_, text, json) = told("plan", DROP, &["--set", "plan.model=hover", "--set", "plan.against=[tired]"]);
-    assert!(!text.contains("after it") && text.contains("before its last instant outside"), "{text}");
+    assert!(!text.contains("after fault") && text.contains("before its last violation"), "{text}");
     assert_eq!(json["planners"][0]["modes"][0]["after_fault"], "continue");
 }
 
@@ -292,12 +292,12 @@ mission turning {
 }
 plan { planner = rcp; model = hover; against = [M1, M2]; time = 5.1 s; samples = 40 }
 "#;
-    let said = "For M1 and M2 it counts only what lies between samples, at most";
+    let said = "For M1 and M2 it counts only violations between samples, of at most";
     let told_of = |arguments: &[&str]| {
         let (code, text, json) = told("plan", spec, arguments);
         assert_eq!(code, 0, "{text}");
         let modes = json["planners"][0]["modes"].as_array().unwrap();
-        let at_nodes = modes.iter().any(|mode| mode["positions"].as_u64().unwrap() > 0);
+        let at_nodes = modes.iter().any(|mode| mode["violated_nodes"].as_u64().unwrap() > 0);
         let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
         (flat.contains(said), at_nodes, json["planners"][0]["risk"].as_f64().unwrap(), text)
     };
@@ -315,10 +315,10 @@ fn comparisons_count_risk_by_what_is_done_after_a_fault() {
     let rip = json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rip").unwrap();
     let mode = &rip["modes"][0];
     let cell = |key: &str| format!("{:.2}", mode[key].as_f64().unwrap());
-    let shown = format!("{} ({}; {})", cell("outside_s"), cell("last_outside_s"), cell("committed_s"));
+    let shown = format!("{} ({}; {})", cell("violation_duration_s"), cell("last_violation_s"), cell("committed_s"));
     assert!(text.contains(&shown), "{shown}\n{text}");
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(flat.contains("where the mission holds, the last one without a stop after it"), "{text}");
+    assert!(flat.contains("with `hold` also the last instant without a stop"), "{text}");
 }
 
 /// A descent that the faulty vehicle can fly, with a bound on the risk.
@@ -347,8 +347,8 @@ fn a_required_risk_counts_stops() {
         let (last, run) = (curve.last().unwrap(), &json["planners"][0]);
         assert_eq!((&last["risk"], &last["time_s"]), (&run["risk"], &run["time_s"]));
         assert!(last["risk"].as_f64().unwrap() <= bound);
-        assert!(text.contains("What to protect for a risk of at most") && text.contains("nothing"), "{text}");
-        assert_eq!(text.lines().filter(|l| l.trim_start().starts_with("and ")).count(), curve.len() - 1, "{text}");
+        assert!(text.contains("Protection for a risk of at most") && text.contains("nothing"), "{text}");
+        assert_eq!(text.lines().filter(|l| l.trim_start().starts_with("+ ")).count(), curve.len() - 1, "{text}");
     }
 }
 
@@ -363,5 +363,5 @@ fn a_required_risk_is_reported_in_the_exact_model() {
     assert!(curve.len() > 1 && curve[0]["risk"].as_f64() > Some(bound), "{text}");
     assert!(curve.last().unwrap()["risk"].as_f64().unwrap() <= bound);
     assert_eq!((&json["model"], &json["planners"][0]["verdict"]), (&"exact".into(), &"found".into()));
-    assert!(text.contains("exact model") && text.contains("What to protect"), "{text}");
+    assert!(text.contains("exact model") && text.contains("Protection for a risk"), "{text}");
 }

@@ -313,7 +313,7 @@ plan {{ time = {time} s; samples = 20; reserve = 0 % }}
     // Where the time is fixed there is no other for each round.
     for round in rounds.iter().filter(|r| r["verdict"] == "found") {
         assert_eq!(round["own_time_s"].as_f64(), Some(time));
-        assert!(round["outside_s"].as_array().unwrap().len() == 1, "{round}");
+        assert!(round["violation_duration_s"].as_array().unwrap().len() == 1, "{round}");
     }
     let table = text.split("Rounds of selection, at T_d = ").nth(1).unwrap_or_else(|| panic!("{text}"));
     let selected = |line: &str| line.split_whitespace().take(2).map(str::to_string).collect::<Vec<_>>();

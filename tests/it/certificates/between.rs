@@ -53,9 +53,9 @@ fn assert_true(model: &Model, comparison: &Comparison, found: &[Between]) {
     }));
     for (b, seen) in found.iter().zip(seen) {
         match b.shown {
-            Shown::Proved => assert!(seen <= b.excess + 1e-9 && b.points.is_none(), "{b:?}: {seen}"),
+            Shown::Proved => assert!(seen <= b.violation + 1e-9 && b.points.is_none(), "{b:?}: {seen}"),
             // Another grid sees about the same.
-            Shown::Checked => assert!((seen - b.excess).abs() < 1e-3 && b.points == Some(64), "{b:?}: {seen}"),
+            Shown::Checked => assert!((seen - b.violation).abs() < 1e-3 && b.points == Some(64), "{b:?}: {seen}"),
         }
     }
 }
@@ -70,7 +70,7 @@ fn plans_say_what_is_proved() {
     let text = words::between(&model, solved(&comparison), &found);
     assert!(
         text.starts_with(
-            "\n  Proved for every instant, to within 0.01 %: the linear model's wrench keeps to every facet imposed"
+            "\n  Proved at every instant, to within 0.01 %: the linear model's wrench satisfies every imposed facet"
         ),
         "{text}"
     );
@@ -84,7 +84,7 @@ fn plans_say_what_is_proved() {
     // In the exact model it is the vehicle's wrench.
     let text = words::between(&exact, solved(&comparison), &found);
     assert!(
-        text.starts_with("\n  Proved for every instant, to within 0.01 %: the wrench keeps to every facet imposed"),
+        text.starts_with("\n  Proved at every instant, to within 0.01 %: the wrench satisfies every imposed facet"),
         "{text}"
     );
 }
@@ -116,7 +116,7 @@ fn reports_and_certificates_say_the_same() {
         let limits = throughout("limit on");
         assert_eq!(limits.len(), mission.limits.len());
         for ((b, limit), proved) in found[1..].iter().zip(&mission.limits).zip(limits) {
-            assert_eq!(b.shown == Shown::Proved && b.excess <= MOST_PAST_LIMIT * limit.size(), proved, "{b:?}");
+            assert_eq!(b.shown == Shown::Proved && b.violation <= MOST_PAST_LIMIT * limit.size(), proved, "{b:?}");
         }
     }
 }
@@ -143,7 +143,7 @@ fn some_facets_proved_are_counted() {
         let some = 0 < found[0].proved && found[0].proved < rows.len();
         partly += usize::from(some);
         let text = words::between(&model, plan, &found);
-        let words = format!("the wrench keeps to {} of the {} planes imposed", found[0].proved, rows.len());
+        let words = format!("the wrench satisfies {} of the {} imposed planes", found[0].proved, rows.len());
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(text.contains(&words), some, "{text}");
     }
@@ -163,11 +163,11 @@ fn what_does_not_hold_is_not_proved() {
     let passed: Vec<&str> = found.iter().filter(|b| b.shown == Shown::Checked).map(|b| b.rows).collect();
     assert!(passed.contains(&WRENCH) && passed.contains(&"speed"), "{found:?}");
     let text = words::between(&model, solved(&comparison), &found);
-    assert!(text.contains("Checked on a grid of 64 points an interval"), "{text}");
+    assert!(text.contains("Checked on a grid of 64 points per interval"), "{text}");
     // The violation of a limit is reported once, by the caveat that knows the instant.
     let caveats: Vec<String> = caveats(&model, solved(&comparison)).into_iter().map(|c| c.message).collect();
     let whole = format!("{}\n{text}", caveats.join("\n"));
-    assert!(whole.contains("the speed limit is passed by"), "{whole}");
+    assert!(whole.contains("the speed limit is exceeded by"), "{whole}");
     assert_eq!(whole.matches("speed").count(), 1, "{whole}");
 }
 

@@ -173,8 +173,8 @@ fn lagging_plans_are_certified() {
         });
         let seen = seen.fold(f64::NEG_INFINITY, f64::max);
         match told.shown {
-            Shown::Proved => assert!(seen <= told.excess + 1e-9, "{which}: {told:?} {seen}"),
-            Shown::Checked => assert!((seen - told.excess).abs() < 1e-3, "{which}: {told:?} {seen}"),
+            Shown::Proved => assert!(seen <= told.violation + 1e-9, "{which}: {told:?} {seen}"),
+            Shown::Checked => assert!((seen - told.violation).abs() < 1e-3, "{which}: {told:?} {seen}"),
         }
     }
 }
@@ -223,8 +223,8 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
         let rejection = decide(&changed, model).unwrap_err();
         assert!(rejection.detail.contains(why), "{rejection:?}");
     };
-    refused(&|c| c.multipliers.retain(|m| !is_commands(&m.row)), &model, "contradicts nothing");
-    refused(&|_| (), &fixed(time), "follow their commands at once");
+    refused(&|c| c.multipliers.retain(|m| !is_commands(&m.row)), &model, "is not a contradiction");
+    refused(&|_| (), &fixed(time), "follow their commands without lag");
     refused(
         &|c| {
             for m in &mut c.multipliers {
@@ -240,7 +240,7 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
     let long = 3.0 * time;
     let enough = lagging(fixed(long), 0.3);
     assert!(matches!(planned(&enough).runs[0].outcome, PlanOutcome::Planned(_)));
-    refused(&|_| (), &enough, "contradicts nothing");
+    refused(&|_| (), &enough, "is not a contradiction");
     // Rotors with less lag have a plan at this time, so the multipliers must not prove infeasibility there.
     assert!(decide(&certificate, &lagging(fixed(time), 1e-6)).is_err());
 }

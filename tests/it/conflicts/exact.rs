@@ -48,7 +48,7 @@ fn every_spec_names_its_conflict() {
         assert!(explanation.questions <= MOST_ATTEMPTS.iter().sum(), "{}", text.name);
         // The result distinguishes what is proved from what was only tried.
         let told = diagnose(explanation, model, mission, &files.sources);
-        let words = if proved { "cannot hold together" } else { "not found: a plan that meets" };
+        let words = if proved { "cannot hold together" } else { "not found: a plan that satisfies" };
         assert!(told.message.contains(words), "{}: {}", text.name, told.message);
         // The short tries miss a plan now and then; then that is said.
         let unsure = told.help.is_some_and(|help| help.contains("It was not shown that every one"));

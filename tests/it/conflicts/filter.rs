@@ -56,10 +56,10 @@ impl Oracle for Asked<'_> {
             Some(_) if !self.known.proves => Answer::NotFound(Vec::new()),
             Some(conflict) if self.known.weighs => Answer::Infeasible {
                 weights: conflict.iter().filter_map(part).collect(),
-                of_selection: false,
-                of_samples: true,
+                only_for_selection: false,
+                only_for_samples: true,
             },
-            Some(_) => Answer::Infeasible { weights: Vec::new(), of_selection: false, of_samples: true },
+            Some(_) => Answer::Infeasible { weights: Vec::new(), only_for_selection: false, only_for_samples: true },
         }
     }
 }
