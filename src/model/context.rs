@@ -1,5 +1,6 @@
 //! What elaboration carries along: the diagnostics found so far, the `let`s, and how much work is left.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::allow::Allowed;
@@ -34,7 +35,7 @@ pub(super) struct Context<'a> {
     /// There are fault modes whose names nobody knows, for what makes them has an error.
     pub modes_unnamed: bool,
     /// Every word of the statements that could not be read.
-    lost_words: BTreeSet<&'a str>,
+    lost_words: BTreeSet<Cow<'a, str>>,
     /// Warnings that are not to be shown.
     pub(super) allowed: Allowed,
     /// Diagnostics past the limit.
@@ -54,6 +55,8 @@ pub(super) struct Context<'a> {
     pub(super) parameter: Option<(&'a str, Quantity)>,
     /// Whether the parameter, a plain number, is an angle in radians.
     pub(super) parameter_turns: bool,
+    /// The unit that the number being read takes, by where its own stands.
+    pub(super) unit_due: Option<(Span, &'static str)>,
     pub(super) depth: u32,
     pub(super) steps: u32,
 }
@@ -82,7 +85,7 @@ impl<'a> Context<'a> {
             gravity: GRAVITY,
             incomplete,
             modes_unnamed: false,
-            lost_words: words.collect(),
+            lost_words: words.map(Cow::Borrowed).collect(),
             allowed: Allowed::default(),
             dropped: 0,
             dropped_softly: 0,
@@ -93,6 +96,7 @@ impl<'a> Context<'a> {
             suspects: Vec::new(),
             parameter: None,
             parameter_turns: false,
+            unit_due: None,
             depth: 0,
             steps: 0,
         }
@@ -121,8 +125,8 @@ impl<'a> Context<'a> {
     }
 
     /// Holds back what would be said of `name` as one that nothing declares: its declaration has an error.
-    pub fn lose(&mut self, name: &'a str) {
-        self.lost_words.insert(name);
+    pub fn lose(&mut self, name: impl Into<Cow<'a, str>>) {
+        self.lost_words.insert(name.into());
     }
 
     /// Takes up every `let`; a second one of a name, or a name of the language, is an error.

@@ -169,7 +169,15 @@ impl Loader<'_> {
             Ok(bytes) => self.file(target.display().to_string(), &bytes, Some(path.span)),
             Err(told) => {
                 self.seen.insert(target.clone(), ());
-                self.fail(*told);
+                // The file that was probably meant is read, so that nothing it declares is unknown.
+                let near = told.fix.as_ref().map(|fix| Spanned::new(fix.text.trim_matches('"').to_string(), path.span));
+                match near {
+                    Some(near) => {
+                        self.diagnostics.push(*told);
+                        self.bring(from, &near);
+                    }
+                    None => self.fail(*told),
+                }
             }
         }
     }

@@ -20,6 +20,7 @@ mod intervals;
 mod lag;
 mod language;
 mod lsp;
+mod many;
 mod model;
 mod pages;
 mod parallel_rows;
