@@ -1,5 +1,5 @@
-//! How long the language server takes on a spec of 2,000 lines: `cargo bench --bench editor`. Every question follows an
-//! edit, so each answer includes compiling the whole text again.
+//! Response times of the language server on a spec of 2,000 lines: `cargo bench --bench editor`. Every request follows an
+//! edit, so each response includes compiling the whole text again.
 
 use lsp_server::{Connection, Message, Notification, Request, RequestId};
 use serde_json::{Value, json};
@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::time::{Duration, Instant};
 
 const URI: &str = "untitled:large";
-/// Edits measured for each kind of question.
+/// Edits measured for each kind of request.
 const EDITS: usize = 200;
 
 const QUESTIONS: [&str; 9] = [
@@ -76,7 +76,7 @@ impl Client {
         }
     }
 
-    /// Another digit in the vehicle's mass, whose line and column are given.
+    /// Changes a digit of the vehicle's mass at this line and column.
     fn edit(&mut self, (line, column): (usize, usize)) {
         self.version += 1;
         let digit = (b'5' + (self.version % 4) as u8) as char;
@@ -86,7 +86,7 @@ impl Client {
         self.note("textDocument/didChange", json!({ "textDocument": document, "contentChanges": [change] }));
     }
 
-    /// Until the diagnostics of the last edit are there.
+    /// Waits for the diagnostics of the last edit.
     fn wait_for_diagnostics(&mut self) {
         loop {
             if let Message::Notification(note) = self.connection.receiver.recv().unwrap()

@@ -15,7 +15,28 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 
 # Keys of reports: old -> new.
-RENAMED = {}
+RENAMED = {
+    # --report of plan and compare, schema 2 -> 3
+    "time_bound_s": "time_lower_bound_s",
+    "between": "between_nodes",
+    "excess": "violation",
+    "per": "relaxed_by",
+    "gives_back_s": "time_saved_s",
+    "positions": "violated_nodes",
+    "outside_s": "violation_duration_s",
+    "last_outside_s": "last_violation_s",
+    "of_selection": "only_for_selection",
+    "of_samples": "only_for_samples",
+    "any_time": "time_is_free",
+    "questions": "searches",
+    # --report of campaign, schema 2 -> 3 (and outside_s, last_outside_s as above)
+    "inside": "hover_inside",
+    "refused": "refused_reconfigurations",
+    "worth": "strength",
+    "rank_worth": "rank_strength",
+    # --report of simulate, schema 2 -> 3
+    "alike": "indistinguishable_modes",
+}
 
 # Values that are sentences for people.
 SENTENCES = {"statement", "message", "help", "label", "text", "what", "why", "schema", "undecided", "detail"}

@@ -1,6 +1,6 @@
-//! How long the stages take, and how that grows. `cargo bench` prints criterion's figures, then tables: sets by
-//! number of rotors, RIP plans by number of samples, RCP against many modes, flights, and plans of the exact model by
-//! samples and by modes. `cargo bench --bench speed -- exact` prints those whose name holds the word.
+//! Run times of the stages, and how they grow. `cargo bench` prints criterion's figures, then tables: sets by number of
+//! rotors, RIP plans by number of samples, RCP against many modes, flights, and plans of the exact model by samples and by
+//! modes. `cargo bench --bench speed -- exact` prints only the tables whose names contain the word.
 
 #[path = "../tests/it/vehicles.rs"]
 #[allow(dead_code)]
@@ -22,7 +22,7 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use vehicles::{lost, mission, octocopter, paper_case, ring_model, waypoint};
 
-/// Every single and double loss.
+/// Adds every single and double loss to the modes.
 fn faults(model: &mut Model) {
     let rotors = model.vehicle.rotors.len();
     for i in 1..=rotors {
@@ -76,7 +76,7 @@ fn healthy_set(model: &Model) -> (AdmissibleSet, PlanningSet) {
     (healthy, set)
 }
 
-/// The least of several runs.
+/// The shortest time of several runs.
 fn least(runs: usize, mut work: impl FnMut()) -> Duration {
     let once = |_| {
         let begin = Instant::now();
@@ -112,11 +112,11 @@ fn by_samples() {
     let (healthy, set) = healthy_set(&model);
     let mission = model.mission.as_ref().expect("a mission");
     for samples in [200, 500, 1_000, 2_000, 5_000, 10_000] {
-        let mut engine = HoverPlanner::new(&model, mission, &healthy);
-        let decision = engine.decide(20.0, samples, &set, &mut WorkingSet::default());
+        let mut planner = HoverPlanner::new(&model, mission, &healthy);
+        let decision = planner.decide(20.0, samples, &set, &mut WorkingSet::default());
         let verdict = if let Decision::Feasible(_) = decision { "" } else { "  no plan" };
-        let (solves, iterations) = (engine.effort.solves, engine.effort.iterations);
-        let seconds = engine.effort.time.as_secs_f64();
+        let (solves, iterations) = (planner.effort.solves, planner.effort.iterations);
+        let seconds = planner.effort.time.as_secs_f64();
         let each = 1e3 * seconds / iterations as f64;
         let per_sample = 1e3 * each / samples as f64;
         println!(
@@ -134,14 +134,14 @@ fn sixteen_rotors() -> (Model, Mission) {
     (model, mission(corners.map(|corner| waypoint(corner, 0.0)).to_vec()))
 }
 
-/// The modes that leave hover strictly inside their set.
+/// The modes whose admissible set contains hover in its interior.
 fn able(model: &Model) -> Vec<usize> {
     let hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
     let inside = |&m: &usize| AdmissibleSet::of_mode(model, m).polytope.margin(&hover) > 1e-6;
     (0..model.modes.len()).filter(inside).collect()
 }
 
-/// RCP against every double loss of a sixteen-rotor vehicle that leaves hover, around a climbing square at 200 samples.
+/// RCP against the double losses of a sixteen-rotor vehicle with which it can hover, around a climbing square at 200 samples.
 fn by_modes() {
     println!(
         "\nRCP around a square in the shortest time, 16 rotors, 200 samples\n  modes  rows at a node  sets s  plan s  solves  rows used"
@@ -156,26 +156,26 @@ fn by_modes() {
         let set = PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy);
         let sets_took = begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let mut engine = HoverPlanner::new(&model, &square, &healthy);
-        let rows = match engine.shortest(&set, Hint::default(), &mut WorkingSet::default()) {
+        let mut planner = HoverPlanner::new(&model, &square, &healthy);
+        let rows = match planner.shortest(&set, Hint::default(), &mut WorkingSet::default()) {
             Ok(shortest) => shortest.planned.rows.to_string(),
             Err(_) => "no plan".into(),
         };
         let plan_took = begin.elapsed().as_secs_f64();
-        let (modes, at_node, solves) = (chosen.len(), set.rows.len(), engine.effort.solves);
+        let (modes, at_node, solves) = (chosen.len(), set.rows.len(), planner.effort.solves);
         println!("  {modes:>5}  {at_node:>14}  {sets_took:>6.2}  {plan_took:>6.2}  {solves:>6}  {rows:>9}");
     }
 }
 
-/// A flight of 20 s along case 1 with rotor 1 lost at 5 s, controller at 500 Hz, estimator at 100 Hz: by number of
-/// rotors, and by what is flown.
+/// A flight of 20 s along case 1 with rotor 1 lost at 5 s, controller at 500 Hz and estimator at 100 Hz, in several
+/// configurations.
 fn by_flight() {
     println!("\nA flight of 20 s, 20,000 steps\n  what                       ms  simulated s a second  ns a step");
     let model = paper_case(PlannerKind::Rip, &[0]);
     let (healthy, set) = healthy_set(&model);
     let mission = model.mission.as_ref().expect("a mission");
-    let mut engine = HoverPlanner::new(&model, mission, &healthy);
-    let Decision::Feasible(planned) = engine.decide(20.0, 200, &set, &mut WorkingSet::default()) else {
+    let mut planner = HoverPlanner::new(&model, mission, &healthy);
+    let Decision::Feasible(planned) = planner.decide(20.0, 200, &set, &mut WorkingSet::default()) else {
         println!("  no plan");
         return;
     };
@@ -183,7 +183,7 @@ fn by_flight() {
     let strike = Strike { mode: 0, at: 5.0, until: None, span: Default::default(), at_span: Default::default() };
     let row = |what: &str, change: fn(&mut Model)| {
         let mut model = model.clone();
-        // The plan tilts too far for some; what counts is the time of a whole flight.
+        // Some configurations cannot follow this plan. The limits are lifted so that every flight lasts its full duration.
         model.simulation.lost_beyond = 1e9;
         model.simulation.upside_down = 1e9;
         model.simulation.lost_yaw = None;
@@ -209,8 +209,8 @@ fn by_flight() {
     row("controller at 1 kHz", |m| m.simulation.control_rate = 1000.0);
 }
 
-/// Seconds that this thread has been running, which other work on the machine does not add to. Where the system does
-/// not say, wall seconds.
+/// CPU seconds of this thread, which do not include other work on the machine; wall seconds where the system does not
+/// report them.
 fn thread_seconds() -> f64 {
     static BEGIN: OnceLock<Instant> = OnceLock::new();
     let begin = BEGIN.get_or_init(Instant::now);
@@ -219,7 +219,7 @@ fn thread_seconds() -> f64 {
     nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |ns| 1e-9 * ns)
 }
 
-/// The exact model at one time, RIP along case 1's curve.
+/// RIP along case 1's curve in the exact model, at one mission time.
 fn exact_by_samples() {
     println!(
         "\nRIP plan of case 1 in the exact model at 24 s; seconds of the thread's own\n  samples  solves  iterations  plan s  \
@@ -230,12 +230,12 @@ fn exact_by_samples() {
     for samples in [100, 200, 400, 800, 1_600] {
         model.plan.samples = samples;
         let mission = model.mission.as_ref().expect("a mission");
-        let mut engine = HoverPlanner::new(&model, mission, &healthy);
+        let mut planner = HoverPlanner::new(&model, mission, &healthy);
         let begin = thread_seconds();
-        let decision = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set).decide(24.0, &[]);
+        let decision = ScpPlanner::new(&mut planner, WrenchModel::Exact, &set).decide(24.0, &[]);
         let seconds = thread_seconds() - begin;
         let verdict = if let Decision::Feasible(_) = decision { "" } else { "  no plan" };
-        let (solves, iterations) = (engine.effort.solves, engine.effort.iterations);
+        let (solves, iterations) = (planner.effort.solves, planner.effort.iterations);
         let each = 1e3 * seconds / iterations as f64;
         let per_sample = 1e3 * each / samples as f64;
         println!(
@@ -244,7 +244,7 @@ fn exact_by_samples() {
     }
 }
 
-/// The exact model against double losses of sixteen rotors jointly, at one time.
+/// RCP against double losses of sixteen rotors jointly in the exact model, at one mission time.
 fn exact_by_modes() {
     println!(
         "\nRCP around a square in the exact model at {SQUARE} s, 16 rotors, 200 samples; seconds of the thread's own\n  \
@@ -260,14 +260,14 @@ fn exact_by_modes() {
         let set = PlanningSet::of(&sets.iter().collect::<Vec<_>>(), &healthy);
         let sets_took = thread_seconds() - begin;
         let begin = thread_seconds();
-        let mut engine = HoverPlanner::new(&model, &square, &healthy);
-        let decision = ScpPlanner::new(&mut engine, WrenchModel::Exact, &set).decide(SQUARE, &[]);
+        let mut planner = HoverPlanner::new(&model, &square, &healthy);
+        let decision = ScpPlanner::new(&mut planner, WrenchModel::Exact, &set).decide(SQUARE, &[]);
         let plan_took = thread_seconds() - begin;
         let rows = match decision {
             Decision::Feasible(planned) => planned.rows.to_string(),
             _ => "no plan".into(),
         };
-        let (modes, at_node, effort) = (chosen.len(), set.rows.len(), &engine.effort);
+        let (modes, at_node, effort) = (chosen.len(), set.rows.len(), &planner.effort);
         let (solves, iterations, all) = (effort.solves, effort.iterations, at_node * 201);
         println!(
             "  {modes:>5}  {at_node:>14}  {sets_took:>6.2}  {plan_took:>6.2}  {solves:>6}  {iterations:>10}  {rows:>9}  {all}"

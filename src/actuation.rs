@@ -1,26 +1,29 @@
-//! The actuation matrix A of (1), (10) to (13): wrench = A Omega_s.
+//! The actuation matrix A of (1) and (10) to (13): `wrench = A Omega_s`, where Omega_s holds the squared rotor speeds
+//! (`docs/method.md`, section 1).
 
 use crate::model::{FaultMode, Spin, Vehicle};
 use nalgebra::{Matrix4xX, Vector4};
 use std::fmt;
 
-/// A wrench [T, tau_x, tau_y, tau_z]: N, N m, N m, N m, body frame.
+/// A wrench [T, tau_x, tau_y, tau_z] in N, N m, N m, N m, in the body frame.
 pub type Wrench = Vector4<f64>;
 
-/// The matrix A (4 x n, per squared rotor speed) and the bounds `min_square[k] <= w_k^2 <= max_square[k]`.
+/// The matrix A (4 x n) and the bounds `min_square[k] <= w_k^2 <= max_square[k]` on the squared speeds of the n rotors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Actuation {
-    /// Rows T (N s^2), tau_x, tau_y, tau_z (N m s^2); one column per rotor.
+    /// The matrix A: rows T (N s^2) and tau_x, tau_y, tau_z (N m s^2), one column for each rotor.
     pub effectiveness: Matrix4xX<f64>,
-    /// w_min^2, rad^2/s^2; 0 for rotors that may stop.
+    /// w_min^2 of each rotor, rad^2/s^2; 0 for rotors that may stop.
     pub min_square: Vec<f64>,
-    /// w_max^2, rad^2/s^2.
+    /// w_max^2 of each rotor, rad^2/s^2.
     pub max_square: Vec<f64>,
 }
 
 impl Actuation {
-    /// Equation (13), rotor by rotor: with the rotor at (x, y) and F = b w^2,
-    /// T = F, tau_x = y F, tau_y = -x F, tau_z = -d w^2 for P and +d w^2 for N.
+    /// The matrix and the bounds of a vehicle.
+    ///
+    /// Equation (13), rotor by rotor: a rotor at (x, y) with thrust F = b w^2 gives T = F, tau_x = y F, tau_y = -x F
+    /// and tau_z = -d w^2 for spin P, +d w^2 for spin N.
     pub fn of(vehicle: &Vehicle) -> Self {
         let columns: Vec<Vector4<f64>> = vehicle
             .rotors
@@ -42,29 +45,40 @@ impl Actuation {
         }
     }
 
+    /// The number of rotors n.
     pub fn rotors(&self) -> usize {
         self.max_square.len()
     }
 
-    /// The wrench of rotor k (from 0) at full thrust.
+    /// The wrench of rotor k (counted from 0) at full thrust, N and N m.
+    ///
+    /// # Panics
+    /// If there is no rotor k.
     pub fn full(&self, k: usize) -> Wrench {
         self.effectiveness.column(k) * self.max_square[k]
     }
 
-    /// The wrench of rotor k (from 0) at its lowest speed; zero where it may stop.
+    /// The wrench of rotor k (counted from 0) at its lowest speed, N and N m; zero for a rotor that may stop.
+    ///
+    /// # Panics
+    /// If there is no rotor k.
     pub fn idle(&self, k: usize) -> Wrench {
         self.effectiveness.column(k) * self.min_square[k]
     }
 
-    /// The healthy vehicle: the wrench with every rotor at its lowest speed, and what each adds up to full thrust.
+    /// Centre and generators of the healthy vehicle's zonotope: the wrench with every rotor at its lowest speed, and
+    /// for each rotor the difference between full thrust and lowest speed. N and N m.
     pub fn healthy(&self) -> (Wrench, Vec<Wrench>) {
         let rotors = 0..self.rotors();
         (rotors.clone().map(|k| self.idle(k)).sum(), rotors.map(|k| self.full(k) - self.idle(k)).collect())
     }
 
-    /// What a mode leaves: the wrench at the lowest speeds, and what each rotor adds up to full thrust, both scaled by
-    /// theta of (32): a lost rotor gives nothing even where it may not stop. A stuck rotor's generator is zero, and
-    /// its wrench is part of the first.
+    /// Centre and generators of the zonotope of a fault mode, like [`Actuation::healthy`]: both contributions of rotor
+    /// k are multiplied by its capacity theta_k of (32), so that a lost rotor gives nothing even if it may not stop.
+    /// The generator of a stuck rotor is zero, and its constant wrench is part of the centre.
+    ///
+    /// # Panics
+    /// If the mode has fewer entries than the vehicle has rotors.
     pub fn under(&self, mode: &FaultMode) -> (Wrench, Vec<Wrench>) {
         let mut shift = Wrench::zeros();
         let generators = (0..self.rotors())
@@ -88,7 +102,7 @@ impl fmt::Display for Actuation {
         for (i, name) in ["T", "tau_x", "tau_y", "tau_z"].iter().enumerate() {
             write!(f, "{name:<6}")?;
             for k in 0..self.rotors() {
-                // Cosines of right angles leave dust of 1e-17 relative size.
+                // The cosine of a right angle is 1e-17 in floating point; it is printed as 0.
                 let v = self.effectiveness[(i, k)];
                 let size = self.effectiveness.column(k).amax();
                 let v = if v.abs() < 1e-14 * size { 0.0 } else { v };

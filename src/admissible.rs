@@ -1,4 +1,5 @@
-//! What each fault mode leaves: the exact set of wrenches, and what follows from it.
+//! The admissible set of each fault mode, that is, the exact set of wrenches that the vehicle can produce in it, and
+//! what follows from the set: verdicts, margins, allocation, intervals. See `docs/method.md`, sections 2 and 3.
 
 pub mod allocation;
 pub mod diagnose;
@@ -15,37 +16,42 @@ use crate::geometry::zonotope::{Spanning, Zonotope};
 use crate::model::{Allocation, Model};
 use std::fmt;
 
-/// The mode of the vehicle without faults.
+/// The name of the mode without faults.
 pub const HEALTHY: &str = "healthy";
 
-/// Where a row of a set comes from: a mode (0 is healthy, i + 1 is `Model::modes[i]`) and a facet of its set.
+/// The facet of a mode's set that a row comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FacetOf {
+    /// 0 is the healthy vehicle, i + 1 is `Model::modes[i]`.
     pub mode: usize,
+    /// Index into the facets of the mode's [`AdmissibleSet::polytope`].
     pub facet: usize,
-    /// The rotors that span the facet; all others stand at a bound on it.
+    /// The rotors that span the facet; on the facet all others are at a bound.
     pub spanning: Spanning,
 }
 
-/// The wrenches [T, tau_x, tau_y, tau_z] (N, N m) that a mode can produce.
+/// The set of wrenches [T, tau_x, tau_y, tau_z] (N, N m) that the vehicle can produce in a mode.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AdmissibleSet {
-    /// 0 is healthy, i + 1 is `Model::modes[i]`.
+    /// 0 is the healthy vehicle, i + 1 is `Model::modes[i]`.
     pub mode: usize,
+    /// The name of the mode; [`HEALTHY`] for the healthy vehicle.
     pub name: String,
+    /// All wrenches that rotor speeds within their bounds give; one generator for each rotor.
     pub zonotope: Zonotope<4>,
+    /// Half-space description of the set. With [`Allocation::Bounded`] it describes `zonotope`; with
+    /// [`Allocation::PseudoInverse`] only the wrenches for which (42) clips no rotor speed.
     pub polytope: Polytope<4, FacetOf>,
-    /// How wrenches are allocated: with [`Allocation::Bounded`] every wrench of the zonotope is given, and `polytope`
-    /// describes it; with [`Allocation::PseudoInverse`] `polytope` holds only those that nothing is clipped for.
+    /// How wrenches are allocated to the rotors.
     pub allocation: Allocation,
-    /// Dimension of the zonotope.
+    /// Dimension of the zonotope, at most 4.
     pub rank: usize,
-    /// [m g, 0, 0, 0].
+    /// The hover wrench [m g, 0, 0, 0].
     pub hover: Wrench,
 }
 
 impl AdmissibleSet {
-    /// The set of a mode, or of the healthy vehicle; `index` counts modes from 0.
+    /// The set of `model.modes[index]`, or of the healthy vehicle for `None`.
     fn new(model: &Model, index: Option<usize>) -> Self {
         let actuation = Actuation::of(&model.vehicle);
         let fault = index.map(|i| &model.modes[i]);
@@ -85,21 +91,26 @@ impl AdmissibleSet {
     }
 
     /// The set of `model.modes[index]`.
+    ///
+    /// # Panics
+    /// If the model has no mode with this index.
     pub fn of_mode(model: &Model, index: usize) -> Self {
         Self::new(model, Some(index))
     }
 
-    /// Healthy first, then every declared mode; each is made when it is its turn, for all at once may not fit in memory.
+    /// The set of the healthy vehicle, then that of every declared mode. Each is computed when the iterator reaches it,
+    /// because all of them together may not fit in memory.
     pub fn each(model: &Model) -> impl Iterator<Item = Self> {
         std::iter::once(Self::healthy(model)).chain((0..model.modes.len()).map(|i| Self::of_mode(model, i)))
     }
 
-    /// The same, all at once.
+    /// The sets of [`AdmissibleSet::each`], collected.
     pub fn all(model: &Model) -> Vec<Self> {
         Self::each(model).collect()
     }
 
-    /// The set shrunk about hover, keeping `reserve` (0..1) of it for feedback.
+    /// The set shrunk about hover, so that feedback keeps the share `reserve` (0 to 1) of the way to each facet:
+    /// `n.w <= n.h + (1 - reserve) (e - n.h)`.
     pub fn with_reserve(&self, reserve: f64) -> Self {
         let mut kept = self.clone();
         if reserve > 0.0 {
@@ -109,29 +120,34 @@ impl AdmissibleSet {
     }
 }
 
-/// The hover wrench [m g, 0, 0, 0].
+/// The hover wrench [m g, 0, 0, 0], N and N m.
 pub fn hover(model: &Model) -> Wrench {
     Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0)
 }
 
-/// Whether every fault set lies inside the healthy one, whatever the mode: losing thrust then only takes wrenches
-/// away. It does not hold for rotors that may not stop, for lost ones give less than the healthy vehicle can, nor for
-/// the pseudo-inverse, which shares a wrench out otherwise once it knows of a fault.
+/// Whether the set of every fault mode lies inside the healthy set.
+///
+/// This is false if some rotor may not stop, because a vehicle that lost a rotor can then produce less thrust than the
+/// healthy one. It is also false with the pseudo-inverse, which distributes a wrench differently once the fault is
+/// known.
 pub fn faults_only_take(model: &Model) -> bool {
     model.vehicle.allocation == Allocation::Bounded && model.vehicle.rotors.iter().all(|r| r.min_speed == 0.0)
 }
 
-/// The rows a planner imposes: equalities, then facets with all the facets each stands for.
-pub type Intersection = Polytope<4, Vec<FacetOf>>;
+/// The rows that a planner imposes; each facet lists the facets of all modes that lie in its plane.
+type Intersection = Polytope<4, Vec<FacetOf>>;
 
-/// Minimal description of the intersection of several sets that all hold hover.
+/// The minimal description of the intersection of several sets. Each set must contain hover.
+///
+/// # Panics
+/// If `sets` is empty.
 pub fn intersection(sets: &[&AdmissibleSet]) -> Intersection {
     let scale = sets[0].zonotope.scale();
     let polytopes: Vec<_> = sets.iter().map(|s| &s.polytope).collect();
     intersect(&polytopes, &sets[0].hover, &scale)
 }
 
-/// One equality or facet as text, coefficients of [T, tau_x, tau_y, tau_z].
+/// Writes an equality or facet: the coefficients of [T, tau_x, tau_y, tau_z], the relation and the offset.
 fn row(f: &mut fmt::Formatter<'_>, n: &Wrench, relation: &str, offset: f64) -> fmt::Result {
     let clean = |v: f64| if v.abs() < 5e-10 { 0.0 } else { v };
     write!(f, "  ")?;

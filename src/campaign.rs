@@ -1,7 +1,8 @@
-//! Campaigns: every declared fault mode at many instants, with many noise seeds, along the plan of every planner.
+//! Campaigns: simulated flights with every declared fault mode at many instants, with many noise seeds, along the plan of
+//! every planner.
 //!
-//! A case has a number; what is flown follows from the number alone, so that cases can be flown in any order, by any
-//! number of threads and machines. A flight is one row, and rows stream: memory grows with planners, modes and
+//! A case has a number, and its flight follows from the number alone, so that cases can be flown in any order, by any
+//! number of threads and machines. A flight is one row, and rows are streamed: memory grows with planners, modes and
 //! instants, not with seeds.
 
 pub mod agreement;
@@ -16,5 +17,5 @@ pub mod scan;
 pub mod statistics;
 pub mod tally;
 
-/// What rows call a flight without a fault.
+/// Name of the mode of a flight without a fault, in rows.
 pub const HEALTHY: &str = "healthy";

@@ -1,45 +1,45 @@
-//! Certificates: what a sceptic needs to check a plan, or that there is none, without the planner. Here are the JSON
-//! records alone, whose schema is `docs/schema/certificate.schema.json`; `crate::certify` writes them, `crate::verify`
-//! decides them.
+//! Records of certificates, with which a plan or its absence can be checked without the planner. The JSON schema is
+//! `docs/schema/certificate.schema.json`; `crate::certify` writes certificates, `crate::verify` decides them.
 //!
-//! A certificate carries only a witness: a motion, or multipliers. What has to hold of it follows from the spec, and the
-//! checker works that out itself.
+//! A certificate contains only a witness: a motion or multipliers. The conditions that the witness must satisfy follow from
+//! the spec, and the checker derives them itself.
 
 mod bounded;
 
 use bounded::{at_most, numbers, rotors};
 use serde::{Deserialize, Serialize};
 
-/// A certificate file may have at most this many bytes.
+/// Largest certificate file, bytes.
 pub const MAX_BYTES: usize = 64 << 20;
 
-/// A motion has at most this many nodes: the most samples that a spec may ask for, and a piece for each leg and hold of the
-/// longest mission.
+/// Most nodes of a motion: the most samples that a spec may request, and a piece for each leg and hold of the longest
+/// mission.
 pub const MAX_NODES: usize = crate::model::MAX_SAMPLES + 2 * crate::model::MAX_WAYPOINTS + 1;
 
-/// Facets of one certificate.
+/// Most facets of one certificate.
 pub const MAX_FACETS: usize = 50_000;
 
-/// Multipliers of one certificate.
+/// Most multipliers of one certificate.
 pub const MAX_MULTIPLIERS: usize = 1_000_000;
 
-/// Motions that RSP selects facets by: one for each round.
+/// Most motions from which RSP selects facets: one per round.
 pub const MAX_SELECTIONS: usize = crate::model::MAX_ROUNDS;
 
 /// The version of the records.
 pub const SCHEMA: u32 = 2;
 
+/// A certificate of one spec.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a certificate")]
 pub struct Certificate {
     pub schema: u32,
-    /// Over all files of the spec and its overrides, as in reports.
+    /// SHA-256 over all files of the spec and its overrides, as in reports.
     pub spec_sha256: String,
     pub model: DynamicModel,
     pub claim: Claim,
 }
 
-/// Which equations turn a motion into a wrench.
+/// The equations that give the wrench of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum DynamicModel {
@@ -49,6 +49,7 @@ pub enum DynamicModel {
     Exact,
 }
 
+/// The statement that a certificate proves.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Claim {
@@ -56,7 +57,7 @@ pub enum Claim {
     Plan(PlanClaim),
     /// The spec has no plan on its grid of nodes.
     Infeasible(InfeasibleClaim),
-    /// The spec has no plan, for a waypoint is due before any motion within the limits can be there.
+    /// The spec has no plan, because a waypoint is due before any motion within the limits can reach it.
     TooEarly(TooEarlyClaim),
 }
 
@@ -65,21 +66,21 @@ pub enum Claim {
 #[serde(deny_unknown_fields)]
 pub struct PlanClaim {
     pub motion: MotionRecord,
-    /// Of RSP: the plans it selects facets by, the RIP plan first, then one for each further round.
+    /// RSP: the plans from which it selects facets, the RIP plan first, then one per further round.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_SELECTIONS, _, _>")]
     pub selected_by: Vec<MotionRecord>,
-    /// No motion that keeps the spec's limits at every instant takes less, s.
+    /// Lower bound on the time of every motion that satisfies the spec's limits at every instant, s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_time_s: Option<f64>,
 }
 
-/// A waypoint is due before any motion that keeps the spec's limits at every instant can be there.
+/// A waypoint is due before any motion that satisfies the spec's limits at every instant can reach it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TooEarlyClaim {
     /// From 1.
     pub waypoint: usize,
-    /// No motion reaches it sooner, s.
+    /// Lower bound on the time at which a motion reaches it, s.
     pub soonest_s: f64,
 }
 
@@ -116,6 +117,7 @@ pub enum Vertical {
 }
 
 impl Vertical {
+    /// z and its derivatives, in order.
     pub fn derivatives(&self) -> &[f64] {
         match self {
             Vertical::Hover(z) => z,
@@ -125,23 +127,23 @@ impl Vertical {
 }
 
 impl MotionRecord {
+    /// Number of nodes.
     pub fn nodes(&self) -> usize {
         self.times_s.len()
     }
 }
 
-/// There is no motion whose inputs are linear between the nodes of the spec's grid and that keeps every row: with these
-/// multipliers the rows add up to a contradiction. Holds are left out: nothing changes in them.
+/// No motion with inputs that are linear between the nodes of the spec's grid satisfies every row: with these multipliers
+/// the rows add up to a contradiction. The grid omits holds, because nothing changes in them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct InfeasibleClaim {
-    /// Of RSP: the plans it selects facets by, as for [`PlanClaim`].
+    /// RSP: the plans from which it selects facets, as in [`PlanClaim`].
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_SELECTIONS, _, _>")]
     pub selected_by: Vec<MotionRecord>,
     #[serde(deserialize_with = "at_most::<MAX_FACETS, _, _>")]
     pub facets: Vec<FacetRecord>,
-    /// In the exact model: facets whose normals, weighed, add up to the axis of T, so that their offsets bound the
-    /// thrust.
+    /// In the exact model: facets whose weighted normals add up to the axis of T, so that their offsets bound the thrust.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "at_most::<MAX_FACETS, _, _>")]
     pub thrust: Vec<FacetWeight>,
     #[serde(deserialize_with = "at_most::<MAX_MULTIPLIERS, _, _>")]
@@ -156,8 +158,8 @@ pub struct FacetWeight {
     pub weight: f64,
 }
 
-/// A row, and its multiplier in SI: one number, or one for each part of a second-order cone. Those of the dynamics are
-/// not listed; they follow.
+/// A row and its multiplier in SI: one number, or one for each part of a second-order cone. The multipliers of the dynamics
+/// are not listed, because they follow from these.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Multiplier {
@@ -173,7 +175,7 @@ pub enum Side {
     Lower,
 }
 
-/// Which row.
+/// A row of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum RowRecord {
@@ -188,8 +190,8 @@ pub enum RowRecord {
         facet: usize,
         node: usize,
     },
-    /// The same of what rotors that lag are commanded there; `interval`, beside the node, chooses which slopes of the
-    /// inputs are meant.
+    /// The same for the commanded wrench of lagging rotors; `interval`, adjacent to the node, selects the slopes of the
+    /// inputs.
     Commands {
         facet: usize,
         node: usize,
@@ -201,13 +203,13 @@ pub enum RowRecord {
         node: usize,
         side: Side,
     },
-    /// A bound on a norm; `interval` chooses which z''' of a jerk is meant.
+    /// A bound on a norm; for a jerk, `interval` selects which z''' is used.
     LimitNorm {
         limit: usize,
         node: usize,
         interval: usize,
     },
-    /// m |(x'', y'', z'' + g)| is at most the thrust that `thrust` shows to be the largest.
+    /// m |(x'', y'', z'' + g)| is at most the largest thrust, which `thrust` proves.
     Thrust {
         node: usize,
     },
@@ -220,7 +222,7 @@ pub enum RowRecord {
     },
 }
 
-/// A facet of a mode's set, by rotors and the side it is on. Where the spec has intervals it is the row that holds for all
+/// A facet of a mode's set, named by rotors and by its side. If the spec has intervals, it is the row that is valid for all
 /// values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,11 +1,11 @@
-//! Certificates from results, and the check that every plan goes through before it is called one. Records are
-//! `crate::certificate`'s, and `crate::verify` decides them; what is written here it accepts.
+//! Writes certificates from results, and runs the check that every trajectory must pass to be called a plan. The records
+//! are those of `crate::certificate`; `crate::verify` decides them and accepts every certificate written here.
 
 pub mod between;
 mod check;
 mod facet;
 mod infeasible;
-mod plan;
+mod witness;
 
 use crate::certificate::{Certificate, Claim, DynamicModel, SCHEMA, TooEarlyClaim};
 use crate::model::{Mission, MissionTime, Model, PlanModel};
@@ -16,10 +16,10 @@ use crate::verify::{self, Settings};
 
 pub use check::{check, check_rounds, is_plan};
 
-/// The certificate of the last run's outcome. It is decided before it is given: what is written is accepted.
+/// The certificate of the last run's outcome. It is verified before it is returned.
 ///
 /// # Errors
-/// Why there is none.
+/// The reason if there is no certificate.
 pub fn of(
     model: &Model,
     mission: &Mission,
@@ -28,13 +28,13 @@ pub fn of(
 ) -> Result<Certificate, String> {
     match comparison.runs.last().map(|run| (run, &run.outcome)) {
         Some((_, PlanOutcome::Planned(solved))) => {
-            let mut certificate = plan::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
+            let mut certificate = witness::certificate(&solved.trajectory, &comparison.selected_by, spec_sha256);
             if let Claim::Plan(claim) = &mut certificate.claim {
-                // A time that the spec lays down needs no bound.
+                // A time that the spec fixes needs no bound.
                 let is_open = determined(mission).is_none();
                 claim.least_time_s = is_open.then(|| least_time_within(model, mission).seconds);
             }
-            // What the check of plans has passed is not decided again.
+            // A plan that passed the check of plans is not verified again.
             if solved.verification == Verification::Passed {
                 return Ok(certificate);
             }
@@ -53,7 +53,7 @@ pub fn of(
 /// The certificate that the last run has no plan on the spec's grid of nodes: multipliers of its rows.
 ///
 /// # Errors
-/// Why there is none.
+/// The reason if there is no certificate.
 pub fn by_multipliers(
     model: &Model,
     mission: &Mission,
@@ -65,13 +65,13 @@ pub fn by_multipliers(
             infeasible::certificate(model, mission, run, *at, (&comparison.selected_by, spec_sha256))
         }
         Some((_, PlanOutcome::Infeasible(Proof { .. }))) => {
-            Err("no plan at many times is more than a certificate says".into())
+            Err("a certificate cannot show that there is no plan at several times".into())
         }
         _ => Err("no plan was found, and none was proved infeasible".into()),
     }
 }
 
-/// Whether the spec leaves one mission time only, so that having no plan then is having none.
+/// Whether the spec allows only one mission time, so that infeasibility at that time is infeasibility of the spec.
 fn has_one_time(model: &Model, mission: &Mission) -> bool {
     matches!(model.plan.time, MissionTime::Fixed(_)) || mission.waypoints.last().is_some_and(|w| w.time.is_some())
 }
@@ -87,7 +87,7 @@ fn too_early(model: &Model, mission: &Mission, spec_sha256: String) -> Result<Ce
         PlanModel::Exact => DynamicModel::Exact,
     };
     let certificate = Certificate { schema: SCHEMA, spec_sha256, model: kind, claim };
-    // What does not show it is not written.
+    // A certificate that does not show its claim is not written.
     match verify::decide(&certificate, model, Settings::default()) {
         Ok(_) => Ok(certificate),
         Err(refusal) => Err(refusal.sentence()),

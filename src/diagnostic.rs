@@ -1,6 +1,6 @@
-//! What mavc has to say about a spec: a headline that stands alone, a place, labels, one action.
+//! Diagnostics about a spec: a message that is complete by itself, a place, labels, and one action that fixes the problem.
 //!
-//! Stages up to the model return [`Checked`]: a value if one could be built, and every diagnostic.
+//! Stages up to the model return [`Checked`]: a value if one could be built, and all diagnostics.
 
 pub mod codes;
 mod excerpt;
@@ -16,10 +16,14 @@ pub use terminal::{render_human, render_linked};
 
 use crate::source::{FileId, Span};
 
+/// How serious a diagnostic is, the most serious first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
+    /// There is no model.
     Error,
+    /// There is a model, which is probably not as intended.
     Warning,
+    /// The spec is valid but could be clearer.
     Advice,
 }
 
@@ -33,33 +37,37 @@ impl Severity {
     }
 }
 
-/// A second place that helps to understand the first.
+/// A further place that helps to understand the problem.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
     pub span: Span,
     pub message: String,
 }
 
-/// A replacement that mends the spec: put `text` in place of `span`.
+/// An edit that fixes the spec: replace `span` by `text`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fix {
     pub span: Span,
     pub text: String,
 }
 
-/// One problem. `code` is stable (`mavc::unit::mismatch`) and has a page (`mavc explain CODE`).
+/// One problem in a spec.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
+    /// A stable code such as `mavc::unit::mismatch`, which `mavc explain` describes.
     pub code: &'static str,
     pub severity: Severity,
-    /// The headline: a fact that stands alone.
+    /// What is wrong, in one sentence that is complete by itself.
     pub message: String,
+    /// The place of the problem.
     pub span: Span,
     /// What is wrong at `span`; may be empty.
     pub label: String,
+    /// Further places.
     pub labels: Vec<Label>,
-    /// One action that works.
+    /// One action that fixes the problem.
     pub help: Option<String>,
+    /// The edit for that action, if it can be made without asking the author.
     pub fix: Option<Fix>,
 }
 
@@ -89,29 +97,32 @@ impl Diagnostic {
         Self::new(Severity::Advice, code, span, message)
     }
 
-    /// What is wrong right here.
+    /// Sets the label at the place of the problem.
     pub fn here(mut self, label: impl Into<String>) -> Self {
         self.label = label.into();
         self
     }
 
+    /// Adds a label at another place.
     pub fn also(mut self, span: Span, message: impl Into<String>) -> Self {
         self.labels.push(Label { span, message: message.into() });
         self
     }
 
+    /// Sets the action that fixes the problem.
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
+    /// Sets the edit that fixes the problem.
     pub fn fix(mut self, span: Span, text: impl Into<String>) -> Self {
         self.fix = Some(Fix { span, text: text.into() });
         self
     }
 }
 
-/// A stage's outcome: a value if one could be built, and all that was found on the way.
+/// The result of a stage: a value if one could be built, and all diagnostics.
 #[derive(Debug, Clone)]
 pub struct Checked<T> {
     pub value: Option<T>,
@@ -124,7 +135,7 @@ impl<T> Checked<T> {
     }
 }
 
-/// Puts diagnostics in the order they are shown: by file, place and severity; exact repetitions go.
+/// Sorts diagnostics in the order in which they are shown, by file, place and severity, and removes exact repetitions.
 pub fn sort(diagnostics: &mut Vec<Diagnostic>) {
     fn key(d: &Diagnostic) -> (FileId, u32, Severity, u32, &str, &str) {
         (d.span.file, d.span.start, d.severity, d.span.end, d.code, &d.message)

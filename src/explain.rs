@@ -1,7 +1,7 @@
 //! Why there is no plan: an irreducible set of statements that cannot hold together, and changes that were tried and
-//! work.
+//! give a plan.
 //!
-//! Whether some statements hold together is asked of an [`Oracle`], which is all that is known of planners here.
+//! Whether statements can hold together is decided by an [`Oracle`], the only interface to planners here.
 
 pub mod diagnose;
 mod filter;
@@ -22,36 +22,36 @@ use crate::model::{Mission, Model, PlanModel};
 use crate::verdict::Verdict;
 use question::Questions;
 
-/// Questions that the search for a conflict may ask.
+/// Most oracle queries of the search for a conflict.
 pub const MOST_QUESTIONS: usize = 150;
 
-/// Questions that the search for changes may ask, beside those.
+/// Most additional oracle queries of the search for changes.
 pub const MOST_TRIES: usize = 150;
 
-/// The same two in the exact model, where each question is a sequence of programs.
+/// The same two in the exact model, where each query solves a sequence of programs.
 pub const MOST_ATTEMPTS: [usize; 2] = [60, 30];
 
-/// Statements that are not met together, with what was shown of them.
+/// Statements that are not satisfied together, and what was shown about them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Conflict {
     /// In the order of [`statement::statements`].
     pub statements: Vec<Statement>,
-    /// Whether it was proved that no plan meets them all; otherwise none was found.
+    /// Whether it was proved that no plan satisfies them all; otherwise none was found.
     pub proved: bool,
-    /// It was proved of the facets that the RIP plan selects, by RSP.
-    pub of_selection: bool,
-    /// The proof holds on the grid of the spec's samples; false where it holds for every grid.
-    pub of_samples: bool,
+    /// RSP: the proof holds only for the facets that the RIP plan selects.
+    pub only_for_selection: bool,
+    /// The proof holds only on the grid of the spec's samples; false if it holds for every grid.
+    pub only_for_samples: bool,
     /// Whether a plan was found for the others whenever one of them was left out.
     pub irreducible: bool,
-    /// The mission time at which they were asked for, s.
+    /// The mission time at which plans were searched for, s.
     pub time: f64,
-    /// None of them fixes the mission time: `time` is one that is long for the mission.
-    pub any_time: bool,
+    /// None of them fixes the mission time: `time` is a time that is long for the mission.
+    pub time_is_free: bool,
 }
 
 impl Conflict {
-    /// On the question whether a plan meets all of the statements at [`Conflict::time`].
+    /// The verdict on the question whether a plan satisfies all statements at [`Conflict::time`].
     pub fn verdict(&self) -> Verdict {
         if self.proved { Verdict::ProvedInfeasible } else { Verdict::NotFound }
     }
@@ -62,15 +62,16 @@ impl Conflict {
 pub struct Explanation {
     pub conflict: Conflict,
     pub fixes: Vec<Fix>,
-    /// Times that the oracle was asked.
+    /// Number of oracle queries.
     pub questions: usize,
 }
 
-/// Explains why `oracle` has no plan for a mission. `None` where it has one at the time asked for (a long one where the
-/// spec leaves time free), or finds none even when every statement is left out.
+/// Explains why `oracle` has no plan for a mission. `None` if it has one at the required time (a long time if the spec
+/// leaves it free), or finds none even when every statement is left out.
 ///
-/// The deletion filter of J. W. Chinneck, *Feasibility and Infeasibility in Optimization* (2008), over the statements of
-/// a spec: those without rows first, the others by rising weight in the multipliers that show what is left infeasible.
+/// Algorithm: the deletion filter of J. W. Chinneck, *Feasibility and Infeasibility in Optimization* (2008), over the
+/// statements of a spec: statements without rows first, the others by increasing weight in the multipliers that prove the
+/// remaining statements infeasible.
 pub fn explain(model: &Model, mission: &Mission, oracle: &mut dyn Oracle) -> Option<Explanation> {
     let [most_questions, most_tries] = match model.plan.model {
         PlanModel::Hover => [MOST_QUESTIONS, MOST_TRIES],

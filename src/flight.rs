@@ -1,8 +1,9 @@
-//! Flights: the vehicle of section 2 under a controller, with faults struck into it.
+//! Simulated flights: the vehicle of the paper's section 2 under a controller, with faults that strike during the
+//! flight. See `docs/flight.md`.
 //!
-//! The rigid body is integrated by Runge-Kutta steps of fourth order; motors, which are linear between two commands,
-//! in closed form. Controller and estimator act at their own rates, on what the sensors give them. The same seed
-//! gives the same flight.
+//! The rigid body is integrated by fourth-order Runge-Kutta steps. Motors are linear between two commands and are
+//! integrated in closed form. Controller and estimator run at their own rates on the measurements of the sensors. Equal
+//! seeds give equal flights.
 
 pub mod air;
 pub mod allocate;
@@ -24,7 +25,7 @@ use air::Air;
 use allocate::Allocator;
 use body::{Body, Frame};
 use heading::{Heading, HeadingErrors};
-pub use knowledge::Found;
+pub use knowledge::FaultDetection;
 use knowledge::Knowledge;
 use loss::Watch;
 pub use loss::{Cause, Outcome};
@@ -34,25 +35,30 @@ use reference::{Course, DESCENT, Reference, Stop};
 use rotors::Rotors;
 use sensors::Sensors;
 
-/// One flight to fly.
+/// The inputs of one simulated flight.
 #[derive(Debug, Clone)]
 pub struct Sortie<'a> {
+    /// The vehicle and its fault modes.
     pub model: &'a Model,
+    /// Rates, gains, sensors, detection, reaction to faults, and the limits beyond which the vehicle counts as lost.
     pub simulation: &'a Simulation,
-    /// What is followed until a fault is known.
+    /// The course that is followed until a fault is known.
     pub course: Course<'a>,
-    /// In the order of their times.
+    /// The faults, in the order of their times.
     pub strikes: &'a [Strike],
+    /// Seed of gusts and sensor noise.
     pub seed: u64,
-    /// s
+    /// Duration of the flight without a stop, s.
     pub duration: f64,
-    /// Speed through the air that gusts are taken to pass at, beside that of the mean wind, m/s.
+    /// The vehicle's mean speed, m/s, which is added to the speed of the mean wind to give the V of the gust model
+    /// ([`air`]).
     pub airspeed: f64,
 }
 
 impl<'a> Sortie<'a> {
-    /// Along a plan, for as long as the spec says or the plan takes; no longer than one that ends in motion, after which nothing
-    /// says where the vehicle should be. Gusts pass at the plan's mean speed.
+    /// A flight along a plan, with the duration that the spec configures or else that of the plan. A plan that does not
+    /// end at rest limits the duration to its own, because there is no reference after its end. The airspeed is the
+    /// plan's mean speed.
     pub fn along(model: &'a Model, trajectory: &'a Trajectory, strikes: &'a [Strike], seed: u64) -> Self {
         let place = |s: &NodeState| nalgebra::Vector3::new(s[X][0], s[Y][0], s[Z][0]);
         let legs = trajectory.nodes.windows(2).map(|pair| (place(&pair[1]) - place(&pair[0])).norm());
@@ -69,7 +75,8 @@ impl<'a> Sortie<'a> {
     }
 }
 
-/// The longest that a flight along a plan of `time` s can take, s: with a landing, without the seconds of a stop.
+/// An upper bound (s) on the duration of a flight along a plan of `time` s, including a landing but not the duration of
+/// a stop.
 pub fn longest(model: &Model, time: f64) -> f64 {
     let simulation = &model.simulation;
     let flown = simulation.duration.unwrap_or(time);
@@ -80,31 +87,35 @@ pub fn longest(model: &Model, time: f64) -> f64 {
     }
 }
 
-/// What is to be seen of a flight at an instant.
+/// The state of a flight at an instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample<'a> {
-    /// s
+    /// Time since the start, s.
     pub time: f64,
+    /// The true state of the rigid body.
     pub body: &'a Body,
+    /// The reference that the controller follows.
     pub reference: &'a Reference,
-    /// The vehicle's heading against the reference's.
+    /// The deviation of the vehicle's heading from that of the reference.
     pub heading: Heading,
-    /// What the rotors give, and what the controller asks for: N, N m.
+    /// The wrench that the rotors produce, N and N m.
     pub wrench: &'a Wrench,
+    /// The wrench that the controller demands, N and N m.
     pub wanted: &'a Wrench,
-    /// rad/s
+    /// The speed of each rotor, rad/s.
     pub speeds: &'a [f64],
-    /// Capacities that the controller believes in, and those that the estimator gives.
+    /// The capacity theta of each rotor that the allocation uses.
     pub believed: &'a [f64],
+    /// The capacity theta of each rotor as estimated; `believed` without an estimator.
     pub estimated: &'a [f64],
-    /// Rank and conditioning of the estimator's regressor at the last look, ten of which are taken a second.
+    /// Rank and condition number of the estimator's regressor, updated ten times a second.
     pub regressor: Option<(usize, f64)>,
-    /// The flight ends here.
+    /// Whether this is the last sample of the flight.
     pub is_last: bool,
 }
 
 impl Sample<'_> {
-    /// Whether no number of it is NaN or infinite.
+    /// Whether every number is finite.
     fn is_finite(&self) -> bool {
         let wrenches = self.wrench.iter().chain(self.wanted);
         let rotors = self.speeds.iter().chain(self.believed).chain(self.estimated);
@@ -112,8 +123,8 @@ impl Sample<'_> {
     }
 }
 
-/// What a sample is made of, beside rotors and knowledge.
-struct Looks<'a> {
+/// The parts of a sample that belong neither to the rotors nor to the knowledge of faults.
+struct View<'a> {
     body: &'a Body,
     reference: &'a Reference,
     heading: Heading,
@@ -121,7 +132,7 @@ struct Looks<'a> {
     wanted: &'a Wrench,
 }
 
-impl<'a> Looks<'a> {
+impl<'a> View<'a> {
     fn sample(
         self,
         time: f64,
@@ -130,7 +141,7 @@ impl<'a> Looks<'a> {
         regressor: Option<&(usize, f64)>,
         is_last: bool,
     ) -> Sample<'a> {
-        let Looks { body, reference, heading, wrench, wanted } = self;
+        let View { body, reference, heading, wrench, wanted } = self;
         Sample {
             time,
             body,
@@ -147,56 +158,63 @@ impl<'a> Looks<'a> {
     }
 }
 
-/// What became of a flight.
+/// The result of a simulated flight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flight {
+    /// How it ended.
     pub outcome: Outcome,
-    /// s; when the flight ended.
+    /// When it ended, s since the start.
     pub end: f64,
-    /// Distance from where the vehicle should be, m: root of the mean square, and largest.
+    /// Root mean square of the distance from the reference position, m.
     pub rms_error: f64,
+    /// Largest distance from the reference position, m.
     pub max_error: f64,
-    /// The same since the first fault; 0 where there was none.
+    /// Root mean square of the distance from the reference position since the first fault, m; 0 without a fault.
     pub rms_error_after: f64,
-    /// rad
+    /// Largest tilt, rad.
     pub max_tilt: f64,
+    /// Heading errors.
     pub heading: HeadingErrors,
-    /// One for each strike that came before the end.
-    pub found: Vec<Found>,
-    /// Times a sound rotor was believed weaker than 0.7 for longer than 0.1 s.
+    /// The detection of each fault that struck before the end.
+    pub found: Vec<FaultDetection>,
+    /// How often a healthy rotor was believed to have a capacity below 0.7 for longer than 0.1 s.
     pub false_alarms: usize,
-    /// Reconfigurations refused, because under them the vehicle could not hover.
+    /// How often an estimate was rejected because the vehicle could not hover under it.
     pub refused: usize,
-    /// `None` where nothing is estimated.
+    /// Rank and conditioning of the regressor; `None` without an estimator.
     pub regressor: Option<Regressor>,
-    /// Steps of the integrator.
+    /// Number of integration steps.
     pub steps: usize,
 }
 
-/// How well the regressor along a flight could tell rotors apart.
+/// Rank and conditioning of the estimator's regressor over a flight, sampled ten times a second.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Regressor {
+    /// Smallest rank.
     pub lowest_rank: usize,
+    /// Largest rank.
     pub highest_rank: usize,
-    /// Largest singular value over the smallest that counts.
+    /// Median condition number: the largest singular value over the smallest one that counts towards the rank.
     pub median_condition: f64,
 }
 
-/// Looks at the regressor a second.
+/// Samples of the regressor per second.
 const CONDITION_RATE: f64 = 10.0;
 
-/// What a landing is given beyond the time that its descent takes, s.
+/// Time allowed for a landing in addition to the duration of its descent, s.
 const LANDING_MARGIN: f64 = 20.0;
 
-/// Flies. `record` is given every instant at which the controller acts, and the last of the flight, with finite numbers
-/// only: of a flight that diverges the last ones before.
+/// Simulates a flight.
+///
+/// `record` is called with the sample at every act of the controller and at the end of the flight. It only receives
+/// samples with finite numbers: for a flight that diverges the last one is the sample before.
 pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flight {
     let Sortie { model, simulation, strikes, .. } = *sortie;
     let h = 1.0 / simulation.rate;
     let control_steps = (simulation.rate / simulation.control_rate).round().max(1.0) as usize;
     let period = control_steps as f64 * h;
     let estimator_ticks = (simulation.control_rate / simulation.estimator_rate).round().max(1.0) as usize;
-    let look_ticks = (simulation.control_rate / CONDITION_RATE).round().max(1.0) as usize;
+    let condition_ticks = (simulation.control_rate / CONDITION_RATE).round().max(1.0) as usize;
     let mut random = Pcg64Mcg::seed_from_u64(sortie.seed);
     let frame = Frame::of(model);
     let airspeed = sortie.airspeed + nalgebra::Vector3::from(simulation.wind).norm();
@@ -207,7 +225,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
     let mut allocator = Allocator::new(model, model.vehicle.allocation);
     let mut course = sortie.course.clone();
     let mut watch = Watch::new(simulation, period);
-    // As many as looks, but for landings that take longer.
+    // One entry for each sample of the regressor; only long landings need more room.
     let mut conditions = Vec::with_capacity((sortie.duration.min(1e4) * CONDITION_RATE) as usize + 400);
     let mut reference = course.at(0.0);
     let mut body = control::start(&frame, &reference);
@@ -229,7 +247,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             if let Some(end) = watch.look(t, &body, &reference, !strikes.is_empty() && t >= strikes[0].at) {
                 break end;
             }
-            // A duration that is no number is none.
+            // A duration that is NaN counts as elapsed.
             if t >= duration - 0.5 * h || duration.is_nan() {
                 break watch.end(t, &body);
             }
@@ -253,7 +271,7 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
                 watch.is_stopping = true;
                 watch.may_land = lands;
             }
-            // A flight begins with the thrust that its reference takes.
+            // The flight begins with the thrust that the reference needs.
             let force = match step {
                 0 => (reference.acceleration + nalgebra::Vector3::z() * frame.gravity).norm(),
                 _ => knowledge.thrust() / frame.mass,
@@ -265,16 +283,16 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
             if step == 0 {
                 rotors.settle();
                 knowledge.settle();
-                // Faults at the very start hold whatever the command.
+                // Faults at the start override the initial speeds.
                 next_event = struck(strikes, t, h, model, &mut rotors);
                 wrench = rotors.wrench();
             }
-            if tick > 0 && tick.is_multiple_of(look_ticks) {
+            if tick > 0 && tick.is_multiple_of(condition_ticks) {
                 conditions.extend(knowledge.conditioning());
             }
             let heading = watch.heading;
-            let looks = Looks { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted };
-            let sample = looks.sample(t, &rotors, &knowledge, conditions.last(), false);
+            let view = View { body: &body, reference: &reference, heading, wrench: &wrench, wanted: &wanted };
+            let sample = view.sample(t, &rotors, &knowledge, conditions.last(), false);
             if !sample.is_finite() || !all_finite(&rotors.command) {
                 break Outcome::Diverged { at: t };
             }
@@ -291,8 +309,8 @@ pub fn fly(sortie: &Sortie, mut record: Option<&mut dyn FnMut(&Sample)>) -> Flig
         step += 1;
     };
     let end = step as f64 / simulation.rate;
-    let looks = Looks { body: &body, reference: &reference, heading: watch.heading, wrench: &wrench, wanted: &wanted };
-    let last = looks.sample(end, &rotors, &knowledge, conditions.last(), true);
+    let view = View { body: &body, reference: &reference, heading: watch.heading, wrench: &wrench, wanted: &wanted };
+    let last = view.sample(end, &rotors, &knowledge, conditions.last(), true);
     if let Some(record) = record.as_mut().filter(|_| !matches!(outcome, Outcome::Diverged { .. })) {
         record(&last);
     }
@@ -317,9 +335,9 @@ fn all_finite(numbers: &[f64]) -> bool {
     numbers.iter().all(|x| x.is_finite())
 }
 
-/// Sets the rotors' faults for the step that begins at `t`; returns when they change next, s.
+/// Applies the faults that are active in the step that begins at `t`; returns when they next change, s.
 fn struck(strikes: &[Strike], t: f64, h: f64, model: &Model, rotors: &mut Rotors) -> f64 {
-    // Times are taken at the step they round to.
+    // Times of faults are rounded to steps.
     let now = t + 0.5 * h;
     let is_active = |s: &&Strike| s.at <= now && s.until.is_none_or(|end| end > now);
     rotors.set_faults(strikes.iter().filter(is_active).map(|s| &model.modes[s.mode]));
@@ -327,9 +345,10 @@ fn struck(strikes: &[Strike], t: f64, h: f64, model: &Model, rotors: &mut Rotors
     changes.filter(|change| *change > now).fold(f64::INFINITY, f64::min) - 0.5 * h
 }
 
-fn regressor(mut looks: Vec<(usize, f64)>) -> Option<Regressor> {
-    let (lowest, highest) = looks.iter().fold((usize::MAX, 0), |(low, high), l| (low.min(l.0), high.max(l.0)));
-    looks.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let median = looks.get(looks.len() / 2)?;
+/// Summary of samples (rank, condition number); `None` without samples.
+fn regressor(mut samples: Vec<(usize, f64)>) -> Option<Regressor> {
+    let (lowest, highest) = samples.iter().fold((usize::MAX, 0), |(low, high), l| (low.min(l.0), high.max(l.0)));
+    samples.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let median = samples.get(samples.len() / 2)?;
     Some(Regressor { lowest_rank: lowest, highest_rank: highest, median_condition: median.1 })
 }

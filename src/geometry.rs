@@ -1,10 +1,13 @@
-//! Pure mathematics of small polytopes: zonotopes, half-space descriptions, nearest points; and eigenvalues.
-//! Nothing here knows a vehicle.
+//! Small polytopes in fixed dimension: zonotopes, half-space descriptions, nearest points, volumes; and eigenvalues of
+//! symmetric matrices.
+//!
+//! This module is independent of vehicles and units: `D` is the dimension (4 for wrenches, 3 for yaw-free wrenches),
+//! and lengths are in whatever units the caller uses. The method is described in `docs/method.md`, sections 2 and 3.
 
 mod cone;
 mod least_squares;
-pub mod nearest;
+mod nearest;
 pub mod polytope;
-pub mod symmetric;
-pub mod volume;
+pub(crate) mod symmetric;
+mod volume;
 pub mod zonotope;

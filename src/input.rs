@@ -1,6 +1,5 @@
-//! Opening files that may be hostile. What a spec names is read only if it is a regular file of the right kind and size;
-//! nothing else is opened for longer than it takes to see what it is, so that no pipe can hold mavc up and no text of
-//! another kind is quoted in a diagnostic.
+//! Opens files that may be hostile. A file that a spec names is read only if it is a regular file of the right kind and
+//! size, so that no pipe can block mavc and no content of other files is quoted in a diagnostic.
 
 use crate::source::visible;
 use crate::syntax::MAX_FILE_BYTES;
@@ -9,10 +8,10 @@ use std::fs::{File, OpenOptions};
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::{Path, PathBuf};
 
-/// Largest table of waypoints, in bytes: 4 MiB.
+/// The largest table of waypoints, in bytes: 4 MiB.
 pub const MAX_TABLE_BYTES: usize = 4 << 20;
 
-/// What a spec can name.
+/// The kinds of files that a spec can name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     Spec,
@@ -20,12 +19,13 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// By the ending of the name, in upper or lower case; `None` for any other.
+    /// The kind by the extension of the name, in upper or lower case; `None` for any other.
     pub fn of(path: &Path) -> Option<Kind> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
         [Kind::Spec, Kind::Table].into_iter().find(|kind| kind.endings().contains(&ending.as_str()))
     }
 
+    /// The allowed extensions, in lower case and without the dot.
     pub fn endings(self) -> &'static [&'static str] {
         match self {
             Kind::Spec => &["mav"],
@@ -33,12 +33,12 @@ impl Kind {
         }
     }
 
-    /// `.csv or .txt`, between backticks.
+    /// The allowed extensions for messages: `.csv` or `.txt`, in backquotes.
     pub fn endings_in_words(self) -> String {
         self.endings().iter().map(|ending| format!("`.{ending}`")).collect::<Vec<_>>().join(" or ")
     }
 
-    /// Bytes.
+    /// The largest size of a file of this kind, in bytes.
     pub fn most(self) -> usize {
         match self {
             Kind::Spec => MAX_FILE_BYTES,
@@ -47,17 +47,15 @@ impl Kind {
     }
 }
 
-/// Why a file that is there is not read; within an [`Error`].
+/// Why an existing file is not read; wrapped in an [`Error`].
 #[derive(Debug)]
 pub enum Refused {
+    /// A pipe, device, socket or, where links are not followed, a link.
     NotRegular,
-    /// Its name does not end as those of the kind do.
+    /// Its extension is not one of the kind's.
     Ending(Kind),
-    /// A link to a file of another kind.
-    Elsewhere {
-        target: PathBuf,
-        kind: Kind,
-    },
+    /// It is a link to a file of another kind.
+    Elsewhere { target: PathBuf, kind: Kind },
 }
 
 impl fmt::Display for Refused {
@@ -86,11 +84,11 @@ impl From<Refused> for Error {
     }
 }
 
-/// Reads a spec or a table, whichever the name says.
+/// Reads a spec or a table, depending on the extension.
 ///
 /// # Errors
-/// [`Refused`] for a name of no kind, a link to another kind, and what is not a regular file;
-/// [`ErrorKind::FileTooLarge`] past [`Kind::most`], without reading it.
+/// [`Refused`] for any other extension, a link to another kind of file, and anything but a regular file;
+/// [`ErrorKind::FileTooLarge`] for a file larger than [`Kind::most`], which is not read; other errors of the file system.
 pub fn read_named(path: &Path) -> Result<Vec<u8>> {
     let real = path.canonicalize()?;
     if real.is_dir() {
@@ -107,29 +105,29 @@ pub fn read_named(path: &Path) -> Result<Vec<u8>> {
     at_most(file, kind.most())
 }
 
-/// Opens a regular file of any name, behind all links, without waiting.
+/// Opens a regular file of any name, following links, without blocking.
 ///
 /// # Errors
-/// [`Refused::NotRegular`] for pipes, devices and sockets.
+/// [`Refused::NotRegular`] for pipes, devices and sockets; other errors of the file system.
 pub fn open_regular(path: &Path) -> Result<File> {
     open_unfollowed(&path.canonicalize()?)
 }
 
-/// All bytes, or one more than `most` where there are more.
+/// Reads all bytes, but at most `most + 1`, so that the caller can detect an input that is too large.
 ///
 /// # Errors
-/// As reading fails.
+/// Those of reading.
 pub fn at_most(input: impl Read, most: usize) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input.take(most as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// Opens a regular file, and no link. What is behind the name is looked at before, because opening a device may do
-/// something, and after, because it may have been changed meanwhile.
+/// Opens a regular file, without following links. The type of the file is checked before opening, because opening a device
+/// may have effects, and afterwards, because the file may have been replaced in between.
 ///
 /// # Errors
-/// [`Refused::NotRegular`] for links too.
+/// [`Refused::NotRegular`] for anything else, including links; other errors of the file system.
 pub fn open_unfollowed(path: &Path) -> Result<File> {
     regular(&path.symlink_metadata()?)?;
     let mut options = OpenOptions::new();
@@ -152,7 +150,7 @@ pub fn regular(there: &std::fs::Metadata) -> Result<()> {
     }
 }
 
-/// Opening follows no link at the end of the name and waits for nobody at the other end of a pipe.
+/// Makes opening fail for a link in the last component of the name, and return at once for a pipe.
 pub fn without_waiting(options: &mut OpenOptions) {
     #[cfg(unix)]
     std::os::unix::fs::OpenOptionsExt::custom_flags(options, libc::O_NOFOLLOW | libc::O_NONBLOCK);

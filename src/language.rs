@@ -1,10 +1,10 @@
-//! The language as one table: every block, statement, field, clause and limit with what it takes, what holds where it is
-//! not written, and one line that explains it.
+//! The language as one table: every block, statement, field, clause and limit with its type, its default and one line of
+//! documentation.
 //!
-//! The readers of specs, completion and hover in editors, `check --explain-defaults` and the builder of specs take their
-//! names, units, words, ranges and defaults from here. docs/language.md prints the same rows, and the grammars of editors
-//! list the same words; tests compare them (tests/it/language.rs). To add a field, add its row in [`table`], read it in
-//! `model`, and use it.
+//! The readers of specs, completion and hover in editors, `check --explain-defaults` and the builder of specs take names,
+//! units, words, ranges and defaults from here. docs/language.md prints the same rows, and the editors' grammars list the
+//! same words; tests compare them (tests/it/language.rs). To add a field, add its row in [`table`], read it in `model`, and
+//! use it.
 
 mod place;
 mod render;
@@ -21,36 +21,36 @@ pub struct Entry {
     pub name: &'static str,
     pub takes: Takes,
     pub absent: Absent,
-    /// One line of Markdown.
+    /// One line of documentation, in Markdown.
     pub doc: &'static str,
 }
 
-/// What a field takes.
+/// The type of a field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Takes {
-    /// A number with a unit, of which this is the usual one; `1` for a plain number.
+    /// A number with a unit; the usual unit, `1` for a plain number.
     Quantity(&'static str, Range),
-    /// `[x, y, z]` in a unit.
+    /// `[x, y, z]` with a unit; the usual unit.
     Vector(&'static str, Range),
-    /// A bound on a quantity, in one of these forms.
+    /// A bound on a quantity; the usual unit and the allowed forms.
     Bound(&'static str, &'static [&'static str]),
     /// `60 %` or `0.6`.
     Share,
-    /// A whole number between two, both included.
+    /// A whole number from the first to the second bound, inclusive.
     Whole(u64, u64),
     /// One of a few words.
     Words(&'static [&'static str]),
-    /// A quantity, or one of a few words in its place.
+    /// A quantity, or one of a few words instead.
     QuantityOr(&'static str, Range, &'static [&'static str]),
     /// A word or a list of words.
     WordList(&'static [&'static str]),
-    /// A text between quotes.
+    /// Text in quotes.
     Text,
-    /// Something that its line explains: a name, or a choice of names.
+    /// A name or a choice of names, explained by the documentation line; words that are accepted as well.
     Names(&'static [&'static str]),
 }
 
-/// Which values a quantity may have.
+/// The allowed values of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Range {
     Any,
@@ -60,32 +60,32 @@ pub enum Range {
     NotNegative,
 }
 
-/// What holds where a field is not written.
+/// What applies if a field is not written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Absent {
-    /// It has to be written.
+    /// The field is required.
     Needed,
-    /// Something else says it, or has to: the words of the table.
+    /// The value comes from elsewhere, or another field is required: the text of the table's default column.
     Otherwise(&'static str),
-    /// A value (SI), as one would write it, and why it is taken.
+    /// A default value in SI units, as written in a spec, with its meaning.
     Value(f64, &'static str, &'static str),
-    /// A word, a list or another text that one could write, and why it is taken.
+    /// A default word, list or other text, as written in a spec, with its meaning.
     Written(&'static str, &'static str),
 }
 
-/// Fields and clauses that stand together.
+/// The fields of one block, or the clauses of one statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
     Top,
     Vehicle,
-    /// Of `rotor { }`.
+    /// The fields of `rotor { }`.
     Rotor,
     /// The clauses of `rotor` in `rotors { }`.
     PlacedRotor,
-    /// Of `mode` and `every`.
+    /// The fields of `mode` and `every`.
     Mode,
     Curve,
-    /// Behind the range of a `curve`.
+    /// The options after the range of a `curve`.
     CurveHead,
     /// The clauses of `start` and `waypoint`.
     Waypoint,
@@ -95,7 +95,7 @@ pub enum Group {
     /// The clauses of `fault` in `simulate`.
     Strike,
     Campaign,
-    /// Where no field stands.
+    /// No fields.
     Nothing,
 }
 
@@ -143,7 +143,7 @@ impl Group {
         }
     }
 
-    /// Every group whose entries may stand in a block, in its fields, its statements or their heads.
+    /// Every group whose entries may occur in a block: in its fields, its statements or their heads.
     pub fn within(place: Place) -> &'static [Group] {
         match place {
             Place::Rotors => &[Group::PlacedRotor],
@@ -161,6 +161,7 @@ impl Group {
         }
     }
 
+    /// The rows of the group, in the order of the table.
     pub fn entries(self) -> &'static [&'static Entry] {
         match self {
             Group::Top => table::top::ENTRIES,
@@ -180,14 +181,17 @@ impl Group {
         }
     }
 
+    /// The row of the field or clause `name`.
     pub fn entry(self, name: &str) -> Option<&'static Entry> {
         self.entries().iter().copied().find(|entry| entry.name == name)
     }
 
+    /// The names of the fields or clauses, in the order of the table.
     pub fn names(self) -> impl Iterator<Item = &'static str> + Clone {
         self.entries().iter().map(|entry| entry.name)
     }
 
+    /// Whether the group has a field or clause `name`.
     pub fn has(self, name: &str) -> bool {
         self.entry(name).is_some()
     }
@@ -198,7 +202,7 @@ impl Entry {
         Entry { name, takes, absent, doc }
     }
 
-    /// The usual unit, `1` for a plain number; `None` where no quantity is taken.
+    /// The usual unit, `1` for a plain number; `None` for a field that takes no number.
     pub const fn unit(&self) -> Option<&'static str> {
         match self.takes {
             Takes::Quantity(unit, _)
@@ -210,7 +214,7 @@ impl Entry {
         }
     }
 
-    /// The words that it takes in place of a value, or as one.
+    /// The words that it accepts as values.
     pub const fn words(&self) -> &'static [&'static str] {
         match self.takes {
             Takes::Words(words) | Takes::WordList(words) | Takes::QuantityOr(_, _, words) | Takes::Names(words) => {
@@ -220,7 +224,7 @@ impl Entry {
         }
     }
 
-    /// The forms of a limit, such as `<=`.
+    /// The relations that a limit accepts, such as `<=`; empty for other fields.
     pub const fn forms(&self) -> &'static [&'static str] {
         match self.takes {
             Takes::Bound(_, forms) => forms,
@@ -228,7 +232,7 @@ impl Entry {
         }
     }
 
-    /// What is taken where it is not written, as one would write it, and why.
+    /// The default, as written in a spec, and its meaning; `None` if there is no fixed default.
     pub const fn default(&self) -> Option<(&'static str, &'static str)> {
         match self.absent {
             Absent::Value(_, written, why) | Absent::Written(written, why) => Some((written, why)),
@@ -236,21 +240,21 @@ impl Entry {
         }
     }
 
-    /// The value (SI) that is taken where it is not written.
+    /// The default value in SI units.
     ///
     /// # Panics
-    /// It has none; in a constant this is an error of compilation.
+    /// If the field has no default value; in a constant this is a compile error.
     pub const fn value(&self) -> f64 {
         match self.absent {
             Absent::Value(value, ..) => value,
-            _ => panic!("this entry has no value of its own"),
+            _ => panic!("this entry has no default value"),
         }
     }
 
-    /// The least and the largest whole number that it takes.
+    /// The smallest and the largest whole number that it accepts.
     ///
     /// # Panics
-    /// It takes no whole number; in a constant this is an error of compilation.
+    /// If the field takes no whole number; in a constant this is a compile error.
     pub const fn whole(&self) -> (u64, u64) {
         match self.takes {
             Takes::Whole(least, most) => (least, most),

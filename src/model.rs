@@ -1,20 +1,22 @@
-//! The model: what the spec means, in SI units. After this stage no string is looked up, every number
+//! The model: the meaning of a spec in SI units. After this stage no name is looked up, every number
 //! is a finite `f64`, and every list is complete.
 
 mod after_fault;
 mod allow;
 mod arithmetic;
 mod blame;
+mod blocks;
 mod campaign;
 mod context;
 mod display;
 mod due;
+mod edits;
 mod elaborate;
 mod expression;
 mod fault;
 mod fields;
-mod flight;
 mod flight_blocks;
+mod flight_settings;
 mod function;
 pub mod grid;
 mod interval;
@@ -24,11 +26,11 @@ mod likely_unit;
 mod limits;
 mod load;
 mod magnitude;
-mod mend;
 mod mission;
 mod near_files;
 mod overrides;
 mod plan;
+mod plan_settings;
 mod sense;
 mod simulate;
 mod slip;
@@ -40,10 +42,10 @@ pub mod vocabulary;
 
 pub use crate::input::MAX_TABLE_BYTES;
 pub use elaborate::{elaborate, elaborate_for, understand};
-pub use flight::{
+pub use flight_blocks::FlightBlocks;
+pub use flight_settings::{
     AfterFault, Allocation, Campaign, Controller, Detection, Gains, MOTOR_TIME_CONSTANT, Simulation, Strike,
 };
-pub use flight_blocks::FlightBlocks;
 pub use interval::{RotorSpread, Spread};
 pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
 pub use mission::MAX_WAYPOINTS;
@@ -52,6 +54,7 @@ pub(crate) use near_files::is_unfit;
 pub use near_files::{List, entries};
 pub use overrides::{OVERRIDE, Override, is_override, parse_override};
 pub use plan::{MAX_ROUNDS, MAX_SAMPLES, MAX_SAMPLES_OF_A_SEARCH};
+pub use plan_settings::{MissionTime, Plan, PlanModel, PlanRotors, PlannerKind};
 pub use simulate::{coarse_step, past_the_end, too_many_steps};
 pub use understanding::{Reading, Understanding};
 
@@ -62,34 +65,37 @@ use grid::Spacing;
 /// A checked spec.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
-    /// g, m/s^2.
+    /// Acceleration of gravity g, m/s^2.
     pub gravity: f64,
+    /// The vehicle that the plan chooses.
     pub vehicle: Vehicle,
-    /// Declared fault modes in the order written; the healthy vehicle is not among them.
+    /// Declared fault modes in the order written, without the healthy vehicle.
     pub modes: Vec<FaultMode>,
-    /// `None` where the file set only describes vehicles or faults.
+    /// The mission that the plan chooses; `None` if the spec has no mission.
     pub mission: Option<Mission>,
-    /// The `plan` block, or its defaults where there is none.
+    /// The `plan` block, or its defaults.
     pub plan: Plan,
-    /// How the plan is flown.
+    /// How the plan is flown: the `simulate` block, or its defaults.
     pub simulation: Simulation,
+    /// The `campaign` block, or its defaults.
     pub campaign: Campaign,
-    /// Every default that filled in for something not written, for `check --explain-defaults`.
+    /// Every default that was used for something not written, for `check --explain-defaults`.
     pub defaults: Vec<DefaultUsed>,
 }
 
-/// `field` took `value` because nothing was written.
+/// A default that was used because a field is not written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DefaultUsed {
-    /// Dotted path, such as `plan.reserve`.
+    /// Dotted path of the field, such as `plan.reserve`.
     pub field: String,
-    /// As one would write it, such as `10 %`.
+    /// The default as written in a spec, such as `10 %`.
     pub value: String,
+    /// What the default means.
     pub reason: String,
 }
 
 impl DefaultUsed {
-    /// Of a field of the language's table.
+    /// The default of a field of the language table.
     fn of(block: &str, entry: &Entry) -> Self {
         let (value, reason) = entry.default().unwrap_or_default();
         DefaultUsed { field: format!("{block}.{}", entry.name), value: value.into(), reason: reason.into() }
@@ -103,26 +109,30 @@ pub struct Vehicle {
     pub doc: Option<String>,
     /// The layout string of a ring, `None` where rotors are placed one by one.
     pub layout: Option<String>,
-    /// m, kg; where the spec gives an interval, its middle, as with all numbers here.
+    /// Mass m, kg. This and all numbers of the vehicle are the middles of intervals where the spec gives intervals.
     pub mass: f64,
+    /// The interval of the mass, relative to its middle.
     pub mass_spread: Spread,
-    /// Diagonal of J: Ixx, Iyy, Izz, kg m^2.
+    /// Diagonal of the inertia matrix J: Ixx, Iyy, Izz, kg m^2.
     pub inertia: [f64; 3],
-    /// In the spec's order; rotor k of the language is `rotors[k - 1]`.
+    /// In the order of the spec: rotor k of the language is `rotors[k - 1]`.
     pub rotors: Vec<Rotor>,
-    /// How a wanted wrench becomes rotor speeds, in flight and so in the sets that plans keep to.
+    /// How a commanded wrench becomes rotor speeds, in flights and in the admissible sets of plans.
     pub allocation: Allocation,
     pub span: Span,
     pub mass_span: Span,
 }
 
-/// P turns counter-clockwise seen from above: its drag torque on the body is negative about z.
+/// The direction in which a rotor turns, seen from above.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spin {
+    /// Counter-clockwise: the drag torque on the body is negative about z.
     P,
+    /// Clockwise: the drag torque on the body is positive about z.
     N,
 }
 
+/// One rotor: thrust and drag torque grow with the square of its speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rotor {
     /// Position from the centre of gravity, m: x forward, y left, z up.
@@ -136,33 +146,34 @@ pub struct Rotor {
     pub min_speed: f64,
     /// w_max, rad/s.
     pub max_speed: f64,
-    /// Time constant with which the speed follows its command, s.
+    /// Time constant with which the speed follows its command, s; `None` if the spec gives none.
     pub time_constant: Option<f64>,
-    /// How well these numbers are known.
+    /// The intervals of these numbers.
     pub spread: RotorSpread,
 }
 
 impl Rotor {
-    /// b w_max^2, N.
+    /// Full thrust, b w_max^2, N.
     pub fn max_thrust(&self) -> f64 {
         self.thrust_coefficient * self.max_speed * self.max_speed
     }
 
-    /// b w_min^2, N.
+    /// Thrust at the lowest speed, b w_min^2, N.
     pub fn idle_thrust(&self) -> f64 {
         self.thrust_coefficient * self.min_speed * self.min_speed
     }
 }
 
-/// A fault mode sets theta of (32): rotor k gives theta_k b w^2 with w at most w_max.
+/// A fault mode: the rotor capacities theta of the paper's (32), with which rotor k gives theta_k b w^2 at a speed w of at
+/// most w_max.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FaultMode {
     pub name: String,
     pub title: Option<String>,
     pub doc: Option<String>,
-    /// theta, one per rotor, 0..1; 1 for untouched rotors, 0 for lost ones, 1 for stuck ones.
+    /// Capacity theta of each rotor, from 0 to 1: 0 for a lost rotor, 1 for one that is not affected or stuck.
     pub capacity: Vec<f64>,
-    /// Some(x) where the thrust is pinned at x of full thrust (0..1).
+    /// For each rotor, the share of full thrust (0 to 1) at which it is stuck; `None` if it is not.
     pub stuck: Vec<Option<f64>>,
     /// FMEA numbers, 1..10.
     pub severity: Option<u8>,
@@ -170,23 +181,24 @@ pub struct FaultMode {
     pub detection: Option<u8>,
     /// Failure rate, 1/s.
     pub rate: Option<f64>,
-    /// What the mission does after it strikes, where the mode says so itself: see [`Model::after_fault`].
+    /// The mode's own reaction to the fault, if it gives one: see [`Model::after_fault`].
     pub after_fault: Option<AfterFault>,
     pub span: Span,
 }
 
 impl FaultMode {
-    /// Rotors with capacity 0, counted from 1.
+    /// The numbers of the lost rotors, counted from 1.
     pub fn lost(&self) -> Vec<usize> {
         (1..=self.capacity.len()).filter(|k| self.capacity[k - 1] == 0.0).collect()
     }
 
-    /// Risk priority number: severity x occurrence x detection, where all three are given.
+    /// Risk priority number, severity x occurrence x detection, if all three are given.
     pub fn rpn(&self) -> Option<u32> {
         Some(u32::from(self.severity?) * u32::from(self.occurrence?) * u32::from(self.detection?))
     }
 }
 
+/// A mission: waypoints in flight order, the legs between them, and limits on the motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mission {
     pub name: String,
@@ -195,17 +207,22 @@ pub struct Mission {
     pub waypoints: Vec<Waypoint>,
     /// `legs[i]` leads from `waypoints[i]` to `waypoints[i + 1]`.
     pub legs: Vec<Leg>,
+    /// How the time grid divides each leg.
     pub spacing: Spacing,
-    /// At rest unless `start moving` / `end moving`.
+    /// Whether the mission starts at rest; `false` with `start moving`.
     pub start_at_rest: bool,
+    /// Whether the mission ends at rest; `false` with `end moving`.
     pub end_at_rest: bool,
     pub limits: Vec<Limit>,
     pub span: Span,
 }
 
 impl Mission {
-    /// Intervals that leg `leg` needs for a motion near the best: from rest and to rest are four derivatives each to
-    /// meet, and with fewer than five intervals a leg from rest to rest has no choice left, or no motion at all.
+    /// The number of intervals that leg `leg` needs for a nearly optimal motion. A rest at one end fixes four derivatives
+    /// there; with fewer than five intervals a leg from rest to rest has no freedom left, or no motion at all.
+    ///
+    /// # Panics
+    /// If there is no such leg.
     pub fn least_intervals(&self, leg: usize) -> usize {
         let last = self.waypoints.len() - 1;
         let rests = |at: usize| self.waypoints[at].hold > 0.0;
@@ -218,54 +235,56 @@ impl Mission {
         }
     }
 
-    /// Whether some waypoint between start and end has no time of its own, so that legs can divide time in more than one way.
+    /// Whether some waypoint between start and end has no fixed time, so that legs can divide the time in more than one way.
     pub fn leaves_times_free(&self) -> bool {
         let between = self.waypoints.split_last().map_or(&[][..], |(_, others)| others);
         between.iter().skip(1).any(|w| w.time.is_none())
     }
 
-    /// Samples that holds and legs need ([`Mission::least_intervals`]); fewer are warned of.
+    /// The number of samples that holds and legs need ([`Mission::least_intervals`]); a plan with fewer gets a warning.
     pub fn samples_needed(&self) -> usize {
         let holds = self.waypoints.iter().filter(|w| w.hold > 0.0).count();
         holds + (0..self.legs.len()).map(|leg| self.least_intervals(leg)).sum::<usize>()
     }
 
-    /// Whether all waypoints ask for the same yaw, to rounding (1e-12 rad).
+    /// Whether all waypoints have the same yaw, up to rounding (1e-12 rad).
     pub fn has_one_yaw(&self) -> bool {
         self.waypoints.iter().all(|w| (w.yaw - self.waypoints[0].yaw).abs() < 1e-12)
     }
 }
 
+/// A waypoint with its tolerances.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waypoint {
     pub name: Option<String>,
-    /// World frame, m, z up.
+    /// Position in the world frame, m: x east, y north, z up.
     pub position: [f64; 3],
-    /// psi, rad, unwrapped along the mission (turns take the shorter way).
+    /// Yaw psi, rad, unwrapped along the mission (turns take the shorter way).
     pub yaw: f64,
-    /// Position tolerance, m (Euclidean), > 0.
+    /// Position tolerance (Euclidean), m; positive.
     pub within: f64,
-    /// Yaw tolerance, rad, > 0.
+    /// Yaw tolerance, rad; positive.
     pub yaw_within: f64,
-    /// alpha_i of (47), >= 0.
+    /// Weight alpha_i of the paper's (47); not negative.
     pub weight: f64,
-    /// Arrival time since the start of the mission, s, where the spec fixes it.
+    /// Fixed arrival time since the start of the mission, s; `None` if it is free.
     pub time: Option<f64>,
-    /// How long the vehicle stands still here after arriving, s; 0 where it flies on.
+    /// How long the vehicle stays at rest here after arriving, s; 0 if it flies on.
     pub hold: f64,
-    /// The statement that made it: parameter and range of a `curve` for its points, the row of a table.
+    /// The place of its statement: for a `curve`, parameter and range; for a table, the row.
     pub span: Span,
     pub time_span: Option<Span>,
     pub hold_span: Option<Span>,
 }
 
-/// A leg's share of the time that fixed times and holds leave free.
+/// The part of a mission between two consecutive waypoints.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// > 0; only ratios between legs matter.
+    /// Share of the time that fixed times and holds leave free; positive. Only ratios between legs matter.
     pub share: f64,
 }
 
+/// The quantity that a limit bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LimitKind {
     X,
@@ -285,9 +304,9 @@ pub enum LimitKind {
     Tilt,
 }
 
-/// One limit in SI units. For `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal ones only `upper` is set:
-/// they bound a norm. `Climb` bounds the upward speed, `Descent` the downward speed (both upper, >= 0). A single
-/// `<=` on `YawRate` or `YawAcceleration` bounds both directions (lower = -upper).
+/// One limit, in SI units. `Speed`, `Acceleration`, `Jerk`, `Tilt` and the horizontal kinds bound a norm and have only an
+/// `upper` bound. So do `Climb` and `Descent`, which bound the upward and the downward speed by a value that is not
+/// negative. A single `<=` on `YawRate` or `YawAcceleration` bounds both directions (lower = -upper).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
     pub kind: LimitKind,
@@ -297,107 +316,8 @@ pub struct Limit {
 }
 
 impl Limit {
-    /// What an excess is measured against, in its SI unit: the larger bound, and 1 if that is more.
+    /// The scale of a violation, in the SI unit of the limit: the larger bound in magnitude, but at least 1.
     pub fn size(&self) -> f64 {
         self.upper.unwrap_or(0.0).abs().max(self.lower.unwrap_or(0.0).abs()).max(1.0)
     }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PlannerKind {
-    /// Risk-insensitive: the healthy set.
-    Rip,
-    /// Risk-conservative: the intersection of the modes' sets.
-    Rcp,
-    /// Risk-sensitive: the healthy set and the facets the RIP plan violates.
-    Rsp,
-}
-
-impl PlannerKind {
-    pub fn name(self) -> &'static str {
-        match self {
-            PlannerKind::Rip => "rip",
-            PlannerKind::Rcp => "rcp",
-            PlannerKind::Rsp => "rsp",
-        }
-    }
-}
-
-/// What a plan takes for the wrench of its motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PlanModel {
-    /// The paper's, linear about hover.
-    Hover,
-    /// Exact, by differential flatness.
-    Exact,
-}
-
-impl PlanModel {
-    pub fn name(self) -> &'static str {
-        match self {
-            PlanModel::Hover => "hover",
-            PlanModel::Exact => "exact",
-        }
-    }
-}
-
-/// How plans take the rotors to follow their commands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PlanRotors {
-    /// At once: any admissible wrench can follow any other.
-    Instant,
-    /// With [`Model::thrust_lag`].
-    Lagging,
-}
-
-impl PlanRotors {
-    pub fn name(self) -> &'static str {
-        match self {
-            PlanRotors::Instant => "instant",
-            PlanRotors::Lagging => "lagging",
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum MissionTime {
-    Minimum,
-    /// s
-    Fixed(f64),
-}
-
-#[derive(Debug, Clone, PartialEq)]
-pub struct Plan {
-    pub planner: PlannerKind,
-    pub model: PlanModel,
-    pub rotors: PlanRotors,
-    /// Whether the planner chooses when waypoints are passed, beyond fixed times.
-    pub chooses_times: bool,
-    /// Indices into [`Model::modes`], in the order written, without repeats.
-    pub against: Vec<usize>,
-    pub time: MissionTime,
-    /// Intervals of the whole mission.
-    pub samples: usize,
-    /// Share of each set kept for feedback, 0 <= reserve < 1.
-    pub reserve: f64,
-    /// Weight of the integral of x''''^2 + y''''^2 (1/(m^2 s^-8 s)).
-    pub snap_weight: f64,
-    /// Weight of the integral of z''^2 + psi''^2.
-    pub acceleration_weight: f64,
-    /// The `plan` block, or the mission where there is none.
-    pub span: Span,
-    pub against_span: Span,
-    pub time_span: Span,
-    pub samples_span: Span,
-    pub reserve_span: Span,
-    pub rotors_span: Span,
-    /// How often RSP selects facets, at one mission time (step (e)): 0 is RIP, 1 the paper's RSP.
-    pub rounds: usize,
-    /// The largest risk that the plan may have: the planner then chooses what to protect.
-    pub require_risk: Option<f64>,
-    /// What the mission does after a fault, for the risk: [`AfterFault::Continue`] or [`AfterFault::Hold`]. A mode may say
-    /// otherwise: see [`Model::after_fault`].
-    pub after_fault: AfterFault,
-    /// The `require` statement, or the plan's place where there is none.
-    pub require_span: Span,
 }

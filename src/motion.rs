@@ -1,4 +1,4 @@
-//! Trajectories: piecewise polynomials with exact evaluation, the planned wrench, and when it leaves a set.
+//! Trajectories as piecewise polynomials, the wrench that a motion needs, and when this wrench leaves a set.
 
 pub mod checks;
 pub mod hover_map;
@@ -13,20 +13,25 @@ use crate::actuation::Wrench;
 use crate::model::Vehicle;
 use wrench_model::WrenchModel;
 
-/// Axes of the plan in the order of its variables.
+/// Index of the axis x (east, m) in a [`NodeState`].
 pub const X: usize = 0;
+/// Index of the axis y (north, m).
 pub const Y: usize = 1;
+/// Index of the axis z (up, m).
 pub const Z: usize = 2;
+/// Index of yaw (rad, counter-clockwise seen from above).
 pub const YAW: usize = 3;
 
-/// Derivatives of each axis at a node: `[axis][order]`, SI units.
+/// The time derivatives of orders 0 to 4 of each axis at an instant, `[axis][order]`: x, y, z in m/s^order, yaw in
+/// rad/s^order.
 pub type NodeState = [[f64; 5]; 4];
 
-/// Derivatives `[axis][order]` with the slope of each axis's input above the input, SI units.
+/// Like [`NodeState`], with one more entry for the slope of each axis's input, which comes after the input. The slope
+/// is needed for the commanded wrench of lagging rotors.
 pub type CommandState = [[f64; 6]; 4];
 
-/// A state within the interval of length `h` s between two nodes, with the slopes there; `orders` as in
-/// [`crate::motion::wrench_model::WrenchModel::orders`].
+/// Adds the slopes of the inputs to a state within the interval of length `h` (s) between two nodes. `orders` is
+/// [`WrenchModel::orders`].
 pub fn with_slopes(state: &NodeState, [left, right]: [&NodeState; 2], h: f64, orders: [usize; 4]) -> CommandState {
     std::array::from_fn(|axis| {
         let r = orders[axis];
@@ -37,80 +42,94 @@ pub fn with_slopes(state: &NodeState, [left, right]: [&NodeState; 2], h: f64, or
     })
 }
 
-/// A plan as polynomials between nodes: an axis whose input is its r-th derivative is of degree r + 1, for inputs are
-/// piecewise linear. See [`WrenchModel::orders`].
+/// A trajectory as one polynomial for each axis and interval between nodes.
+///
+/// The input of an axis is its r-th derivative, with r from [`WrenchModel::orders`], and is linear between nodes
+/// (first-order hold). The axis is therefore a polynomial of degree r + 1 on each interval (`docs/method.md`, section
+/// 5).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
     /// Node times, s, ascending; at least two.
     pub times: Vec<f64>,
-    /// Derivatives at each node, SI units.
+    /// State at each node; as many as `times`.
     pub nodes: Vec<NodeState>,
-    /// Node of each waypoint of the mission.
+    /// The node at which each waypoint of the mission is reached, ascending.
     pub waypoint_nodes: Vec<usize>,
-    /// What the plan takes for the wrench of its motion.
+    /// The model by which the wrench follows from the motion.
     pub model: WrenchModel,
 }
 
 impl Trajectory {
-    /// Whether two trajectories agree up to solver accuracy: the same node times, and positions and yaw within 1e-5 m and rad
-    /// at every node.
-    pub fn is_same_motion(&self, other: &Trajectory) -> bool {
+    /// Whether two trajectories agree up to solver accuracy: equal node times, and positions within 1e-5 m and yaw
+    /// within 1e-5 rad at every node.
+    pub(crate) fn is_same_motion(&self, other: &Trajectory) -> bool {
         const PLACE: f64 = 1e-5;
         let is_near = |p: &NodeState, q: &NodeState| [X, Y, Z, YAW].iter().all(|&i| (p[i][0] - q[i][0]).abs() <= PLACE);
         self.times == other.times && self.nodes.iter().zip(&other.nodes).all(|(p, q)| is_near(p, q))
     }
 
-    /// s
+    /// The time of the last node, s.
     pub fn duration(&self) -> f64 {
         self.times[self.times.len() - 1]
     }
 
-    /// Whether it ends at rest, up to the solver's tolerance.
-    pub fn ends_at_rest(&self) -> bool {
+    /// Whether all velocities at the end are below 1e-3 m/s (rad/s), so that the trajectory ends at rest up to the
+    /// solver's tolerance.
+    pub(crate) fn ends_at_rest(&self) -> bool {
         self.nodes.last().is_none_or(|end| end.iter().all(|axis| axis[1].abs() < 1e-3))
     }
 
+    /// The number of intervals between nodes.
     pub fn intervals(&self) -> usize {
         self.times.len() - 1
     }
 
-    /// The interval that holds t; at a node the one to its right, at the end the last.
-    pub fn interval_at(&self, t: f64) -> usize {
+    /// The interval that contains time t (s). At a node it is the interval after it, at the end the last one.
+    fn interval_at(&self, t: f64) -> usize {
         self.times.partition_point(|&s| s <= t).clamp(1, self.intervals()) - 1
     }
 
-    /// All derivatives at `t` seconds into interval `k`: right limits at the interval's start. See [`between`].
+    /// The state `t` seconds after the start of interval `k`. Derivatives that jump at a node take the values of this
+    /// interval. See [`between`].
+    ///
+    /// # Panics
+    /// If there is no interval `k`.
     pub fn within(&self, k: usize, t: f64) -> NodeState {
         between(&self.nodes[k], &self.nodes[k + 1], self.times[k + 1] - self.times[k], t, self.model)
     }
 
-    /// All derivatives at time t (clamped to the flight).
+    /// The state at time t (s), clamped to the duration.
     pub fn at(&self, t: f64) -> NodeState {
         let k = self.interval_at(t);
         self.within(k, (t - self.times[k]).clamp(0.0, self.times[k + 1] - self.times[k]))
     }
 
-    /// The planning model's wrench for a state of this trajectory.
+    /// The wrench (N and N m) that a state of this trajectory needs, by the trajectory's model. `gravity` is in m/s^2.
     pub fn wrench(&self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> Wrench {
         self.model.wrench(vehicle, gravity, state)
     }
 
-    /// The lead wrench w + tau w' of rotors that lag by `tau` s, for a state in interval `k`, with the slopes there; N and N m.
-    pub fn lead(&self, vehicle: &Vehicle, gravity: f64, tau: f64, k: usize, state: &NodeState) -> Wrench {
+    /// The commanded wrench `w + tau w'` (N and N m) for a state within interval `k`, for rotors with a first-order lag
+    /// of time constant `tau` (s): (81) of `docs/method.md`.
+    ///
+    /// # Panics
+    /// If there is no interval `k`.
+    pub fn commanded(&self, vehicle: &Vehicle, gravity: f64, tau: f64, k: usize, state: &NodeState) -> Wrench {
         let ends = [&self.nodes[k], &self.nodes[k + 1]];
         let sloped = with_slopes(state, ends, self.times[k + 1] - self.times[k], self.model.orders());
-        self.model.lead(vehicle, gravity, tau, &sloped)
+        self.model.commanded(vehicle, gravity, tau, &sloped)
     }
 
-    /// The wrench at every node.
+    /// The wrench at every node, N and N m.
     pub fn node_wrenches(&self, vehicle: &Vehicle, gravity: f64) -> Vec<Wrench> {
         self.nodes.iter().map(|s| self.wrench(vehicle, gravity, s)).collect()
     }
 }
 
-/// All derivatives `t` seconds after a node, with the next one `h` seconds after it.
+/// The state `t` seconds after the node `left`, on the interval of length `h` (s) to the node `right`.
 ///
-/// Orders above the input's: the input's slope is constant over the interval, what is above is zero.
+/// With the order r of the input and its constant slope, derivative i is `sum_{j=i}^{r} d_j t^(j-i)/(j-i)!` plus the
+/// slope times `t^(r+1-i)/(r+1-i)!`. Derivative r + 1 is the slope itself, and higher ones are zero.
 pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: WrenchModel) -> NodeState {
     let mut state = NodeState::default();
     let orders = model.orders();
@@ -134,9 +153,9 @@ pub fn between(left: &NodeState, right: &NodeState, h: f64, t: f64, model: Wrenc
     state
 }
 
-/// Exact ZYX roll and pitch (rad) of the thrust direction (x'', y'', z'' + g) at yaw psi.
+/// The ZYX roll and pitch (rad) for which the thrust points along (x'', y'', z'' + g) at the state's yaw: (64).
 ///
-/// The third column of (4), turned back by psi, is (sin theta cos phi, -sin phi, cos theta cos phi).
+/// The third column of (4), rotated by -psi about the vertical, is (sin theta cos phi, -sin phi, cos theta cos phi).
 pub fn roll_pitch(state: &NodeState, gravity: f64) -> (f64, f64) {
     let (s, c) = state[YAW][0].sin_cos();
     let (ax, ay, az) = (state[X][2], state[Y][2], state[Z][2] + gravity);
@@ -144,7 +163,7 @@ pub fn roll_pitch(state: &NodeState, gravity: f64) -> (f64, f64) {
     ((-left).atan2(forward.hypot(az)), forward.atan2(az))
 }
 
-/// Angle between the thrust direction and the vertical, rad; over pi/2 where the thrust would point down.
+/// The angle between the thrust direction and the vertical, rad; above pi/2 if the thrust points down.
 pub fn tilt(state: &NodeState, gravity: f64) -> f64 {
     state[X][2].hypot(state[Y][2]).atan2(state[Z][2] + gravity)
 }

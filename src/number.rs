@@ -1,4 +1,4 @@
-//! The one formatter of numbers for people: reports, messages and snapshots.
+//! The formatter of numbers in reports, messages and snapshots.
 
 /// Up to six significant digits, trailing zeros cut, no `-0`; `not a number` and `infinity` spelled out.
 pub fn number(x: f64) -> String {
@@ -27,7 +27,7 @@ pub fn significant(x: f64, digits: usize) -> String {
     }
 }
 
-/// Up to `digits` significant digits of a bound that must not be passed: the next below.
+/// A lower bound with up to `digits` significant digits, rounded down.
 pub fn down(x: f64, digits: usize) -> String {
     let rounded = significant(x, digits);
     let passes = |text: &str| text.parse::<f64>().is_ok_and(|value| value > x + SAME * x.abs());
@@ -38,23 +38,23 @@ pub fn down(x: f64, digits: usize) -> String {
     significant(x - 0.5 * unit, digits)
 }
 
-/// The same with as many more digits as show that it is above `other`, which is below it.
+/// A lower bound, rounded down, with enough digits to show that it is above `other`.
 pub fn down_but_above(x: f64, digits: usize, other: f64) -> String {
     let is_above = |text: &String| text.parse::<f64>().is_ok_and(|value| value > other);
     let written = (digits..=MOST_DIGITS).map(|digits| down(x, digits)).find(is_above);
     written.unwrap_or_else(|| down(x, digits))
 }
 
-/// The same of a bound that must be reached: the next above.
+/// An upper bound with up to `digits` significant digits, rounded up.
 pub fn up(x: f64, digits: usize) -> String {
     let text = down(-x, digits);
     text.strip_prefix('-').map_or_else(|| if text == "0" { text.clone() } else { format!("-{text}") }, str::to_string)
 }
 
-/// Digits beyond which a double says nothing more.
+/// Most significant digits of a double.
 const MOST_DIGITS: usize = 15;
 
-/// Numbers that differ by less than this share of themselves are one.
+/// Numbers with a smaller relative difference count as equal.
 const SAME: f64 = 1e-9;
 
 /// Significant digits of a share.
@@ -70,21 +70,21 @@ pub fn plural(n: usize, word: &str) -> String {
     format!("{n} {word}{}", if n == 1 { "" } else { "s" })
 }
 
-/// A share of a whole, in percent: as [`percent`], but `100` only for all of it. What three digits would round up to that has
-/// as many as tell it apart, cut off: `99.96`.
+/// A share of a whole in percent, like [`percent`], but `100` only for the whole. A share that would round up to it has
+/// enough digits to differ, rounded down: `99.96`.
 pub fn part_of_all(x: f64) -> String {
     let rounded = significant(100.0 * x, DIGITS);
     if rounded != "100" || x >= 1.0 {
         return rounded;
     }
     let missing = 100.0 * (1.0 - x);
-    // The first digit of what is missing.
+    // Up to the first digit of the missing share.
     let decimals = (-missing.log10().floor()).clamp(1.0, 12.0);
     let scale = 10f64.powf(decimals);
     trim(&format!("{:.*}", decimals as usize, (100.0 * x * scale).floor() / scale)).to_string()
 }
 
-/// Seconds with two decimals; less than these can show is `< 0.01`, never `0.00`.
+/// Seconds with two decimals; smaller values are `< 0.01`, never `0.00`.
 pub fn short_seconds(x: f64) -> String {
     if x < 0.005 { "< 0.01".into() } else { fixed(x, 2) }
 }
@@ -103,7 +103,7 @@ fn trim(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
-/// Adds the shortest text that reads back as the same number; no `-0`.
+/// Appends the shortest text that reads back as the same number; no `-0`.
 pub fn push_shortest(out: &mut String, v: f64) {
     use std::fmt::Write;
     let v = if v == 0.0 { 0.0 } else { v };

@@ -1,9 +1,13 @@
-//! Planning as in sections 5.2 and 5.3: waypoint times, rows, selection of facets, shortest times.
+//! Planning as in sections 5.2 and 5.3 of the paper: waypoint times, rows, selection of facets, shortest times.
+//!
+//! Two planners share one interface, [`Planner`]: [`hover::HoverPlanner`] for the linear model about hover, whose programs are
+//! convex, and [`scp::ExactPlanner`] for the exact model, whose sequential convex programming finds local optima.
 
 pub mod commands;
 mod cost;
 pub mod hover;
 mod limits;
+mod plan;
 pub mod scp;
 pub mod selection;
 pub mod spline;
@@ -14,3 +18,70 @@ pub mod transcription;
 pub mod working_set;
 mod wrench_expression;
 pub mod yaw;
+
+use crate::admissible::AdmissibleSet;
+use crate::model::{Mission, Model, PlanModel};
+use crate::qp::RowOrigin;
+use crate::solve::Effort;
+use hover::HoverPlanner;
+use plan::{Decision, Planned};
+use scp::ExactPlanner;
+use selection::PlanningSet;
+use timing::search::{Hint, NoTime, Shortest};
+use working_set::WorkingSet;
+
+/// A planner of one mission in one model of the wrench.
+pub trait Planner {
+    /// Plans a mission time, s, against a set: a plan, a proof that there is none, or neither. `initial_guesses` are plans of any
+    /// set, which the hover planner does not need; `working_set` holds rows that bound in earlier programs and is updated, which the
+    /// exact planner does not need.
+    fn plan_at(
+        &mut self,
+        time: f64,
+        set: &PlanningSet,
+        initial_guesses: &[&Planned],
+        working_set: &mut WorkingSet,
+    ) -> Decision;
+
+    /// A quick decision on a mission time, s, for callers that need dozens: [`Self::plan_at`], or in the exact model fewer initial
+    /// guesses and a cost phase that is short, or left out unless `minimised`. Rows with a large weight in [`Self::take_weights`]
+    /// limit the mission even if nothing is decided.
+    fn attempt_at(&mut self, time: f64, set: &PlanningSet, minimised: bool, working_set: &mut WorkingSet) -> Decision;
+
+    /// The shortest mission time for a set, with its plan.
+    ///
+    /// # Errors
+    /// [`NoTime`], if each time tried is proved infeasible or no plan is found.
+    fn shortest_time(
+        &mut self,
+        set: &PlanningSet,
+        hint: Hint,
+        working_set: &mut WorkingSet,
+    ) -> Result<Shortest, NoTime>;
+
+    /// The weight of each row in the multipliers of the last program; after a proof, of those that prove it.
+    fn take_weights(&mut self) -> Vec<(RowOrigin, f64)>;
+
+    /// What the solver has done so far.
+    fn effort(&self) -> Effort;
+}
+
+/// The planner of the model that the spec plans with. `on_progress` receives each mission time, s, before it is tried.
+pub fn planner<'a>(
+    model: &'a Model,
+    mission: &'a Mission,
+    healthy: &'a AdmissibleSet,
+    on_progress: Option<&'a (dyn Fn(f64) + Sync)>,
+) -> Box<dyn Planner + 'a> {
+    let hover = HoverPlanner { on_progress, ..HoverPlanner::new(model, mission, healthy) };
+    match model.plan.model {
+        PlanModel::Hover => Box::new(hover),
+        PlanModel::Exact => Box::new(ExactPlanner::new(hover)),
+    }
+}
+
+/// Whether the planner of a model finds local optima. Then plans of other sets are worth trying as initial guesses, another plan
+/// may be cheaper or shorter, and facets that one RIP plan selects need not be those of another.
+pub fn finds_local_optima(model: &Model) -> bool {
+    model.plan.model == PlanModel::Exact
+}

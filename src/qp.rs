@@ -1,7 +1,12 @@
-//! The convex program every planner ends in, in the solver's standard form, and every row's origin.
+//! Convex programs in the solver's standard form, with the origin of every row:
 //!
-//! minimise 1/2 x'P x + q'x + constant  subject to  A x + s = b, s in K,
-//! K a product of {0}, the nonnegative orthant and second-order cones, in that order.
+//! ```text
+//! minimise    1/2 x'P x + q'x + constant
+//! subject to  A x + s = b,  s in K
+//! ```
+//!
+//! where K is a product of {0}, the nonnegative orthant and second-order cones, in this order. What the planners put
+//! into a program is described in `docs/method.md`, sections 5 and 12.
 
 pub mod build;
 pub mod mps;
@@ -10,17 +15,22 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// Compressed sparse columns; row indices ascend within a column.
+/// A matrix in compressed sparse column format.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sparse {
+    /// Number of rows.
     pub rows: usize,
+    /// Number of columns.
     pub cols: usize,
+    /// The entries of column c are those from `colptr[c]` up to `colptr[c + 1]`; length `cols + 1`.
     pub colptr: Vec<usize>,
+    /// The row of each entry, ascending within a column.
     pub rowval: Vec<usize>,
+    /// The value of each entry.
     pub nzval: Vec<f64>,
 }
 
-/// Entries in ascending order of their rows, those of one row in the order given.
+/// The entries sorted by row, stable within a row.
 fn sorted_by_row(rows: usize, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
     let mut next = vec![0usize; rows + 1];
     for &(r, _, _) in entries {
@@ -38,10 +48,13 @@ fn sorted_by_row(rows: usize, entries: &[(usize, usize, f64)]) -> Vec<(usize, us
 }
 
 impl Sparse {
-    /// From (row, column, value) entries in any order; entries at one place add up.
+    /// A `rows` x `cols` matrix from entries (row, column, value) in any order. Values of equal positions are added.
+    ///
+    /// # Panics
+    /// If an entry lies outside the matrix.
     pub fn from_entries(rows: usize, cols: usize, entries: &[(usize, usize, f64)]) -> Self {
-        // Counting sort by row, where they are not in that order anyway, then by column: linear, and rows come out
-        // ascending in each column.
+        // Counting sort by row, unless the entries are already in this order, then by column. This takes linear time,
+        // and row indices ascend within each column.
         let by_row = if entries.is_sorted_by_key(|e| e.0) { None } else { Some(sorted_by_row(rows, entries)) };
         let entries = by_row.as_deref().unwrap_or(entries);
         let mut start = vec![0usize; cols + 1];
@@ -92,6 +105,7 @@ impl Sparse {
     }
 }
 
+/// A factor of the cone K, with its number of rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "cone", content = "rows")]
 pub enum Cone {
@@ -104,6 +118,7 @@ pub enum Cone {
 }
 
 impl Cone {
+    /// The number of rows.
     pub fn rows(self) -> usize {
         match self {
             Cone::Zero(n) | Cone::Nonnegative(n) | Cone::SecondOrder(n) => n,
@@ -111,56 +126,67 @@ impl Cone {
     }
 }
 
-/// Which statement of the spec, fault mode and sample a row stands for.
+/// The statement of the spec, the fault mode and the node that a row comes from.
+///
+/// `node` and `interval` are indices of the time grid without holds, `axis` is one of [`X`](crate::motion::X), `Y`, `Z`
+/// and `YAW`, and `derivative` is the order of a time derivative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "row")]
 pub enum RowOrigin {
-    /// The step of one derivative of an axis over an interval.
+    /// The dynamics of one derivative of an axis over an interval.
     Dynamics { interval: usize, axis: usize, derivative: usize },
     /// A derivative that is zero at rest (start, end, hold).
     Rest { node: usize, axis: usize, derivative: usize },
-    /// What a fault leaves as it is where it strikes, and what is nothing where the vehicle has stopped.
+    /// The continuity of a derivative at the fault from which a stop begins, or a derivative that is zero at the end of
+    /// the stop.
     Stop { node: usize, axis: usize, derivative: usize },
-    /// Row `facet` of the planner's set (see `PlanningSet::rows`) at a node.
+    /// Row `facet` of the planning set (`PlanningSet::rows`) at a node.
     Facet { facet: usize, node: usize },
-    /// The same facet for the lead wrench of rotors that lag, with the slopes of the interval after or before the node.
+    /// The same row for the commanded wrench of lagging rotors, with the slopes of the interval after or before the
+    /// node.
     Lag { facet: usize, node: usize, after: bool },
     /// `Mission::limits[limit]` at a node.
     Limit { limit: usize, node: usize },
     /// The position tolerance of `Mission::waypoints[waypoint]`.
     Waypoint { waypoint: usize },
-    /// Its yaw tolerance.
+    /// The yaw tolerance of `Mission::waypoints[waypoint]`.
     WaypointYaw { waypoint: usize },
-    /// The thrust at a node points upwards.
+    /// (68), z'' + g >= 0.1 g at a node.
     Upright { node: usize },
-    /// The thrust at a node is at most what any attitude gives.
+    /// (74), m |a| <= T_max at a node.
     Thrust { node: usize },
-    /// How much the duration of leg `leg` may change.
+    /// The bound on the change of the duration of leg `leg`.
     Duration { leg: usize },
-    /// The overshoot may not exceed what makes tolerances meaningless.
+    /// The bound on the variable by which position tolerances are widened (`docs/method.md`, section 7, 3).
     Overshoot,
-    /// The excess is not less than it needs to be.
+    /// The lower bound on the violation sigma.
     Violation,
 }
 
-/// The program; [`crate::solve::solve`] refuses data that is not finite.
+/// A convex quadratic program with n variables and m rows: minimise `1/2 x'P x + q'x + constant` subject to `A x + s =
+/// b`, s in K. All numbers must be finite.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct QuadraticProgram {
-    /// Upper triangle.
+    /// P (n x n), upper triangle only.
     #[serde(rename = "P")]
     pub p: Sparse,
+    /// q (n).
     pub q: Vec<f64>,
+    /// The constant term of the objective.
     pub constant: f64,
+    /// A (m x n).
     #[serde(rename = "A")]
     pub a: Sparse,
+    /// b (m).
     pub b: Vec<f64>,
+    /// The factors of K, in the order of the rows: {0}, then the nonnegative orthant, then second-order cones.
     pub cones: Vec<Cone>,
-    /// One per row of A.
+    /// The origin of each row (m).
     pub row_origin: Vec<RowOrigin>,
 }
 
 impl RowOrigin {
-    /// The kind of row in a word or two.
+    /// The kind of row, in the words that `mavc emit qp` prints.
     pub fn kind(&self) -> &'static str {
         match self {
             RowOrigin::Dynamics { .. } => "dynamics",
@@ -175,12 +201,12 @@ impl RowOrigin {
             RowOrigin::Thrust { .. } => "thrust",
             RowOrigin::Duration { .. } => "durations",
             RowOrigin::Overshoot => "overshoot",
-            RowOrigin::Violation => "excess",
+            RowOrigin::Violation => "violation",
         }
     }
 }
 
-/// Sizes, and rows by origin.
+/// Prints the sizes of the program and the number of rows of each kind.
 impl fmt::Display for QuadraticProgram {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "variables {}", self.variables())?;
@@ -200,17 +226,18 @@ impl fmt::Display for QuadraticProgram {
                 Cone::SecondOrder(_) => cones[2] += 1,
             }
         }
-        writeln!(f, "equal {}, inequal {}, second-order cones {}", cones[0], cones[1], cones[2])
+        writeln!(f, "equalities {}, inequalities {}, second-order cones {}", cones[0], cones[1], cones[2])
     }
 }
 
 impl QuadraticProgram {
+    /// The number of variables n.
     pub fn variables(&self) -> usize {
         self.q.len()
     }
 
-    /// P x, from the upper triangle.
-    pub fn hessian_times(&self, x: &[f64]) -> Vec<f64> {
+    /// P x.
+    pub(crate) fn hessian_times(&self, x: &[f64]) -> Vec<f64> {
         let mut y = self.p.transposed_times(x);
         self.p.multiply_into(x, &mut y);
         for c in 0..self.p.cols {
@@ -223,13 +250,13 @@ impl QuadraticProgram {
         y
     }
 
-    /// 1/2 x'P x + q'x + constant.
+    /// The objective 1/2 x'P x + q'x + constant.
     pub fn objective(&self, x: &[f64]) -> f64 {
         let px = self.hessian_times(x);
         x.iter().zip(&px).zip(&self.q).map(|((x, px), q)| x * (0.5 * px + q)).sum::<f64>() + self.constant
     }
 
-    /// b - A x.
+    /// The slack s = b - A x.
     pub fn slack(&self, x: &[f64]) -> Vec<f64> {
         let negative: Vec<f64> = x.iter().map(|v| -v).collect();
         let mut s = self.b.clone();
@@ -237,19 +264,19 @@ impl QuadraticProgram {
         s
     }
 
-    /// How far `s` lies outside K: the largest of |s| on zero rows, -s on nonnegative rows and |s_rest| - s_0
-    /// on cones.
-    pub fn cone_violation(&self, s: &[f64]) -> f64 {
+    /// The violation of `s in K`, 0 if it holds: the largest of |s| on rows of {0}, -s on nonnegative rows and |(s_1,
+    /// ..)| - s_0 on second-order cones.
+    pub(crate) fn cone_violation(&self, s: &[f64]) -> f64 {
         self.outside(s, f64::abs)
     }
 
-    /// The same for the dual cone, in which the rows of {0} are free.
+    /// The violation of `z in K*`, 0 if it holds. The dual cone K* is like K, except that rows of {0} are free.
     pub fn dual_violation(&self, z: &[f64]) -> f64 {
         self.outside(z, |_| 0.0)
     }
 
-    /// What each row, or each second-order cone, weighs in multipliers z: |z| on a row of {0}, z on a nonnegative one, and
-    /// z_0 on a cone, which the others cannot exceed.
+    /// The weight in the multipliers z (m) of each row of {0} and of the nonnegative orthant, |z|, and of each
+    /// second-order cone, z_0, which bounds the others.
     pub fn weights(&self, z: &[f64]) -> Vec<(RowOrigin, f64)> {
         let mut weights = Vec::with_capacity(z.len());
         let mut at = 0;
@@ -264,6 +291,7 @@ impl QuadraticProgram {
         weights
     }
 
+    /// The largest violation of the cones by `s`; `zero` gives that of an entry in a row of {0}.
     fn outside(&self, s: &[f64], zero: impl Fn(f64) -> f64) -> f64 {
         let mut worst = 0.0_f64;
         let mut at = 0;

@@ -1,4 +1,5 @@
-//! What was found, told: the record (`--report`), text for the terminal, and the trajectory table.
+//! Results for readers: JSON records (`--report`), terminal text, the report page and the tables of trajectories and
+//! flights.
 
 pub mod analysis_record;
 pub mod analysis_text;
@@ -9,12 +10,12 @@ pub mod campaign_text;
 pub mod caveats;
 pub mod comparison_text;
 pub mod conflict_record;
-pub mod flight;
 pub mod heat;
 pub mod least_time;
 #[cfg(feature = "report")]
 pub mod page;
 pub mod record;
+pub mod simulation;
 pub mod table;
 pub mod terminal;
 pub mod trajectory_csv;

@@ -1,53 +1,63 @@
-//! The only room that knows Clarabel. A verdict is data, and each is checked in plain arithmetic before it
-//! is believed.
+//! Solving programs with Clarabel (P. J. Goulart, Y. Chen, 2024). No other module imports the solver.
+//!
+//! A result of the solver is reported only after it has been checked in plain arithmetic on the program's data:
+//! `docs/method.md`, section 7.
 
 use crate::qp::{Cone, QuadraticProgram, Sparse};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use std::time::{Duration, Instant};
 
-/// A row may be missed by this much (rows are of order one).
-pub const PRIMAL_TOLERANCE: f64 = 1e-6;
+/// The largest violation of a row in a solution; rows are scaled to order one.
+const PRIMAL_TOLERANCE: f64 = 1e-6;
 
-/// Iterations after which a solve ends without a verdict. Programs here take 8 to 60; one that takes more has
-/// stalled, and another form of it is quicker.
+/// Iterations after which the solver stops. The programs of this crate take 8 to 60; one that takes more has stalled,
+/// and another form of it is solved faster.
 const MOST_ITERATIONS: u32 = 80;
 
+/// A solution of a program with n variables and m rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
+    /// The variables (n).
     pub x: Vec<f64>,
-    /// Multipliers: P x + q + A'z = 0, z in the dual cone.
+    /// The multipliers (m): P x + q + A'z = 0, z in the dual cone.
     pub z: Vec<f64>,
-    /// Value of the program at x.
+    /// The objective at x.
     pub objective: f64,
-    /// No feasible point with entries up to [`reach()`] has a smaller objective: the value of the dual function at z,
-    /// less what its residual could make up for.
+    /// A lower bound on the objective of every feasible point whose entries are at most [`reach()`]: the dual value at
+    /// z, lowered by what the residual of stationarity could make up for. Minus infinity in the result of `solve_step`.
     pub bound: f64,
 }
 
+/// The result of a solve.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
+    /// The program has this solution.
     Solved(Solution),
-    /// A'z = 0, b'z < 0, z in the dual cone: nothing within [`reach`] satisfies all rows.
+    /// No point whose entries are at most [`reach()`] satisfies all rows.
     Infeasible {
+        /// Multipliers z (m) in the dual cone with b'z < 0 and A'z close to 0.
         certificate: Vec<f64>,
     },
-    /// The solver stopped without a verdict that can be shown.
+    /// The solver stopped without a result that the checks confirm.
     Inconclusive {
+        /// The solver's status, or why it did not start.
         status: String,
-        /// Where it stopped, if it got anywhere.
+        /// The variables (n) where it stopped, if there are any.
         point: Option<Vec<f64>>,
     },
 }
 
-/// What the solver did, summed over calls.
+/// The solver's work, summed over calls.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Effort {
+    /// Number of programs given to the solver; a second attempt counts again.
     pub solves: usize,
+    /// Iterations of the solver.
     pub iterations: usize,
-    /// Initial guesses that searches for a time began with.
+    /// Initial guesses from which searches for a mission time started.
     pub starts: usize,
-    /// Time inside the solver's calls.
+    /// Wall time inside the solver.
     pub time: Duration,
 }
 
@@ -60,20 +70,20 @@ impl std::ops::AddAssign for Effort {
     }
 }
 
-/// Residuals of the optimality conditions, absolute, in the program's own scaling.
+/// Absolute residuals of the optimality (KKT) conditions, in the program's own scaling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Residuals {
-    /// Distance of b - A x from the cone.
+    /// The violation of b - A x in K.
     pub primal: f64,
-    /// Largest entry of P x + q + A'z.
+    /// The largest |entry| of P x + q + A'z.
     pub stationarity: f64,
-    /// Distance of z from the dual cone.
+    /// The violation of z in the dual cone.
     pub dual: f64,
-    /// |s'z|
+    /// |s'z| with s = b - A x.
     pub complementarity: f64,
 }
 
-/// KKT residuals of a solution, from the program's data alone.
+/// The residuals of a solution, computed from the program's data.
 pub fn residuals(program: &QuadraticProgram, solution: &Solution) -> Residuals {
     let s = program.slack(&solution.x);
     let mut gradient = program.hessian_times(&solution.x);
@@ -92,48 +102,57 @@ fn matrix(m: &Sparse) -> CscMatrix<f64> {
     CscMatrix::new(m.rows, m.cols, m.colptr.clone(), m.rowval.clone(), m.nzval.clone())
 }
 
-/// Programs with more second-order cones or more variables than this are first solved without Clarabel's own scaling of
-/// rows and columns (measured: it scales a cone only as a whole, and missions with a cone or two at each node take three
-/// times the iterations with it and end without a verdict far more often; so do programs in stage variables for long
-/// missions or fine grids).
+/// Programs with more second-order cones or more variables than this are first solved without Clarabel's equilibration
+/// of rows and columns. It scales a cone only as a whole: with it, missions with a cone or two at each node took three
+/// times the iterations and ended without a verdict far more often, and so did programs in stage variables for long
+/// missions or fine grids (measured).
 const SCALED: (usize, usize) = (32, 4_500);
 
-/// The solver's tolerance on the gap, absolute and relative: its own default, and that of steps.
+/// The solver's tolerance on the duality gap, absolute and relative: its default, and the looser one for steps of a
+/// sequence.
 const GAP: f64 = 1e-8;
 const STEP_GAP: f64 = 1e-6;
 
-/// How closely a program is solved.
+/// The accuracy to which a program is solved.
 #[derive(Clone, Copy)]
 struct Tolerance {
-    /// Between primal and dual objective, absolute and relative.
+    /// Duality gap, absolute and relative.
     gap: f64,
-    /// What the solver adds to the diagonal of its linear systems; refinement takes it off the solution again.
+    /// Static regularisation of the solver's linear systems, whose effect iterative refinement removes from the
+    /// solution.
     regularization: f64,
-    /// Residual of its linear systems, relative and absolute, at which refinement ends.
+    /// Residual of the linear systems at which refinement ends, relative and absolute.
     refinement: (f64, f64),
 }
 
-/// For verdicts and plans of the hover model; regularisation and refinement are the solver's defaults.
+/// For verdicts, and for plans of the hover model. Regularisation and refinement are the solver's defaults.
 const CLOSE: Tolerance = Tolerance { gap: GAP, regularization: 1e-8, refinement: (1e-13, 1e-12) };
 
-/// For steps. The regularisation is ten times the solver's default (measured on programs of steps of three missions, every
-/// sixth and all that were not solved to tolerance: of 165 programs that the solver scales 75 ended with a numerical error,
-/// and of 44 that it does not scale 6; with this none does). The programs of the hover model have no need of it, and their
-/// refinement took a fifth more time. Refinement to the solver's default residual took a quarter of an iteration's time, and as
-/// many iterations (measured on five missions).
+/// For steps of a sequence.
+///
+/// The regularisation is ten times the solver's default. Measured on programs of steps of three missions (every sixth,
+/// and all that were not solved to tolerance): with the default, 75 of 165 programs with equilibration and 6 of 44
+/// without ended with a numerical error; with this value none does. Programs of the hover model do not need it, and
+/// their refinement took a fifth more time with it.
+///
+/// Refinement to the solver's default residual took a quarter of the time of an iteration and saved no iterations
+/// (measured on five missions).
 const STEP: Tolerance = Tolerance { gap: STEP_GAP, regularization: 1e-7, refinement: (1e-10, 1e-10) };
+
+/// For [`solve_graded`].
 const GRADED: Tolerance = Tolerance { gap: GAP, regularization: STEP.regularization, ..CLOSE };
 
-/// Solves a program on one thread; the same program gives the same bytes.
+/// Solves a program on one thread. The result is deterministic: equal programs give equal bits.
 ///
-/// Where the solver stops without a verdict it is asked again with its scaling the other way: on or off.
+/// If the solver stops without a verdict, the program is solved a second time with equilibration switched on if it was
+/// off, and off if it was on. A program with a number that is not finite is [`Outcome::Inconclusive`].
 pub fn solve(program: &QuadraticProgram) -> (Outcome, Effort) {
     decide(program, CLOSE)
 }
 
-/// The same with more regularisation: for programs of the exact model, whose grids have short pieces beside long ones, and for
-/// multipliers that prove something.
-pub fn solve_graded(program: &QuadraticProgram) -> (Outcome, Effort) {
+/// Like [`solve`] with more regularisation: for programs of the exact model, whose graded grids have short intervals
+/// next to long ones, and for multipliers that are used in a proof.
+pub(crate) fn solve_graded(program: &QuadraticProgram) -> (Outcome, Effort) {
     decide(program, GRADED)
 }
 
@@ -150,51 +169,51 @@ fn decide(program: &QuadraticProgram, tolerance: Tolerance) -> (Outcome, Effort)
     (again, effort)
 }
 
-/// A point of a program good enough for a step of a sequence that measures what it reaches.
+/// A point that is accurate enough for a step of sequential convex programming, which evaluates what the step reaches.
 #[derive(Debug, Clone)]
-pub struct Approach {
-    pub solution: Solution,
-    /// Whether the solver met its tolerances, or its reduced ones; otherwise it stopped early.
-    pub is_least: bool,
+pub(crate) struct StepSolution {
+    pub(crate) solution: Solution,
+    /// Whether the solver met its tolerances or its reduced tolerances; otherwise it stopped early.
+    pub(crate) is_optimal: bool,
 }
 
-/// A point that keeps the rows of a program to [`PRIMAL_TOLERANCE`], and its multipliers; `scaled` is whether the solver scales
-/// rows and columns.
-pub fn approach(program: &QuadraticProgram, scaled: bool) -> (Option<Approach>, Effort) {
+/// A point that satisfies the rows of a program to [`PRIMAL_TOLERANCE`], with its multipliers; `None` if the solver
+/// reaches none. `scaled` switches the solver's equilibration of rows and columns on.
+pub(crate) fn solve_step(program: &QuadraticProgram, scaled: bool) -> (Option<StepSolution>, Effort) {
     let (raw, effort) = call(program, scaled, STEP);
     let Some(Raw { status, x, z }) = raw else { return (None, effort) };
-    let is_least = matches!(status, SolverStatus::Solved | SolverStatus::AlmostSolved);
+    let is_optimal = matches!(status, SolverStatus::Solved | SolverStatus::AlmostSolved);
     let stopped = matches!(
         status,
         SolverStatus::InsufficientProgress | SolverStatus::NumericalError | SolverStatus::MaxIterations
     );
-    let holds = (is_least || stopped)
+    let holds = (is_optimal || stopped)
         && x.iter().chain(&z).all(|v| v.is_finite())
         && program.cone_violation(&program.slack(&x)) <= PRIMAL_TOLERANCE;
     let objective = program.objective(&x);
     let solution = Solution { bound: f64::NEG_INFINITY, objective, x, z };
-    (holds.then_some(Approach { solution, is_least }), effort)
+    (holds.then_some(StepSolution { solution, is_optimal }), effort)
 }
 
-/// What the solver left.
+/// The solver's unchecked result.
 struct Raw {
     status: SolverStatus,
     x: Vec<f64>,
     z: Vec<f64>,
 }
 
-/// One call of the solver, with or without its own scaling.
+/// One checked call of the solver, with or without its equilibration.
 fn attempt(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Outcome, Effort) {
     match call(program, scaled, tolerance) {
         (Some(Raw { status, x, z }), effort) => (judge(program, status, x, z), effort),
         (None, effort) => {
-            let status = "the program holds a number that is not finite, or the solver refused it".into();
+            let status = "the program contains a number that is not finite, or the solver rejected it".into();
             (Outcome::Inconclusive { status, point: None }, effort)
         }
     }
 }
 
-/// `None` where the program holds a number that is not finite or the solver refuses it.
+/// One call of the solver; `None` if the program contains a number that is not finite or the solver rejects it.
 fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Option<Raw>, Effort) {
     let finite = |v: &[f64]| v.iter().all(|x| x.is_finite());
     if ![&program.p.nzval[..], &program.q, &program.a.nzval, &program.b].into_iter().all(finite) {
@@ -232,13 +251,14 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Opti
     (Some(Raw { status: found.status, x: found.x, z: found.z }), effort)
 }
 
-/// Entries of points that count, in the program's scaling: ten times the largest number on a right-hand side (which
-/// holds the waypoints), at least 100. Proofs in floating point need some such bound.
+/// The bound R on the entries of points for which infeasibility is proved, in the program's scaling: ten times the
+/// largest number on a right-hand side (which contains the waypoints), at least 100. A proof in floating-point
+/// arithmetic needs such a bound, because A'z is not exactly zero.
 pub fn reach(program: &QuadraticProgram) -> f64 {
     program.b.iter().fold(10.0_f64, |m, b| m.max(b.abs())) * 10.0
 }
 
-/// Believes a status only where plain arithmetic agrees.
+/// Accepts the solver's status only if plain arithmetic confirms it: `docs/method.md`, section 7, "A plan" and 1.
 fn judge(program: &QuadraticProgram, status: SolverStatus, x: Vec<f64>, z: Vec<f64>) -> Outcome {
     let stopped = |x: Option<Vec<f64>>| Outcome::Inconclusive { status: format!("{status:?}"), point: x };
     match status {
@@ -247,7 +267,8 @@ fn judge(program: &QuadraticProgram, status: SolverStatus, x: Vec<f64>, z: Vec<f
             let px = program.hessian_times(&x);
             let quadratic: f64 = x.iter().zip(&px).map(|(x, p)| x * p).sum();
             let bz: f64 = program.b.iter().zip(&z).map(|(b, z)| b * z).sum();
-            // f(y) >= f(x) + f'(x)(y - x) and f'(x) = r - A'z, so r'(y - x) is all that can be missing.
+            // f(y) >= f(x) + f'(x)(y - x) by convexity and f'(x) = r - A'z, so the dual value is off by at most |r'(y -
+            // x)|.
             let reach = reach(program);
             let mut residual = px;
             for (r, (q, az)) in residual.iter_mut().zip(program.q.iter().zip(program.a.transposed_times(&z))) {
@@ -267,7 +288,7 @@ fn judge(program: &QuadraticProgram, status: SolverStatus, x: Vec<f64>, z: Vec<f
         }
         SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
             let bz: f64 = program.b.iter().zip(&z).map(|(b, z)| b * z).sum();
-            // 0 <= z's = z'b - (A'z)'x < 0 for every x whose entries are within reach.
+            // A feasible x would give 0 <= z's = b'z - (A'z)'x, which is negative if no entry of x exceeds the reach.
             let residual: f64 = program.a.transposed_times(&z).iter().map(|v| v.abs()).sum();
             if bz < 0.0 && residual * reach(program) < 0.5 * bz.abs() && program.dual_violation(&z) <= 1e-9 * bz.abs() {
                 Outcome::Infeasible { certificate: z }

@@ -1,7 +1,7 @@
 //! Source texts and places in them.
 //!
-//! Every file of a file set gets a [`FileId`]; a [`Span`] is a byte range of one file. Lines and
-//! columns are computed only when a person or an editor has to be told.
+//! Every file of a file set has a [`FileId`]; a [`Span`] is a byte range of one file. Lines and
+//! columns are computed only when they are shown to a person or sent to an editor.
 
 pub mod visible;
 
@@ -24,7 +24,7 @@ impl Span {
         Span { file, start: start as u32, end: end as u32 }
     }
 
-    /// The smallest span that covers both; `other` must lie in the same file.
+    /// The smallest span that covers both; `other` must be in the same file.
     pub fn to(self, other: Span) -> Span {
         Span { file: self.file, start: self.start.min(other.start), end: self.end.max(other.end) }
     }
@@ -36,7 +36,7 @@ impl fmt::Debug for Span {
     }
 }
 
-/// A value and the place it was written at.
+/// A value and the place where it is written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spanned<T> {
     pub value: T,
@@ -49,7 +49,7 @@ impl<T> Spanned<T> {
     }
 }
 
-/// One file: the name the user gave (or the path a `use` led to) and its text.
+/// One file: its name, given by the user or by a `use`, and its text.
 #[derive(Debug, Clone)]
 pub struct Source {
     /// As the user wrote it; `<stdin>` for `-`.
@@ -62,15 +62,15 @@ pub struct Source {
 /// A file that is not UTF-8 text.
 #[derive(Debug, Clone)]
 pub struct NotUtf8 {
-    /// The text up to a little past the break, U+FFFD in place of what is no UTF-8.
+    /// The text up to a little after the first invalid byte, with U+FFFD for what is not UTF-8.
     pub source: Source,
-    /// Bytes before the break (after a byte order mark).
+    /// The offset of the first invalid byte, counted after a byte order mark.
     pub offset: usize,
-    /// The byte that breaks it.
+    /// The first invalid byte.
     pub byte: u8,
 }
 
-/// A place as people count: 1-based line, 1-based column in Unicode scalars.
+/// A place for people: 1-based line, 1-based column in Unicode scalars.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Place {
     pub line: usize,
@@ -86,10 +86,10 @@ impl Source {
         Source { name: name.into(), text, line_starts }
     }
 
-    /// Reads a file's bytes as UTF-8; a byte order mark at the start is dropped.
+    /// Decodes the bytes of a file as UTF-8, without the byte order mark if there is one.
     ///
     /// # Errors
-    /// [`NotUtf8`] says where the text breaks off and holds what can be shown of it.
+    /// [`NotUtf8`] has the first invalid byte and the text that can be shown.
     pub fn from_bytes(name: impl Into<String>, bytes: &[u8]) -> Result<Self, NotUtf8> {
         let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
         match std::str::from_utf8(bytes) {
@@ -102,14 +102,14 @@ impl Source {
         }
     }
 
-    /// Bytes of a 1-based line without its newline; beyond the last line, the empty end.
+    /// The byte range of a 1-based line without its newline; beyond the last line, the empty range at the end.
     pub fn line(&self, line: usize) -> std::ops::Range<usize> {
         let start = |l: usize| self.line_starts.get(l).map_or(self.text.len(), |s| *s as usize);
         let (from, to) = (start(line - 1), start(line));
         from..from + self.text[from..to].trim_end_matches(['\r', '\n']).len()
     }
 
-    /// 0-based line that holds byte `offset` (clamped to the text).
+    /// The 0-based line that contains byte `offset` (clamped to the text).
     fn line_index(&self, offset: usize) -> usize {
         self.line_starts.partition_point(|&s| s as usize <= offset.min(self.text.len())) - 1
     }
@@ -122,7 +122,7 @@ impl Source {
         Place { line: line + 1, column: column + 1 }
     }
 
-    /// 0-based line and UTF-16 column, as the Language Server Protocol counts.
+    /// 0-based line and UTF-16 column, as in the Language Server Protocol.
     pub fn place_utf16(&self, offset: usize) -> (u32, u32) {
         let line = self.line_index(offset);
         let start = self.line_starts[line] as usize;
@@ -131,8 +131,8 @@ impl Source {
         (line as u32, units as u32)
     }
 
-    /// The byte offset of a 0-based line and UTF-16 column. A column past the end of the line is that end, a line past
-    /// the last the end of the text, and a column within a character is its start.
+    /// The byte offset of a 0-based line and UTF-16 column. A column beyond the line gives the end of the line, a line beyond
+    /// the last gives the end of the text, and a column inside a character gives the start of the character.
     pub fn offset_utf16(&self, line: u32, column: u32) -> usize {
         if line as usize >= self.line_starts.len() {
             return self.text.len();
@@ -149,7 +149,7 @@ impl Source {
     }
 }
 
-/// All files of one compilation, in the order they were first named.
+/// All files of one compilation, in the order in which they were first named.
 #[derive(Debug, Clone, Default)]
 pub struct SourceMap {
     files: Vec<Source>,
@@ -169,7 +169,7 @@ impl SourceMap {
         self.files.iter().enumerate().map(|(i, s)| (FileId(i as u32), s))
     }
 
-    /// The text under a span (empty where the span does not fit the file).
+    /// The text of a span; empty if the span lies outside the file.
     pub fn snippet(&self, span: Span) -> &str {
         self.get(span.file).text.get(span.start as usize..span.end as usize).unwrap_or("")
     }

@@ -3,13 +3,13 @@
 use serde::Serialize;
 use std::fmt;
 
-/// What was shown of a question for a plan. Nothing stronger is written than the word of this.
+/// The answer to the question whether there is a plan. No report makes a stronger claim than this word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum Verdict {
-    /// There is a plan, and here it is.
+    /// There is a plan, and it was returned.
     #[serde(rename = "found")]
     Found,
-    /// There is no plan: a proof was checked for exactly the statement printed with this word.
+    /// There is no plan: a proof of exactly the statement printed with this word was checked.
     #[serde(rename = "proved infeasible")]
     ProvedInfeasible,
     /// The search ended without a plan and without a proof.
@@ -24,6 +24,7 @@ pub enum Verdict {
 impl Verdict {
     pub const ALL: [Verdict; 4] = [Verdict::Found, Verdict::ProvedInfeasible, Verdict::NotFound, Verdict::NotAttempted];
 
+    /// The word for terminal, JSON and page.
     pub const fn word(self) -> &'static str {
         match self {
             Verdict::Found => "found",
@@ -40,7 +41,7 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// The word for a flight, whatever became of it.
+/// The word for a flight, whatever its outcome.
 pub const SIMULATED: &str = "simulated";
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
-//! Decides certificates with code of its own: from the spec's [`Model`] and the certificate's witness alone, in interval
-//! and exact arithmetic. Nothing of the planner, the sets or the solver is used, so an error there does not pass here.
-//! What has to hold, and where, follows from the spec; docs/certificates.md states it as a theorem, whose premises
-//! [`Premise`] lists.
+//! The independent checker of certificates. It uses only the spec's [`Model`] and the certificate's witness, in interval
+//! and exact arithmetic, and none of the code of the planner, the sets or the solver, so that it does not inherit their
+//! errors. The conditions to check follow from the spec; docs/certificates.md states them as a theorem, whose premises are
+//! those of [`Premise`].
 
 pub mod cost;
 pub mod dyadic;
@@ -34,31 +34,33 @@ use proof::{Failure, Measure};
 pub use premise::{Premise, Premises};
 pub use read::{MALFORMED, Read, read};
 
-/// A certificate that does not show what it claims.
+/// Code of the error for a certificate that does not prove its claim.
 pub const REJECTED: &str = "mavc::verify::rejected";
-/// A certificate of another spec.
+/// Code of the error for a certificate of another spec.
 pub const OTHER_SPEC: &str = "mavc::verify::other_spec";
-/// A certificate that would cost more to decide than the budget.
+/// Code of the error for a certificate that would cost more to decide than the budget.
 pub const TOO_COSTLY: &str = "mavc::verify::too_costly";
 
-/// The first thing found that does not hold.
+/// The first condition found that does not hold.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rejection {
-    /// What does not hold: a set, a limit, a waypoint.
+    /// The subject of the condition: a set, a limit, a waypoint.
     pub claim: String,
+    /// Why the condition does not hold.
     pub detail: String,
-    /// s
+    /// When, s.
     pub at: Option<f64>,
-    /// The statement of the spec.
+    /// The statement of the spec that requires it.
     pub span: Option<Span>,
 }
 
 impl Rejection {
+    /// A rejection without an instant and a place.
     pub fn new(claim: impl Into<String>, detail: impl Into<String>) -> Self {
         Rejection { claim: claim.into(), detail: detail.into(), at: None, span: None }
     }
 
-    /// What does not hold, when and why.
+    /// The condition that does not hold, when, and why.
     pub fn sentence(&self) -> String {
         let at = self.at.map_or(String::new(), |t| format!(" at {} s", number(t)));
         format!("{}{at}: {}", self.claim, self.detail)
@@ -68,9 +70,9 @@ impl Rejection {
 /// Why a certificate is not accepted.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refusal {
-    /// Something does not hold.
+    /// A condition does not hold.
     Rejected(Rejection),
-    /// It would cost more than the budget; nothing was decided.
+    /// The decision would cost more than the budget; nothing was decided.
     Budget { estimate: Estimate, budget: Budget },
 }
 
@@ -81,12 +83,12 @@ impl From<Rejection> for Refusal {
 }
 
 impl Refusal {
-    /// In one sentence.
+    /// The reason in one sentence.
     pub fn sentence(&self) -> String {
         match self {
             Refusal::Rejected(rejection) => rejection.sentence(),
             Refusal::Budget { estimate, budget } => format!(
-                "deciding it takes about {} s and {} MB, and the budget is {} s and {} MB",
+                "deciding it takes about {} s and {} MB, but the budget is {} s and {} MB",
                 number(estimate.seconds()),
                 megabytes(estimate.bytes),
                 number(budget.seconds),
@@ -105,7 +107,7 @@ impl Refusal {
                     Claim::Infeasible(_) | Claim::TooEarly(_) => "it is open whether there is a plan",
                 };
                 error.here("not shown for this").help(format!(
-                    "write the certificate anew with `mavc plan --certificate`; if that one is rejected too, {open}"
+                    "write a new certificate with `mavc plan --certificate`; if it is rejected too, {open}"
                 ))
             }
             Refusal::Budget { estimate, budget } => {
@@ -113,7 +115,7 @@ impl Refusal {
                 let error = Diagnostic::error(TOO_COSTLY, model.plan.span, message);
                 let seconds = estimate.seconds().ceil().max(budget.seconds);
                 let size = megabytes(estimate.bytes.max(budget.bytes));
-                error.here("what this asks for is too costly").help(format!(
+                error.here("this is too costly to verify").help(format!(
                     "allow more with `--budget {}s,{size}MB`, or plan with fewer samples or modes",
                     number(seconds)
                 ))
@@ -122,7 +124,7 @@ impl Refusal {
     }
 }
 
-/// Rounded up, so that the figure printed is enough.
+/// Rounded up, so that the printed figure is sufficient.
 fn megabytes(bytes: u64) -> u64 {
     bytes.div_ceil(1_000_000)
 }
@@ -130,29 +132,31 @@ fn megabytes(bytes: u64) -> u64 {
 /// Where a row is shown to hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// At the nodes that the spec's samples ask for.
+    /// At the nodes given by the spec's samples.
     Nodes,
     /// On a grid of [`plan::OF_A_GRID`] points between two nodes.
     Grid,
+    /// At every instant of the flight.
     EveryInstant,
 }
 
-/// How far beyond the nodes rows are shown to hold.
+/// To what extent rows are shown to hold beyond the nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
     pub scope: Scope,
-    /// By how much they are exceeded between the nodes, where a grid shows that they are.
+    /// The violation between the nodes, if a grid shows one.
     pub beyond: Option<Beyond>,
 }
 
-/// By how much rows are exceeded between the nodes.
+/// A violation of rows between the nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Beyond {
-    pub excess: f64,
+    /// Its size, in the units that `measure` converts from.
+    pub violation: f64,
     /// s
     pub at: f64,
     pub measure: Measure,
-    /// Proved for every instant; otherwise seen on the grid.
+    /// Whether `violation` is proved to be a bound at every instant; otherwise it is the largest on the grid.
     pub throughout: bool,
 }
 
@@ -160,19 +164,19 @@ impl Reach {
     const NODES: Reach = Reach { scope: Scope::Nodes, beyond: None };
     const EVERY_INSTANT: Reach = Reach { scope: Scope::EveryInstant, beyond: None };
 
-    fn exceeded(worst: Failure, measure: Measure) -> Self {
-        let beyond = Beyond { excess: worst.excess, at: worst.at, measure, throughout: false };
+    fn violated(worst: Failure, measure: Measure) -> Self {
+        let beyond = Beyond { violation: worst.violation, at: worst.at, measure, throughout: false };
         Reach { scope: Scope::Nodes, beyond: Some(beyond) }
     }
 
-    /// Why a statement is weaker than the spec asks, if it is.
+    /// Why a statement is weaker than the spec requires, if it is.
     fn weaker(&self, statement: &str) -> Option<String> {
         match (self.scope, self.beyond) {
             (Scope::EveryInstant, _) => None,
             (Scope::Grid, _) => Some(format!("{statement}: not proved between the points of a grid")),
-            (Scope::Nodes, None) => Some(format!("{statement}: shown at the nodes alone")),
+            (Scope::Nodes, None) => Some(format!("{statement}: shown only at the nodes")),
             (Scope::Nodes, Some(beyond)) => {
-                let by = beyond.measure.of(beyond.excess);
+                let by = beyond.measure.of(beyond.violation);
                 let of = beyond.measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
                 let most = if beyond.throughout { "at most " } else { "" };
                 Some(format!("{statement}: exceeded between the nodes by {most}{by}{of}, at {} s", number(beyond.at)))
@@ -185,7 +189,7 @@ impl Reach {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shown {
     pub statement: String,
-    /// `None` where it is about no motion.
+    /// `None` if the statement is not about instants of a motion.
     pub reach: Option<Reach>,
 }
 
@@ -204,8 +208,8 @@ fn mode_named<'a>(model: &'a Model, name: &str) -> Option<&'a FaultMode> {
     model.modes.iter().find(|m| m.name == name)
 }
 
-/// The modes whose sets the spec's planner keeps to: under RCP the faults', and the healthy one where they need not lie
-/// inside it.
+/// The modes in whose sets every plan of the spec's planner stays: under RCP the fault modes, and the healthy one if their
+/// sets need not lie inside its set.
 fn required(model: &Model) -> Vec<String> {
     let against = model.plan.against.iter().filter_map(|&i| model.modes.get(i)).map(|m| m.name.clone());
     match model.plan.planner {
@@ -216,27 +220,27 @@ fn required(model: &Model) -> Vec<String> {
     }
 }
 
-/// A lost rotor that could not stop gives less than the healthy vehicle can; the pseudo-inverse shares wrenches out
-/// otherwise once it knows of a fault.
+/// Whether a fault mode's set may extend beyond the healthy set: a lost rotor gives less than the idle thrust of a rotor that
+/// cannot stop, and the pseudo-inverse distributes wrenches differently after a fault.
 fn faults_may_add(model: &Model) -> bool {
     let vehicle = &model.vehicle;
     vehicle.allocation == Allocation::PseudoInverse || vehicle.rotors.iter().any(|r| r.min_speed > 0.0)
 }
 
-/// What an accepted certificate shows.
+/// What an accepted certificate proves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// One sentence about the spec.
     pub headline: String,
-    /// What holds, and where.
+    /// The statements that hold, and where.
     pub shown: Vec<Shown>,
-    /// In what it is weaker than the spec asks; empty where it is as strong.
+    /// Where it is weaker than the spec requires; empty if it is as strong.
     pub weaker: Vec<String>,
-    /// What could not be decided at all, of what is in `weaker`.
+    /// Conditions that could not be decided at all; `weaker` lists them too.
     pub undecided: Vec<String>,
 }
 
-/// How a decision is made.
+/// Budget and premises of a decision.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Settings {
     pub budget: Budget,
@@ -246,15 +250,15 @@ pub struct Settings {
 /// Decides a certificate for a checked spec with the given hash.
 ///
 /// # Errors
-/// It was written for another spec, does not hold, or costs more than the budget.
+/// The certificate was written for another spec, does not prove its claim, or costs more than the budget.
 pub fn verify(read: &Read, model: &Model, spec_sha256: &str, settings: Settings) -> Result<Verdict, Box<Diagnostic>> {
     let certificate = &read.certificate;
     if settings.premises.has(Premise::Spec) && certificate.spec_sha256 != spec_sha256 {
-        // As many digits as tell specs apart.
+        // Enough digits to distinguish specs.
         let [written, given] = [&certificate.spec_sha256, spec_sha256].map(|hash| hash.chars().take(12).collect());
         let (written, given): (String, String) = (written, given);
-        let message = format!("the certificate was written for another spec: {written}, and this one is {given}");
-        let error = Diagnostic::error(OTHER_SPEC, read.hash, message).here("not the SHA-256 of the spec given");
+        let message = format!("the certificate was written for another spec: {written}, but this one is {given}");
+        let error = Diagnostic::error(OTHER_SPEC, read.hash, message).here("not the SHA-256 of this spec");
         return Err(error.help("give the spec it was written for, with the same files and the same `--set`").into());
     }
     decide(certificate, model, settings).map_err(|r| r.diagnostic(&certificate.claim, model).into())
@@ -263,15 +267,15 @@ pub fn verify(read: &Read, model: &Model, spec_sha256: &str, settings: Settings)
 /// Decides a certificate that is known to be about this model.
 ///
 /// # Errors
-/// It does not hold, or costs more than the budget.
+/// The certificate does not prove its claim, or costs more than the budget.
 pub fn decide(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Verdict, Refusal> {
     decided(certificate, model, settings, true)
 }
 
-/// Decides a certificate at the nodes alone: whether a plan is one, without how far its rows hold between them.
+/// Decides a certificate at the nodes only: whether a motion is a plan, without checking rows between the nodes.
 ///
 /// # Errors
-/// As for [`decide`].
+/// As in [`decide`].
 pub fn decide_at_nodes(certificate: &Certificate, model: &Model, settings: Settings) -> Result<Verdict, Refusal> {
     decided(certificate, model, settings, false)
 }
@@ -280,13 +284,13 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
     let Some(mission) = &model.mission else {
         return Err(Rejection::new("the mission", "the spec has none").into());
     };
-    let asked = match model.plan.model {
+    let required = match model.plan.model {
         PlanModel::Hover => DynamicModel::Hover,
         PlanModel::Exact => DynamicModel::Exact,
     };
-    if settings.premises.has(Premise::Equations) && certificate.model != asked {
+    if settings.premises.has(Premise::Equations) && certificate.model != required {
         let name = model.plan.model.name();
-        let why = format!("the certificate has another, and the spec plans with `model = {name}`");
+        let why = format!("the certificate uses another one; the spec plans with `model = {name}`");
         return Err(Rejection::new("the model", why).into());
     }
     let setting = Setting::new(model, mission, certificate.model, settings.premises);
@@ -319,10 +323,10 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
     }
 }
 
-/// What an accepted plan is, in a sentence.
+/// The claim of an accepted plan in one sentence.
 fn plan_headline(model: &Model, mission: &Mission, total: f64, selected_by: &[MotionRecord]) -> String {
     let planner = model.plan.planner.name().to_uppercase();
-    // Where the spec leaves time free RSP selects at another one than its own.
+    // If the spec leaves the time free, RSP selects facets at a time different from its own.
     let selects_at = selected_by.first().and_then(|motion| motion.times_s.last()).copied().unwrap_or(total);
     let of = match schedule::is_one_time(selects_at, total, total) {
         true => String::new(),
@@ -330,8 +334,8 @@ fn plan_headline(model: &Model, mission: &Mission, total: f64, selected_by: &[Mo
     };
     let selection = match selected_by.len() {
         0 => String::new(),
-        1 => format!(", for the selection by the RIP plan carried{of}"),
-        rounds => format!(", for the selection by the {rounds} plans carried{of}"),
+        1 => format!(", for the facets selected by the included RIP plan{of}"),
+        rounds => format!(", for the facets selected by the {rounds} included plans{of}"),
     };
     let in_hover = match model.plan.model {
         PlanModel::Hover => " in the linear model about hover",

@@ -87,7 +87,7 @@ def one(seed):
     vehicle, lines, limits = mission(random.Random(seed))
     own = plan(spec(vehicle, lines, limits, "minimum", "optimal"))
     found, probes = search(vehicle, lines, limits)
-    own_time, bound = (own["time_s"], own["time_bound_s"]) if own else (None, None)
+    own_time, bound = (own["time_s"], own["time_lower_bound_s"]) if own else (None, None)
     print(f"{seed:6} {vehicle:14} {len(lines) - 1} legs  mavc {own_time}  pattern search {found and round(found, 3)} ({probes} plans)  bound {bound and round(bound, 3)}", flush=True)
     return own_time, found
 

@@ -1,4 +1,4 @@
-//! Other readings of (31): what they give tells which of them the paper's figures fit.
+//! Other readings of (31), to find the one that the paper's numbers match.
 
 use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::verdict::analyze;
@@ -7,7 +7,7 @@ use mavc::geometry::zonotope::Zonotope;
 use mavc::model::Model;
 use nalgebra::{DMatrix, DVector};
 
-/// e_p where the thrusts are the pseudo-inverse's, clipped to what each rotor gives, as (42) would allocate hover.
+/// e_p if the thrusts are those of the pseudo-inverse, clipped to the range of each rotor, as (42) would allocate hover.
 pub fn clipped_pseudo_inverse(model: &Model, lost: &[usize]) -> Wrench {
     let actuation = Actuation::of(&model.vehicle);
     let left: Vec<Wrench> =
@@ -21,7 +21,7 @@ pub fn clipped_pseudo_inverse(model: &Model, lost: &[usize]) -> Wrench {
 
 /// Length (N m) of the least torque residual where the thrust is held at m g.
 pub fn torque_with_thrust_held(model: &Model, set: &AdmissibleSet) -> f64 {
-    // A newton that weighs this much is not given up for any torque of these vehicles.
+    // With this weight a newton is not traded for any torque of these vehicles.
     const HEAVY: f64 = 1e4;
     let weigh = |w: &Wrench| Wrench::new(HEAVY * w[0], w[1], w[2], w[3]);
     let zonotope = Zonotope {
@@ -32,7 +32,7 @@ pub fn torque_with_thrust_held(model: &Model, set: &AdmissibleSet) -> f64 {
     (zonotope.nearest(&u) - u).fixed_rows::<3>(1).norm()
 }
 
-/// The PPNNPN hexacopter with the third row of (12) as it reads: the sines of rotors 3 and 6 have the other sign,
+/// The PPNNPN hexacopter with the third row of (12) as printed: the sines of rotors 3 and 6 have the opposite sign,
 /// which puts rotor 6 on rotor 2 and rotor 3 on rotor 5.
 pub fn with_printed_twelve(model: &Model) -> Model {
     let mut printed = model.clone();

@@ -1,4 +1,4 @@
-//! What the paper says of its cases in words or by the order of its figures, and whether it holds here.
+//! Statements of the paper about its cases, in words or by the order of its numbers, and whether they hold here.
 
 use super::case_plans::{paper_seconds, seconds};
 use super::judgement::{STATEMENTS, agrees_if, listed, not_comparable, statement};
@@ -36,7 +36,7 @@ fn violations(plans: &Plans, planner: &str, mode: &str) -> String {
     format!("{} facets, {} times at {} of {positions} positions", out.facets.len(), out.rows, out.positions)
 }
 
-fn guarded(plans: &Plans) -> usize {
+fn selected(plans: &Plans) -> usize {
     plans.comparison.selected.len()
 }
 
@@ -46,7 +46,7 @@ fn first(plans: &Plans) -> Rows {
     let table_9 = common(&TABLE_9, "RIP").violated;
     let [early, late] = [plans.errors("RIP", Run::Own).position, rip];
     let nearness = match plans.shortest("RSP") == plans.common_time() {
-        true => "RSP's error is nearer RCP's; the common time is RSP's own shortest time, too",
+        true => "RSP's error is nearer RCP's; the common time is also the shortest time of RSP",
         false => "RSP's error is nearer RCP's",
     };
     let turned = plans.runs(Run::Own).chain(plans.runs(Run::Common)).filter_map(plans::solved);
@@ -75,7 +75,7 @@ fn first(plans: &Plans) -> Rows {
                 common(&TABLE_9, "RIP").violated
             ),
             format!("{} against {} pairs", rows_of("RSP"), rows_of("RIP")),
-            agrees_if(0 < rows_of("RSP") && rows_of("RSP") < rows_of("RIP"), "the order is another one"),
+            agrees_if(0 < rows_of("RSP") && rows_of("RSP") < rows_of("RIP"), "the order is different"),
         ),
         statement(
             format!(
@@ -89,12 +89,12 @@ fn first(plans: &Plans) -> Rows {
             }),
         ),
         statement(
-            "RSP guards two inequalities of 440",
-            format!("{} facets of {}", guarded(plans), facets_of_mode(plans)),
+            "RSP selects two inequalities of 440",
+            format!("{} facets of {}", selected(plans), facets_of_mode(plans)),
             not_comparable("inequalities of a triangulated hull, and a curve of unknown size"),
         ),
         statement(
-            "at the common time RSP meets the waypoints as well as RIP does, and RCP less well: e_R 0.038, 0.038 and \
+            "at the common time RSP meets the waypoints as well as RIP, and RCP less well: e_R 0.038, 0.038 and \
              0.057 m",
             format!("RIP {}, RSP {}, RCP {} m", fixed(rip, 4), fixed(rsp, 4), fixed(rcp, 4)),
             agrees_if((rsp - rip).abs() < (rsp - rcp).abs(), nearness),
@@ -161,8 +161,8 @@ fn second(plans: &Plans, single: &Plans) -> Rows {
             agrees_if(
                 rsp < rcp,
                 &format!(
-                    "the {} facets that RIP passes at {} cost RSP all the time that RCP takes",
-                    guarded(plans),
+                    "with the {} facets that RIP violates at {} RSP needs as much time as RCP",
+                    selected(plans),
                     seconds(plans.common_time())
                 ),
             ),
@@ -187,10 +187,8 @@ fn second(plans: &Plans, single: &Plans) -> Rows {
             agrees_if(
                 e_rip < e_rsp && e_rsp < e_rcp,
                 match e_rip > e_rsp && e_rip > e_rcp {
-                    true => {
-                        "here every plan may miss a waypoint by the same tolerance, and the fastest one misses most"
-                    }
-                    false => "the order is another one",
+                    true => "here every plan has the same tolerance at the waypoints, and the fastest one misses most",
+                    false => "the order is different",
                 },
             ),
         ),
@@ -214,8 +212,8 @@ fn second(plans: &Plans, single: &Plans) -> Rows {
             agrees_if(
                 rows_of("RSP") > 0,
                 &format!(
-                    "the plan that keeps the {} guarded facets keeps all others of the set as well",
-                    guarded(plans)
+                    "the plan that keeps the {} selected facets keeps all others of the set as well",
+                    selected(plans)
                 ),
             ),
         ),
@@ -267,14 +265,14 @@ fn third(plans: &Plans, first: &Plans) -> Rows {
             agrees_if(
                 same_order,
                 &format!(
-                    "{} costs most; turning the curve by 180 degrees exchanges rotor k with k + 4, and the paper does \
-                     not give its orientation",
+                    "{} costs most; a curve turned by 180 degrees exchanges rotor k with k + 4, and the paper does not \
+                     give its orientation",
                     listed(&slowest)
                 ),
             ),
         ),
         statement(
-            "RCP cannot take all eight single faults at once: the set would be empty",
+            "RCP cannot tolerate all eight single faults at once: the set would be empty",
             match joint {
                 Some(time) => format!("planned in {}", seconds(time)),
                 None => "no plan".into(),
@@ -283,7 +281,7 @@ fn third(plans: &Plans, first: &Plans) -> Rows {
         ),
         statement(
             format!(
-                "RSP plans with all eight, in no less time than any RCP against one: {} against {} at most",
+                "RSP plans with all eight, and needs no less time than any RCP against one: {} against {} at most",
                 paper_seconds(own(&TABLE_12, "RSP").time),
                 paper_seconds(most(&paper_times))
             ),
@@ -306,7 +304,7 @@ fn paper_sum(counts: &[usize; 8]) -> usize {
     counts.iter().sum()
 }
 
-/// What the words around Table 13 say of its counts.
+/// The statements around Table 13 about its counts.
 fn third_violations(plans: &Plans, first: &Plans) -> Rows {
     let modes = &plans.comparison.modes;
     let singles: Vec<String> = modes.iter().map(|m| single(m)).collect();
@@ -349,8 +347,8 @@ fn third_violations(plans: &Plans, first: &Plans) -> Rows {
             ),
         ),
         statement(
-            "RIP's plan at 28 s lies in the sets of M2 and M5, which lie in the healthy one; so it is also the plan of \
-             RCP M2 and of RCP M5, as (48) has one minimiser; yet Table 13 prints other counts for these",
+            "the plan of RIP at 28 s lies in the sets of M2 and M5, which lie in the healthy one; so it is also the plan \
+             of RCP M2 and of RCP M5, as (48) has one minimiser; but Table 13 prints other counts for these",
             rip_inside,
             contradiction,
         ),
@@ -366,13 +364,13 @@ fn third_violations(plans: &Plans, first: &Plans) -> Rows {
         ),
         statement(
             format!(
-                "RIP violates most; by Table 13's own sums {} does: {} against {}",
+                "RIP violates most; by the sums of Table 13 it is {}: {} against {}",
                 most_in_paper.1,
                 most_in_paper.0,
                 paper_sum(&paper_rip)
             ),
             format!("RIP {rip} pairs; more: {}", listed(&most)),
-            agrees_if(most.is_empty(), "keeping one fault's set pushes the plan out of others"),
+            agrees_if(most.is_empty(), "staying in the set of one fault moves the plan out of others"),
         ),
         statement(
             "M3's set is violated by every plan but RCP M3's",
@@ -381,7 +379,7 @@ fn third_violations(plans: &Plans, first: &Plans) -> Rows {
         ),
         statement(
             format!(
-                "more time does not keep RIP in M1's set: {} at 20 s (Table 9), {} at 28 s (Table 13)",
+                "more time does not bring RIP into M1's set: {} violations at 20 s (Table 9), {} at 28 s (Table 13)",
                 common(&TABLE_9, "RIP").violated,
                 paper_rip[0]
             ),

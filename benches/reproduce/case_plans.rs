@@ -1,4 +1,4 @@
-//! Tables 8 to 13: shortest times and errors, and what the plans at one common time violate.
+//! Tables 8 to 13: shortest times and errors, and the violations of the plans at one common time.
 
 use super::judgement::{agrees_if, differs, listed, not_comparable};
 use super::markdown::{fixed, none, paragraph, printed, table};
@@ -18,7 +18,7 @@ pub fn section(number: usize) -> String {
     }
 }
 
-/// What every row of digits lacks.
+/// What the paper does not give for any row of digits.
 const MISSING: &str = "curve, bounds and tolerance not given";
 
 /// `15.55 s`
@@ -76,13 +76,13 @@ fn time(run: &PlannerRun) -> String {
     }
 }
 
-/// The order against RIP is all that can be compared within a row.
+/// Only the order relative to RIP can be compared within a row.
 fn judged_time(run: &PlannerRun, rip: f64, paper: Option<&Own>, paper_rip: f64) -> String {
     let Some(paper) = paper else { return not_comparable("the paper has no such row") };
     let mut judged = match plans::solved(run) {
         _ if paper.planner == "RIP" => not_comparable(MISSING),
         Some(s) => {
-            let order = agrees_if((paper.time > paper_rip) == (s.time > rip), "the order against RIP");
+            let order = agrees_if((paper.time > paper_rip) == (s.time > rip), "the order relative to RIP");
             match order.as_str() {
                 "agrees" => format!("agrees: slower than RIP; digits not comparable ({MISSING})"),
                 _ => order,
@@ -152,7 +152,7 @@ fn common_row(plans: &Plans, run: &PlannerRun, paper: &[Common]) -> Vec<String> 
     cells
 }
 
-/// Largest excess; how far inside the rest lies is not asked.
+/// The largest violation; nothing for a plan that stays inside.
 fn worst(out: &Outside) -> String {
     if out.last.is_none() { none() } else { format!("{} %", fixed(100.0 * out.max_violation, 1)) }
 }
@@ -161,7 +161,7 @@ fn last(out: &Outside) -> String {
     out.last.map_or_else(none, seconds)
 }
 
-/// Counts of hull inequalities and of facets differ, none is none.
+/// Counts of hull inequalities and of facets differ, but zero means the same.
 fn judged_count(paper: usize, out: &Outside) -> String {
     match (paper, out.rows) {
         (0, 0) => "agrees: none violated".into(),
@@ -190,15 +190,15 @@ fn all_modes(plans: &Plans) -> String {
     [
         format!("### Table 13: all planners at {}, against every mode\n\n", seconds(plans.common_time())),
         paragraph(
-            "Violated inequalities at 28 s in the paper / violated pairs here. A row differs where only one of the two \
-             has none; the statements below say more.",
+            "Violated inequalities at 28 s in the paper / violated pairs here. A row differs if only one of the two \
+             numbers is zero; see also the statements below.",
         ),
         beside,
-        "Facets violated, at how many positions.\n\n".into(),
+        "Violated facets, and the number of positions with a violation.\n\n".into(),
         plain(&|o| if o.last.is_none() { none() } else { format!("{} at {}", o.facets.len(), o.positions) }),
-        "Worst excess.\n\n".into(),
+        "Largest violation.\n\n".into(),
         plain(&worst),
-        "Time outside (last instant outside).\n\n".into(),
+        "Time outside (last violation).\n\n".into(),
         plain(&|o| if o.last.is_none() { none() } else { format!("{} ({})", seconds(o.seconds), last(o)) }),
     ]
     .concat()
@@ -224,7 +224,7 @@ fn matrix(
     table(&header, &rows)
 }
 
-/// Which of the paper's zeros are zeros here, and the other way round.
+/// Which zeros of the paper are zeros here, and the reverse.
 fn zeros(paper: &[usize; 8], outside: &[Outside], modes: &[&str]) -> String {
     let where_ = |wanted: &dyn Fn(usize, usize) -> bool| -> Vec<String> {
         let places = paper.iter().zip(outside).zip(modes);
@@ -241,7 +241,7 @@ fn zeros(paper: &[usize; 8], outside: &[Outside], modes: &[&str]) -> String {
         reasons.push(format!("{} violated in the paper only", listed(&violated_there)));
     }
     if !both.is_empty() {
-        reasons.push(format!("none violated in both: {}", listed(&both)));
+        reasons.push(format!("no violation in either: {}", listed(&both)));
     }
     let text = reasons.join("; ");
     match violated_here.is_empty() && violated_there.is_empty() {

@@ -1,4 +1,4 @@
-//! What the paper's text says about sets and layouts.
+//! Statements in the paper's text about sets and layouts.
 
 use super::faults::LAST_DIGIT;
 use super::judgement::{STATEMENTS, agrees_if, differs, listed, statement};
@@ -32,7 +32,7 @@ impl Studied {
         self.model.vehicle.layout.as_deref().unwrap_or("")
     }
 
-    fn stands_every_single(&self) -> bool {
+    fn tolerates_every_single(&self) -> bool {
         self.losing(1).all(|m| m.verdict == Verdict::Controllable)
     }
 
@@ -44,8 +44,8 @@ impl Studied {
         self.losing(1).filter_map(|m| m.acai).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Double faults that keep all four components of hover at a mass, kg.
-    fn kept_at(&self, mass: f64) -> usize {
+    /// Number of double faults after which all four components of hover are kept at a mass, kg.
+    fn tolerated_at(&self, mass: f64) -> usize {
         self.losing(2).filter(|m| m.critical_mass_kg.is_some_and(|c| c >= mass)).count()
     }
 }
@@ -84,12 +84,12 @@ fn inequalities(octos: &[Studied; 2]) -> Vec<String> {
     });
     let counted = |(low, high): (usize, usize)| if low == high { low.to_string() } else { format!("{low} to {high}") };
     statement(
-        "617 inequalities describe the healthy octocopter's set, 440 the set that one fault leaves",
+        "617 inequalities describe the healthy octocopter's set, 440 the set after one fault",
         format!("{} and {} facets, over both layouts and all faults", counted(healthy), counted(single)),
         agrees_if(
             healthy == (617, 617) && single == (440, 440),
-            "a minimal description has these facets; a hull that is cut into simplices has more, and their number \
-             depends on the tool",
+            "these are the facets of a minimal description; a triangulated hull has more, and their number depends on \
+             the tool",
         ),
     )
 }
@@ -114,7 +114,7 @@ fn empty(octos: &[Studied; 2]) -> Vec<String> {
         texts.join("; "),
         agrees_if(
             joint.iter().all(|(_, holds_hover)| !holds_hover),
-            "by the paper's own parameters it is not empty; what can be impossible is one mission in one time",
+            "with the paper's own parameters it is not empty; a mission can be infeasible in a given time",
         ),
     )
 }
@@ -124,17 +124,17 @@ fn hexacopters(hexas: &[Studied; 2]) -> Vec<String> {
         let failing: Vec<String> =
             h.losing(1).filter(|m| m.verdict != Verdict::Controllable).map(|m| m.name.clone()).collect();
         let reach = match failing.as_slice() {
-            [] => "hover in reach after every loss".to_string(),
-            some => format!("hover out of reach after {}", listed(some)),
+            [] => "hover reachable after every loss".to_string(),
+            some => format!("hover not reachable after {}", listed(some)),
         };
         let (least, most) = (fixed(h.smallest_single_margin(), 4), fixed(h.largest_single_margin(), 4));
         let margin = if least == most { format!("margin {least}") } else { format!("margins from {least} to {most}") };
         format!("{}: {reach}, {margin}", h.layout())
     });
     statement(
-        "both hexacopters stand the loss of any rotor",
+        "both hexacopters tolerate the loss of any rotor",
         described.collect::<Vec<_>>().join("; "),
-        agrees_if(hexas.iter().all(Studied::stands_every_single), "see Table 2"),
+        agrees_if(hexas.iter().all(Studied::tolerates_every_single), "see Table 2"),
     )
 }
 
@@ -144,21 +144,21 @@ fn octocopters(octos: &[Studied; 2]) -> Vec<String> {
         .map(|o| format!("{}: smallest margin {}", o.layout(), fixed(o.smallest_single_margin(), 4)))
         .collect();
     statement(
-        "both octocopters stand the loss of any rotor",
+        "both octocopters tolerate the loss of any rotor",
         margins.join("; "),
-        agrees_if(octos.iter().all(Studied::stands_every_single), "see Table 5"),
+        agrees_if(octos.iter().all(Studied::tolerates_every_single), "see Table 5"),
     )
 }
 
-/// Which layout keeps more double faults depends on the mass alone, and changes only at a mode's heaviest mass.
+/// Which layout tolerates more double faults depends on the mass alone, and changes only at a mode's heaviest mass.
 fn preferred([alternating, paired]: &[Studied; 2]) -> Vec<String> {
-    let better = |mass: f64| paired.kept_at(mass) > alternating.kept_at(mass);
+    let better = |mass: f64| paired.tolerated_at(mass) > alternating.tolerated_at(mass);
     let mut bounds: Vec<f64> =
         [alternating, paired].iter().flat_map(|o| o.losing(2)).filter_map(|m| m.critical_mass_kg).collect();
     bounds.push(0.0);
     bounds.sort_by(f64::total_cmp);
     let mut ranges: Vec<[f64; 2]> = Vec::new();
-    // Heaviest masses that differ by rounding alone leave no range between them.
+    // There is no range between heaviest masses that differ by rounding alone.
     for pair in bounds.windows(2).filter(|p| p[1] - p[0] > 1e-9 && better(0.5 * (p[0] + p[1]))) {
         match ranges.last_mut() {
             Some(last) if pair[0] - last[1] <= 1e-9 => last[1] = pair[1],
@@ -168,15 +168,15 @@ fn preferred([alternating, paired]: &[Studied; 2]) -> Vec<String> {
     let ranges: Vec<String> =
         ranges.iter().map(|[from, to]| format!("from {} to {} kg", fixed(*from, 3), fixed(*to, 3))).collect();
     let mass = paired.model.vehicle.mass;
-    let [kept, kept_paired] = [alternating, paired].map(|o| o.kept_at(mass));
+    let [tolerated, tolerated_paired] = [alternating, paired].map(|o| o.tolerated_at(mass));
     let judged = match better(mass) {
         true => "agrees".to_string(),
-        false => differs("at this mass PNPNPNPN keeps as many double faults or more"),
+        false => differs("at this mass PNPNPNPN tolerates as many double faults or more"),
     };
     statement(
-        "where double faults are likely PPNNPPNN is the better layout",
+        "PPNNPPNN is the better layout if double faults are likely",
         format!(
-            "of {} double faults at {mass} kg PNPNPNPN keeps {kept} and PPNNPPNN {kept_paired}; PPNNPPNN keeps more {}",
+            "of {} double faults at {mass} kg PNPNPNPN tolerates {tolerated} and PPNNPPNN {tolerated_paired}; PPNNPPNN tolerates more {}",
             paired.losing(2).count(),
             match ranges.as_slice() {
                 [] => "at no mass".into(),

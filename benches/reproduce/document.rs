@@ -16,23 +16,23 @@ pub mod setting;
 pub mod specs;
 
 const INTRODUCTION: &str = "\
-# The paper's tables beside what mavc computes
+# The paper's tables compared with mavc
 
 The paper is N. Osmic, A. Tahirovic and I. Petrovic, *Risk-sensitive motion planning for MAVs based on mission-related
-fault-tolerant analysis*, Automatika 61:2 (2020), doi 10.1080/00051144.2020.1733324. This page is written by
-`cargo bench --bench reproduce -- --write` from the specs in `specs/`, and the tests hold its numbers
-against a new computation (of the last table, which takes minutes, against cheaper ones).
+fault-tolerant analysis*, Automatika 61:2 (2020), doi 10.1080/00051144.2020.1733324. The command
+`cargo bench --bench reproduce -- --write` writes this page from the specs in `specs/`. The tests compare its numbers
+with a new computation (those of the last table, which takes minutes, with cheaper ones).
 
-Each row says **agrees**, **differs** (and why), or **not comparable** (and what the paper leaves out). Where only an
-order can be compared the row says so. Cells of the paper are as printed.
+Each row has a judgement: **agrees**, **differs** (and why), or **not comparable** (and what the paper does not give).
+Rows in which only an order can be compared say so. Numbers of the paper are as printed.
 
 ";
 
-/// The whole page; `shortest` gives what stands under [`exact::SHORTEST`].
+/// The whole page; `shortest` writes the part under [`exact::SHORTEST`].
 pub fn whole(shortest: impl FnOnce() -> String) -> String {
     let parts = [
         INTRODUCTION.to_string(),
-        "## What faults leave: Tables 1 to 7\n\n".into(),
+        "## Fault sets and verdicts: Tables 1 to 7\n\n".into(),
         faults::sections(),
         "## Statements about sets and layouts\n\n".into(),
         claims::section(),
@@ -43,13 +43,13 @@ pub fn whole(shortest: impl FnOnce() -> String) -> String {
         case(1),
         case(2),
         case(3),
-        "## What changes when the model is exact\n\n".into(),
+        "## What changes in the exact model\n\n".into(),
         exact::section(shortest),
     ];
     parts.concat().trim_end().to_string() + "\n"
 }
 
-/// Tables 8 and 9, 10 and 11, or 12 and 13, with what the text says about them.
+/// Tables 8 and 9, 10 and 11, or 12 and 13, with the paper's statements about them.
 fn case(number: usize) -> String {
     let heading = format!("## Case {number}: Tables {} and {}\n\n", 6 + 2 * number, 7 + 2 * number);
     heading + &case_plans::section(number) + &case_orders::section(number)

@@ -1,4 +1,4 @@
-//! What changes when the model is exact: what the hover plans ask of a real vehicle, and where shortest times stand.
+//! What changes in the exact model: the wrench that the hover plans require of a real vehicle, and the shortest times.
 
 use super::case_plans::seconds;
 use super::markdown::{fixed, paragraph, table};
@@ -7,7 +7,7 @@ use super::specs;
 use mavc::admissible::row::{SetRow, VIOLATED};
 use mavc::model::{Model, PlannerKind};
 use mavc::motion::Z;
-use mavc::motion::checks::stretch;
+use mavc::motion::checks::linear_range;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::studies::{MissionPlan, PlannerRun, Run};
 use mavc::planner::transcription::UPRIGHT;
@@ -16,7 +16,7 @@ use mavc::{Planning, Spec};
 /// Heads the part that takes long to compute; it ends the page.
 pub const SHORTEST: &str = "### Shortest times in both models\n\n";
 
-/// The cases' planners at their own shortest times; RIP knows no modes and is the same in all three.
+/// The planners of the cases at their own shortest times; RIP does not depend on modes and is the same in all three.
 pub const PLANNERS: [(usize, &str, PlannerKind); 4] = [
     (1, "RIP", PlannerKind::Rip),
     (1, "RCP M1", PlannerKind::Rcp),
@@ -24,7 +24,7 @@ pub const PLANNERS: [(usize, &str, PlannerKind); 4] = [
     (3, JOINTLY, PlannerKind::Rcp),
 ];
 
-/// What stands under [`SHORTEST`] on a page.
+/// The part of a page under [`SHORTEST`].
 pub fn written(page: &str) -> &str {
     page.split_once(SHORTEST).unwrap_or_else(|| panic!("the page has {SHORTEST:?}")).1
 }
@@ -36,18 +36,18 @@ pub fn section(shortest: impl FnOnce() -> String) -> String {
 
 /// A motion's exact wrench against the rows that its plan keeps in the hover model.
 pub struct Exactly {
-    /// The largest excess while upright, in widths of the healthy set.
+    /// The largest violation while upright, in widths of the healthy set.
     pub worst: f64,
     /// Seconds outside.
     pub outside: f64,
-    /// Seconds not upright, where a vanishing thrust is to turn the vehicle round and the wrench may not even be finite.
+    /// Seconds not upright: there a vanishing thrust would have to turn the vehicle over, and the wrench may not be finite.
     falling: f64,
 }
 
-/// Points of each interval at which the exact wrench is looked at: the middles of so many parts.
+/// Points of each interval at which the exact wrench is evaluated: the midpoints of this many parts.
 const POINTS: usize = 64;
 
-/// Against what the plan keeps in its own model.
+/// Evaluates a plan of the hover model against the rows that it keeps in its own model.
 pub fn exactly(solved: &MissionPlan, model: &Model, rows: &[SetRow]) -> Exactly {
     let mut found = Exactly { worst: f64::NEG_INFINITY, outside: 0.0, falling: 0.0 };
     let trajectory = &solved.trajectory;
@@ -73,7 +73,7 @@ pub fn exactly(solved: &MissionPlan, model: &Model, rows: &[SetRow]) -> Exactly 
 
 /// The largest tilt of a plan.
 pub fn degrees(solved: &MissionPlan, model: &Model) -> String {
-    fixed(stretch(&solved.trajectory, model).tilt.value.to_degrees(), 0)
+    fixed(linear_range(&solved.trajectory, model).tilt.value.to_degrees(), 0)
 }
 
 fn hover_plans() -> String {
@@ -103,12 +103,12 @@ fn hover_plans() -> String {
     let header = ["case", "planner", "T", "tilt, degrees", "worst", "outside", "share of the flight", "not upright"];
     [
         paragraph(
-            "The plans above keep every row of their sets in the model that is linear about hover. What (3) to (9) ask \
-             for along the same motions is another wrench (docs/method.md, section 12). *Outside* is for how long it \
-             passes the set that the plan was made against. *Not upright* is the time in which the thrust's vertical \
-             part is below a tenth of the weight, down to where no attitude gives it; *worst* is the largest excess in \
-             the rest of the flight, as a share of the healthy set's width. Jumps of z''' at the nodes, which would \
-             take an impulse of torque, are not counted.",
+            "The plans above keep every row of their sets in the model that is linear about hover. The wrench that \
+             (3) to (9) require along the same motions is different (docs/method.md, section 12). *Outside* is the \
+             time for which it violates the set that the plan was made against. *Not upright* is the time in which \
+             the vertical part of the thrust is below a tenth of the weight, down to values that no attitude gives; \
+             *worst* is the largest violation in the rest of the flight, as a share of the healthy set's width. \
+             Jumps of z''' at the nodes, which would require an impulse of torque, are not counted.",
         ),
         table(&header, &rows),
     ]
@@ -123,7 +123,7 @@ pub fn exact_case(number: usize, planner: PlannerKind, time: Option<f64>) -> Spe
     settings.into_iter().fold(specs::case(number), with)
 }
 
-/// The plan of the spec's own planner, where it has one.
+/// The plan of the spec's own planner, if there is one.
 pub fn plan(spec: &Spec) -> Option<Planning> {
     let planning = mavc::plan(spec).unwrap_or_else(|refusal| panic!("{refusal}"));
     planning.plan().is_some().then_some(planning)

@@ -23,23 +23,24 @@ fn explanation() -> String {
     let printed = TABLES.iter().filter(|t| t.number == 3).flat_map(|t| t.rows).find(|r| r.rotors == neighbours);
     let printed = printed.expect("Table 3 holds the loss of rotors 1 and 2");
     paragraph(
-        "e_p is A Omega_s - u_ref of (31) in N and N m, first with all four components, then without tau_z. (Table 1's \
-         heading prints u - A Omega_s, but its signs are those of A Omega_s - u_ref.) The paper's verdict is read off \
-         its zeros. The margin is the signed distance from hover to the set's boundary in the plain (N, N m) norm (the \
-         index of Du and Quan; outside the set it is the most violated facet's), `flat` where the set has no inside. \
-         The last mass is the heaviest that can hover with all four components held.",
+        "e_p is A Omega_s - u_ref of (31) in N and N m, first with all four components, then without tau_z. (The \
+         heading of Table 1 prints u - A Omega_s, but its signs are those of A Omega_s - u_ref.) The verdict of the \
+         paper follows from its zeros. The margin is the signed distance from hover to the boundary of the set in \
+         the plain (N, N m) norm (the index of Du and Quan; outside the set it is that of the most violated facet), \
+         or `flat` if the set has no interior. The last mass is the heaviest that can hover with all four components \
+         held.",
     ) + &paragraph(&format!(
-        "A row agrees where the verdict is the same and no component is further off than one unit of the paper's last \
+        "A row agrees if the verdict is the same and no component differs by more than one unit of the paper's last \
          digit (0.01). The least residual of a bounded least-squares problem is unique, so a printed vector longer \
-         than it does not solve (31) with the printed parameters, and a shorter one needs other parameters. The paper \
-         does not say how its solver weighs newtons against newton metres. Holding the thrust exactly at m g gives a \
-         torque residual of {} N m for rotors 1 and 2 of PNPNPN, where Table 3 prints {}.",
+         than it does not solve (31) with the printed parameters, and a shorter one requires other parameters. The \
+         paper does not say how its solver weighs newtons against newton metres. With the thrust held exactly at m g \
+         the torque residual is {} N m for rotors 1 and 2 of PNPNPN, while Table 3 prints {}.",
         fixed(torque_with_thrust_held(&held.model, held.set(neighbours)), 3),
         fixed(norm(&printed.full[1..]), 3),
     ))
 }
 
-/// A vehicle with its sets and what they say of hover.
+/// A vehicle with its sets and the analysis of hover in each.
 struct Study {
     model: Model,
     sets: Vec<AdmissibleSet>,
@@ -103,19 +104,19 @@ fn section(paper: &Table) -> String {
     heading + &table(&header, &rows) + &totals(paper, &of) + &note
 }
 
-/// Which of the two matrices for PPNNPN a table was computed with.
+/// Which of the two matrices for PPNNPN the table of the paper matches.
 fn two_matrices(paper: &Table, geometry: &Study, printed: &Study) -> String {
     let misfits = |s: &Study| paper.rows.iter().filter(|r| s.mode(r.rotors).verdict != paper_verdict(r)).count();
     paragraph(&format!(
-        "Of these {} verdicts of the paper {} differ from what evenly spaced rotors give, and {} from what (12) gives \
-         as its third row reads.",
+        "Of these {} verdicts of the paper, {} differ from those of evenly spaced rotors, and {} from those of (12) \
+         with its third row as printed.",
         paper.rows.len(),
         misfits(geometry),
         misfits(printed)
     ))
 }
 
-/// How many faults cost control, and how many hover altogether.
+/// How many faults lose control, and how many lose hover altogether.
 fn totals<'a>(paper: &Table, of: &dyn Fn(&Row) -> &'a ModeAnalysis) -> String {
     let rows = paper.rows.len();
     let compared = |lost: &dyn Fn(Verdict) -> bool| {
@@ -159,14 +160,15 @@ fn cells(row: &Row, found: &ModeAnalysis, judged: String) -> Vec<String> {
     ]
 }
 
-/// Why the paper's verdict is another one, as far as another reading of (31) gives it.
+/// Why the paper's verdict differs, if another reading of (31) explains it.
 fn other_verdict(row: &Row, found: &ModeAnalysis, model: &Model, printed_twelve: Option<&Study>) -> String {
     let mut reason = match found.critical_mass_kg {
-        Some(mass) => format!("these parameters hover up to {} kg", fixed(mass, 3)),
-        None => "these parameters hover at no mass".into(),
+        Some(mass) => format!("with these parameters the vehicle hovers up to {} kg", fixed(mass, 3)),
+        None => "with these parameters the vehicle hovers at no mass".into(),
     };
     if printed_twelve.is_some_and(|t| t.mode(row.rotors).verdict == paper_verdict(row)) {
-        reason += "; the verdict fits (12) as its third row reads, where rotors 2 and 6, and 3 and 5, coincide";
+        reason +=
+            "; the verdict matches (12) with its third row as printed, in which rotors 2 and 6, and 3 and 5, coincide";
     }
     if found.verdict == Verdict::Controllable {
         if let Some((mass, left)) = mass_that_leaves(model, row.rotors, norm(&row.full)) {
@@ -175,17 +177,17 @@ fn other_verdict(row: &Row, found: &ModeAnalysis, model: &Model, printed_twelve:
             let rounding = 0.5 * LAST_DIGIT;
             let sign = match (apart(1.0) <= rounding, apart(-1.0) <= rounding) {
                 (true, _) => Some(""),
-                (false, true) => Some(", with the other sign"),
+                (false, true) => Some(", with opposite sign"),
                 _ => None,
             };
             if let Some(sign) = sign {
-                reason += &format!("; the printed residual is what {} kg would leave{sign}", fixed(mass, 2));
+                reason += &format!("; the printed residual is that of {} kg{sign}", fixed(mass, 2));
             }
         }
         let clipped = clipped_pseudo_inverse(model, row.rotors);
         if clipped.norm() > EDGE {
             let clipped = vector(clipped.as_slice(), 4);
-            reason += &format!("; a pseudo-inverse clipped to the rotors' range misses hover, by {clipped}");
+            reason += &format!("; a pseudo-inverse clipped to the rotors' range misses hover by {clipped}");
         }
     }
     reason
@@ -203,7 +205,7 @@ fn judged_numbers(row: &Row, found: &ModeAnalysis) -> String {
             let reason = match p - l {
                 d if d > LAST_DIGIT => "longer than the least residual",
                 d if d < -LAST_DIGIT => "shorter than the least residual",
-                _ => "as long as the least residual but turned",
+                _ => "as long as the least residual but in another direction",
             };
             return format!("**differs** in numbers, same verdict: {} is {reason}, {}", fixed(p, 2), fixed(l, 2));
         }

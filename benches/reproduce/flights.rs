@@ -1,11 +1,12 @@
-//! Figures 3 to 5 and 10 to 12: the octocopter tracks the curve, healthy, with rotor 3 lost, and with the loss found.
+//! Figures 3 to 5 and 10 to 12: the octocopter tracks the curve when healthy, with rotor 3 lost, and with the loss detected.
 
 use super::judgement::{STATEMENTS, agrees_if, not_comparable, statement};
 use super::markdown::{fixed, paragraph, table};
 use super::specs;
 use mavc::flight::{Flight, Sortie, fly};
 
-/// Errors below the first are small: the arm of the vehicle, about. Above the second, its width, it does not track.
+/// An error below the first counts as small: about the arm of the vehicle. One above the second, its width, counts as a
+/// failure to track.
 const SMALL: f64 = 0.2;
 const FAILS: f64 = 0.4;
 
@@ -62,7 +63,7 @@ pub fn section() -> String {
         statement(
             "Figures 10 and 11: with the estimator tracking is similar to the healthy vehicle's",
             errors(&found),
-            agrees_if(found.flight.max_error < 1.5 * healthy.flight.max_error, "the errors are not alike"),
+            agrees_if(found.flight.max_error < 1.5 * healthy.flight.max_error, "the errors are not similar"),
         ),
         statement(
             "Figure 12: the capacity of each rotor is properly diagnosed",
@@ -81,15 +82,16 @@ pub fn section() -> String {
             not_comparable("the curve's size, the time of the flight, the gains and the noise are not given"),
         ),
         statement(
-            "forgetting factor 0.8 takes in the last 0.8 s",
+            "a forgetting factor of 0.8 covers the last 0.8 s",
             "at 100 samples a second the memory, Ts/(1 - 0.8), is 0.05 s",
             not_comparable("the time between samples is not given"),
         ),
     ];
     paragraph(
-        "`mavc simulate specs/paper/figure3.mav`, `figure5.mav` and `figure12.mav`: the paper's PD law (21) to (28) with \
-         the pseudo-inverse (42), on the nonlinear vehicle (3) to (9) with motors, gyroscope and position noise as \
-         docs/language.md gives their defaults; Viviani's curve of case 1 in 30 s; rotor 3 lost at 5 s. Distances are \
-         from the planned position. Small is below 0.2 m here, and a failure to track above 0.4 m.",
+        "`mavc simulate specs/paper/figure3.mav`, `figure5.mav` and `figure12.mav` fly the paper's PD law (21) to \
+         (28) with the pseudo-inverse (42), on the nonlinear vehicle (3) to (9) with the motors, gyroscope noise and \
+         position noise that are the defaults in docs/language.md. The path is Viviani's curve of case 1 in 30 s; \
+         rotor 3 is lost at 5 s. Distances are from the planned position. An error below 0.2 m counts as small here, \
+         and one above 0.4 m as a failure to track.",
     ) + &table(&STATEMENTS, &rows)
 }

@@ -1,4 +1,4 @@
-//! How a row is judged: always from numbers, so that a row whose numbers change does not keep its old word.
+//! How a row is judged: always from numbers, so that a row whose numbers change does not keep its old judgement.
 
 /// **agrees**, or **differs** with the reason.
 pub fn agrees_if(holds: bool, otherwise: &str) -> String {
@@ -13,7 +13,7 @@ pub fn not_comparable(missing: &str) -> String {
     format!("not comparable: {missing}")
 }
 
-/// A statement of the paper, what stands here, and the row's judgement.
+/// A statement of the paper, the result of mavc, and the judgement of the row.
 pub fn statement(paper: impl Into<String>, here: impl Into<String>, judged: impl Into<String>) -> Vec<String> {
     vec![paper.into(), here.into(), judged.into()]
 }

@@ -1,12 +1,12 @@
-//! Writes docs/reproduction.md: every table of the paper beside what mavc computes.
+//! Writes docs/reproduction.md: every table of the paper compared with the results of mavc.
 //!
 //!     cargo bench --bench reproduce              # to standard output
 //!     cargo bench --bench reproduce -- --write   # to docs/reproduction.md
 //!     cargo bench --bench reproduce -- --write --keep-shortest
 //!
-//! The last one leaves the exact model's shortest times as the page has them: their searches take minutes.
+//! The last one keeps the exact model's shortest times from the existing page: their searches take minutes.
 
-// By path, so that its parts lie beside it.
+// By path, so that its parts are in the same folder.
 #[path = "document.rs"]
 mod document;
 #[path = "shortest.rs"]

@@ -1,4 +1,4 @@
-//! Tables and numbers as they stand on the page.
+//! Tables and numbers as the page prints them.
 
 pub use mavc::number::fixed;
 
@@ -10,7 +10,7 @@ pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
     line(header.to_vec()) + &rule + &body.collect::<String>() + "\n"
 }
 
-/// `[0.00 -0.03]`, of what is computed.
+/// A computed vector: `[0.00 -0.03]`
 pub fn vector(values: &[f64], decimals: usize) -> String {
     let cells: Vec<String> = values.iter().map(|&v| fixed(v, decimals)).collect();
     format!("[{}]", cells.join(" "))
@@ -22,12 +22,12 @@ pub fn as_printed(values: &[f64]) -> String {
     format!("[{}]", cells.join(" "))
 }
 
-/// A number of the paper: plain, or with an exponent where it is tiny.
+/// A number of the paper: plain, or with an exponent if it is tiny.
 pub fn printed(value: f64) -> String {
     if value != 0.0 && value.abs() < 1e-3 { format!("{value:e}") } else { value.to_string() }
 }
 
-/// What is not there.
+/// A missing value.
 pub fn none() -> String {
     "–".into()
 }

@@ -39,12 +39,12 @@ impl Plans {
         self.comparison.runs.iter().filter(move |r| r.run == which)
     }
 
-    /// The planner's plan, where it has one.
+    /// The planner's plan, if it has one.
     pub fn found(&self, planner: &str, which: Run) -> Option<&MissionPlan> {
         self.runs(which).find(|r| name(r) == planner).and_then(solved)
     }
 
-    /// The same where the page cannot do without.
+    /// The same for a plan that the page needs.
     pub fn plan(&self, planner: &str, which: Run) -> &MissionPlan {
         self.found(planner, which).unwrap_or_else(|| panic!("{planner} has no plan ({which:?})"))
     }
@@ -63,7 +63,7 @@ impl Plans {
         self.comparison.common_time.expect("some mode has a plan")
     }
 
-    /// How a planner's plan at T_d stands to a mode.
+    /// The violations of a mode's set by a planner's plan at T_d.
     pub fn outside(&self, planner: &str, mode: &str) -> &Outside {
         let place = self.comparison.modes.iter().position(|m| m == mode);
         &self.plan(planner, Run::Common).outside[place.unwrap_or_else(|| panic!("no mode {mode}"))]

@@ -1,11 +1,11 @@
-//! What the paper leaves open about its plans, and what the shipped cases put there.
+//! Choices that the paper does not print about its plans, and those of the cases in `specs/paper`.
 
 use super::markdown::{fixed, paragraph, printed, table};
 use super::paper_plans::{WAYPOINTS, own_times};
 use super::plans::{self, Plans};
 use mavc::admissible::row::VIOLATED;
 use mavc::model::Waypoint;
-use mavc::motion::checks::stretch;
+use mavc::motion::checks::linear_range;
 use mavc::number::{number, percent};
 use mavc::planner::studies::Run;
 use mavc::planner::timing::search::RESOLUTION;
@@ -18,32 +18,32 @@ pub fn section() -> String {
 
 fn introduction() -> String {
     paragraph(
-        "Tables 8 to 13 rest on choices that the paper does not print, so their digits cannot be compared. Orders can: \
-         who is faster than whom, and which violations vanish.",
+        "Tables 8 to 13 depend on choices that the paper does not print, so their digits cannot be compared. Orders \
+         can be compared: which planner is faster than which, and which violations vanish.",
     )
 }
 
 fn marks() -> String {
     paragraph(&format!(
-        "A facet counts as violated where the wrench passes it by more than {} of the healthy set's width along its \
+        "A facet counts as violated if the wrench exceeds it by more than {} of the healthy set's width along its \
          normal. *Positions* are nodes with a violated facet, *pairs* are violated facets counted at every node, \
-         *worst* is the largest excess as a share of that width, *outside* is the time spent outside and *last* the \
-         last instant outside. The paper counts hull inequalities of a set where mavc counts facets of its minimal \
-         description, so the counts cannot be compared, but none is none in both.",
+         *worst* is the largest violation as a share of that width, *outside* is the time spent outside and *last* \
+         the last violation. The paper counts the inequalities of a hull where mavc counts the facets of a minimal \
+         description. The counts cannot be compared, but zero means the same in both.",
         percent(VIOLATED)
     ))
 }
 
-/// How far the plans at their own shortest times stretch the model.
+/// How far the plans at their own shortest times tilt beyond the linear model.
 fn linear(cases: &[&Plans]) -> String {
     let tilts = cases.iter().flat_map(|c| {
         let plans = c.runs(Run::Own).filter_map(plans::solved);
-        plans.map(|s| stretch(&s.trajectory, &c.model).tilt.value.to_degrees())
+        plans.map(|s| linear_range(&s.trajectory, &c.model).tilt.value.to_degrees())
     });
     let (least, most) = tilts.fold((f64::INFINITY, 0.0_f64), |(low, high), t| (low.min(t), high.max(t)));
     paragraph(&format!(
-        "The paper and mavc plan with a model that is linear about hover. Nothing in the cases limits the tilt, and at \
-         their own shortest times the plans here tilt to between {} and {} degrees, far past small angles. The paper \
+        "The paper and mavc plan with a model that is linear about hover. The cases have no tilt limit, and at their \
+         own shortest times the plans here tilt to between {} and {} degrees, far beyond small angles. The paper \
          prints no tilt.",
         fixed(least, 0),
         fixed(most, 0)
@@ -97,7 +97,7 @@ fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
         ),
         row(
             "curve",
-            "Viviani's; neither size nor orientation".into(),
+            "Viviani's; neither size nor orientation is given".into(),
             format!(
                 "x = a (1 + cos s), y = a sin s, z = {} m + 2 a sin(s/2), a = {} m, s from 0 to 4 pi",
                 number(altitude),
@@ -111,7 +111,7 @@ fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
         ),
         row(
             "start and end",
-            "not said".into(),
+            "not given".into(),
             match shared(cases, |c| (c.mission.start_at_rest, c.mission.end_at_rest)) {
                 (true, true) => "at rest".into(),
                 (start, end) => format!("start at rest: {start}, end at rest: {end}"),
@@ -129,12 +129,12 @@ fn rows(cases: &[&Plans]) -> Vec<Vec<String>> {
         ),
         row(
             "bounds on q and its derivatives",
-            "in (48), without figures".into(),
+            "in (48), without values".into(),
             if limits == 0 { "none".into() } else { format!("{limits} limits") },
         ),
         row(
             "weights of (48)",
-            "alpha_i = 1; not how the derivative term is scaled or sampled".into(),
+            "alpha_i = 1; scaling and sampling of the derivative term are not given".into(),
             format!(
                 "alpha_i = {}/m^2; integrals of squared snap and acceleration times {} and {}",
                 number(weight),

@@ -1,4 +1,4 @@
-//! The shortest times found in the exact model. Their searches take minutes, so the tests do without.
+//! The shortest times found in the exact model. Their searches take minutes, so the tests skip them.
 
 use crate::document::case_plans::seconds;
 use crate::document::exact::{PLANNERS, degrees, exact_case, exactly, plan};
@@ -7,7 +7,7 @@ use crate::document::plans;
 use mavc::Planning;
 use mavc::planner::studies::{MissionPlan, Run};
 
-/// What stands under `exact::SHORTEST`.
+/// The part under `exact::SHORTEST`.
 pub fn section() -> String {
     let mut rows = Vec::new();
     for (number, planner, kind) in PLANNERS {
@@ -44,8 +44,8 @@ pub fn section() -> String {
     ];
     [
         paragraph(
-            "With `--set plan.model=exact` shortest times are the shortest *found*: the steps are local, and a shorter \
-             time may have a plan. Every such plan stays upright, and is looked at as the hover plans were.",
+            "With `--set plan.model=exact` shortest times are the shortest *found*: the steps are local, and a plan \
+             may exist for a shorter time. Every such plan stays upright, and is evaluated like the hover plans.",
         ),
         table(&header, &rows),
     ]

@@ -1,4 +1,4 @@
-//! Where the models come from: the specs that ship.
+//! The models of the page, from the specs of the repository.
 
 use mavc::model::Model;
 use mavc::{Compiler, Spec};

@@ -1,32 +1,37 @@
-//! Which rotor gives what: the bounded allocation of a wrench with the smallest sum of squared thrusts.
+//! Bounded allocation: the rotor thrusts that produce a wrench with the smallest sum of squares (`docs/method.md`,
+//! section 3, "Allocation").
 
 use crate::actuation::{Actuation, Wrench};
 use crate::model::Vehicle;
 use nalgebra::Matrix4;
 
-/// As many as a vehicle can have.
+/// The largest number of rotors of a vehicle.
 pub const MOST_ROTORS: usize = 32;
 
-/// Newton steps after which the point reached is taken.
+/// Newton steps after which the current point is returned.
 const MOST_STEPS: usize = 60;
 
-/// Weight on the missing part of a wrench beside the squared shares of thrust: all of it is to be given.
+/// Weight on the missing part of a wrench relative to the squared shares of thrust; large enough to leave nothing
+/// missing.
 const EXACT: f64 = 1e12;
 
 /// Allocates wrenches to the rotors of a healthy vehicle.
 #[derive(Debug, Clone)]
 pub struct Allocator {
-    /// Wrench of each rotor at the thrust of the strongest, rows scaled by `scale`.
+    /// Wrench of each rotor at the full thrust of the strongest rotor, components multiplied by `scale`.
     columns: Vec<Wrench>,
     scale: Wrench,
-    /// Lowest and full thrust of each in shares of the strongest's, and that in N.
+    /// Lowest and full thrust of each rotor as shares of `strongest`.
     least: Vec<f64>,
     most: Vec<f64>,
+    /// Full thrust of the strongest rotor, N.
     strongest: f64,
+    /// Thrust coefficient b_k of each rotor, N s^2.
     coefficient: Vec<f64>,
 }
 
 impl Allocator {
+    /// An allocator for the healthy vehicle.
     pub fn new(vehicle: &Vehicle) -> Self {
         let actuation = Actuation::of(vehicle);
         let full: Vec<Wrench> = (0..actuation.rotors()).map(|k| actuation.full(k)).collect();
@@ -40,8 +45,9 @@ impl Allocator {
         Allocator { columns, scale, least, most, strongest, coefficient }
     }
 
-    /// Thrusts F (N) that minimise sum F_k^2 subject to B F = w, F_min <= F_k <= F_max: `bounded` with a weight that
-    /// leaves nothing of w missing. For a wrench that no rotor speeds give, the thrusts come nearest.
+    /// The rotor thrusts F (N, one for each rotor) that minimise `sum F_k^2` subject to `B F = w`, `F_min <= F <=
+    /// F_max`, by [`bounded`] with a weight that leaves nothing of w missing. For a wrench outside the admissible set
+    /// they minimise the missing part, each component as a share of its largest value.
     pub fn thrusts(&self, wrench: &Wrench) -> Vec<f64> {
         let w = wrench.component_mul(&self.scale);
         let bounds = Bounds { least: &self.least, most: &self.most };
@@ -49,34 +55,42 @@ impl Allocator {
         self.columns.iter().enumerate().map(|(k, b)| bounds.clip(k, b.dot(&lambda)) * self.strongest).collect()
     }
 
-    /// Rotor speeds, rad/s: w_k = sqrt(F_k / b_k).
+    /// The rotor speeds `w_k = sqrt(F_k / b_k)`, rad/s, for the thrusts of [`Allocator::thrusts`].
     pub fn speeds(&self, wrench: &Wrench) -> Vec<f64> {
         self.thrusts(wrench).iter().zip(&self.coefficient).map(|(f, b)| (f / b).sqrt()).collect()
     }
 }
 
-/// The shares least_k <= x_k <= most_k that rotor k can give.
+/// The bounds `least[k] <= x_k <= most[k]` on the shares of thrust.
 #[derive(Debug, Clone, Copy)]
 pub struct Bounds<'a> {
+    /// Lower bound of each rotor.
     pub least: &'a [f64],
+    /// Upper bound of each rotor.
     pub most: &'a [f64],
 }
 
 impl Bounds<'_> {
-    /// The share of rotor k nearest to `x`.
+    /// `x` clipped to the bounds of rotor k.
     pub fn clip(&self, k: usize, x: f64) -> f64 {
         x.clamp(self.least[k], self.most[k])
     }
 }
 
-/// Multipliers lambda of the shares x_k = clip(b_k . lambda, least_k, most_k) that minimise
+/// The multipliers lambda of the bounded weighted least-squares problem
 ///
-/// (1/2) sum x_k^2 + (1/2) sum_i weight_i (w - B x)_i^2 over least_k <= x_k <= most_k.
+/// ```text
+/// minimise  (1/2) sum_k x_k^2 + (1/2) sum_i weights_i (w - B x)_i^2   over  least_k <= x_k <= most_k
+/// ```
 ///
-/// With the residual r = w - B x the optimum has lambda = weight r, so lambda solves
-/// lambda/weight + B clip(B^T lambda) = w: piecewise linear, monotone, the gradient of a strictly convex function of
-/// four variables. Newton's method with the exact minimum along each step ends after a step or two from a lambda
-/// nearby.
+/// where the columns of B (4 x n) are `columns`. The solution is `x_k = clip(b_k . lambda, least_k, most_k)`.
+///
+/// At the optimum `lambda_i = weights_i (w - B x)_i`, so lambda solves `lambda_i/weights_i + (B clip(B' lambda))_i =
+/// w_i`. The left side is piecewise linear and monotone: it is the gradient of a strictly convex function of four
+/// variables. Newton's method with an exact line search takes a step or two if `start` is near the solution.
+///
+/// # Panics
+/// If there are more than [`MOST_ROTORS`] columns, or fewer bounds than columns.
 pub fn bounded(columns: &[Wrench], bounds: Bounds, w: &Wrench, weights: &Wrench, start: Wrench) -> Wrench {
     let softness = weights.map(|q| 1.0 / q);
     let mut lambda = start;
@@ -90,7 +104,7 @@ pub fn bounded(columns: &[Wrench], bounds: Bounds, w: &Wrench, weights: &Wrench,
                 hessian += b * b.transpose();
             }
         }
-        // What rounding leaves of it.
+        // The gradient is zero to rounding.
         if gradient.amax() <= 1e-12 + 1e-15 * lambda.amax() {
             break;
         }
@@ -104,8 +118,9 @@ pub fn bounded(columns: &[Wrench], bounds: Bounds, w: &Wrench, weights: &Wrench,
     lambda
 }
 
-/// Where along a step from lambda the function that `bounded` minimises is lowest, in lengths of the step. Its slope
-/// is piecewise linear and grows; it bends where a share comes to a bound.
+/// The exact line search of [`bounded`]: the length, as a multiple of `step`, at which the convex function is smallest
+/// along `step` from `lambda`. Its slope is increasing and piecewise linear, with a kink wherever a share reaches a
+/// bound.
 fn lowest(columns: &[Wrench], bounds: Bounds, w: &Wrench, softness: &Wrench, lambda: &Wrench, step: &Wrench) -> f64 {
     let n = columns.len();
     let (mut shares, mut changes) = ([0.0; MOST_ROTORS], [0.0; MOST_ROTORS]);
@@ -121,7 +136,7 @@ fn lowest(columns: &[Wrench], bounds: Bounds, w: &Wrench, softness: &Wrench, lam
             }
         }
     }
-    // A Newton step that bends nothing ends at the minimum.
+    // Without a kink the function is quadratic along the step, and the full Newton step ends at its minimum.
     if bends[..count].iter().all(|t| *t >= 1.0) {
         return 1.0;
     }

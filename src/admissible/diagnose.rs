@@ -1,4 +1,4 @@
-//! What the sets say about the spec: modes that the plan must stand but cannot.
+//! Diagnostics from the admissible sets: fault modes the plan must tolerate but cannot.
 
 use super::edge::{self, Place};
 use super::interval::{Certainty, Robust};
@@ -10,32 +10,32 @@ use crate::model::Model;
 use crate::number::{down, number, significant, up};
 use crate::source::Span;
 
-/// A mode that the plan must stand has lost control over some axis.
-pub const CANNOT_HOVER: &str = "mavc::analysis::cannot_hover";
-/// Hover lies on the edge of a set.
-pub const HOVER_ON_EDGE: &str = "mavc::analysis::hover_on_edge";
+/// Code: in a mode that the plan must tolerate some axis cannot be controlled at hover.
+const CANNOT_HOVER: &str = "mavc::analysis::cannot_hover";
+/// Code: hover lies on the edge of a set.
+const HOVER_ON_EDGE: &str = "mavc::analysis::hover_on_edge";
 
-/// A mode that the plan must stand hovers only for some values of the spec's intervals.
+/// Code: a mode that the plan must tolerate hovers only for some values of the spec's intervals.
 pub const NOT_ROBUST: &str = "mavc::analysis::not_robust";
 
-/// Two rows of the actuation matrix are nearly parallel once a mode strikes.
+/// Code: a fault mode makes two rows of the actuation matrix nearly parallel.
 pub const PARALLEL_ROWS: &str = "mavc::analysis::parallel_rows";
 
-/// The sets of the modes that the plan is against have more facets than can be planned with.
-pub const TOO_MANY_FACETS: &str = "mavc::plan::too_many_facets";
+/// Code: the sets of the modes that the plan must tolerate have more than [`MAX_FACETS`] facets.
+const TOO_MANY_FACETS: &str = "mavc::plan::too_many_facets";
 
-/// Facets of all modes together that a plan can be against. Before anything is planned each set is reduced to its least
-/// description, in time quadratic in its facets: 1.1 s for a ring of 32 rotors, so about a minute up to here.
-pub const MAX_FACETS: usize = 100_000;
+/// The largest number of facets of all modes that the plan must tolerate. Before planning each set is reduced to its
+/// minimal description in time quadratic in its facets: 1.1 s for a ring of 32 rotors, so about a minute for this many.
+pub(crate) const MAX_FACETS: usize = 100_000;
 
-/// Modes named one by one in a message; of more, the first ones and the number.
+/// Number of modes that a message names individually. If there are more, it names this many and gives the total.
 const NAMED: usize = 8;
 
-/// Diagnostics of the healthy vehicle and of every mode that the plan stands against; where no mission is planned,
-/// of the healthy vehicle alone. Modes of one statement with the same answer share a diagnostic.
+/// Diagnostics about the healthy vehicle and about every mode that the plan must tolerate; without a mission, about the
+/// healthy vehicle only. Modes with the same result at the same place in the spec share one diagnostic.
 ///
-/// A mode without full control, or with hover on its edge where a reserve is asked for, is an error; it is an
-/// answer about the spec rather than a mistake in it, and has an exit code of its own.
+/// A mode without full control is an error, and so is one with hover on the edge of its set if a reserve is required.
+/// Both are findings about the spec rather than mistakes in it, so the command has a separate exit code for them.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     let analysis = |mode: Option<usize>| {
         let set = mode.map_or_else(|| AdmissibleSet::healthy(model), |mode| AdmissibleSet::of_mode(model, mode));
@@ -44,9 +44,9 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     diagnose_by(model, analysis).unwrap_or_default()
 }
 
-/// As [`diagnose`], by analyses that somebody else makes or keeps: of the healthy vehicle (`None`) and of modes, by their
-/// index. `None` as soon as one of them is not to be had.
-pub fn diagnose_by(
+/// Like [`diagnose`], but the caller provides the analyses: of the healthy vehicle for `None`, and of a mode for its
+/// index. Returns `None` as soon as the caller returns `None`.
+pub(crate) fn diagnose_by(
     model: &Model,
     mut analysis: impl FnMut(Option<usize>) -> Option<ModeAnalysis>,
 ) -> Option<Vec<Diagnostic>> {
@@ -73,18 +73,18 @@ pub fn diagnose_by(
     Some(healthy.into_iter().chain(found).map(|answer| answer.diagnostic(model)).collect())
 }
 
-/// What is wrong with the healthy vehicle or with some modes.
+/// A finding about the healthy vehicle or about some modes.
 struct Answer {
     severity: Severity,
     code: &'static str,
     span: Span,
-    /// The headline without its subject: "the vehicle cannot hover".
+    /// The headline without the names of the modes: "the vehicle cannot hover".
     what: String,
     label: String,
     help: &'static str,
-    /// The reserve is a part of the problem.
+    /// Whether to point at the reserve as part of the problem.
     reserve: bool,
-    /// None for the healthy vehicle.
+    /// Names of the modes; empty for the healthy vehicle.
     modes: Vec<String>,
 }
 
@@ -105,37 +105,37 @@ impl Answer {
         let message = format!("{who} {}", self.what);
         let pointed = !self.modes.is_empty() && is_written(model, "plan.against");
         let help = if self.modes.len() > 1 { self.help.replace("the mode", "these modes") } else { self.help.into() };
-        // Without `against` the plan stands every mode, and no place asks for these.
+        // Without `against` the plan must tolerate every mode, and there is no list to take a mode out of.
         let listing = "out by listing the others in `against`";
         let help = if pointed { help } else { help.replace("out of `against`", listing) };
         let mut diagnostic = Diagnostic::new(self.severity, self.code, self.span, message).here(self.label).help(help);
         if self.reserve && is_written(model, "plan.reserve") {
-            diagnostic = diagnostic.also(model.plan.reserve_span, "the reserve asked for");
+            diagnostic = diagnostic.also(model.plan.reserve_span, "the required reserve");
         }
         let them = if self.modes.len() == 1 { "it" } else { "them" };
         if pointed {
-            diagnostic.also(model.plan.against_span, format!("the plan must stand {them}"))
+            diagnostic.also(model.plan.against_span, format!("the plan must tolerate {them}"))
         } else {
             diagnostic
         }
     }
 }
 
-/// Whether an answer is that the spec is too large, which is a mistake in it.
-pub fn is_too_large(answers: &[Diagnostic]) -> bool {
+/// Whether one of the diagnostics is that the spec has too many facets, which is a mistake in the spec.
+pub(crate) fn is_too_large(answers: &[Diagnostic]) -> bool {
     answers.iter().any(|answer| answer.code == TOO_MANY_FACETS)
 }
 
 fn too_many_facets(model: &Model) -> Diagnostic {
     let modes = model.plan.against.len();
     let span = if is_written(model, "plan.against") { model.plan.against_span } else { model.vehicle.span };
-    let message = format!("the sets of the {modes} fault modes planned against have more than {MAX_FACETS} facets");
+    let message = format!("the admissible sets of the {modes} fault modes have more than {MAX_FACETS} facets together");
     Diagnostic::error(TOO_MANY_FACETS, span, message)
         .here(format!("{} rotors and {modes} modes", model.vehicle.rotors.len()))
-        .help("list fewer modes in `against`, such as those that are most likely; `mavc analyze` takes all of them")
+        .help("list fewer modes in `against`, such as the most likely ones; `mavc analyze` accepts all of them")
 }
 
-/// A warning where two rows can coincide by a tenth of their length.
+/// A warning if errors of 10 % of their length can make the two rows coincide.
 fn nearly_parallel(row: &Parallel, span: Span) -> Option<Answer> {
     let [a, b] = row.axes;
     (row.angle < least_angle()).then(|| Answer {
@@ -143,33 +143,38 @@ fn nearly_parallel(row: &Parallel, span: Span) -> Option<Answer> {
         code: PARALLEL_ROWS,
         span,
         what: format!(
-            "the rotors hardly tell {a} from {b}: their rows are {} degrees apart",
+            "the effects of the rotors on {a} and {b} are nearly parallel: the rows of the actuation matrix are {} \
+             degrees apart",
             significant(row.angle.to_degrees(), 3)
         ),
-        label: format!("rows less than {} degrees apart can coincide", significant(least_angle().to_degrees(), 3)),
-        help: "leave the mode out of `against`, or place the rotors so that what is left of them tells the two apart",
+        label: format!(
+            "errors of 10 % can make rows less than {} degrees apart coincide",
+            significant(least_angle().to_degrees(), 3)
+        ),
+        help: "leave the mode out of `against`, or place the rotors so that the remaining ones separate the two axes",
         reserve: false,
         modes: Vec::new(),
     })
 }
 
-/// Whether the spec says a field rather than leaving it to its default.
+/// Whether the spec contains a field instead of leaving it at its default.
 fn is_written(model: &Model, field: &str) -> bool {
     model.defaults.iter().all(|default| default.field != field)
 }
 
-/// The masses with which a mode hovers, where the spec's is none of them, kg.
+/// The masses, kg, at which a mode has full control at hover. The spec's mass is not one of them.
 #[derive(Clone, Copy)]
 enum Possible {
     UpTo(f64),
-    /// At least the first, because rotors that cannot stop or are stuck lift that much, and at most the second.
+    /// From the first to the second: rotors that cannot stop or are stuck lift at least the first.
     Between(f64, f64),
     Never,
 }
 
+/// The finding about the healthy vehicle or a mode; `None` if hover lies inside its set.
 fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
     let is_healthy = mode.name == HEALTHY;
-    // Hover on the edge at less than the heaviest mass lies on it at all masses.
+    // If hover is on the edge although a heavier vehicle could hover, it is on the edge at every mass.
     let at_heaviest = mode.critical_mass_kg.is_some_and(|most| most <= model.vehicle.mass * (1.0 + 1e-6));
     let answer = |severity, code, what: &str, label: String, help| {
         Some(Answer { severity, code, span, what: what.into(), label, help, reserve: false, modes: Vec::new() })
@@ -184,26 +189,26 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
             let robust = mode.robust.filter(|r| !sure(r))?;
             let label = match (robust.acai_worst, robust.acai_best) {
                 (Some(worst), Some(best)) => {
-                    format!("its margin lies between {} and {}", significant(worst, 3), significant(best, 3))
+                    format!("the margin of hover is between {} and {}", significant(worst, 3), significant(best, 3))
                 }
                 (None, Some(best)) => {
-                    format!("its margin is at most {}, and hover can be out of reach", significant(best, 3))
+                    format!("the margin of hover is at most {}, and hover may be unreachable", significant(best, 3))
                 }
-                _ => "no wrench is sure to be given".to_string(),
+                _ => "no wrench is guaranteed for all values of the intervals".to_string(),
             };
             let help = match is_healthy {
                 true => "narrow the intervals, make the vehicle lighter or change its layout",
                 false => "leave the mode out of `against`, narrow the intervals or make the vehicle lighter",
             };
-            answer(Severity::Error, NOT_ROBUST, "hover is not sure over the spec's intervals", label, help)
+            answer(Severity::Error, NOT_ROBUST, "hover is not guaranteed over the spec's intervals", label, help)
         }
         (Verdict::Controllable, _) if model.plan.reserve > 0.0 => {
             let share = number(100.0 * model.plan.reserve);
             let error = answer(
                 Severity::Error,
                 HOVER_ON_EDGE,
-                "hover lies on the edge of what the vehicle can do, so no reserve is left",
-                format!("nothing of the {share} % reserve can be kept"),
+                "hover lies on the edge of the admissible set, so no reserve is left",
+                format!("the {share} % reserve cannot be kept"),
                 match (is_healthy, at_heaviest) {
                     (true, true) => "set `reserve = 0 %` in `plan`, make the vehicle lighter or change its layout",
                     (true, false) => "set `reserve = 0 %` in `plan`, or change the vehicle's layout",
@@ -226,8 +231,8 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
         (Verdict::Controllable, _) => answer(
             Severity::Warning,
             HOVER_ON_EDGE,
-            "hover lies on the edge of what the vehicle can do",
-            "the smallest disturbance in one direction cannot be countered".into(),
+            "hover lies on the edge of the admissible set",
+            "even the smallest disturbance in one direction cannot be countered".into(),
             match at_heaviest && mode.facets.is_some() {
                 true => "a lighter vehicle or another layout moves hover inside; `mavc analyze` shows by how much",
                 false => "another layout moves hover inside; `mavc analyze` shows by how much",
@@ -240,14 +245,14 @@ fn judge(model: &Model, mode: &ModeAnalysis, span: Span) -> Option<Answer> {
                 (Some(most), _) if most > 0.0 => Possible::UpTo(most),
                 _ => Possible::Never,
             };
-            let says = format!("; the spec says {} kg", number(mass));
+            let given = format!("; the spec's mass is {} kg", number(mass));
             let label = match possible {
-                Possible::UpTo(most) => format!("it could at {} kg or less{says}", down(most, 4)),
+                Possible::UpTo(most) => format!("possible at {} kg or less{given}", down(most, 4)),
                 Possible::Between(least, most) if up(least, 4) != down(most, 4) && least < most * (1.0 - 1e-3) => {
-                    format!("it could between {} and {} kg{says}", up(least, 4), down(most, 4))
+                    format!("possible between {} and {} kg{given}", up(least, 4), down(most, 4))
                 }
                 Possible::Between(least, most) => {
-                    format!("it could only at {} kg{says}", significant(0.5 * (least + most), 6))
+                    format!("possible only at {} kg{given}", significant(0.5 * (least + most), 6))
                 }
                 Possible::Never => "no mass makes it possible".to_string(),
             };

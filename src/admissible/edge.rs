@@ -1,14 +1,15 @@
-//! Where hover lies relative to a set: inside it, on its edge, or outside. One tolerance for every command.
+//! Where hover lies relative to a set: inside, on the edge, or outside. All commands use this one tolerance
+//! (`docs/method.md`, section 3, "Reachable is not inside").
 
 use super::AdmissibleSet;
 use crate::actuation::Wrench;
 use serde::Serialize;
 
-/// Hover is on the edge of a set if it lies within this of its boundary, N and N m alike, or within this of a flat set; of a
-/// vehicle that weighs less than 1 N, within this share of the weight.
+/// Hover is on the edge of a set if its distance from the boundary, or from a flat set, is at most this, in N and N m
+/// alike. For a vehicle that weighs less than 1 N it is a share of the weight; see [`width`].
 pub const EDGE: f64 = 1e-6;
 
-/// How wide the edge is for a vehicle with this hover, N and N m alike.
+/// The width of the edge for a vehicle with this hover wrench, in N and N m alike: `EDGE * min(m g, 1 N)`.
 pub fn width(hover: &Wrench) -> f64 {
     EDGE * hover[0].abs().min(1.0)
 }
@@ -16,16 +17,19 @@ pub fn width(hover: &Wrench) -> f64 {
 /// Where hover lies relative to a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Place {
+    /// Inside by more than the width of the edge.
     #[serde(rename = "inside")]
     Inside,
-    /// In some direction the smallest disturbance cannot be countered.
+    /// On the boundary or in a flat set: in some direction even the smallest disturbance cannot be countered.
     #[serde(rename = "on the edge")]
     OnEdge,
+    /// Outside by at least the width of the edge.
     #[serde(rename = "outside")]
     Outside,
 }
 
 impl Place {
+    /// The word that reports print: `inside`, `on the edge` or `outside`.
     pub const fn word(self) -> &'static str {
         match self {
             Place::Inside => "inside",
@@ -34,8 +38,8 @@ impl Place {
         }
     }
 
-    /// `margin`: signed distance to the boundary, positive inside; `None` where the set is flat and has no inside. `residual`:
-    /// distance to the set. Both in N and N m, as is the [`width`] of the edge.
+    /// Decides from the signed distance `margin` to the boundary (positive inside; `None` for a flat set, which has no
+    /// inside) and the distance `residual` to the set. Both are in N and N m, like the [`width`] of the edge.
     pub fn new(margin: Option<f64>, residual: f64, width: f64) -> Self {
         match margin {
             _ if residual >= width => Place::Outside,
@@ -46,7 +50,7 @@ impl Place {
 }
 
 impl AdmissibleSet {
-    /// Whether hover lies inside, with all of thrust, roll, pitch and yaw in hand.
+    /// Whether hover lies inside the set with all four axes controlled: thrust, roll, pitch and yaw.
     pub fn has_hover_inside(&self) -> bool {
         self.polytope.equalities.is_empty() && self.polytope.margin(&self.hover) > width(&self.hover)
     }
@@ -59,8 +63,8 @@ mod tests {
     #[test]
     fn the_edge_is_as_wide_on_both_sides() {
         let places = [(2.0 * EDGE, 0.0), (0.5 * EDGE, 0.0), (-0.5 * EDGE, 0.5 * EDGE), (-2.0 * EDGE, 2.0 * EDGE)];
-        let told = places.map(|(margin, residual)| Place::new(Some(margin), residual, EDGE).word());
-        assert_eq!(told, ["inside", "on the edge", "on the edge", "outside"]);
+        let words = places.map(|(margin, residual)| Place::new(Some(margin), residual, EDGE).word());
+        assert_eq!(words, ["inside", "on the edge", "on the edge", "outside"]);
         assert_eq!(Place::new(None, 0.0, EDGE), Place::OnEdge);
         let hovers = [0.001, 1.0, 20.0].map(|weight| width(&Wrench::new(weight, 0.0, 0.0, 0.0)));
         assert_eq!(hovers, [0.001 * EDGE, EDGE, EDGE]);

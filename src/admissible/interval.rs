@@ -1,7 +1,8 @@
-//! Vehicles known to within intervals: the wrenches that they give for every value, and those for some.
+//! Vehicles with parameters known only to within intervals: the wrenches that are possible for every value of the
+//! parameters, and those that are possible for some value. See `docs/method.md`, section 3, "Intervals", (50) and (51).
 //!
-//! Each rotor's full and idle thrust, and the ratio kappa_k of its drag torque to its thrust, lie anywhere in their
-//! intervals, whatever the others do; so does the mass.
+//! The parameters are the full and the idle thrust of each rotor, the ratio kappa_k of its drag torque to its thrust,
+//! and the mass. Each may take any value of its interval independently of the others.
 
 use super::edge;
 use super::{AdmissibleSet, FacetOf, hover};
@@ -12,29 +13,31 @@ use crate::model::{Model, Rotor, Spin};
 use serde::Serialize;
 
 /// The rows of a mode's set, each with the facet it is made from.
-pub type Rows = Polytope<4, FacetOf>;
+type Rows = Polytope<4, FacetOf>;
 
-/// A coefficient below this share of its row, in shares of the set's extent, is none.
+/// A coefficient counts as zero at or below this share of its row, both in units of the set's extent.
 const NONE: f64 = 1e-9;
 
-/// Halvings of the interval of masses in which the largest margin is looked for.
-const HALVINGS: usize = 60;
+/// Steps of the ternary search for the largest margin over the interval of the mass.
+const STEPS: usize = 60;
 
-/// A mode's rotors with every kappa_k in the middle of its interval.
+/// The rotors of a mode with every kappa_k in the middle of its interval.
 struct Middle {
     zonotope: Zonotope<4>,
-    /// What each stuck rotor may give more or less than in the middle.
-    doubts: Vec<Wrench>,
-    /// The largest half width of the intervals of kappa_k: |tau_z| may differ by this much for each newton of thrust.
+    /// r_k of (50) for each stuck rotor: the largest deviation of its wrench from the middle.
+    deviations: Vec<Wrench>,
+    /// delta of (50), m: the largest half width of the intervals of kappa_k. tau_z may differ by this for each newton
+    /// of thrust.
     delta: f64,
 }
 
 impl Middle {
-    /// With rotor thrusts in `thrusts`, from idle to full, N; `None` where one has no such thrusts.
+    /// The rotors with thrusts from `thrusts(rotor)[0]` to `thrusts(rotor)[1]`, N; `None` if the range of some rotor is
+    /// empty.
     fn of(model: &Model, set: &AdmissibleSet, thrusts: impl Fn(&Rotor) -> [f64; 2]) -> Option<Self> {
         let fault = set.mode.checked_sub(1).map(|i| &model.modes[i]);
         let mut zonotope = Zonotope { center: Wrench::zeros(), generators: Vec::new() };
-        let (mut doubts, mut delta) = (Vec::new(), 0.0_f64);
+        let (mut deviations, mut delta) = (Vec::new(), 0.0_f64);
         for (k, rotor) in model.vehicle.rotors.iter().enumerate() {
             let ratio = rotor.drag_coefficient / rotor.thrust_coefficient;
             let spread = rotor.spread.torque_per_thrust;
@@ -46,7 +49,7 @@ impl Middle {
                 let full = share * rotor.max_thrust();
                 let spread = rotor.spread.full_thrust;
                 zonotope.center += each * (0.5 * (spread.high + spread.low) * full);
-                doubts.push(each * (0.5 * (spread.high - spread.low) * full));
+                deviations.push(each * (0.5 * (spread.high - spread.low) * full));
                 zonotope.generators.push(Wrench::zeros());
                 continue;
             }
@@ -58,23 +61,25 @@ impl Middle {
             zonotope.center += each * (capacity * idle);
             zonotope.generators.push(each * (capacity * (full - idle)));
         }
-        Some(Middle { zonotope, doubts, delta })
+        Some(Middle { zonotope, deviations, delta })
     }
 
-    /// How far a row may move for what is not known: by this coefficient on T, and by this offset.
-    fn slips(&self, normal: &Wrench) -> (f64, f64) {
-        (normal[3].abs() * self.delta, self.doubts.iter().map(|d| normal.dot(d).abs()).sum())
+    /// How far the intervals may move a row: the coefficient `|n_z| delta` on T and the offset `sum |n.r_k|` of (50)
+    /// and (51).
+    fn row_shift(&self, normal: &Wrench) -> (f64, f64) {
+        (normal[3].abs() * self.delta, self.deviations.iter().map(|d| normal.dot(d).abs()).sum())
     }
 
-    fn is_sure(&self, normal: &Wrench) -> bool {
+    /// Whether the intervals do not move a row with this normal.
+    fn is_fixed(&self, normal: &Wrench) -> bool {
         let scale = self.zonotope.scale();
         let length = normal.component_mul(&scale).norm();
-        let (slope, offset) = self.slips(normal);
+        let (slope, offset) = self.row_shift(normal);
         slope * scale[0] <= NONE * length && offset <= NONE * length
     }
 }
 
-/// `n.w + slope T <= offset` with a unit normal.
+/// The row `normal.w + slope T <= offset`, scaled to a unit normal.
 fn row(normal: &Wrench, slope: f64, offset: f64, origin: FacetOf) -> Facet<4, FacetOf> {
     let normal = normal + Wrench::new(slope, 0.0, 0.0, 0.0);
     let length = normal.norm();
@@ -85,11 +90,12 @@ fn named(set: &AdmissibleSet, facet: usize, spanning: Spanning) -> FacetOf {
     FacetOf { mode: set.mode, facet, spanning }
 }
 
-/// Wrenches that a mode gives for every value of the rotors' intervals, as long as `T >= 0`, which its last row says;
-/// `None` where there is none.
+/// (50): wrenches that a mode can produce for every value of the rotors' intervals. The last row is `T >= 0`. `None` if
+/// no wrench is guaranteed.
 ///
-/// All of them where no kappa_k has an interval and no rotor both an interval and a stuck fault in a flat set; else
-/// perhaps not all. Equation (50) of the method.
+/// The set is exact if no kappa_k has an interval and, in a flat set, no stuck rotor has one. Otherwise it may leave
+/// out wrenches that are possible for every value. The interval of the mass plays no part here; see
+/// [`AdmissibleSet::guaranteed`].
 pub fn guaranteed(model: &Model, set: &AdmissibleSet) -> Option<Rows> {
     if !model.vehicle.has_uncertain_rotors() {
         return Some(set.polytope.clone());
@@ -97,7 +103,7 @@ pub fn guaranteed(model: &Model, set: &AdmissibleSet) -> Option<Rows> {
     let always = |r: &Rotor| [r.idle_thrust() * r.spread.idle_thrust.high, r.max_thrust() * r.spread.full_thrust.low];
     let middle = Middle::of(model, set, always)?;
     let Polytope { equalities, facets } = middle.zonotope.facets();
-    if !equalities.iter().all(|e| middle.is_sure(&e.normal)) {
+    if !equalities.iter().all(|e| middle.is_fixed(&e.normal)) {
         return None;
     }
     let count = facets.len();
@@ -105,7 +111,7 @@ pub fn guaranteed(model: &Model, set: &AdmissibleSet) -> Option<Rows> {
         .iter()
         .enumerate()
         .map(|(i, f)| {
-            let (slope, offset) = middle.slips(&f.normal);
+            let (slope, offset) = middle.row_shift(&f.normal);
             row(&f.normal, slope, f.offset - offset, named(set, i, f.origin))
         })
         .collect();
@@ -113,8 +119,8 @@ pub fn guaranteed(model: &Model, set: &AdmissibleSet) -> Option<Rows> {
     Some(Polytope { equalities, facets: rows })
 }
 
-/// A set that holds every wrench that a mode gives for some values of the rotors' intervals: no larger than need be
-/// where neither kappa_k nor stuck or idling rotors have intervals. Equation (51) of the method.
+/// (51): a set that contains every wrench that a mode can produce for some value of the rotors' intervals. It is exact
+/// if neither a kappa_k nor a stuck or idling rotor has an interval.
 pub fn possible(model: &Model, set: &AdmissibleSet) -> Rows {
     let ever = |r: &Rotor| [r.idle_thrust() * r.spread.idle_thrust.low, r.max_thrust() * r.spread.full_thrust.high];
     let middle = match Middle::of(model, set, ever) {
@@ -123,22 +129,22 @@ pub fn possible(model: &Model, set: &AdmissibleSet) -> Rows {
     };
     let Polytope { equalities, facets } = middle.zonotope.facets();
     let (sure, loose): (Vec<Equality<4>>, Vec<Equality<4>>) =
-        equalities.into_iter().partition(|e| middle.is_sure(&e.normal));
+        equalities.into_iter().partition(|e| middle.is_fixed(&e.normal));
     let sides = loose.iter().flat_map(|e| [(e.normal, e.offset), (-e.normal, -e.offset)]);
     let sides = sides.map(|(normal, offset)| Facet { normal, offset, origin: Spanning(u64::MAX) });
     let wider = |(i, f): (usize, Facet<4, Spanning>)| {
-        let (slope, offset) = middle.slips(&f.normal);
+        let (slope, offset) = middle.row_shift(&f.normal);
         row(&f.normal, -slope, f.offset + offset, named(set, i, f.origin))
     };
     Polytope { equalities: sure, facets: facets.into_iter().chain(sides).enumerate().map(wider).collect() }
 }
 
 impl AdmissibleSet {
-    /// The set that plans keep to: nominal wrenches [m (g + z''), ..] that are given for every value of the spec's
-    /// intervals, the mass's too. The set itself where nothing has an interval.
+    /// The set that plans keep to: the nominal wrenches `[m (g + z''), ..]` that are possible for every value of all
+    /// intervals, the mass included. The set itself if nothing has an interval.
     ///
-    /// A motion needs the thrust `(M/m) T` where the mass is M, so each row holds for the end of the interval of M/m
-    /// that asks most of it: the high end where its coefficient on T is positive, the low end elsewhere.
+    /// A vehicle of mass M needs the thrust `(M/m) T`, so the coefficient of a row on T is multiplied by the largest
+    /// M/m if it is positive and by the smallest otherwise (`docs/method.md`, section 3, "Plans").
     pub fn guaranteed(&self, model: &Model) -> AdmissibleSet {
         if !model.vehicle.is_uncertain() {
             return self.clone();
@@ -154,7 +160,7 @@ impl AdmissibleSet {
                 };
                 Polytope { equalities, facets: facets.iter().map(heavier).collect() }
             }
-            // No thrust is at least nothing and at most a newton downwards.
+            // Nothing is guaranteed: the rows T <= -1 N and T >= 0 describe an empty set.
             None => {
                 let along = |sign: f64, offset: f64| {
                     row(&Wrench::new(sign, 0.0, 0.0, 0.0), 0.0, offset, named(self, 0, Spanning(0)))
@@ -166,19 +172,22 @@ impl AdmissibleSet {
     }
 }
 
-/// Whether a mode hovers, all axes held, over the intervals.
+/// Whether a mode hovers with all four axes controlled, over the values of the intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Certainty {
+    /// Hover at every mass of its interval satisfies (50).
     #[serde(rename = "robustly yes")]
     Yes,
-    /// On the values, as far as could be shown.
+    /// Neither of the others was shown.
     #[serde(rename = "depends")]
     Depends,
+    /// Hover at no mass of its interval satisfies (51).
     #[serde(rename = "robustly no")]
     No,
 }
 
 impl Certainty {
+    /// The words that reports print.
     pub fn name(self) -> &'static str {
         match self {
             Certainty::Yes => "robustly yes",
@@ -188,18 +197,20 @@ impl Certainty {
     }
 }
 
-/// What the intervals make of a mode's verdict and margin.
+/// Verdict and margin of a mode over the values of the intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Robust {
+    /// Whether the mode hovers.
     pub hover: Certainty,
-    /// Bounds on the margin of hover over all values, N and N m: none is below the first or above the second. They are
-    /// the least and the largest where [`guaranteed`] and [`possible`] are exact; `None` where the set is flat, of the first
-    /// where some value may take hover out of reach, and of the second where every one does.
+    /// Lower bound on the margin of hover over all values, N and N m; attained if [`guaranteed`] is exact. `None` if
+    /// the set is flat or hover is not in it.
     pub acai_worst: Option<f64>,
+    /// Upper bound on the margin of hover over all values, N and N m; attained if [`possible`] is exact. `None` if the
+    /// set is flat or hover is not in it.
     pub acai_best: Option<f64>,
 }
 
-/// The record of a mode; `None` where nothing has an interval.
+/// Verdict and margin of a mode over the intervals; `None` if nothing has an interval.
 pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
     if !model.vehicle.is_uncertain() {
         return None;
@@ -216,7 +227,8 @@ pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
         _ => Certainty::No,
     };
     let full = |rows: &&Rows| rows.equalities.is_empty();
-    // Outside, the margin is the largest facet violation, and that need not grow as the set shrinks.
+    // Outside a set the margin is minus the largest facet violation, which is not monotone in the set, so it is no
+    // bound.
     let inside = |margin: &f64| *margin >= 0.0;
     Some(Robust {
         hover: certainty,
@@ -225,16 +237,16 @@ pub fn robust(model: &Model, set: &AdmissibleSet) -> Option<Robust> {
     })
 }
 
-/// Whether the set holds some [T, 0, 0, 0] with T between two thrusts, N.
+/// Whether the set contains [T, 0, 0, 0] for some T from `low` to `high`, N.
 fn meets(rows: &Rows, low: f64, high: f64, edge: f64) -> bool {
     let thrust = Wrench::new(1.0, 0.0, 0.0, 0.0);
     rows.chord(&Wrench::zeros(), &thrust, edge).is_some_and(|(least, most)| least <= high + edge && most >= low - edge)
 }
 
-/// The largest value of a concave function between two points, by ternary search.
+/// The largest value of a concave function on the segment between two points, by ternary search.
 fn largest(a: &Wrench, b: &Wrench, f: impl Fn(&Wrench) -> f64) -> f64 {
     let (mut low, mut high) = (*a, *b);
-    for _ in 0..HALVINGS {
+    for _ in 0..STEPS {
         let (left, right) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
         if f(&left) < f(&right) { low = left } else { high = right }
     }

@@ -1,35 +1,38 @@
-//! Rows of the actuation matrix that a fault makes nearly parallel: two axes that the rotors hardly tell apart.
+//! Nearly parallel rows of the actuation matrix: two axes of the wrench on which the rotors have almost the same effect
+//! (`docs/method.md`, section 3, "Nearly parallel rows").
 
 use super::AdmissibleSet;
 use serde::Serialize;
 
-/// How far a row of the actuation matrix may be off, in shares of its length: what differences between rotors, battery
-/// and bench leave of coefficients.
+/// Assumed error of a row of the actuation matrix as a share of its length. Differences between rotors, the battery and
+/// the test bench make coefficients about this uncertain in flight.
 const ROW_ERROR: f64 = 0.1;
 
-/// A row shorter than this share of the longest, in shares of the set's extent, is no axis at all.
+/// A row shorter than this share of the longest, both in shares of the set's extent, counts as zero.
 const NO_ROW: f64 = 1e-9;
 
 const AXES: [&str; 4] = ["thrust", "tau_x", "tau_y", "tau_z"];
 
-/// Two axes and the angle between their rows, rad, from 0 to a right angle.
+/// Two rows of the actuation matrix and the angle between them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Parallel {
+    /// Names of the two axes: `thrust`, `tau_x`, `tau_y` or `tau_z`.
     pub axes: [&'static str; 2],
+    /// Angle between the rows as lines, rad, from 0 to pi/2.
     pub angle: f64,
 }
 
-/// Rows at a smaller angle than this, rad, can coincide by errors of a tenth of their length each: 2 asin(0.1), 11.5
-/// degrees.
+/// The angle, rad, below which errors of 10 % of the length of each of two rows can make the rows coincide: 2
+/// asin(0.1), 11.5 degrees.
 pub fn least_angle() -> f64 {
     2.0 * ROW_ERROR.asin()
 }
 
-/// The two rows of `A_theta` at the smallest angle, columns in shares of each rotor's range of thrust; `None` where
-/// fewer than two rows hold anything.
+/// The two rows of `A_theta` with the smallest angle between them; columns are in shares of each rotor's range of
+/// thrust. `None` if fewer than two rows are nonzero.
 ///
-/// The angle between two rows does not depend on their units. It is that between lines: rows that point apart are as
-/// parallel as rows that point one way.
+/// The angle does not depend on the units of the axes. It is the angle between lines, so opposite rows count as
+/// parallel.
 pub fn nearest_rows(set: &AdmissibleSet) -> Option<Parallel> {
     let generators = &set.zonotope.generators;
     let scale = set.zonotope.scale();
@@ -40,14 +43,14 @@ pub fn nearest_rows(set: &AdmissibleSet) -> Option<Parallel> {
     let pairs = axes.iter().flat_map(|&i| axes.iter().filter(move |&&j| i < j).map(move |&j| (i, j)));
     let angle = |i: usize, j: usize| {
         let (a, b) = (length(&rows[i]), length(&rows[j]));
-        // Half the angle by the halves' tangent: exact for small angles, where an arc cosine is not.
+        // 2 atan2(|r_i - r_j|, |r_i + r_j|) is accurate for small angles, where the arc cosine is not.
         let sum = |sign: f64| {
             let each = rows[i].iter().zip(&rows[j]).map(|(u, v)| u / a + sign * v / b);
             each.map(|v| v * v).sum::<f64>().sqrt()
         };
         let (apart, along) = (sum(-1.0), sum(1.0));
         let angle = 2.0 * apart.min(along).atan2(apart.max(along));
-        // Rounding dust.
+        // Rounding error.
         if angle < 1e-12 { 0.0 } else { angle }
     };
     let all = pairs.map(|(i, j)| Parallel { axes: [AXES[i], AXES[j]], angle: angle(i, j) });

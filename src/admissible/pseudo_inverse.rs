@@ -1,4 +1,5 @@
-//! What the pseudo-inverse (42) gives without clipping.
+//! The pseudo-inverse allocation (42), and the polytope of wrenches that it produces without clipping
+//! (`docs/method.md`, section 3, "What the pseudo-inverse reaches").
 
 use crate::actuation::{Actuation, Wrench};
 use crate::geometry::polytope::{Equality, Facet, Polytope, intersect};
@@ -6,13 +7,16 @@ use crate::geometry::zonotope::{Spanning, Zonotope};
 use crate::model::FaultMode;
 use nalgebra::Matrix4;
 
-/// Directions of the wrench that the rotors give more weakly than this, against the strongest, are given up by (42).
+/// Directions of the wrench in which the rotors are weaker than this, relative to the strongest direction, are left out
+/// of the inverse.
 const WEAK: f64 = 1e-5;
 
-/// `rows[k]` becomes row k of B^+ = B^T (B B^T)^-1 of (42): its product with a wrench is rotor k's share of full
-/// thrust. `columns[k]` is what the rotor gives at full thrust, in scaled coordinates; (42) minimises squared speeds
-/// squared, and `fullest[k]` is rotor k's largest one over the largest of all. Where rotors are gone that gave a
-/// direction alone, the inverse is without that direction.
+/// Computes the rows of the pseudo-inverse `B^+ = B' (B B')^-1` of (42): the product of `rows[k]` with a wrench is the
+/// share of full thrust of rotor k.
+///
+/// `columns[k]` is the wrench of rotor k at full thrust, in scaled coordinates. (42) minimises the sum of Omega_k^2,
+/// where Omega_k is a squared speed, so shares are weighted by `fullest[k]`, the largest squared speed of rotor k over
+/// the largest of all rotors. Directions that no remaining rotor produces are left out of the inverse.
 pub fn inverse(columns: &[Wrench], fullest: &[f64], rows: &mut [Wrench]) {
     let weight = |k: usize| fullest[k].powi(-2);
     let square: Matrix4<f64> = columns.iter().enumerate().map(|(k, b)| b * b.transpose() * weight(k)).sum();
@@ -25,15 +29,15 @@ pub fn inverse(columns: &[Wrench], fullest: &[f64], rows: &mut [Wrench]) {
     }
 }
 
-/// Rotor by rotor, its largest squared speed over the largest of all.
-pub fn fullest(actuation: &Actuation) -> Vec<f64> {
+/// The largest squared speed of each rotor over the largest of all rotors.
+pub(crate) fn fullest(actuation: &Actuation) -> Vec<f64> {
     let fastest = actuation.max_square.iter().copied().fold(0.0, f64::max);
     actuation.max_square.iter().map(|square| square / fastest).collect()
 }
 
-/// The facets of the wrenches w for which no squared speed of `A_theta^+ w` leaves its bounds, within the equalities of
-/// the mode's zonotope: two rows for each working rotor, redundant ones out. Each is spanned by all rotors but those
-/// that stand at a bound on it.
+/// The facets of the set of wrenches for which no squared speed of `A_theta^+ (w - c)` leaves its bounds, where c is
+/// the wrench of stuck rotors. There are two rows for each working rotor; redundant ones are dropped. Each facet is
+/// spanned by all rotors except those that are at a bound on it. `equalities` are those of the mode's zonotope.
 pub(super) fn facets(
     actuation: &Actuation,
     fault: Option<&FaultMode>,
@@ -64,7 +68,7 @@ pub(super) fn facets(
         }
     }
     let whole = Polytope { equalities: equalities.to_vec(), facets };
-    // Where idling rotors leave no wrench at all, the rows contradict each other: none is redundant.
+    // If the lowest speeds leave no wrench at all, the rows are infeasible together and none of them is redundant.
     let middle = zonotope.center + 0.5 * zonotope.generators.iter().sum::<Wrench>();
     let Some(inside) = whole.nearest(&middle) else { return whole.facets };
     let merged = |f: Facet<4, Vec<Spanning>>| Facet {

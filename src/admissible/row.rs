@@ -1,34 +1,35 @@
-//! Facets as rows without dimension, on which a wrench is held against a set.
+//! Facets as dimensionless rows, by which a wrench is compared with a set.
 
 use super::{AdmissibleSet, FacetOf};
 use crate::actuation::Wrench;
 use crate::geometry::polytope::Facet;
 
-/// A facet counts as violated when it is passed by more than this share of the healthy set's width along
-/// its normal.
+/// A row counts as violated if its [violation](SetRow::violation) is above this share of the healthy set's width, 0.01
+/// % (`docs/method.md`, section 8).
 pub const VIOLATED: f64 = 1e-4;
 
-/// One row of a planning set, made dimensionless by the healthy set's width along its normal.
+/// A row of a planning set, divided by the healthy set's width along its normal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetRow {
-    /// 1/N and 1/(N m)
+    /// Normal over the width: 1/N, 1/(N m), 1/(N m), 1/(N m).
     pub normal: Wrench,
+    /// Offset over the width, dimensionless.
     pub offset: f64,
-    /// normal . w = offset instead of <=.
+    /// `normal.w = offset` instead of `normal.w <= offset`.
     pub equality: bool,
-    /// All facets with this plane.
+    /// All facets in this plane.
     pub origin: Vec<FacetOf>,
 }
 
 impl SetRow {
-    /// (n.w - e) / width: positive outside.
+    /// The violation `(n.w - e) / width` of a wrench, positive outside; `|n.w - e| / width` for an equality.
     pub fn violation(&self, w: &Wrench) -> f64 {
         let v = self.normal.dot(w) - self.offset;
         if self.equality { v.abs() } else { v }
     }
 }
 
-/// A facet of a set as a dimensionless row.
+/// The dimensionless row of a facet: normal and offset divided by the width of the `healthy` zonotope along the normal.
 pub fn row<O>(facet: &Facet<4, O>, healthy: &AdmissibleSet, origin: Vec<FacetOf>) -> SetRow {
     let width = healthy.zonotope.width(&facet.normal);
     SetRow { normal: facet.normal / width, offset: facet.offset / width, equality: false, origin }

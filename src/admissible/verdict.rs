@@ -1,4 +1,4 @@
-//! Verdicts of section 3.2 with margins: what a mode can still do about hover.
+//! The paper's verdicts (its section 3.2) with margins: whether a mode can hover. See `docs/method.md`, section 3.
 
 use super::edge::{self, Place};
 use super::interval::{Robust, robust};
@@ -11,20 +11,23 @@ use crate::model::{Allocation, Model};
 use nalgebra::{SVector, Vector3};
 use serde::Serialize;
 
-/// Chords are measured to this share of the set's thrust range.
+/// Tolerance of chords, as a share of the set's extent in thrust.
 const ROUNDING: f64 = 1e-9;
 
+/// Whether hover can be reached, by the residual (31).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// Hover is reachable.
+    /// Hover is in the set.
     Controllable,
-    /// Hover is reachable when yaw is given up.
+    /// Hover is in the projection of the set on (T, tau_x, tau_y), that is, if yaw is given up.
     Stabilizable,
+    /// Hover cannot be reached.
     Unstable,
 }
 
 impl Verdict {
+    /// The word that reports print.
     pub fn name(self) -> &'static str {
         match self {
             Verdict::Controllable => "controllable",
@@ -34,88 +37,103 @@ impl Verdict {
     }
 }
 
-/// Distances from hover to the boundary along an axis: [down, up], both at least 0; N or N m.
-pub type BothWays = [f64; 2];
+/// Distances from hover to the boundary along an axis, [down, up], both at least 0; N for thrust, N m for torques.
+type BothWays = [f64; 2];
 
+/// Distances from hover to the boundary along each axis, with the other three axes held. Each is [down, up], at least
+/// 0.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Headroom {
+    /// Along T, N.
     pub thrust: BothWays,
+    /// Along tau_x, N m.
     pub tau_x: BothWays,
+    /// Along tau_y, N m.
     pub tau_y: BothWays,
+    /// Along tau_z, N m.
     pub tau_z: BothWays,
 }
 
-/// One mode's record; the fields of `mavc analyze --format json`.
+/// The analysis of one mode; the fields of `mavc analyze --format json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeAnalysis {
+    /// The name of the mode, `healthy` without faults.
     pub name: String,
-    /// Rotors with capacity 0, from 1.
+    /// Rotors with capacity 0, counted from 1.
     pub lost: Vec<usize>,
+    /// The capacity theta_k of (32) of each rotor, 0 to 1.
     pub capacity: Vec<f64>,
+    /// The share of full thrust at which a rotor is stuck; `None` for a rotor that is not.
     pub stuck: Vec<Option<f64>>,
+    /// Whether hover can be reached.
     pub verdict: Verdict,
-    /// Where hover lies relative to the set that the verdict is about: the yaw-free set for stabilizable.
+    /// Where hover lies relative to the set of the verdict, which is the yaw-free set for a stabilizable mode.
     pub hover: Place,
-    /// Whether it lies inside.
+    /// Whether hover lies inside that set.
     pub interior: bool,
-    /// Dimension of the set.
+    /// Dimension of the set, at most 4.
     pub rank: usize,
-    /// Inequalities of the minimal description; `None` where the set is flat.
+    /// Number of facets of the minimal description; `None` if the set is flat.
     pub facets: Option<usize>,
-    /// Available control authority index (Du, Quan, Cai 2015): signed distance from hover to the boundary
-    /// in the plain (N, N m) norm, outside the most violated facet's negative slack; `None` where flat.
+    /// The margin, which is the available control authority index of Du and Quan (2015): the smallest facet slack of
+    /// hover in the plain norm of N and N m. Inside it is the distance to the boundary; outside it is negative. `None`
+    /// if the set is flat.
     pub acai: Option<f64>,
-    /// The same in (T, tau_x, tau_y).
+    /// The margin in (T, tau_x, tau_y), for the yaw-free set.
     pub acai_yaw_free: Option<f64>,
-    /// Heaviest mass that hovers, kg; `None` where no mass does.
+    /// Heaviest mass that can hover, kg; `None` if no mass can.
     pub critical_mass_kg: Option<f64>,
+    /// Heaviest mass that can hover if yaw is given up, kg; `None` if no mass can.
     pub critical_mass_yaw_free_kg: Option<f64>,
-    /// Lightest mass that hovers, kg: above 0 where rotors may not stop or are stuck.
+    /// Lightest mass that can hover, kg; above 0 if rotors may not stop or are stuck.
     pub least_mass_kg: Option<f64>,
-    /// e_p = A Omega_s - u_ref of (31), [N, N m, N m, N m].
+    /// The residual e_p = A Omega_s - u_ref of (31), [N, N m, N m, N m]; zero if hover can be reached.
     pub residual4: [f64; 4],
-    /// The same without tau_z.
+    /// The residual of (31) without tau_z, [N, N m, N m].
     pub residual3: [f64; 3],
-    /// `None` where hover is outside the set.
+    /// `None` unless the mode is controllable.
     pub headroom: Option<Headroom>,
-    /// Share of the zonotope's volume that the pseudo-inverse does not reach without clipping; `None` with the bounded
-    /// allocation, which reaches all, and where the set is flat.
+    /// The share of the zonotope's volume that the pseudo-inverse does not reach without clipping, 0 to 1. `None` with
+    /// the bounded allocation, which reaches all of it, and if the set is flat.
     pub given_away: Option<f64>,
-    /// The two rows of the actuation matrix at the smallest angle.
+    /// The two rows of the actuation matrix with the smallest angle between them.
     pub nearest_rows: Option<Parallel>,
-    /// What the spec's intervals make of it; `None` where it has none.
+    /// Verdict and margin over the spec's intervals; `None` if it has none.
     pub robust: Option<Robust>,
 }
 
 impl ModeAnalysis {
-    /// Whether the mode keeps full control at hover with some of it to spare. Only such modes can keep a reserve.
+    /// Whether hover is controllable and strictly inside the set. Only such modes can keep a reserve.
     pub fn keeps_full_control(&self) -> bool {
         self.verdict == Verdict::Controllable && self.hover == Place::Inside
     }
 
-    /// Where hover lies relative to the mode's set with every axis held, yaw too.
+    /// Where hover lies relative to the mode's set with all four axes controlled, yaw included.
     pub fn hover_all_axes(&self) -> Place {
         if self.verdict == Verdict::Controllable { self.hover } else { Place::Outside }
     }
 
-    /// `inside`, `on the edge, yaw free`: where hover lies, in the words of every report.
-    pub fn hover_words(&self) -> String {
+    /// Where hover lies, in the words of all reports: for example `inside` or `on the edge, yaw free`.
+    pub(crate) fn hover_words(&self) -> String {
         let free = if self.verdict == Verdict::Stabilizable { ", yaw free" } else { "" };
         format!("{}{free}", self.hover.word())
     }
 }
 
-/// Analyses every set in `sets` (healthy first, as [`AdmissibleSet::all`] gives them).
+/// Analyses the given sets, in their order.
 pub fn analyze_all(model: &Model, sets: &[AdmissibleSet]) -> Vec<ModeAnalysis> {
     sets.iter().map(|s| analyze(model, s)).collect()
 }
 
-/// Analyses every set of a spec, healthy first, one at a time.
-pub fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
+/// Analyses the healthy vehicle and every mode of a model, one at a time, without keeping the sets.
+pub(crate) fn analyze_each(model: &Model) -> Vec<ModeAnalysis> {
     AdmissibleSet::each(model).map(|set| analyze(model, &set)).collect()
 }
 
-/// The record of one mode.
+/// Analyses one set of the model.
+///
+/// # Panics
+/// If the set is not of this model.
 pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     let rotors = model.vehicle.rotors.len();
     let (lost, capacity, stuck) = match set.mode.checked_sub(1) {
@@ -167,7 +185,8 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
     }
 }
 
-/// What the verdict is made of: the points nearest to hover, and the rows of the shadow.
+/// The data of the verdict: the points of the set and of its yaw-free projection nearest to hover, and the rows of the
+/// projection.
 struct Reach {
     nearest: Wrench,
     nearest3: Vector3<f64>,
@@ -185,7 +204,8 @@ impl Reach {
         let by_rows = || {
             let inside = set.polytope.nearest(hover);
             let yaw_free = set.polytope.shadow(inside.as_ref(), &set.zonotope.scale());
-            // Where idling rotors stand in its way the pseudo-inverse gives nothing unclipped; all idling is what is left.
+            // If the lowest speeds leave the pseudo-inverse no unclipped wrench, the wrench of all rotors at their
+            // lowest speeds is used.
             Reach {
                 nearest: inside.unwrap_or(set.zonotope.center),
                 nearest3: yaw_free.nearest(hover3).unwrap_or(shadow.center),
@@ -199,18 +219,18 @@ impl Reach {
     }
 }
 
-/// The shadow of the set in (T, tau_x, tau_y): what can be had when tau_z is left free.
+/// The yaw-free set: the projection of the zonotope on (T, tau_x, tau_y), with tau_z left free.
 pub fn without_yaw(zonotope: &Zonotope<4>) -> Zonotope<3> {
     let drop = |w: &Wrench| Vector3::new(w[0], w[1], w[2]);
     Zonotope { center: drop(&zonotope.center), generators: zonotope.generators.iter().map(drop).collect() }
 }
 
-/// Rounding dust in a residual is zero.
+/// The residual with rounding errors set to zero.
 fn clean<const D: usize>(e: SVector<f64, D>, edge: f64) -> SVector<f64, D> {
     if e.norm() < edge { SVector::zeros() } else { e.map(|v| if v.abs() < 1e-12 { 0.0 } else { v }) }
 }
 
-/// Signed distance to the boundary; `None` where the set is flat, exactly 0 on the boundary.
+/// The margin of a point, exactly 0 on the edge; `None` if the set is flat.
 fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVector<f64, D>, edge: f64) -> Option<f64> {
     if !polytope.equalities.is_empty() {
         return None;
@@ -219,7 +239,7 @@ fn signed_margin<const D: usize, O: Clone>(polytope: &Polytope<D, O>, at: &SVect
     Some(if margin.abs() <= edge { 0.0 } else { margin })
 }
 
-/// Least and largest T >= 0 with [T, 0, ...] in the set, N.
+/// The smallest and the largest T >= 0 with [T, 0, ..] in the set, N. `size` is the set's extent in thrust, N.
 fn lift<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<(f64, f64)> {
     let mut thrust = SVector::<f64, D>::zeros();
     thrust[0] = 1.0;
@@ -228,7 +248,7 @@ fn lift<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Optio
     (high >= -ROUNDING * size).then(|| (dust(low), dust(high)))
 }
 
-/// Largest T with [T, 0, ...] in the set, N.
+/// The largest T with [T, 0, ..] in the set, N.
 fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> Option<f64> {
     lift(polytope, size).map(|(_, high)| high)
 }
@@ -246,6 +266,7 @@ fn given_away(set: &AdmissibleSet) -> Option<f64> {
     Some((1.0 - kept / set.zonotope.volume()).clamp(0.0, 1.0))
 }
 
+/// The distances from `at` to the boundary along each axis. `size` is the extent of the set in thrust, N.
 fn headroom(set: &AdmissibleSet, at: &Wrench, size: f64) -> Headroom {
     let along = |axis: usize| {
         let mut direction = Wrench::zeros();

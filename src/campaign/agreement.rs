@@ -1,19 +1,21 @@
-//! Whether what the plans predict comes true: flights lost against the times outside the fault sets.
+//! Whether the plans predict which flights are lost: losses compared with violations of the fault modes' sets.
 //!
-//! A mode that leaves no full control is outside its set all the time, whatever is planned. A prediction that only
-//! tells such modes from the others is worth little, so the modes with hover inside their sets are counted apart.
+//! The prediction: a vehicle is lost if the fault strikes before the plan's last violation of the mode's set. Only flights
+//! that were still flying when the fault struck are counted.
 //!
-//! The prediction: a vehicle is lost where the fault strikes before the plan is outside the mode's set for the last
-//! time. Only flights that lived to the fault say anything about it.
+//! A mode without full control violates its set at all times, whatever is planned. A prediction that only separates such
+//! modes from the others is of little value, so the modes with hover inside their sets are also counted separately.
 
 use super::design::Design;
 use super::statistics::{Contingency, spearman};
 use super::tally::Tally;
 use crate::model::PlannerKind;
 
-/// Below this a phi coefficient or a rank correlation says nothing; above the others it is moderate, and strong.
+/// A phi coefficient or rank correlation below this is no better than chance.
 const CHANCE: f64 = 0.1;
+/// From here on it is moderate.
 const MODERATE: f64 = 0.3;
+/// From here on it is strong.
 const STRONG: f64 = 0.5;
 
 /// Over all declared modes, and over those with hover inside their sets.
@@ -23,25 +25,26 @@ pub struct Agreement {
     pub inside: Scope,
 }
 
+/// Agreement over some modes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scope {
     pub modes: usize,
     /// Over all distinct plans, and for each planner. If planners share a plan, the total counts it once.
     pub total: Contingency,
     pub planners: Vec<(PlannerKind, Contingency)>,
-    /// Of seconds outside with the share lost, over plans and modes.
+    /// Between violation duration and share lost, over plans and modes.
     pub rank_correlation: Option<f64>,
     /// Pairs of plan and mode with struck flights.
     pub pairs: usize,
 }
 
-/// What a measure of agreement is worth.
+/// How strong an agreement is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Worth {
+pub enum Strength {
     /// Predictions or observations are all the same.
     Undefined,
-    /// The opposite of what is predicted happens more often than chance would have it.
+    /// The opposite of the prediction happens more often than by chance.
     Opposite,
     Chance,
     Weak,
@@ -49,20 +52,22 @@ pub enum Worth {
     Strong,
 }
 
-impl Worth {
-    pub fn of(measure: Option<f64>) -> Worth {
+impl Strength {
+    /// The class of a phi coefficient or rank correlation; `None` if it is undefined.
+    pub fn of(measure: Option<f64>) -> Strength {
         match measure {
-            None => Worth::Undefined,
-            Some(m) if m <= -CHANCE => Worth::Opposite,
-            Some(m) if m < CHANCE => Worth::Chance,
-            Some(m) if m < MODERATE => Worth::Weak,
-            Some(m) if m < STRONG => Worth::Moderate,
-            Some(_) => Worth::Strong,
+            None => Strength::Undefined,
+            Some(m) if m <= -CHANCE => Strength::Opposite,
+            Some(m) if m < CHANCE => Strength::Chance,
+            Some(m) if m < MODERATE => Strength::Weak,
+            Some(m) if m < STRONG => Strength::Moderate,
+            Some(_) => Strength::Strong,
         }
     }
 }
 
 impl Agreement {
+    /// From the flights counted so far.
     pub fn new(design: &Design, tally: &Tally) -> Self {
         let hold = |m: &usize| design.inside[*m];
         Agreement {

@@ -1,9 +1,9 @@
-//! Cases by number: planner, then mode, then instant of the fault, then seed, the last one fastest.
+//! Numbering of cases: planner, mode, instant of the fault, seed; the seed varies fastest.
 
 /// Most flights of a campaign.
 pub const MAX_FLIGHTS: usize = 100_000_000;
 
-/// How many of each.
+/// The dimensions of a campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cases {
     pub planners: usize,
@@ -32,12 +32,12 @@ pub struct StrikeAt {
 }
 
 impl Cases {
-    /// Every plan flies once without a fault, and once for each mode and instant; all that for each seed.
+    /// Number of cases: for each seed, every plan is flown once without a fault and once for each mode and instant.
     pub fn count(&self) -> usize {
         self.planners * self.blocks() * self.seeds
     }
 
-    /// Blocks of seeds for each planner: the healthy one first.
+    /// Number of blocks of seeds for each planner; the first is the healthy one.
     fn blocks(&self) -> usize {
         1 + self.modes * self.times
     }
@@ -57,7 +57,7 @@ impl Cases {
     }
 }
 
-/// The cases whose number leaves `index` when divided by `of`.
+/// The cases whose number has the remainder `index` when divided by `of`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     /// 0-based; below `of`.
@@ -68,7 +68,7 @@ pub struct Shard {
 impl Shard {
     pub const WHOLE: Shard = Shard { index: 0, of: 1 };
 
-    /// Cases of a campaign of `count` that are in this shard.
+    /// Number of cases of a campaign of `count` cases that are in this shard.
     pub fn count(&self, count: usize) -> usize {
         count.saturating_sub(self.index).div_ceil(self.of)
     }
@@ -79,8 +79,8 @@ pub fn fault_time(mission_time: f64, times: usize, index: usize) -> f64 {
     mission_time * (2 * index + 1) as f64 / (2 * times) as f64
 }
 
-/// The seed of a flight's noise. It depends on the index of the seed alone: all planners, modes and instants meet the
-/// same noise and gusts, so that they can be compared in pairs. A step of SplitMix64 (Steele, Lea, Flood 2014).
+/// The seed of a flight's noise. It depends only on the index of the seed: all planners, modes and instants have the same
+/// noise and gusts, so that they can be compared in pairs. One step of SplitMix64 (Steele, Lea, Flood 2014).
 pub fn noise_seed(campaign_seed: u64, seed: usize) -> u64 {
     let mix = |z: u64| {
         let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -88,6 +88,6 @@ pub fn noise_seed(campaign_seed: u64, seed: usize) -> u64 {
         z ^ (z >> 31)
     };
     const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
-    // The campaign's seed is mixed first: else seeds of neighbouring campaigns would meet.
+    // The campaign's seed is mixed first: otherwise campaigns with consecutive seeds would share flights' seeds.
     mix(mix(campaign_seed.wrapping_add(GOLDEN)).wrapping_add((seed as u64).wrapping_mul(GOLDEN)))
 }

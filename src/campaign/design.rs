@@ -1,4 +1,4 @@
-//! What a campaign flies: plans at one mission time, and how each stands to every declared mode.
+//! The design of a campaign: plans at one mission time, and the violations of every declared mode's set by each plan.
 
 use super::cases::{Case, Cases, fault_time};
 use crate::admissible::AdmissibleSet;
@@ -19,20 +19,20 @@ pub struct Plan {
     /// Names of the modes it plans against.
     pub against: Vec<String>,
     pub trajectory: Trajectory,
-    /// Against every declared mode, in their order, with the spec's reserve.
+    /// Violations of every declared mode's set, in their order, with the spec's reserve.
     pub outside: Vec<Outside>,
 }
 
-/// A planner that is left out.
+/// A planner without a plan to fly.
 #[derive(Debug, Clone)]
 pub struct Missing {
     pub planner: PlannerKind,
-    /// `None` where it was not run: RCP where no mode is to be stood, or any planner where there is no common time.
+    /// `None` if it was not run: RCP without a mode to tolerate, or any planner without a common time.
     pub outcome: Option<PlanOutcome>,
 }
 
 impl Missing {
-    /// On the plan at the common time.
+    /// The verdict about its plan at the common time.
     pub fn verdict(&self) -> Verdict {
         self.outcome.as_ref().map_or(Verdict::NotAttempted, PlanOutcome::verdict)
     }
@@ -45,8 +45,8 @@ pub struct Design<'a> {
     /// In the order of the spec's planners; never empty.
     pub plans: Vec<Plan>,
     pub missing: Vec<Missing>,
-    /// For each declared mode whether hover lies inside its set, with all of thrust, roll, pitch and yaw in hand: only
-    /// such modes can keep a reserve.
+    /// For each declared mode whether hover lies inside its set of full wrenches: only against such modes can a plan keep a
+    /// reserve.
     pub inside: Vec<bool>,
     /// T_d, s.
     pub time: f64,
@@ -54,7 +54,7 @@ pub struct Design<'a> {
     pub id: Identity,
 }
 
-/// Tells campaigns apart.
+/// A hash that identifies a campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Identity(pub u64);
 
@@ -75,9 +75,11 @@ impl FromStr for Identity {
 }
 
 impl<'a> Design<'a> {
-    /// From the plans at the common time ([`crate::planner::studies::Scope::Common`]). `Err`: no planner has a plan.
+    /// The design with the plans at the common time ([`crate::planner::studies::Scope::Common`]). `origin` identifies all
+    /// files and overrides, and the program, by their hashes.
     ///
-    /// `origin` names all files and overrides, and the program, by their hashes.
+    /// # Errors
+    /// No planner has a plan.
     pub fn new(model: &'a Model, comparison: &Comparison, origin: &str) -> Result<Self, Vec<Missing>> {
         let mut plans = Vec::new();
         let mut missing = Vec::new();
@@ -105,7 +107,7 @@ impl<'a> Design<'a> {
         Ok(design)
     }
 
-    /// Hash of the spec, the program, the mission time, the planners and how many there are of everything.
+    /// Hash of the spec, the program, the mission time, the planners and the dimensions of the campaign.
     fn identity(&self, origin: &str) -> Identity {
         let Cases { planners, modes, times, seeds } = self.cases;
         let mut hash = Sha256::new();
@@ -120,22 +122,25 @@ impl<'a> Design<'a> {
         Identity(bytes.iter().take(8).fold(0, |id, byte| id << 8 | u64::from(*byte)))
     }
 
+    /// The plan that a case flies.
     pub fn plan(&self, case: &Case) -> &Plan {
         &self.plans[case.planner]
     }
 
-    /// What the case is struck with, and when, s.
+    /// The fault of a case and its instant, s.
     pub fn strike(&self, case: &Case) -> Option<(&'a FaultMode, f64)> {
         case.strike.map(|s| (&self.model.modes[s.mode], self.fault_time(s.time)))
     }
 
+    /// The instant with this index, s.
     pub fn fault_time(&self, index: usize) -> f64 {
         fault_time(self.time, self.cases.times, index)
     }
 }
 
-/// Finds for each declared mode whether hover lies inside its set ([`crate::admissible::edge`]), and when each plan is outside. Sets that hold hover keep the reserve; the others cannot be shrunk about it. One set is kept at a time: those
-/// of all modes may not fit in memory.
+/// Computes for each declared mode whether hover lies inside its set ([`crate::admissible::edge`]), and the violations of
+/// each plan. Sets with hover inside are shrunk by the reserve; the others cannot be shrunk about hover. Only one set is in
+/// memory at a time: those of all modes may not fit.
 fn judge(model: &Model, plans: &mut [Plan]) -> Vec<bool> {
     let healthy = AdmissibleSet::healthy(model);
     let mut inside = Vec::new();

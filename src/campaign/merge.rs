@@ -1,4 +1,4 @@
-//! Joining the rows of shards: every case exactly once, in order, byte for byte as one run would have written them.
+//! Merging the rows of shards: every case exactly once, in order, byte for byte as a single run writes them.
 
 use super::cases::MAX_FLIGHTS;
 use super::design::Identity;
@@ -7,19 +7,20 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::io::{BufRead, Error, Write};
 
-/// Missing cases that are named.
+/// Most missing cases that a message names.
 const NAMED: usize = 5;
 
+/// Why rows could not be merged.
 #[derive(Debug)]
 pub enum MergeError {
-    /// Which source could not be read.
+    /// The source that could not be read.
     Read(String, Error),
     Write(Error),
-    /// The sources do not make a whole campaign.
+    /// The sources do not form a whole campaign.
     Content(String),
 }
 
-/// What was joined.
+/// The merged campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Merged {
     pub campaign: Identity,
@@ -34,11 +35,14 @@ struct Source<R> {
     /// The line with its end, and its case.
     bytes: Vec<u8>,
     case: usize,
-    /// Distance between its first two cases: how many shards there seem to be.
+    /// Distance between its first two cases, which is the likely number of shards.
     stride: Option<usize>,
 }
 
 /// Writes the rows of all sources in the order of their cases. Memory: one line of each source.
+///
+/// # Errors
+/// A source cannot be read, `out` cannot be written, or the sources do not form a whole campaign.
 pub fn merge<R: BufRead>(sources: Vec<(String, R)>, out: &mut impl Write) -> Result<Merged, MergeError> {
     let mut campaign: Option<(Merged, String)> = None;
     let mut next = BinaryHeap::new();
@@ -53,7 +57,7 @@ pub fn merge<R: BufRead>(sources: Vec<(String, R)>, out: &mut impl Write) -> Res
         }
     }
     let Some((merged, _)) = campaign.clone() else {
-        return Err(MergeError::Content("there is not one row in these files".into()));
+        return Err(MergeError::Content("these files contain no rows".into()));
     };
     let mut missing = Missing::default();
     let mut due = 0;
@@ -62,10 +66,10 @@ pub fn merge<R: BufRead>(sources: Vec<(String, R)>, out: &mut impl Write) -> Res
     while let Some(Reverse((case, k))) = next.pop() {
         if case < due {
             let (a, b) = (&sources[last].name, &sources[k].name);
-            return Err(MergeError::Content(format!("case {case} is both in {a} and in {b}: give each shard once")));
+            return Err(MergeError::Content(format!("case {case} is in both {a} and {b}: give each shard once")));
         }
         missing.add(due..case);
-        // What is not whole is not written on.
+        // After a missing case nothing more is written.
         if missing.count == 0 {
             out.write_all(&sources[k].bytes).map_err(MergeError::Write)?;
         }
@@ -93,7 +97,7 @@ impl<R: BufRead> Source<R> {
         match self.bytes.last() {
             None => Ok(false),
             Some(b'\n') => Ok(true),
-            Some(_) => Err(self.wrong("the line is torn: let that shard run to its end")),
+            Some(_) => Err(self.wrong("the line is incomplete: let that shard run to its end")),
         }
     }
 
@@ -101,30 +105,30 @@ impl<R: BufRead> Source<R> {
         if self.read()? && self.bytes.strip_suffix(b"\n") == Some(header().as_bytes()) {
             return Ok(());
         }
-        Err(self.wrong("this is not the heading of a campaign's rows"))
+        Err(self.wrong("this is not the header of a campaign's rows"))
     }
 
-    /// Goes to the next row, which must be of the campaign and after the one before; false at the end.
+    /// Advances to the next row, which must belong to the campaign and follow the previous one; false at the end.
     fn advance(&mut self, campaign: &mut Option<(Merged, String)>) -> Result<bool, MergeError> {
         if !self.read()? {
             return Ok(false);
         }
         let text = str::from_utf8(&self.bytes).ok().and_then(|t| t.strip_suffix('\n'));
-        let row = Row::read(text.ok_or_else(|| self.wrong("it is not UTF-8 text"))?).map_err(|e| self.wrong(&e))?;
+        let row = Row::read(text.ok_or_else(|| self.wrong("not UTF-8 text"))?).map_err(|e| self.wrong(&e))?;
         let own = Merged { campaign: row.campaign, cases: row.cases };
         let (first, of) = campaign.get_or_insert_with(|| (own, self.name.clone()));
         if own != *first {
             let what = match own.campaign == first.campaign {
-                true => format!("a row of a campaign of {} cases, while {of} has {}", own.cases, first.cases),
-                false => format!("a row of campaign {}, while {of} is of {}", own.campaign, first.campaign),
+                true => format!("a row of a campaign with {} cases, but {of} has {}", own.cases, first.cases),
+                false => format!("a row of campaign {}, but {of} belongs to {}", own.campaign, first.campaign),
             };
             return Err(self.wrong(&what));
         }
         if row.cases > MAX_FLIGHTS {
-            return Err(self.wrong(&format!("{} cases, and a campaign has at most {MAX_FLIGHTS}", row.cases)));
+            return Err(self.wrong(&format!("{} cases, but a campaign has at most {MAX_FLIGHTS}", row.cases)));
         }
         if row.case >= row.cases {
-            return Err(self.wrong(&format!("case {} of only {}", row.case, row.cases)));
+            return Err(self.wrong(&format!("case {} of a campaign with {}", row.case, row.cases)));
         }
         if self.line > 2 && row.case <= self.case {
             return Err(self.wrong(&format!("case {} comes after case {}", row.case, self.case)));
@@ -137,13 +141,14 @@ impl<R: BufRead> Source<R> {
     }
 }
 
-/// Cases in no source.
+/// Cases that are in no source.
 #[derive(Default)]
 struct Missing {
     count: usize,
     first: Vec<usize>,
-    /// The case before, and the one distance between all of them.
+    /// The last missing case.
     last: usize,
+    /// The distance between missing cases, if it is always the same.
     stride: Option<usize>,
     is_uneven: bool,
 }
@@ -164,12 +169,12 @@ impl Missing {
         self.first.extend(cases.take(NAMED - self.first.len()));
     }
 
-    /// From one missing case to the next.
+    /// Records the distance from one missing case to the next.
     fn step(&mut self, step: usize) {
         self.is_uneven |= *self.stride.get_or_insert(step) != step;
     }
 
-    /// `shards`: how many there seem to be.
+    /// The message; `shards` is the likely number of shards.
     fn message(&self, of: usize, shards: Option<usize>) -> String {
         let named: Vec<String> = self.first.iter().map(usize::to_string).collect();
         let more = match self.count - self.first.len() {
@@ -177,7 +182,7 @@ impl Missing {
             n => format!(" and {n} more"),
         };
         let whole = shards.filter(|&n| n > 1 && !self.is_uneven && self.stride.is_none_or(|s| s == n));
-        let shard = whole.map_or(String::new(), |n| format!(": they are of shard {}/{n}", self.first[0] % n + 1));
+        let shard = whole.map_or(String::new(), |n| format!(": they belong to shard {}/{n}", self.first[0] % n + 1));
         let plural = if self.count == 1 { "" } else { "s" };
         format!("{} of {of} cases are missing, case{plural} {}{more}{shard}", self.count, named.join(", "))
     }

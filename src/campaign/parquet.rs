@@ -10,7 +10,7 @@ use parquet::schema::parser::parse_message_type;
 use std::io::{BufRead, Write};
 use std::sync::Arc;
 
-/// Rows in a group: some 10 MB in memory.
+/// Rows in a group: about 10 MB in memory.
 const GROUP: usize = 65_536;
 
 /// The columns in the order of [`super::rows::COLUMNS`].
@@ -40,13 +40,16 @@ const SCHEMA: &str = "message campaign {
     required byte_array checksum (UTF8);
 }";
 
-/// Writes the rows of a finished CSV. Errors: reading, writing, or a line that is no row.
+/// Writes the rows of a finished CSV as Parquet.
+///
+/// # Errors
+/// Reading or writing fails, or a line is not a row.
 pub fn convert(input: impl BufRead, out: impl Write + Send) -> Result<()> {
     let wrong = |line: usize, what: String| ParquetError::General(format!("line {line} of the rows: {what}"));
     let mut lines = input.lines().enumerate();
     match lines.next() {
         Some((_, Ok(line))) if line == header() => {}
-        _ => return Err(wrong(1, "it is not their heading".into())),
+        _ => return Err(wrong(1, "not the header".into())),
     }
     let schema = Arc::new(parse_message_type(SCHEMA)?);
     let properties = Arc::new(WriterProperties::builder().set_compression(Compression::SNAPPY).build());
@@ -110,7 +113,7 @@ struct Columns<'a, W: Write> {
 }
 
 impl<W: Write + Send> Columns<'_, W> {
-    /// Values that are there, and for optional columns which are.
+    /// Writes the values that are present; for optional columns, `levels` marks them (1) and the missing ones (0).
     fn write<T: DataType>(&mut self, values: &[T::T], levels: Option<&[i16]>) -> Result<()> {
         let end = || ParquetError::General("the schema has too few columns".into());
         let mut column = self.group.next_column()?.ok_or_else(end)?;

@@ -1,4 +1,4 @@
-//! One flight as one line of CSV: written, and read back strictly. SI units.
+//! One flight as one line of CSV: writing and strict reading. SI units.
 
 use super::HEALTHY;
 use super::cases::Case;
@@ -8,6 +8,7 @@ use crate::number::shortest;
 use sha2::{Digest, Sha256};
 use std::io::{BufRead, ErrorKind, Read};
 
+/// Names of the columns.
 pub const COLUMNS: [&str; 23] = [
     "campaign",
     "cases",
@@ -34,13 +35,13 @@ pub const COLUMNS: [&str; 23] = [
     "checksum",
 ];
 
-/// Bytes of a line at most: names of planners and modes are far shorter.
+/// Longest line, bytes: names of planners and modes are far shorter.
 const MOST_LINE: u64 = 1 << 16;
 
-/// Reads the next line with its end into `line`; how many bytes these are, 0 at the end of the input.
+/// Reads the next line, including its end, into `line`, and returns its number of bytes, 0 at the end of the input.
 ///
 /// # Errors
-/// As reading fails, and [`ErrorKind::InvalidData`] for a line that no row is as long as.
+/// Reading fails, or ([`ErrorKind::InvalidData`]) the line is longer than any row.
 pub fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> std::io::Result<usize> {
     line.clear();
     let read = input.by_ref().take(MOST_LINE).read_until(b'\n', line)?;
@@ -50,21 +51,21 @@ pub fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> std::io::Resul
     }
 }
 
-/// The first eight hexadecimal digits of the hash of a line's other cells, as they are written.
+/// The first eight hexadecimal digits of the hash of a line's other cells as written.
 fn checksum(cells: &str) -> String {
     Sha256::digest(cells.as_bytes()).iter().take(4).map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// The first line, without its end.
+/// The first line, without its line end.
 pub fn header() -> String {
     COLUMNS.join(",")
 }
 
-/// What became of one case.
+/// The result of one case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     pub campaign: Identity,
-    /// Of the whole campaign.
+    /// Number of cases of the whole campaign.
     pub cases: usize,
     pub case: usize,
     pub planner: String,
@@ -78,15 +79,15 @@ pub struct Row {
     /// m
     pub rms_error: f64,
     pub max_error: f64,
-    /// m; `None` where no fault struck before the end.
+    /// m; `None` if no fault struck before the end.
     pub rms_error_after: Option<f64>,
     /// rad
     pub max_tilt: f64,
-    /// Heading error, rad; `None` where no fault struck before the end.
+    /// Heading error, rad; `None` if no fault struck before the end.
     pub rms_heading_error: f64,
     pub max_heading_error: f64,
     pub max_heading_error_after: Option<f64>,
-    /// Most whole turns away from the planned heading.
+    /// Largest number of whole turns away from the planned heading.
     pub turns: usize,
     /// Seconds after the fault.
     pub detected_after: Option<f64>,
@@ -95,6 +96,7 @@ pub struct Row {
     pub refused: usize,
 }
 
+/// How a flight ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FlightOutcome {
     Flown,
@@ -105,6 +107,7 @@ pub enum FlightOutcome {
 }
 
 impl Row {
+    /// The row of a case and its flight.
     pub fn new(design: &Design, case: &Case, flight: &Flight) -> Self {
         let (planner, mode, fault_time) = names(design, case);
         let found = flight.found.first();
@@ -125,7 +128,7 @@ impl Row {
             end: flight.end,
             rms_error: flight.rms_error,
             max_error: flight.max_error,
-            // A vehicle lost before the fault was never struck.
+            // A vehicle that was lost before the fault was never struck.
             rms_error_after: found.map(|_| flight.rms_error_after),
             max_tilt: flight.max_tilt,
             rms_heading_error: flight.heading.rms,
@@ -152,7 +155,7 @@ impl Row {
         self.is_lost() && self.fault_time.is_some() && self.rms_error_after.is_none()
     }
 
-    /// Whether the row tells of this case of this campaign.
+    /// Whether the row belongs to this case of this campaign.
     pub fn is_of(&self, design: &Design, case: &Case) -> bool {
         let (planner, mode, fault_time) = names(design, case);
         (self.campaign, self.cases, self.case) == (design.id, design.cases.count(), case.number)
@@ -160,7 +163,7 @@ impl Row {
             && self.fault_time == fault_time
     }
 
-    /// The line, without its end. Numbers are the shortest that read back as the same.
+    /// The line, without its line end. Numbers have the shortest text that reads back as the same number.
     pub fn line(&self) -> String {
         let cells = self.cells();
         let checksum = checksum(&cells);
@@ -172,7 +175,7 @@ impl Row {
         checksum(&self.cells())
     }
 
-    /// All cells but the checksum.
+    /// All cells except the checksum.
     fn cells(&self) -> String {
         let optional = |v: Option<f64>| v.map(shortest).unwrap_or_default();
         let (outcome, cause) = match self.outcome {
@@ -206,24 +209,27 @@ impl Row {
         )
     }
 
-    /// A line without its end, which must be what [`Row::line`] writes. Errors: what is wrong with it.
+    /// Reads a line without its line end, which must be exactly what [`Row::line`] writes.
+    ///
+    /// # Errors
+    /// What is wrong with the line.
     pub fn read(line: &str) -> Result<Row, String> {
         let count = line.split(',').count();
         let (cells, sum) = line
             .rsplit_once(',')
             .filter(|_| count == COLUMNS.len())
-            .ok_or_else(|| format!("{count} cells where there should be {}", COLUMNS.len()))?;
+            .ok_or_else(|| format!("{count} cells instead of {}", COLUMNS.len()))?;
         let row = Row::read_cells(&cells.split(',').collect::<Vec<_>>())?;
         match (sum == checksum(cells), row.cells() == cells) {
             (true, true) => Ok(row),
-            (false, _) => Err("the row does not fit its checksum: it was changed after it was written".into()),
+            (false, _) => Err("the row does not match its checksum: it was changed after it was written".into()),
             (true, false) => Err("a number is not written as mavc writes it".into()),
         }
     }
 
-    /// All cells but the checksum, as many as there should be.
+    /// Reads all cells except the checksum; their number is correct.
     fn read_cells(cells: &[&str]) -> Result<Row, String> {
-        let wrong = |k: usize| format!("{:?} is no {}", cells[k], COLUMNS[k]);
+        let wrong = |k: usize| format!("{:?} is not a valid {}", cells[k], COLUMNS[k]);
         let count = |k: usize| cells[k].parse::<usize>().map_err(|_| wrong(k));
         let float = |k: usize| cells[k].parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(k));
         let optional = |k: usize| if cells[k].is_empty() { Ok(None) } else { float(k).map(Some) };
@@ -232,7 +238,7 @@ impl Row {
             ("landed", None) if cells[8].is_empty() => FlightOutcome::Landed,
             ("lost", Some(cause)) => FlightOutcome::Lost(cause),
             ("diverged", None) if cells[8].is_empty() => FlightOutcome::Diverged,
-            _ => return Err(format!("{:?} with cause {:?} is no outcome", cells[7], cells[8])),
+            _ => return Err(format!("{:?} with cause {:?} is not a valid outcome", cells[7], cells[8])),
         };
         Ok(Row {
             campaign: cells[0].parse().map_err(|()| wrong(0))?,
@@ -260,7 +266,7 @@ impl Row {
     }
 }
 
-/// Planner, mode and instant (s) as rows call them.
+/// Planner, mode and instant (s) as in rows.
 fn names<'a>(design: &'a Design, case: &Case) -> (&'a str, &'a str, Option<f64>) {
     let strike = design.strike(case);
     let mode = strike.map_or(HEALTHY, |(mode, _)| mode.name.as_str());

@@ -1,4 +1,4 @@
-//! Flying cases, many at a time, with results in their order.
+//! Simulates cases in parallel, with results in the order of the cases.
 
 use super::cases::{Case, noise_seed};
 use super::design::Design;
@@ -8,15 +8,15 @@ use crate::model::Strike;
 use crate::source::Span;
 use rayon::prelude::*;
 
-/// Flights in a chunk for each thread: enough to even out flights that end early, few enough to lose little when
-/// a campaign is interrupted.
+/// Flights in a chunk for each thread: enough to balance flights that end early, and few enough that an interrupted campaign
+/// loses little.
 const CHUNK: usize = 16;
 
-/// A flight goes on for at least this long after the fault, s, in hover where the mission has ended: a vehicle that
-/// is falling when the mission ends has not survived.
+/// A flight continues for at least this long after the fault, s, in hover after the end of the mission: a vehicle that is
+/// falling when the mission ends has not survived.
 pub const AFTERMATH: f64 = 3.0;
 
-/// Flies one case.
+/// Simulates one case.
 pub fn fly_case(design: &Design, case: &Case) -> Row {
     let strikes: Vec<Strike> = case
         .strike
@@ -39,7 +39,10 @@ pub fn fly_case(design: &Design, case: &Case) -> Row {
     Row::new(design, case, &fly(&sortie, None))
 }
 
-/// Flies cases and hands their rows on in order, a chunk at a time; ends early where `take` fails.
+/// Simulates cases and passes their rows to `take` in order, a chunk at a time.
+///
+/// # Errors
+/// The first error of `take`, which ends the run.
 pub fn fly_all<E>(
     design: &Design,
     cases: impl Iterator<Item = Case>,

@@ -1,4 +1,4 @@
-//! Rows that are on disk already: how far they go, and that they are the rows of this campaign and shard, in order.
+//! Scans rows that are already on disk: how far they go, and whether they are the rows of this campaign and shard, in order.
 
 use super::cases::{Case, Shard};
 use super::design::Design;
@@ -11,21 +11,22 @@ pub struct Scan {
     pub rows: usize,
     /// Up to the end of the last complete line.
     pub bytes: u64,
-    /// Something follows that is no complete line.
+    /// An incomplete line follows.
     pub torn: bool,
 }
 
+/// Why rows on disk cannot be continued.
 #[derive(Debug)]
 pub enum ScanError {
     Read(Error),
-    /// A line, counted from 1, and what is wrong with it.
+    /// A line, counted from 1, and its defect.
     Damaged {
         line: usize,
         what: String,
     },
     /// Rows of another campaign.
     Foreign,
-    /// A row of this campaign that is not the one due in this shard; line counted from 1.
+    /// A row of this campaign that is not the expected one of this shard; the line is counted from 1.
     OutOfOrder {
         line: usize,
         found: usize,
@@ -33,7 +34,10 @@ pub enum ScanError {
     },
 }
 
-/// Reads rows, gives each with its case, and stops at the end or before a torn last line.
+/// Reads rows, passes each with its case to `take`, and stops at the end or before an incomplete last line.
+///
+/// # Errors
+/// Reading fails, or a row is damaged, foreign or out of order.
 pub fn scan(
     design: &Design,
     shard: Shard,
@@ -50,10 +54,10 @@ pub fn scan(
             break;
         }
         let damaged = |what: String| ScanError::Damaged { line, what };
-        let text = str::from_utf8(&bytes).map_err(|_| damaged("it is not UTF-8 text".into()))?;
+        let text = str::from_utf8(&bytes).map_err(|_| damaged("not UTF-8 text".into()))?;
         if line == 1 {
             if text != header() {
-                return Err(damaged("it is not the heading of a campaign's rows".into()));
+                return Err(damaged("not the header of a campaign's rows".into()));
             }
         } else {
             let row = Row::read(text).map_err(damaged)?;

@@ -1,11 +1,11 @@
-//! The statistics of a campaign, each in its closed form.
+//! The statistics of a campaign, in closed form.
 
 use serde::Serialize;
 
 /// The standard normal distribution's 97.5 % point.
 const Z: f64 = 1.959_963_984_540_054;
 
-/// A share with its 95 % confidence interval, all 0..1.
+/// A share with its 95 % confidence interval, all from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Share {
     pub share: f64,
@@ -13,7 +13,7 @@ pub struct Share {
     pub high: f64,
 }
 
-/// The score interval of a binomial share (Wilson 1927); `None` of nothing.
+/// The score interval of a binomial share (Wilson 1927); `None` if `of` is 0.
 pub fn wilson(successes: usize, of: usize) -> Option<Share> {
     if of == 0 {
         return None;
@@ -23,13 +23,13 @@ pub fn wilson(successes: usize, of: usize) -> Option<Share> {
     let scale = 1.0 / (1.0 + Z * Z / n);
     let center = scale * (share + Z * Z / (2.0 * n));
     let half = scale * Z * (share * (1.0 - share) / n + Z * Z / (4.0 * n * n)).sqrt();
-    // The ends of none and all are exact; elsewhere rounding must not pass them.
+    // For 0 and `of` successes one end is exact; otherwise rounding must not leave 0 to 1.
     let low = if successes == 0 { 0.0 } else { (center - half).max(0.0) };
     let high = if successes == of { 1.0 } else { (center + half).min(1.0) };
     Some(Share { share, low, high })
 }
 
-/// Mean, standard deviation and largest of values that pass by.
+/// Mean, standard deviation and maximum of a stream of values.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Moments {
     pub count: usize,
@@ -48,7 +48,7 @@ impl Moments {
         self.squares += before * (value - self.mean);
     }
 
-    /// `None` where nothing passed.
+    /// `None` without values.
     pub fn summary(&self) -> Option<Summary> {
         let n = self.count as f64;
         (self.count > 0).then(|| {
@@ -70,7 +70,7 @@ pub struct Summary {
     pub max: f64,
 }
 
-/// Predicted against observed.
+/// The contingency table of predictions and observations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Contingency {
     /// Predicted and observed.
@@ -83,6 +83,7 @@ pub struct Contingency {
 }
 
 impl Contingency {
+    /// Adds `of` cases with the same prediction, of which the event was observed in `observed`.
     pub fn add(&mut self, predicted: bool, observed: usize, of: usize) {
         let (yes, no) = match predicted {
             true => (&mut self.hits, &mut self.false_alarms),
@@ -96,12 +97,12 @@ impl Contingency {
         self.hits + self.misses + self.false_alarms + self.correct_negatives
     }
 
-    /// The share observed, predicted or not.
+    /// The share of cases in which the event was observed.
     pub fn base_rate(&self) -> Option<f64> {
         (self.total() > 0).then(|| (self.hits + self.misses) as f64 / self.total() as f64)
     }
 
-    /// The phi coefficient (Yule 1912), -1..1; `None` where predictions or observations are all the same.
+    /// The phi coefficient (Yule 1912), from -1 to 1; `None` if predictions or observations are all the same.
     pub fn phi(&self) -> Option<f64> {
         let [a, b, c, d] =
             [self.hits, self.false_alarms, self.misses, self.correct_negatives].map(|count| count as f64);
@@ -110,7 +111,7 @@ impl Contingency {
     }
 }
 
-/// Spearman's rank correlation (1904) with mean ranks for ties, -1..1; `None` where one side is all the same.
+/// Spearman's rank correlation (1904) with mean ranks for ties, from -1 to 1; `None` if one side never varies.
 pub fn spearman(pairs: &[(f64, f64)]) -> Option<f64> {
     let x = ranks(pairs.iter().map(|p| p.0));
     let y = ranks(pairs.iter().map(|p| p.1));
@@ -120,7 +121,7 @@ pub fn spearman(pairs: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| sum(&|x, y| x * y) / spread.sqrt())
 }
 
-/// Ranks from 1; equal values share the mean of theirs.
+/// Ranks from 1; equal values have the mean of their ranks.
 fn ranks(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let values: Vec<f64> = values.collect();
     let mut order: Vec<usize> = (0..values.len()).collect();

@@ -1,23 +1,23 @@
-//! Counts and sums over rows that pass by; their number does not depend on that of seeds.
+//! Counts and sums over a stream of rows; their number does not depend on the number of seeds.
 
 use super::cases::{Case, Cases};
 use super::rows::{FlightOutcome, Row};
 use super::statistics::Moments;
 use crate::flight::Cause;
 
-/// Flights with one plan, mode and instant.
+/// Flights with the same plan, mode and instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Cell {
     pub flights: usize,
-    /// Those that were still flying when the fault struck.
+    /// Flights that were still flying when the fault struck.
     pub struck: usize,
-    /// Of the struck ones.
+    /// Struck flights that were lost.
     pub lost: usize,
     /// Neither struck nor lost: their simulation diverged.
     pub diverged: usize,
 }
 
-/// Flights with one plan and mode, or without a fault.
+/// Flights with the same plan and mode, or without a fault.
 #[derive(Debug, Clone, Default)]
 pub struct Group {
     pub flights: usize,
@@ -35,7 +35,7 @@ pub struct Group {
     pub max_error: Moments,
     /// Largest heading error, rad, the same flights: since the fault, or, without a fault, over the whole flight.
     pub max_heading_error: Moments,
-    /// s, over the flights in which that came.
+    /// s, over the flights in which it happened.
     pub detected_after: Moments,
     pub isolated_after: Moments,
     pub false_alarms: usize,
@@ -43,6 +43,7 @@ pub struct Group {
 }
 
 impl Group {
+    /// Flights lost to any cause.
     pub fn all_lost(&self) -> usize {
         self.lost.iter().sum()
     }
@@ -51,7 +52,7 @@ impl Group {
         self.flown + self.landed
     }
 
-    /// Flights that lived to the fault.
+    /// Flights that were still flying when the fault struck.
     pub fn struck(&self) -> usize {
         self.flights - self.lost_before - self.diverged
     }
@@ -80,7 +81,7 @@ impl Group {
     }
 }
 
-/// All of a campaign, or of a part of it.
+/// The counts of a campaign or of a part of it.
 #[derive(Debug, Clone)]
 pub struct Tally {
     cases: Cases,
@@ -97,6 +98,7 @@ impl Tally {
         Tally { cases, groups, cells: vec![Cell::default(); planners * modes * times] }
     }
 
+    /// Adds the row of a case.
     pub fn add(&mut self, case: &Case, row: &Row) {
         let mode = case.strike.map_or(0, |s| 1 + s.mode);
         self.groups[case.planner * (1 + self.cases.modes) + mode].add(row);
@@ -128,7 +130,7 @@ impl Tally {
         &self.groups[planner * (1 + self.cases.modes) + 1 + mode]
     }
 
-    /// One for each instant.
+    /// One cell per instant.
     pub fn cells(&self, planner: usize, mode: usize) -> &[Cell] {
         let begin = (planner * self.cases.modes + mode) * self.cases.times;
         &self.cells[begin..begin + self.cases.times]

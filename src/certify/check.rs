@@ -1,51 +1,52 @@
-//! The last word on a plan: each one found goes through the checker, at the nodes, before it is called a plan.
+//! The check of plans: every trajectory found is verified at the nodes before it is called a plan.
 
-use super::plan::certificate;
+use super::witness::certificate;
 use crate::model::{Mission, MissionTime, Model, Plan, PlannerKind};
 use crate::motion::Trajectory;
 use crate::planner::studies::rounds::Round;
 use crate::planner::studies::{Comparison, NotFound, PlanOutcome, PlannerRun, Run, Verification};
 use crate::verify::{self, Refusal, Settings};
 
-/// Decides every plan of a comparison. What fails is not a plan: its run ends without one, and says why.
+/// Checks every plan of a comparison. A trajectory that fails is not a plan: the outcome of its run becomes
+/// [`NotFound::Check`] with the reason.
 pub fn check(model: &Model, mission: &Mission, comparison: &mut Comparison) {
     let risk_required = !comparison.trade_off.is_empty();
     for run in &mut comparison.runs {
-        let asked = asked_of(model, mission, run, risk_required);
+        let planned = as_planned(model, mission, run, risk_required);
         let selected_by = if run.planner == PlannerKind::Rsp { &comparison.selected_by[..] } else { &[] };
-        decide(&asked, &mut run.outcome, selected_by);
+        decide(&planned, &mut run.outcome, selected_by);
     }
 }
 
-/// The same of numbers of rounds side by side.
+/// Checks the plans of every number of rounds, like [`check`].
 pub fn check_rounds(model: &Model, mission: &Mission, rounds: &mut [Round]) {
-    let mut asked = Model { mission: Some(mission.clone()), ..model.clone() };
-    asked.plan.planner = PlannerKind::Rsp;
-    asked.plan.require_risk = None;
+    let mut planned = Model { mission: Some(mission.clone()), ..model.clone() };
+    planned.plan.planner = PlannerKind::Rsp;
+    planned.plan.require_risk = None;
     for round in rounds {
-        asked.plan.rounds = round.rounds;
-        decide(&asked, &mut round.common, &round.common_selected_by);
-        let open = Model { plan: Plan { time: MissionTime::Minimum, ..asked.plan.clone() }, ..asked.clone() };
+        planned.plan.rounds = round.rounds;
+        decide(&planned, &mut round.common, &round.common_selected_by);
+        let open = Model { plan: Plan { time: MissionTime::Minimum, ..planned.plan.clone() }, ..planned.clone() };
         decide(&open, &mut round.own, &round.own_selected_by);
     }
 }
 
-/// Whether a motion of `time` s passes the check as a plan of the mission, as far as that can be decided.
+/// Whether a trajectory of `time` s passes the check as a plan of the mission. An undecided check counts as passed.
 pub fn is_plan(model: &Model, mission: &Mission, time: f64, motion: &Trajectory, selected_by: &[Trajectory]) -> bool {
-    let mut asked = Model { mission: Some(mission.clone()), ..model.clone() };
-    asked.plan.time = MissionTime::Fixed(time);
-    asked.plan.require_risk = None;
+    let mut planned = Model { mission: Some(mission.clone()), ..model.clone() };
+    planned.plan.time = MissionTime::Fixed(time);
+    planned.plan.require_risk = None;
     // Variants of a spec are planned with one round.
-    asked.plan.rounds = asked.plan.rounds.min(1);
+    planned.plan.rounds = planned.plan.rounds.min(1);
     let certificate = certificate(motion, selected_by, String::new());
-    !matches!(verify::decide_at_nodes(&certificate, &asked, Settings::default()), Err(Refusal::Rejected(_)))
+    !matches!(verify::decide_at_nodes(&certificate, &planned, Settings::default()), Err(Refusal::Rejected(_)))
 }
 
-/// Decides a plan of a model at the nodes.
-fn decide(asked: &Model, outcome: &mut PlanOutcome, selected_by: &[Trajectory]) {
+/// Checks a plan of a model at the nodes.
+fn decide(planned: &Model, outcome: &mut PlanOutcome, selected_by: &[Trajectory]) {
     let PlanOutcome::Planned(solved) = outcome else { return };
     let certificate = certificate(&solved.trajectory, selected_by, String::new());
-    match verify::decide_at_nodes(&certificate, asked, Settings::default()) {
+    match verify::decide_at_nodes(&certificate, planned, Settings::default()) {
         Ok(verdict) if verdict.undecided.is_empty() => solved.verification = Verification::Passed,
         Ok(verdict) => solved.verification = Verification::Undecided(verdict.undecided.join("; ")),
         Err(refusal @ Refusal::Budget { .. }) => solved.verification = Verification::Undecided(refusal.sentence()),
@@ -55,18 +56,18 @@ fn decide(asked: &Model, outcome: &mut PlanOutcome, selected_by: &[Trajectory]) 
     }
 }
 
-/// The spec as one run of a comparison plans it.
-fn asked_of(model: &Model, mission: &Mission, run: &PlannerRun, risk_required: bool) -> Model {
-    let mut asked = Model { mission: Some(mission.clone()), ..model.clone() };
-    asked.plan.planner = run.planner;
+/// The spec as one run of a comparison planned it.
+fn as_planned(model: &Model, mission: &Mission, run: &PlannerRun, risk_required: bool) -> Model {
+    let mut planned = Model { mission: Some(mission.clone()), ..model.clone() };
+    planned.plan.planner = run.planner;
     let named = |&mode: &usize| model.modes.get(mode).is_some_and(|m| run.against.contains(&m.name));
-    asked.plan.against.retain(named);
-    // Beside a time that the spec fixes, `mavc compare` looks for each planner's own.
+    planned.plan.against.retain(named);
+    // `mavc compare` searches for each planner's own time even if the spec fixes a time.
     if run.run == Run::Own {
-        asked.plan.time = MissionTime::Minimum;
+        planned.plan.time = MissionTime::Minimum;
     }
     if !risk_required {
-        asked.plan.require_risk = None;
+        planned.plan.require_risk = None;
     }
-    asked
+    planned
 }

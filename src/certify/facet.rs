@@ -1,4 +1,4 @@
-//! Facets by the rotors that span them.
+//! Facets named by the rotors that span them.
 
 use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
@@ -7,19 +7,19 @@ use crate::certificate::FacetRecord;
 use crate::model::{Allocation, Model};
 use nalgebra::Matrix4;
 
-/// A facet that a row stands for.
+/// The first facet that a row comes from; `None` if rotors do not name it.
 pub(super) fn facet_of(model: &Model, row: &SetRow) -> Option<FacetRecord> {
     record(model, *row.origin.first()?)
 }
 
-/// `None` where rotors do not name the facet: in a flat set, and where T >= 0 is what it says.
+/// `None` if rotors do not name the facet: in a flat set, and for the row T >= 0.
 fn record(model: &Model, FacetOf { mode, facet, spanning }: FacetOf) -> Option<FacetRecord> {
     let set = set_of(model, mode).guaranteed(model);
     let plane = set.polytope.facets.get(facet)?;
     let spanning: Vec<usize> = spanning.generators().collect();
     let rotors = match set.allocation {
         Allocation::Bounded => steepest(&set.zonotope.generators, &spanning, &plane.normal)?.map(|k| k + 1).to_vec(),
-        // All others span it.
+        // The one rotor that does not span the facet.
         Allocation::PseudoInverse => {
             (1..=model.vehicle.rotors.len()).find(|k| !spanning.contains(&(k - 1))).into_iter().collect()
         }
@@ -27,7 +27,7 @@ fn record(model: &Model, FacetOf { mode, facet, spanning }: FacetOf) -> Option<F
     Some(FacetRecord { mode: set.name, rotors, normal: plane.normal.into(), offset: plane.offset })
 }
 
-/// The three rotors of a facet whose wrenches are furthest from dependence, in coordinates of like size.
+/// The three rotors of a facet whose wrenches span the largest volume, in coordinates scaled to equal extents.
 fn steepest(generators: &[Wrench], rotors: &[usize], normal: &Wrench) -> Option<[usize; 3]> {
     let extent = generators.iter().fold(Wrench::zeros(), |sum, g| sum + g.abs());
     let scaled = |v: &Wrench| v.component_div(&extent.map(|e| if e > 0.0 { e } else { 1.0 })).normalize();

@@ -1,8 +1,9 @@
-//! A certificate that there is no plan: multipliers from the program (of the exact model: its relaxation) that asks how
-//! far waypoints would have to be overshot. Those of the dynamics are left out; the checker works them out itself.
+//! Certificates that there is no plan: multipliers of the program that minimises by how much waypoint tolerances must be
+//! exceeded (in the exact model: of its relaxation). The multipliers of the dynamics are omitted; the checker computes
+//! them.
 
 use super::facet::facet_of;
-use super::plan::motion;
+use super::witness::motion;
 use crate::admissible::AdmissibleSet;
 use crate::admissible::row::SetRow;
 use crate::certificate::{
@@ -22,32 +23,32 @@ use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use crate::solve::{Outcome, solve_graded};
 use crate::verify::{self, Settings};
 
-/// Of a plan that is missing for one motion of yaw only.
-const YAW_FIRST: &str = "in the hover model a yaw that changes is planned first, and that there is no plan is shown for that \
-                         yaw alone; with `model = exact` it may be shown for all";
+/// Why there is no certificate for a mission in which yaw changes.
+const YAW_FIRST: &str = "in the hover model a yaw that changes is planned first, so infeasibility is shown for that yaw \
+                         alone; with `model = exact` it may be shown for every yaw";
 
-const NO_TIME: &str = "fixed times and holds leave some leg no time";
+const NO_TIME: &str = "fixed times and holds leave no time for some leg";
 
-/// Weight of the inputs' cost beside the overshoot: enough to make the solution unique, too little to matter.
+/// Weight of the inputs' cost relative to the overshoot: large enough to make the solution unique, too small to matter.
 const COST: f64 = 1e-12;
 
-/// Multipliers below this share of the largest are left out, if the others show it still.
+/// Multipliers below this share of the largest are omitted if the others still prove the claim; tried in turn.
 const NEGLIGIBLE: [f64; 4] = [1e-6, 1e-8, 1e-10, 0.0];
 
-/// The program whose multipliers are wanted.
-struct Asked {
+/// The program whose multipliers are computed.
+struct Overshoot {
     program: QuadraticProgram,
     /// Unit of time of its variables at each node, s.
     taus: Vec<f64>,
-    /// In the exact model: of the set's rows, see `MostThrust::weights`.
+    /// In the exact model: weights of the set's rows, see `MostThrust::weights`.
     thrust: Vec<f64>,
 }
 
 /// The certificate that `run` has no plan at `total` seconds.
 ///
 /// # Errors
-/// Where the mission does not begin and end as the checker asks, in the hover model where yaw changes, where some facet
-/// has no name, or where the multipliers found do not show it.
+/// The mission does not begin or end as the checker requires, yaw changes in the hover model, some facet cannot be named by
+/// rotors, or the multipliers found do not prove the claim.
 pub fn certificate(
     model: &Model,
     mission: &Mission,
@@ -57,20 +58,21 @@ pub fn certificate(
 ) -> Result<Certificate, String> {
     let healthy = AdmissibleSet::healthy(model);
     let mut engine = HoverPlanner::new(model, mission, &healthy);
-    let (kind, asked) = match model.plan.model {
+    let (kind, overshoot) = match model.plan.model {
         PlanModel::Hover => (DynamicModel::Hover, about_hover(&mut engine, run, total)?),
         PlanModel::Exact => (DynamicModel::Exact, relaxed(&mut engine, run, total)?),
     };
-    let z = match solve_graded(&asked.program).0 {
+    let z = match solve_graded(&overshoot.program).0 {
         Outcome::Solved(solution) => solution.z,
         Outcome::Infeasible { certificate } => certificate,
         Outcome::Inconclusive { .. } => return Err("no multipliers were found".into()),
     };
     let (facets, thrust) = match kind {
         DynamicModel::Hover => (named(model, run.set.rows.iter())?, Vec::new()),
-        DynamicModel::Exact => weighed(model, run, &asked.thrust)?,
+        DynamicModel::Exact => weighed(model, run, &overshoot.thrust)?,
     };
-    let every = multipliers(&asked.program, &z, &asked.taus, mission).ok_or("a row of the program has no name")?;
+    let every =
+        multipliers(&overshoot.program, &z, &overshoot.taus, mission).ok_or("a row of the program cannot be named")?;
     if facets.len() > MAX_FACETS || every.len() > MAX_MULTIPLIERS {
         return Err("it has more rows than a certificate may hold".into());
     }
@@ -82,24 +84,24 @@ pub fn certificate(
         thrust: thrust.clone(),
         multipliers: every.iter().filter(|m| part.has(&m.row, mission) && size(m) > share * largest).cloned().collect(),
     };
-    // Position and yaw are not tied together in the relaxation: where one shows it, what is left of the other is dust.
+    // Position and yaw are independent in the relaxation: if one proves the claim, the other's multipliers are noise.
     let parts: &[Part] = if kind == DynamicModel::Hover { &[Part::Both] } else { &[Part::Position, Part::Yaw] };
     let tried = parts.iter().flat_map(|&part| NEGLIGIBLE.iter().map(move |&share| (part, share)));
     let mut last = String::from("no multipliers were found");
     for (part, share) in tried {
         let claim = Claim::Infeasible(about(part, share));
         let certificate = Certificate { schema: SCHEMA, spec_sha256: sha256.clone(), model: kind, claim };
-        // What does not show it is not written.
+        // A certificate that does not show its claim is not written.
         match verify::decide(&certificate, model, Settings::default()) {
             Ok(_) => return Ok(certificate),
             Err(refusal) => last = refusal.sentence(),
         }
     }
-    Err(format!("the multipliers found do not show it ({last})"))
+    Err(format!("the multipliers found do not prove it ({last})"))
 }
 
-/// The hover model's program, asked how far waypoints would have to be overshot.
-fn about_hover(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Asked, String> {
+/// The hover model's program, with the overshoot of waypoint tolerances as its objective.
+fn about_hover(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Overshoot, String> {
     let (model, mission) = (engine.model, engine.mission);
     let layout = match engine.layout(total, model.plan.samples) {
         Ok(Some(layout)) => layout,
@@ -110,27 +112,27 @@ fn about_hover(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Resul
         return Err(YAW_FIRST.into());
     };
     let maps = layout.yaw.maps(model, layout.flown.nodes());
-    let leads = layout.commands(model);
+    let commands = layout.commands(model);
     let form = Transcription::new(model, mission, &layout.flown, &run.set, &maps, layout.yaw.axes())
-        .with_commands(leads.as_ref());
-    Ok(Asked {
+        .with_commands(commands.as_ref());
+    Ok(Overshoot {
         program: form.full_program(Purpose::Overshoot { epsilon: COST }),
         taus: form.taus(),
         thrust: Vec::new(),
     })
 }
 
-/// The exact model's relaxation, asked the same.
-fn relaxed(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Asked, String> {
+/// The exact model's relaxation, with the same objective.
+fn relaxed(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Overshoot, String> {
     let flown = time_grid(engine.mission, total, engine.model.plan.samples).ok_or(NO_TIME)?.flown();
     let Relaxed { program, taus, thrust } =
         ScpPlanner::new(engine, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
-    Ok(Asked { program, taus, thrust: thrust.weights })
+    Ok(Overshoot { program, taus, thrust: thrust.weights })
 }
 
 fn named<'r>(model: &Model, rows: impl Iterator<Item = &'r SetRow>) -> Result<Vec<FacetRecord>, String> {
     let records = rows.map(|row| facet_of(model, row)).collect::<Option<Vec<_>>>();
-    records.ok_or_else(|| "a flat set has facets that no three rotors span".into())
+    records.ok_or_else(|| "a flat set has facets that are not spanned by three rotors".into())
 }
 
 /// The facets that bound the thrust, with their weights.
@@ -143,7 +145,7 @@ fn weighed(model: &Model, run: &PlannerRun, weights: &[f64]) -> Result<(Vec<Face
     Ok((facets, thrust))
 }
 
-/// What multipliers are about.
+/// The part of the motion whose multipliers are used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Part {
     Both,
@@ -165,20 +167,20 @@ impl Part {
     }
 }
 
-/// The multipliers of all rows but the dynamics'. Rows of one origin follow each other in the program: the sides of a
-/// limit, the parts of a cone.
+/// The multipliers of all rows except those of the dynamics. Rows with the same origin are adjacent in the program: the
+/// sides of a limit, the parts of a cone.
 fn multipliers(program: &QuadraticProgram, z: &[f64], taus: &[f64], mission: &Mission) -> Option<Vec<Multiplier>> {
     let mut found: Vec<Multiplier> = Vec::new();
     let mut at = 0;
     let mut seen: std::collections::BTreeMap<(usize, usize), usize> = Default::default();
     for cone in &program.cones {
-        // Rows of the zero and the nonnegative cone stand alone, a second-order cone's belong together.
+        // Rows of the zero and the nonnegative cone are separate; those of a second-order cone belong together.
         let size = if let Cone::SecondOrder(n) = cone { *n } else { 1 };
         for first in (at..at + cone.rows()).step_by(size) {
             let mut values = z[first..first + size].to_vec();
             let row = match program.row_origin[first] {
                 RowOrigin::Dynamics { .. } | RowOrigin::Overshoot | RowOrigin::Violation => continue,
-                // Rows of the exact model's steps, which are no relaxation of it, and of stops.
+                // Rows of the exact model's linearised subproblems, which are not a relaxation of it, and of stops.
                 RowOrigin::Upright { .. } | RowOrigin::Duration { .. } | RowOrigin::Stop { .. } => return None,
                 RowOrigin::Lag { facet, node, after } => {
                     let interval = if after { node } else { node.checked_sub(1)? };
@@ -194,7 +196,7 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], taus: &[f64], mission: &Mi
                 RowOrigin::WaypointYaw { waypoint } => {
                     let count = seen.entry((usize::MAX, waypoint)).or_default();
                     *count += 1;
-                    // The transcription writes `tolerance + (psi - due)` first: what bounds psi from below.
+                    // The transcription writes `tolerance + (psi - due)` first, which bounds psi from below.
                     let side = if *count == 1 { Side::Lower } else { Side::Upper };
                     RowRecord::WaypointYaw { waypoint, side }
                 }
@@ -205,7 +207,7 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], taus: &[f64], mission: &Mi
                         mission.limits[limit].upper.map(|_| Side::Upper),
                         mission.limits[limit].lower.map(|_| Side::Lower),
                     ];
-                    // A jerk limit has a cone for each interval beside its node, from the left.
+                    // A jerk limit has a cone for each interval adjacent to its node, from the left.
                     let interval = node.saturating_sub(1) + *count - 1;
                     match sides.into_iter().flatten().nth(*count - 1) {
                         Some(side) if size == 1 => RowRecord::Limit { limit, node, side },
@@ -214,7 +216,7 @@ fn multipliers(program: &QuadraticProgram, z: &[f64], taus: &[f64], mission: &Mi
                     }
                 }
             };
-            // Dust of an interior point: no multiplier of an inequality is negative.
+            // Multipliers of inequalities are not negative; the interior-point solution violates this slightly.
             if !matches!(cone, Cone::Zero(_)) {
                 let rest = values[1..].iter().map(|v| v * v).sum::<f64>().sqrt() * (1.0 + 1e-14);
                 values[0] = values[0].max(rest);

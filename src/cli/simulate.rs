@@ -7,8 +7,8 @@ use super::{DIVERGED, FINE, LOST, Options, Problem, SPEC_ERRORS, SimulateArgs, f
 use crate::flight::{Outcome, Sample, longest};
 use crate::model::FlightBlocks;
 use crate::pipeline::{Task, departure, fly_plan, indistinguishable};
-use crate::report::flight::{FlightRecord, Log, Told, text};
 use crate::report::page::{self, Track};
+use crate::report::simulation::{FlightRecord, Flown, Log, text};
 
 pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     let rate = args.rate.as_deref().map(rate::parse).transpose()?;
@@ -46,8 +46,8 @@ pub fn run(args: &SimulateArgs, options: &Options) -> Result<u8, Problem> {
     };
     let record: Option<&mut dyn FnMut(&Sample)> = if is_recorded { Some(&mut record) } else { None };
     let flight = fly_plan(task.spec(), solved, record, &watch);
-    let alike = indistinguishable(task.spec(), solved);
-    let flown = Told { model, solved, strikes: &model.simulation.faults, flight: &flight, alike: &alike };
+    let indistinguishable = &indistinguishable(task.spec(), solved);
+    let flown = Flown { model, solved, strikes: &model.simulation.faults, flight: &flight, indistinguishable };
     let record = FlightRecord::new(&flown, task.spec().sha256().into());
     let mut results = Results::new(&places);
     log.into_iter().for_each(|log| results.table(log.csv));

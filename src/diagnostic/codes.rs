@@ -1,4 +1,4 @@
-//! The table of codes. Its pages are the ones in `docs/diagnostics/`, so the documentation and `mavc explain` are one.
+//! The pages of diagnostic codes, read from `docs/diagnostics/`: `mavc explain` prints the documentation itself.
 
 use std::sync::LazyLock;
 
@@ -7,11 +7,11 @@ use std::sync::LazyLock;
 pub struct CodePage {
     /// `mavc::unit::mismatch`
     pub code: &'static str,
-    /// One sentence.
+    /// The first line of the page: one sentence.
     pub title: &'static str,
-    /// The book that holds its page: `syntax`, `model`, `sense` or `analysis`.
+    /// The file with its page: `syntax`, `model`, `sense` or `analysis`.
     pub book: &'static str,
-    /// What it means, an example, how to mend it; Markdown, the title included, the heading not.
+    /// What the code means, an example, and how to fix it, in Markdown; with the title, without the heading.
     pub page: &'static str,
 }
 
@@ -41,14 +41,14 @@ impl CodePage {
         self.code.rsplit("::").next().unwrap_or(self.code)
     }
 
-    /// Where the page stands; `docs` is the address of the documentation's folder, without a slash at the end. Headings
-    /// are named as forges name them, without their punctuation.
+    /// The address of the page; `docs` is the address of the documentation's folder, without a trailing slash. Anchors drop
+    /// punctuation from headings, as GitHub does.
     pub fn url(&self, docs: &str) -> String {
         format!("{docs}/diagnostics/{}.md#{}", self.book, self.code.replace(':', ""))
     }
 }
 
-/// The sections of one book that begin with `## mavc::..`.
+/// The sections of one file that begin with `## mavc::..`.
 fn pages((book, text): (&'static str, &'static str)) -> impl Iterator<Item = CodePage> {
     text.split("\n## ").skip(1).filter_map(move |section| {
         let (code, page) = section.split_once('\n')?;

@@ -1,24 +1,23 @@
-//! Sources as the terminal shows them: every control and bidirectional character as an escape, and no line longer than
-//! somebody reads.
+//! Source text as the terminal shows it: control and bidirectional characters are escaped, and long lines are cut.
 
 use crate::source::{FileId, Source, SourceMap, Span, visible};
 use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
-/// Lines are shown from their beginning and to their end where a span is no further than so many bytes from either.
+/// A line is shown from its beginning, or to its end, if the span is at most this many bytes away from it.
 pub const LONGEST: usize = 400;
 
-/// Bytes shown on a side of a span where the line goes on for longer: a line may be as long as a file.
+/// Bytes shown on either side of a span where the line is cut; a line may be as long as a file.
 pub const MARGIN: usize = 60;
 
-/// A source with its escapes. Offsets without a word of their own are those of the text that is shown.
+/// A source and its escaped form. Offsets are those of the escaped text unless stated otherwise.
 pub struct Excerpt<'a> {
     read: &'a Source,
-    /// The text that was read, if nothing in it is escaped.
+    /// The escaped text; the original if nothing needs escapes.
     pub shown: Cow<'a, Source>,
     name: String,
-    /// Behind each escape the offset in the text that was read, and in the one that is shown.
+    /// After each escape, the offset in the original text and in the escaped text.
     marks: Vec<(usize, usize)>,
 }
 
@@ -36,25 +35,25 @@ impl<'a> Excerpt<'a> {
         Excerpt { read: source, shown, name, marks }
     }
 
-    /// Where something that was read is shown.
+    /// The escaped offset of an original offset.
     fn offset(&self, read: usize) -> usize {
         let behind = self.marks.partition_point(|mark| mark.0 <= read);
         behind.checked_sub(1).map_or(read, |k| self.marks[k].1 + (read - self.marks[k].0))
     }
 
-    /// A span of the text that was read.
+    /// The escaped offset of the start of a span of the original text.
     pub fn start(&self, span: Span) -> usize {
         self.offset(span.start as usize)
     }
 
-    /// Where a span is drawn: its beginning, where it is very long.
+    /// The part of a span of the original text that is underlined: its beginning, if it is very long.
     pub fn place(&self, span: Span) -> SourceSpan {
         let (start, end) = (self.start(span), self.offset(span.end as usize));
         let end = end.min(boundary(&self.shown.text, start + LONGEST)).max(start);
         (start, end - start).into()
     }
 
-    /// The offset in the text that was read.
+    /// The original offset of an escaped offset.
     fn back(&self, shown: usize) -> usize {
         let behind = self.marks.partition_point(|mark| mark.1 <= shown);
         let next = self.marks.get(behind).map_or(usize::MAX, |mark| mark.0);
@@ -62,7 +61,7 @@ impl<'a> Excerpt<'a> {
     }
 }
 
-/// The offsets behind each escape, in a text and in what [`visible::text`] makes of it.
+/// The offsets after each escape, in a text and in its escaped form by [`visible::text`].
 fn escapes(read: &str, shown: &str) -> Vec<(usize, usize)> {
     let (mut marks, mut at) = (Vec::new(), 0);
     for (offset, c) in read.char_indices() {
@@ -76,7 +75,7 @@ fn escapes(read: &str, shown: &str) -> Vec<(usize, usize)> {
     marks
 }
 
-/// The excerpts of a file set, each made when it is first shown.
+/// The excerpts of a file set, each created when it is first shown.
 pub struct Excerpts<'a> {
     sources: &'a SourceMap,
     made: Vec<OnceCell<Excerpt<'a>>>,
@@ -92,7 +91,7 @@ impl<'a> Excerpts<'a> {
     }
 }
 
-/// Reads lines by the source's own index, so that many reports on a long file cost little.
+/// Finds lines by the source's index, so that many reports on a long file cost little.
 impl SourceCode for Excerpt<'_> {
     fn read_span<'a>(
         &'a self,
@@ -108,13 +107,13 @@ impl SourceCode for Excerpt<'_> {
         let first = source.place(start).line.saturating_sub(before).max(1);
         let last = source.place(end.saturating_sub(1).max(start)).line + after;
         let from = if before == 0 { start } else { source.line(first).start };
-        // Without the line before, where that one is long.
+        // Leaves out the line before if it is long.
         let own = source.line(source.place(start).line).start;
         let whole = [from, own].into_iter().find(|from| start <= from + LONGEST);
         let from = whole.unwrap_or_else(|| boundary(text, start - MARGIN));
         let to = source.line(last).end.max(end);
         let to = if to > end + LONGEST { boundary(text, end + MARGIN) } else { to };
-        // Lines and columns are told as they were written.
+        // Line and column numbers are those of the original text.
         let place = self.read.place(self.back(from));
         let contents = MietteSpanContents::new_named(
             self.name.clone(),
@@ -128,7 +127,7 @@ impl SourceCode for Excerpt<'_> {
     }
 }
 
-/// The last place at or before `at` where a character begins.
+/// The last character boundary at or before `at`.
 fn boundary(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0)
 }

@@ -1,4 +1,4 @@
-//! Diagnostics for programs: one JSON object a line. Lines and columns count from 1, columns in Unicode scalars.
+//! Diagnostics for programs: one JSON object per line. Lines and columns count from 1, columns in Unicode scalars.
 
 use super::Diagnostic;
 use crate::source::{SourceMap, Span, visible};
@@ -13,7 +13,7 @@ struct Record<'a> {
     place: Place<'a>,
     labels: Vec<Label<'a>>,
     help: Option<&'a str>,
-    /// Replacements that mend the spec: each alone, in the place given.
+    /// Edits, each of which fixes the problem by itself.
     fixes: Vec<Fix<'a>>,
 }
 
@@ -40,7 +40,7 @@ struct Place<'a> {
     end_column: usize,
 }
 
-/// The diagnostic without a newline at the end. What is wrong at its own place is the first label.
+/// The diagnostic as one line of JSON, without a trailing newline. The label at its own place is the first label.
 pub fn to_json_line(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     let own = (!diagnostic.label.is_empty()).then_some((diagnostic.label.as_str(), diagnostic.span));
     let others = diagnostic.labels.iter().map(|l| (l.message.as_str(), l.span));

@@ -1,7 +1,7 @@
-//! "Did you mean": the known word nearest to one that is unknown.
+//! "Did you mean": the known word most similar to an unknown one.
 
-/// The candidate with the fewest single-letter changes from `word` (a swap of neighbours counts one), where that is
-/// at most a third of the letters (one in short words, three in long ones); ties go to the first by name. Letter case counts for nothing.
+/// The candidate with the fewest single-letter edits from `word` (a swap of neighbours counts as one), if these are at most
+/// a third of the letters, at least one and at most three. Ties go to the first in alphabetical order. Case is ignored.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.len() > 64 {
         return None;
@@ -10,7 +10,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     let most = |letters: usize| (word_letters.len().max(letters) / 3).clamp(1, 3).min(word_letters.len().max(1) - 1);
     let near = |candidate: &'a str| {
         let letters = candidate.chars().count();
-        // So many letters more or less are so many changes at least.
+        // The difference of lengths is a lower bound of the edits.
         if candidate == word || letters.abs_diff(word_letters.len()) > most(letters) {
             return None;
         }
@@ -20,12 +20,12 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     candidates.into_iter().filter_map(near).min().map(|(_, c)| c)
 }
 
-/// What people call the words of a name.
+/// Synonyms of words in names.
 const SAME: [(&str, &str); 2] = [("rpm", "speed"), ("velocity", "speed")];
 
-/// The candidate all of whose words are among those of `word`, whatever their order: `arm` for `arm_length`, `max_speed`
-/// for `rpm_max`. A word may be cut short to four letters: `acceleration` for `accel`. The candidate with the most words;
-/// none where two have as many, or where `word` speaks of a least value and the candidate does not.
+/// The candidate whose words all occur in `word`, in any order: `arm` for `arm_length`, `max_speed` for `rpm_max`. A word of
+/// `word` may be an abbreviation of at least four letters: `acceleration` for `accel`. Returns the candidate with the most
+/// words; `None` if two have equally many, or if `word` has `min` and the candidate does not begin with it.
 pub fn nearest_by_words<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
     let parts: Vec<&str> =
@@ -42,7 +42,7 @@ pub fn nearest_by_words<'a>(word: &str, candidates: impl IntoIterator<Item = &'a
     best.next().filter(|_| best.next().is_none())
 }
 
-/// Edits, where a swap of two neighbours counts one (optimal string alignment).
+/// The number of edits, where a swap of two neighbours counts as one (optimal string alignment distance).
 fn distance(a: &[char], b: &[char]) -> usize {
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
     for (i, row) in rows.iter_mut().enumerate() {

@@ -4,7 +4,7 @@ use super::Diagnostic;
 use crate::source::{SourceMap, visible};
 use std::fmt::Write;
 
-/// `file:line:column: error[code]: message`, a newline after each.
+/// Renders each as `file:line:column: error[code]: message` and a newline.
 pub fn render_short(diagnostics: &[Diagnostic], sources: &SourceMap) -> String {
     let mut text = String::new();
     for d in diagnostics {

@@ -1,4 +1,4 @@
-//! Diagnostics for people: the headline, the lines it speaks of, one action.
+//! Diagnostics for people: the message, the lines of source that it concerns, and the help.
 
 use super::excerpt::{Excerpt, Excerpts, LONGEST, MARGIN};
 use super::{Diagnostic, Label, Severity, codes};
@@ -6,12 +6,12 @@ use crate::source::{SourceMap, Span, visible};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 use std::fmt;
 
-/// One report a problem, in the order given, a blank line between two. `width` is in columns.
+/// Renders one report for each diagnostic, in the order given and separated by blank lines. `width` is in columns.
 pub fn render_human(diagnostics: &[Diagnostic], sources: &SourceMap, width: usize, color: bool) -> String {
     render_linked(diagnostics, sources, width, color, None)
 }
 
-/// The same, where each code leads to its page (OSC 8) under `docs`, the address of the documentation's folder.
+/// As [`render_human`], with each code linked (OSC 8) to its page under `docs`, the address of the documentation's folder.
 pub fn render_linked(
     diagnostics: &[Diagnostic],
     sources: &SourceMap,
@@ -32,11 +32,11 @@ pub fn render_linked(
     for diagnostic in diagnostics {
         let report = Report::new(diagnostic, &excerpts, docs);
         if handler.render_report(&mut text, &report).is_err() {
-            // Only a span outside its file leads here; the facts still reach the reader.
+            // Only a span outside its file can fail; the reader then gets the short form.
             text.push_str(&super::render_short(std::slice::from_ref(diagnostic), sources));
         }
         for elsewhere in &report.elsewhere {
-            // As above; what matters has been said.
+            // A label that cannot be shown is left out.
             let _ = handler.render_report(&mut text, elsewhere);
         }
         text.push('\n');
@@ -44,8 +44,7 @@ pub fn render_linked(
     text
 }
 
-/// A diagnostic as miette wants it; labels in other files, or far along a line, become
-/// reports beside it.
+/// A diagnostic in the form that miette renders. Labels in other files, or far away in a long line, become separate reports.
 struct Report<'a> {
     diagnostic: &'a Diagnostic,
     /// The page of its code.
@@ -122,7 +121,7 @@ impl miette::Diagnostic for Report<'_> {
     }
 
     fn help<'b>(&'b self) -> Option<Box<dyn fmt::Display + 'b>> {
-        // What to do comes after all that is shown.
+        // The help comes after the last excerpt.
         let help = self.diagnostic.help.as_ref().filter(|_| self.elsewhere.is_empty());
         help.map(|help| Box::new(visible::text(help)) as Box<dyn fmt::Display>)
     }
@@ -136,11 +135,11 @@ impl miette::Diagnostic for Report<'_> {
     }
 }
 
-/// A label in another file than its diagnostic.
+/// A label that is rendered apart from its diagnostic.
 struct Elsewhere<'a> {
     label: &'a Label,
     excerpt: &'a Excerpt<'a>,
-    /// The diagnostic's, where this is its last place.
+    /// The help of the diagnostic, if this is its last label.
     help: Option<&'a str>,
 }
 

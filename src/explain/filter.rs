@@ -1,4 +1,4 @@
-//! The deletion filter: leave statements out one after the other for good, as long as what is left still has no plan.
+//! The deletion filter: statements are left out for good, one after the other, as long as the rest still has no plan.
 
 use super::Conflict;
 use super::oracle::{Answer, Part};
@@ -6,50 +6,56 @@ use super::question::Questions;
 use super::statement::Statement;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Statements that weigh less than this share of the heaviest are left out together, if they can be.
+/// Statements whose weight is below this share of the largest are left out together, if possible.
 const IDLE: f64 = 1e-6;
 
-/// Of more statements than this the lighter half is left out together, if it can be.
+/// If more statements than this remain, the lighter half is left out together, if possible.
 const FEW: usize = 8;
 
 struct Filter<'q, 'a> {
     questions: &'q mut Questions<'a>,
     left_out: BTreeSet<Statement>,
-    /// That what is left has no plan was proved, not only not found.
+    /// It was proved that the remaining statements have no plan; otherwise none was found.
     proved: bool,
-    /// And that it was proved of the facets that the RIP plan selects only.
-    of_selection: bool,
-    /// And that it was proved on the grid of the spec's samples only.
-    of_samples: bool,
-    /// What the parts of what is left weigh; no part is named twice.
+    /// The proof holds only for the facets that the RIP plan selects.
+    only_for_selection: bool,
+    /// The proof holds only on the grid of the spec's samples.
+    only_for_samples: bool,
+    /// The weight of each remaining part.
     weights: BTreeMap<Part, f64>,
 }
 
-/// An irreducible set of `statements` that have no plan together; `None` where all have one, or none of them is to blame.
+/// An irreducible subset of `statements` without a plan; `None` if all of them together have one, or if there is none even
+/// without any of them.
 pub(super) fn filter(questions: &mut Questions, statements: &[Statement]) -> Option<Conflict> {
-    let (proved, of_selection, of_samples, weights) = match questions.without(&BTreeSet::new())? {
+    let (proved, only_for_selection, only_for_samples, weights) = match questions.without(&BTreeSet::new())? {
         Answer::Feasible => return None,
-        Answer::Infeasible { weights, of_selection, of_samples } => (true, of_selection, of_samples, weights),
+        Answer::Infeasible { weights, only_for_selection, only_for_samples } => {
+            (true, only_for_selection, only_for_samples, weights)
+        }
         Answer::NotFound(weights) => (false, false, true, weights),
     };
     let weights = summed(weights);
-    let mut filter = Filter { questions, left_out: BTreeSet::new(), proved, of_selection, of_samples, weights };
-    // Multipliers say nothing of these; and a conflict that does not hang on time is told as such.
+    let mut filter =
+        Filter { questions, left_out: BTreeSet::new(), proved, only_for_selection, only_for_samples, weights };
+    // Statements without rows come first: they have no multipliers, and a conflict that does not depend on time should not
+    // name the time.
     let of = |wanted: fn(&Statement) -> bool| -> Vec<Statement> { statements.iter().copied().filter(wanted).collect() };
     filter.halve(&of(|s| matches!(s, Statement::Time)));
     filter.halve(&of(|s| matches!(s, Statement::Reserve)));
     filter.halve(&of(|s| matches!(s, Statement::Arrival(_) | Statement::Hold(_))));
     filter.weigh_down(statements);
     let irreducible = filter.check(statements);
-    let Filter { questions, left_out, proved, of_selection, of_samples, .. } = filter;
+    let Filter { questions, left_out, proved, only_for_selection, only_for_samples, .. } = filter;
     let kept: Vec<Statement> = statements.iter().copied().filter(|s| !left_out.contains(s)).collect();
     let (model, mission) = questions.variant(&left_out);
-    let (time, any_time) = questions.time_of(&model, &mission);
-    let conflict = Conflict { statements: kept, proved, of_selection, of_samples, irreducible, time, any_time };
+    let (time, time_is_free) = questions.time_of(&model, &mission);
+    let conflict =
+        Conflict { statements: kept, proved, only_for_selection, only_for_samples, irreducible, time, time_is_free };
     (!conflict.statements.is_empty()).then_some(conflict)
 }
 
-/// What each part weighs in all.
+/// The total weight of each part.
 fn summed(weights: Vec<(Part, f64)>) -> BTreeMap<Part, f64> {
     let mut sums = BTreeMap::new();
     weights.into_iter().for_each(|(part, weight)| *sums.entry(part).or_default() += weight);
@@ -57,13 +63,14 @@ fn summed(weights: Vec<(Part, f64)>) -> BTreeMap<Part, f64> {
 }
 
 impl Filter<'_, '_> {
-    /// Leaves statements out if what is left still has no plan. What was proved is not given up for what was not found.
+    /// Leaves statements out if the rest still has no plan. A proof is not exchanged for a search without a result.
     fn leave_out(&mut self, statements: &[Statement]) -> bool {
         let mut fewer = self.left_out.clone();
         fewer.extend(statements);
         match self.questions.without(&fewer) {
-            Some(Answer::Infeasible { weights, of_selection, of_samples }) => {
-                (self.proved, self.of_selection, self.of_samples) = (true, of_selection, of_samples);
+            Some(Answer::Infeasible { weights, only_for_selection, only_for_samples }) => {
+                (self.proved, self.only_for_selection, self.only_for_samples) =
+                    (true, only_for_selection, only_for_samples);
                 self.weights = summed(weights);
             }
             Some(Answer::NotFound(weights)) if !self.proved => self.weights = summed(weights),
@@ -73,7 +80,7 @@ impl Filter<'_, '_> {
         true
     }
 
-    /// Leaves out all of some statements, or as many of each half.
+    /// Leaves out all of some statements, otherwise as many of each half as possible.
     fn halve(&mut self, statements: &[Statement]) {
         if !statements.is_empty() && !self.leave_out(statements) && statements.len() > 1 {
             let (first, second) = statements.split_at(statements.len() / 2);
@@ -86,14 +93,15 @@ impl Filter<'_, '_> {
         statement.parts().iter().filter_map(|part| self.weights.get(part)).sum()
     }
 
-    /// The statements with rows by rising weight, weighed anew whenever some have gone; the lightest of many together.
+    /// Tries to leave out the statements with rows, by increasing weight, with weights updated after each success; of many
+    /// statements the lightest are tried together.
     fn weigh_down(&mut self, statements: &[Statement]) {
         let mut waiting: Vec<Statement> = statements.iter().copied().filter(|s| s.has_rows()).collect();
-        // Halved where so many could not go.
+        // Halved if that many could not be left out together.
         let mut most = waiting.len();
         while !waiting.is_empty() {
             let mut weighed: Vec<(f64, Statement)> = waiting.iter().map(|&s| (self.weight(s), s)).collect();
-            // A stable sort: those of one weight stay in the order of flight.
+            // A stable sort: statements of equal weight stay in the order of flight.
             weighed.sort_by(|a, b| a.0.total_cmp(&b.0));
             let heaviest = weighed.last().map_or(0.0, |last| last.0);
             let idle = weighed.iter().take_while(|(weight, _)| *weight < IDLE * heaviest).count();
@@ -110,8 +118,8 @@ impl Filter<'_, '_> {
         }
     }
 
-    /// Leaves each of what is left out once more. Where more asks for less than it seems (waypoint times move with what is
-    /// asked, a selection with the plan it is made from) one may have become idle: it goes. Whether each is needed.
+    /// Tries each remaining statement once more, and returns whether each is needed. Feasibility need not be monotone
+    /// (waypoint times depend on the statements, a selection on the plan it is made from), so one may have become redundant.
     fn check(&mut self, statements: &[Statement]) -> bool {
         let mut kept: Vec<Statement> = statements.iter().copied().filter(|s| !self.left_out.contains(s)).collect();
         let mut needed = true;

@@ -1,13 +1,13 @@
-//! Numbers of two digits: what one would write.
+//! Numbers of two significant digits, as an author would write them.
 
 /// The k-th number of two significant digits, counted through all powers of ten: 1.0 is at 0, 9.9 at 89, 10 at 90.
 fn at(k: i64) -> f64 {
     let digits = 10 + k.rem_euclid(90);
-    // Read as text, so that it is the number that is printed.
+    // Parsed from text, so that it is the number that is printed.
     format!("{digits}e{}", k.div_euclid(90) - 1).parse().unwrap_or(f64::NAN)
 }
 
-/// The place of the smallest such number above `x` > 0.
+/// The index of the smallest such number above `x` > 0.
 fn above(x: f64) -> i64 {
     let power = x.log10().floor();
     let mut k = 90 * power as i64 + ((x / 10.0_f64.powf(power) - 1.0) * 10.0).floor() as i64;
@@ -20,8 +20,7 @@ fn above(x: f64) -> i64 {
     k
 }
 
-/// The numbers of two digits between `from` (which is not among them) and `to` (which may be), from the nearest to `from`
-/// on; both > 0.
+/// The numbers of two digits between `from` (excluded) and `to` (included), starting at the nearest to `from`; both > 0.
 pub(super) fn between(from: f64, to: f64) -> Vec<f64> {
     let up = to > from;
     let mut found = Vec::new();
@@ -31,7 +30,7 @@ pub(super) fn between(from: f64, to: f64) -> Vec<f64> {
     }
     loop {
         let value = at(k);
-        // Also ends at what is no number.
+        // Also ends at NaN.
         if !(if up { value <= to } else { value >= to }) {
             return found;
         }

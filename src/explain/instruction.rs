@@ -1,4 +1,4 @@
-//! Changes in words: what to write in the spec, or on the command line where that is where it was said.
+//! Changes in words: what to write in the spec, or on the command line if the statement came from there.
 
 use super::remedy::Change;
 use super::statement::{length, written};
@@ -7,7 +7,7 @@ use crate::number::number;
 use crate::source::{SourceMap, Span};
 
 impl Change {
-    /// What to do, in the words of the language. What came from `--set` is changed there.
+    /// What to do, in the words of the language. A value set by `--set` is changed there.
     pub fn instruction(self, model: &Model, mission: &Mission, sources: &SourceMap) -> String {
         let at = |i: usize| match &mission.waypoints[i].name {
             Some(name) => format!("waypoint `{name}`"),
@@ -16,16 +16,16 @@ impl Change {
         let set = |span: Span| is_override(sources, span);
         let plan = &model.plan;
         match self {
-            Change::Samples(samples) if set(plan.samples_span) => format!("say `--set plan.samples={samples}`"),
+            Change::Samples(samples) if set(plan.samples_span) => format!("use `--set plan.samples={samples}`"),
             Change::Samples(samples) => format!("write `samples = {samples}`"),
-            Change::Time(time) if set(plan.time_span) => format!("say `--set plan.time={}s`", number(time)),
+            Change::Time(time) if set(plan.time_span) => format!("use `--set plan.time={}s`", number(time)),
             Change::Time(time) => format!("write `time = {} s`", number(time)),
             Change::Arrival { waypoint, time } => {
                 let last = waypoint + 1 == mission.waypoints.len();
                 let total = number(time + mission.waypoints[waypoint].hold);
                 let both = match plan.time {
                     MissionTime::Fixed(_) if last && set(plan.time_span) => {
-                        format!(", and say `--set plan.time={total}s`")
+                        format!(", and use `--set plan.time={total}s`")
                     }
                     MissionTime::Fixed(_) if last => format!(", and `time = {total} s` in `plan`"),
                     _ => String::new(),
@@ -41,23 +41,23 @@ impl Change {
                 let (name, unit, scale) = limit.kind.words();
                 let value = number(upper / scale);
                 match set(limit.span) {
-                    true => format!("say `--set mission.limits.{name}={value}{unit}`"),
+                    true => format!("use `--set mission.limits.{name}={value}{unit}`"),
                     false => format!("write `{name} <= {value} {unit}`"),
                 }
             }
             Change::Reserve(reserve) if set(plan.reserve_span) => {
-                format!("say `--set plan.reserve={}%`", number(100.0 * reserve))
+                format!("use `--set plan.reserve={}%`", number(100.0 * reserve))
             }
             Change::Reserve(reserve) => format!("write `reserve = {} %`", number(100.0 * reserve)),
             Change::NoLimit(limit) => {
                 let limit = &mission.limits[limit];
-                let also = if set(limit.span) { ", of the `--set` and of the spec if it is there too" } else { "" };
-                format!("take `{}` out{also}", written(limit))
+                let also = if set(limit.span) { " from `--set`, and from the spec if it is there too" } else { "" };
+                format!("remove `{}`{also}", written(limit))
             }
-            Change::NoHold(waypoint) => format!("take the `hold` at {} out", at(waypoint)),
+            Change::NoHold(waypoint) => format!("remove the `hold` at {}", at(waypoint)),
             Change::NoMode(mode) => {
                 let list = if set(plan.against_span) { "--set plan.against" } else { "against" };
-                format!("leave `{}` out of `{list}`", model.modes[mode].name)
+                format!("remove `{}` from `{list}`", model.modes[mode].name)
             }
             Change::Mass(mass) if set(model.vehicle.mass_span) => {
                 format!("make the vehicle lighter: `--set vehicle.mass={}kg`", number(mass))

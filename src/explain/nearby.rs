@@ -1,5 +1,5 @@
-//! Mission times close to the one asked for at which the planner finds a plan, where it found none at that time. If there is
-//! one, the spec is not blamed.
+//! Mission times close to the required one at which the planner finds a plan after it found none at that time. If there is
+//! one, no statement of the spec is blamed.
 
 use crate::certify;
 use crate::model::{Mission, MissionTime, Model};
@@ -8,7 +8,7 @@ use crate::planner::scp::NOT_FOUND;
 use crate::planner::studies::{Comparison, NOTHING_TO_SELECT_BY, NotFound, PlanOutcome, Scope, compare};
 use crate::solve::Effort;
 
-/// Shares of the time asked for that are tried, the nearest first, where the shortest time found is no longer than that, or where
+/// Multiples of the required time that are tried, the nearest first, if the shortest time found is not longer than that or if
 /// none was found.
 const LONGER: [f64; 5] = [1.02, 1.05, 1.1, 1.3, 2.0];
 
@@ -26,8 +26,8 @@ impl Nearby {
     }
 }
 
-/// The time asked for where none was found there and nothing was proved; `None` of all else.
-fn asked_for(model: &Model, mission: &Mission, comparison: &Comparison) -> Option<f64> {
+/// The required time, if no plan was found and nothing was proved; otherwise `None`.
+fn required_time(model: &Model, mission: &Mission, comparison: &Comparison) -> Option<f64> {
     let MissionTime::Fixed(time) = model.plan.time else { return None };
     let is_open = match &comparison.runs.last()?.outcome {
         PlanOutcome::NotFound(NotFound::Search { status, .. }) => status == NOT_FOUND,
@@ -38,10 +38,15 @@ fn asked_for(model: &Model, mission: &Mission, comparison: &Comparison) -> Optio
     (is_open && determined(mission).is_none() && model.plan.require_risk.is_none()).then_some(time)
 }
 
-/// Looks for plans at times beside the spec's, where the planner found none there. `tell` hears each time, s.
-pub fn nearby(model: &Model, mission: &Mission, comparison: &Comparison, tell: &dyn Fn(f64)) -> (Nearby, Effort) {
+/// Searches for plans at times near the spec's, if the planner found none there. `on_progress` is called with each time, s.
+pub fn nearby(
+    model: &Model,
+    mission: &Mission,
+    comparison: &Comparison,
+    on_progress: &dyn Fn(f64),
+) -> (Nearby, Effort) {
     let mut effort = Effort::default();
-    let Some(asked) = asked_for(model, mission, comparison) else { return (Nearby::default(), effort) };
+    let Some(required) = required_time(model, mission, comparison) else { return (Nearby::default(), effort) };
     let mut plan_at = |time: MissionTime| {
         let mut other = model.clone();
         other.plan.time = time;
@@ -50,20 +55,20 @@ pub fn nearby(model: &Model, mission: &Mission, comparison: &Comparison, tell: &
         certify::check(&other, mission, &mut found);
         found.runs.last().and_then(|run| run.outcome.plan()).map(|solved| solved.time)
     };
-    tell(asked);
+    on_progress(required);
     let shortest = plan_at(MissionTime::Minimum);
-    if let Some(longer) = shortest.filter(|&time| time > asked) {
+    if let Some(longer) = shortest.filter(|&time| time > required) {
         return (Nearby { shorter: None, longer: Some(longer) }, effort);
     }
     let longer = LONGER.iter().find_map(|share| {
-        let time = rounded(share * asked);
-        tell(time);
+        let time = rounded(share * required);
+        on_progress(time);
         plan_at(MissionTime::Fixed(time))
     });
-    (Nearby { shorter: shortest.filter(|&time| time < asked), longer }, effort)
+    (Nearby { shorter: shortest.filter(|&time| time < required), longer }, effort)
 }
 
-/// To four digits: a time that one would write.
+/// Rounded to four digits, as an author would write it.
 fn rounded(time: f64) -> f64 {
     format!("{time:.3e}").parse().unwrap_or(time)
 }

@@ -1,11 +1,11 @@
-//! What is asked of a planner.
+//! The interface to planners: oracle queries and answers.
 
 use crate::model::{Mission, Model};
 
-/// Something that a plan meets, as far as multipliers can weigh it. Places are those in [`Model`] and [`Mission`].
+/// A part of a program to which multipliers can be assigned. Indices are those in [`Model`] and [`Mission`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
-    /// `Mission::waypoints[i]`, its place and its yaw.
+    /// `Mission::waypoints[i]`, its position and yaw.
     Waypoint(usize),
     RestAtStart,
     RestAtEnd,
@@ -15,32 +15,31 @@ pub enum Part {
     Mode(usize),
 }
 
-/// What a planner says of a mission at one mission time.
+/// The answer of a planner for a mission at one mission time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Answer {
     /// It has a plan.
     Feasible,
-    /// It has shown that there is none.
+    /// It proved that there is none.
     Infeasible {
-        /// What each part weighs in the multipliers that show it (>= 0; a part may be named more than once). Empty where there
-        /// are no multipliers.
+        /// The weight of each part in the multipliers of the proof (>= 0; a part may occur more than once). Empty if there are
+        /// no multipliers.
         weights: Vec<(Part, f64)>,
-        /// Shown only of the facets that the RIP plan selects. (Where RIP itself has no plan nothing is selected.)
-        of_selection: bool,
-        /// Shown on the grid of the spec's samples; false where it holds for every grid.
-        of_samples: bool,
+        /// Proved only for the facets that the RIP plan selects. (If RIP itself has no plan, nothing is selected.)
+        only_for_selection: bool,
+        /// Proved only on the grid of the spec's samples; false if it holds for every grid.
+        only_for_samples: bool,
     },
-    /// It has found no plan, and not shown that there is none; with what each part is likely to weigh, as above, where
-    /// something tells.
+    /// It found no plan and no proof; with the likely weight of each part, as above, if there is an estimate.
     NotFound(Vec<(Part, f64)>),
 }
 
-/// A planner, asked for plans.
+/// A planner as an oracle.
 pub trait Oracle {
-    /// Whether `mission` has a plan that takes `time` seconds, holds included, by the planner, the modes, the reserve
-    /// and the samples of `model.plan`; its `time` and the mission of `model` count for nothing.
+    /// Whether `mission` has a plan that takes `time` seconds, including holds, with the planner, the modes, the reserve and
+    /// the samples of `model.plan`; its `time` and the mission of `model` are ignored.
     ///
-    /// A limit without bounds, and a waypoint whose tolerances are [`crate::planner::transcription::UNBOUNDED`] and whose
-    /// weight is zero, ask for nothing.
+    /// A limit without bounds is no constraint, and neither is a waypoint whose tolerances are
+    /// [`crate::planner::transcription::UNBOUNDED`] and whose weight is zero.
     fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer;
 }

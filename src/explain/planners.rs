@@ -1,48 +1,49 @@
-//! The planners, in either model, as an oracle.
+//! The planners, in both models, as an oracle.
 
 use super::oracle::{Answer, Oracle, Part};
 use crate::certify;
-use crate::model::{LimitKind, Mission, Model, PlanModel, PlannerKind, Vehicle};
+use crate::model::{LimitKind, Mission, Model, PlannerKind, Vehicle};
 use crate::motion::checks::{past, peak};
 use crate::motion::time_grid::time_grid;
-use crate::motion::wrench_model::WrenchModel;
-use crate::planner::hover::{Decision, HoverPlanner, Planned};
-use crate::planner::scp::{NOT_FOUND, ScpPlanner};
+use crate::planner::hover::{Decision, Planned};
+use crate::planner::scp::NOT_FOUND;
 use crate::planner::selection::PlanningSet;
 use crate::planner::selection::sets::PlanningSets;
 use crate::planner::studies::{THESE_TIMES, proofs_are_about};
 use crate::planner::timing::kinematics::least_time_within;
-use crate::planner::transcription::UNBOUNDED;
 use crate::planner::working_set::WorkingSet;
+use crate::planner::{finds_local_optima, planner};
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 
-/// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that passes a limit by far between its
-/// nodes counts as none.
+/// RIP, RCP and RSP at one mission time, each as `mavc plan` runs it there. A plan that exceeds a limit by far between its
+/// nodes does not count as a plan.
 #[derive(Default)]
 pub struct Planners<'p> {
-    /// Those of the last question: most questions differ in the mission alone.
+    /// Sets of the last query: most queries differ only in the mission.
     sets: Option<Sets>,
+    /// Work of all queries.
     pub effort: Effort,
-    /// Told each mission time before it is tried.
+    /// Called with each mission time before it is tried.
     on_progress: Option<&'p dyn Fn(f64)>,
 }
 
 impl<'p> Planners<'p> {
+    /// `on_progress` is called with each mission time (s) before it is tried.
     pub fn new(on_progress: Option<&'p dyn Fn(f64)>) -> Self {
         Planners { on_progress, ..Planners::default() }
     }
 }
 
-/// What a planner imposes, and what it follows from.
+/// The sets that planners impose, and the data from which they follow.
 struct Sets {
     vehicle: Vehicle,
     gravity: f64,
     against: Vec<usize>,
     reserve: f64,
     imposed: PlanningSets,
-    /// Rows that bound in earlier plans, of RIP's and RCP's set.
-    pools: [WorkingSet; 2],
+    /// Rows that were active in earlier plans, of RIP's and RCP's set.
+    working_sets: [WorkingSet; 2],
 }
 
 impl Sets {
@@ -53,7 +54,7 @@ impl Sets {
             against: model.plan.against.clone(),
             reserve: model.plan.reserve,
             imposed: PlanningSets::of(model),
-            pools: Default::default(),
+            working_sets: Default::default(),
         }
     }
 
@@ -66,31 +67,28 @@ impl Sets {
 
 impl Oracle for Planners<'_> {
     fn ask(&mut self, model: &Model, mission: &Mission, time: f64) -> Answer {
-        if let Some(tell) = &self.on_progress {
-            tell(time);
+        if let Some(on_progress) = &self.on_progress {
+            on_progress(time);
         }
-        // What holds for every division of the time, grid and planner needs none.
+        // This bound holds for every division of the time, every grid and every planner.
         if model.plan.chooses_times && least_time_within(model, mission).is_above(time) {
-            return Answer::Infeasible { weights: Vec::new(), of_selection: false, of_samples: false };
+            return Answer::Infeasible { weights: Vec::new(), only_for_selection: false, only_for_samples: false };
         }
         let known = self.sets.take().filter(|sets| sets.are_of(model));
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
-        let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.pools);
-        let mut engine = HoverPlanner::new(model, mission, &sets.imposed.healthy);
+        let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.working_sets);
+        let mut planner = planner(model, mission, &sets.imposed.healthy, None);
         let mut decide = |set: &PlanningSet, pool: &mut WorkingSet, settled: bool| {
-            let decision = match model.plan.model {
-                PlanModel::Hover => engine.decide(time, model.plan.samples, set, pool),
-                PlanModel::Exact => decide_exactly(&mut engine, set, pool, time, settled),
-            };
-            let weights = std::mem::take(&mut engine.weights);
+            let decision = planner.attempt_at(time, set, settled, pool);
+            let weights = planner.take_weights();
             let decision = match proofs_are_about(model, mission) {
-                // Without weights the yaw waypoints, or what has no yaw in it, show it by themselves.
+                // Without weights, the proof is about the yaw waypoints alone, or does not involve yaw.
                 Some(about) if about == THESE_TIMES || !weights.is_empty() => not_for_all(decision),
                 _ => decision,
             };
             (decision, weighed(set, weights, model, mission, time))
         };
-        let (mut of_selection, mut selected_by) = (false, Vec::new());
+        let (mut only_for_selection, mut selected_by) = (false, Vec::new());
         let (decision, parts) = match model.plan.planner {
             PlannerKind::Rip => decide(&sets.imposed.rip, &mut of_rip, false),
             PlannerKind::Rcp => decide(&sets.imposed.joint, &mut of_joint, false),
@@ -103,36 +101,37 @@ impl Oracle for Planners<'_> {
                         (Decision::Feasible(planned), parts)
                     }
                     facets => {
-                        of_selection = true;
+                        only_for_selection = true;
                         selected_by.push(planned.trajectory());
                         let (decision, parts) = decide(&sets.imposed.rip.with(facets), &mut of_rip.clone(), false);
-                        (about_all_selections(decision, model.plan.model), parts)
+                        (about_all_selections(decision, model), parts)
                     }
                 },
                 other => other,
             },
         };
-        self.effort += engine.effort;
-        sets.pools = [of_rip, of_joint];
+        self.effort += planner.effort();
+        drop(planner);
+        sets.working_sets = [of_rip, of_joint];
         self.sets = Some(sets);
         match decision {
-            Decision::Feasible(planned) if passes_a_limit(&planned, mission, model.gravity) => {
+            Decision::Feasible(planned) if exceeds_a_limit(&planned, mission, model.gravity) => {
                 Answer::NotFound(Vec::new())
             }
-            // A change is offered only where it gives what `mavc plan` would call a plan.
+            // A change is offered only if it gives what `mavc plan` would call a plan.
             Decision::Feasible(planned) => {
                 match certify::is_plan(model, mission, time, &planned.trajectory(), &selected_by) {
                     true => Answer::Feasible,
                     false => Answer::NotFound(Vec::new()),
                 }
             }
-            Decision::Infeasible => Answer::Infeasible { weights: parts, of_selection, of_samples: true },
+            Decision::Infeasible => Answer::Infeasible { weights: parts, only_for_selection, only_for_samples: true },
             Decision::Inconclusive(_) => Answer::NotFound(parts),
         }
     }
 }
 
-/// A proof that is not about all that the spec leaves open is none.
+/// A proof that does not cover everything that the spec leaves open is not a proof for the spec.
 fn not_for_all(decision: Decision) -> Decision {
     match decision {
         Decision::Infeasible => Decision::Inconclusive(NOT_FOUND.into()),
@@ -140,66 +139,18 @@ fn not_for_all(decision: Decision) -> Decision {
     }
 }
 
-/// What is decided for the facets that one RIP plan selects. The hover model's RIP plan is the only one of least cost, so they are
-/// RSP's facets; in the exact model another RIP plan may select others, and a proof for these is none for RSP.
-fn about_all_selections(decision: Decision, model: PlanModel) -> Decision {
-    match model {
-        PlanModel::Exact => not_for_all(decision),
-        PlanModel::Hover => decision,
-    }
+/// The verdict on RSP from one on the facets that one RIP plan selects. In the hover model that plan is the only one of least cost,
+/// so they are RSP's facets; in the exact model another RIP plan may select others, and a proof for these is not one for RSP.
+fn about_all_selections(decision: Decision, model: &Model) -> Decision {
+    if finds_local_optima(model) { not_for_all(decision) } else { decision }
 }
 
-/// A short try in the exact model. Where it tells nothing, the rows that bind in the hover model tell where to look.
-fn decide_exactly(
-    engine: &mut HoverPlanner,
-    set: &PlanningSet,
-    pool: &mut WorkingSet,
-    time: f64,
-    settled: bool,
-) -> Decision {
-    let (model, mission) = (engine.model, engine.mission);
-    let near = guided(mission);
-    let mut about = HoverPlanner::new(model, &near, engine.healthy);
-    let mut decision = ScpPlanner::new(&mut about, WrenchModel::Exact, set).attempt(time, settled);
-    engine.effort += about.effort;
-    engine.weights = about.weights;
-    // What is shown with waypoints kept near is shown of the mission itself only where there are none of those.
-    if near != *mission && !matches!(decision, Decision::Feasible(_)) {
-        decision = ScpPlanner::new(engine, WrenchModel::Exact, set).attempt(time, settled);
-    }
-    if matches!(decision, Decision::Inconclusive(_)) {
-        engine.decide(time, model.plan.samples, set, pool);
-    }
-    decision
-}
-
-/// Weight of a waypoint that was left out, and how near it is kept: in lengths of the mission and m, and in rad.
-const GUIDANCE: f64 = 0.01;
-const ROOM: f64 = 3.0;
-const LEAST_ROOM: f64 = 100.0;
-const TURNS: f64 = 20.0;
-
-/// The mission with waypoints that ask for nothing as something to keep near, by far. Without it, steps of the exact model
-/// drift along what nothing bounds, such as the speed where one waypoint is left, and the solver finds no end.
-fn guided(mission: &Mission) -> Mission {
-    let mut guided = mission.clone();
-    let apart = |i: usize| {
-        let (a, b) = (mission.waypoints[0].position, mission.waypoints[i].position);
-        (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
-    };
-    let length = (0..mission.waypoints.len()).map(apart).fold(0.0, f64::max);
-    let room = (LEAST_ROOM + ROOM * length).min(0.9 * UNBOUNDED);
-    let idle = guided.waypoints.iter_mut().filter(|w| w.within >= UNBOUNDED && w.weight == 0.0);
-    idle.for_each(|w| (w.within, w.yaw_within, w.weight) = (room, TURNS, GUIDANCE));
-    guided
-}
-
-/// Limits hold at the nodes. A plan that passes one by more than this share of it between them (of 1 m or 1 rad where it
-/// bounds a coordinate) only shows that the grid is too coarse at this mission time.
+/// Limits hold at the nodes. A plan that exceeds one between them by more than this share of it (of 1 m or 1 rad if it bounds
+/// a coordinate) only shows that the grid is too coarse at this mission time.
 const COARSE: f64 = 0.05;
 
-/// Whether a plan passes some limit by more than [`COARSE`].
-fn passes_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
+/// Whether a plan exceeds some limit by more than [`COARSE`].
+fn exceeds_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
     let trajectory = planned.trajectory();
     mission.limits.iter().any(|limit| {
         let bound = limit.lower.into_iter().chain(limit.upper).map(f64::abs).fold(0.0, f64::max);
@@ -211,7 +162,7 @@ fn passes_a_limit(planned: &Planned, mission: &Mission, gravity: f64) -> bool {
     })
 }
 
-/// What rows weigh, by what they stand for. A facet that several modes share weighs for each of them.
+/// The weights of rows, assigned to parts. A facet that several modes share counts for each of them.
 fn weighed(
     set: &PlanningSet,
     weights: Vec<(RowOrigin, f64)>,
@@ -230,11 +181,11 @@ fn weighed(
             RowOrigin::Rest { node: 0, .. } => parts.push((Part::RestAtStart, weight)),
             RowOrigin::Rest { node, .. } if Some(node) == last => parts.push((Part::RestAtEnd, weight)),
             RowOrigin::Facet { facet, .. } | RowOrigin::Lag { facet, .. } => {
-                // Mode 0 is the healthy vehicle, which no statement could leave out.
+                // Mode 0 is the healthy vehicle, which no statement can leave out.
                 let modes = set.rows[facet].origin.iter().filter_map(|of| of.mode.checked_sub(1));
                 parts.extend(modes.map(|mode| (Part::Mode(mode), weight)));
             }
-            // The largest thrust is that of all modes together.
+            // The largest thrust depends on all modes.
             RowOrigin::Thrust { .. } if model.plan.planner == PlannerKind::Rcp => {
                 parts.extend(model.plan.against.iter().map(|&mode| (Part::Mode(mode), weight)));
             }

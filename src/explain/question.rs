@@ -1,4 +1,4 @@
-//! Questions to the oracle: variants of one spec, the mission time each is asked at, and how many there may be.
+//! Queries to the oracle: variants of one spec, the mission time of each query, and their largest number.
 
 use super::oracle::{Answer, Oracle, Part};
 use super::statement::Statement;
@@ -6,21 +6,21 @@ use crate::model::{LimitKind, Mission, MissionTime, Model, PlanModel, PlannerKin
 use crate::motion::time_grid::{determined, earliest};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A time is long for a mission if it leaves the legs that no fixed time ends this many times what [`unhurried`] asks for.
-/// (Not many more: the samples of all other legs would become few.)
+/// A time is long for a mission if the legs after the last fixed time have this many times the time given by [`unhurried`].
+/// (Not many more: otherwise few samples would remain for the other legs.)
 const LONG: f64 = 4.0;
 
-/// And this many times what the spec gives them.
+/// And this many times the time that the spec gives them.
 const LONGER: f64 = 1.5;
 
-/// The longest time asked for, s.
+/// The longest mission time of a query, s.
 const LONGEST: f64 = 100_000.0;
 
 pub(super) struct Questions<'a> {
     pub model: &'a Model,
     pub mission: &'a Mission,
     oracle: &'a mut dyn Oracle,
-    /// By what was left out.
+    /// Answers by the statements left out.
     answers: BTreeMap<BTreeSet<Statement>, Answer>,
     asked: usize,
     most: usize,
@@ -35,32 +35,32 @@ impl<'a> Questions<'a> {
         self.asked
     }
 
-    /// Allows more questions from here on.
+    /// Allows this many more queries from here on.
     pub fn allow(&mut self, more: usize) {
         self.most = self.asked + more;
     }
 
-    /// A mission time that is long for a variant of the mission, s: for its fixed times and holds, and all the spec's limits,
-    /// so that variants with the same of those are asked for at the same time.
+    /// A mission time that is long for a variant of the mission, s. It depends on the variant's fixed times and holds and on
+    /// all limits of the spec, so that variants with the same times and holds are queried at the same mission time.
     fn long_for(&self, variant: &Mission) -> f64 {
         let fixed = match self.model.plan.time {
             MissionTime::Fixed(time) => time,
             MissionTime::Minimum => 0.0,
         };
-        let settled = earliest(variant);
+        let earliest = earliest(variant);
         let last_fixed = variant.waypoints.iter().rposition(|w| w.time.is_some()).unwrap_or(0);
         let unhurried = unhurried(self.mission, last_fixed, self.model.gravity);
-        (settled + (LONG * unhurried).max(LONGER * (fixed - settled))).ceil().min(LONGEST)
+        (earliest + (LONG * unhurried).max(LONGER * (fixed - earliest))).ceil().min(LONGEST)
     }
 
-    /// A mission time that is long for the mission whatever its fixed times, s.
+    /// A mission time that is long for the mission with and without its fixed times, s.
     pub fn long(&self) -> f64 {
         let mut free = self.mission.clone();
         free.waypoints.iter_mut().for_each(|w| w.time = None);
         self.long_for(&free).max(self.long_for(self.mission))
     }
 
-    /// The time at which a variant is asked for, and whether it fixes none itself.
+    /// The mission time of the query for a variant, s, and whether the variant leaves it free.
     pub fn time_of(&self, model: &Model, mission: &Mission) -> (f64, bool) {
         match (determined(mission), model.plan.time) {
             (Some(time), _) | (None, MissionTime::Fixed(time)) => (time, false),
@@ -75,7 +75,7 @@ impl<'a> Questions<'a> {
         (model, mission)
     }
 
-    /// What the oracle says of the spec with some statements left out; `None` where too much has been asked.
+    /// The oracle's answer for the spec with some statements left out; `None` if there were too many queries.
     pub fn without(&mut self, left_out: &BTreeSet<Statement>) -> Option<Answer> {
         if let Some(answer) = self.answers.get(left_out) {
             return Some(answer.clone());
@@ -91,9 +91,10 @@ impl<'a> Questions<'a> {
         Some(answer)
     }
 
-    /// What earlier answers say: a plan meets whatever asks for less than it was made for, and what has none has none with more
-    /// to meet. Only between variants that ask at the same times: a fixed time or a hold less moves waypoints. Nothing is
-    /// implied where other things move too: facets that follow from a plan (RSP), and yaw that is planned before the rest.
+    /// The answer implied by earlier answers: a plan remains one if statements are left out, and infeasibility remains if
+    /// statements are added. This holds only between variants with the same waypoint times: leaving out a fixed time or a
+    /// hold moves waypoints. Nothing is implied if other things move too: facets that follow from a plan (RSP), and yaw that
+    /// is planned before the rest.
     fn implied(&self, left_out: &BTreeSet<Statement>) -> Option<Answer> {
         let moves = self.model.plan.model == PlanModel::Hover && !self.mission.has_one_yaw();
         if moves || self.model.plan.planner == PlannerKind::Rsp {
@@ -113,14 +114,14 @@ impl<'a> Questions<'a> {
         self.answers.iter().find(implies).map(|(_, answer)| answer.clone())
     }
 
-    /// What the oracle says of any variant; `None` where too much has been asked.
+    /// The oracle's answer for any variant; `None` if there were too many queries.
     pub fn ask(&mut self, mut model: Model, mission: &Mission) -> Option<Answer> {
         if self.asked >= self.most {
             return None;
         }
         self.asked += 1;
         let (time, free) = self.time_of(&model, mission);
-        // The time at which RSP selects its facets is a shortest time of RCP, and where RCP has a plan RSP has one.
+        // RSP selects its facets at a shortest time of RCP, and if RCP has a plan, RSP has one.
         let asks_rcp = free && model.plan.planner == PlannerKind::Rsp && self.model.plan.time == MissionTime::Minimum;
         if asks_rcp {
             model.plan.planner = PlannerKind::Rcp;
@@ -131,8 +132,8 @@ impl<'a> Questions<'a> {
         }
     }
 
-    /// What a proof about RCP, asked in the place of RSP, says of RSP. RCP's sets are the smaller ones, so nothing; a proof about
-    /// RIP, whose sets are the larger ones, is one about RSP too.
+    /// The answer for RSP after a proof for RCP, which was queried in its place. RCP's sets are smaller, so this proves nothing
+    /// about RSP; but RIP's sets are larger, so a proof for RIP is a proof for RSP.
     fn without_modes(&mut self, mut model: Model, mission: &Mission, time: f64, of_rcp: Vec<(Part, f64)>) -> Answer {
         self.asked += 1;
         model.plan.planner = PlannerKind::Rip;
@@ -143,8 +144,8 @@ impl<'a> Questions<'a> {
     }
 }
 
-/// The time that the legs from a waypoint on take when each is flown from rest to rest at half of g, at each limit alone, one
-/// after the other, s. A measure for what is long, nothing more.
+/// A measure of a long flight time, s: the sum, over the legs from a waypoint on, of the time from rest to rest at half of g
+/// and of the times under each limit alone.
 fn unhurried(mission: &Mission, from: usize, gravity: f64) -> f64 {
     let leg = |pair: &[crate::model::Waypoint]| {
         let apart: [f64; 3] = std::array::from_fn(|i| (pair[1].position[i] - pair[0].position[i]).abs());

@@ -9,26 +9,26 @@ use crate::admissible::diagnose::diagnose;
 use crate::diagnostic::Severity;
 use crate::model::{Limit, LimitKind, Mission, MissionTime, Model};
 
-/// A change to a spec. Numbers are SI; each is one of two digits in the unit that it is written in.
+/// A change to a spec. Numbers are SI and have two significant digits in the unit of the spec.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change {
-    /// Another `samples`.
+    /// A different `samples`.
     Samples(usize),
-    /// Another `time` of the plan.
+    /// A different `time` of the plan.
     Time(f64),
-    /// Another `time` of a waypoint; where it is the last and the plan says its time too, that as well.
+    /// A different `time` of a waypoint; if it is the last one and the plan fixes its time too, both.
     Arrival { waypoint: usize, time: f64 },
-    /// Another `within` of the waypoints of one statement.
+    /// A different `within` of the waypoints of one statement.
     Within { first: usize, last: usize, within: f64 },
     /// A wider bound.
     Bound { limit: usize, upper: f64 },
-    /// Another `reserve`.
+    /// A different `reserve`.
     Reserve(f64),
-    /// A limit less.
+    /// A limit is removed.
     NoLimit(usize),
-    /// A hold less.
+    /// A hold is removed.
     NoHold(usize),
-    /// A mode less in `against`.
+    /// A mode is removed from `against`.
     NoMode(usize),
     /// A lighter vehicle.
     Mass(f64),
@@ -42,19 +42,19 @@ pub struct Fix {
     pub time: f64,
 }
 
-/// Tolerances are widened up to this share of the way to the nearest waypoint beside, and up to this many times: beyond, the
-/// mission would be another one.
+/// Tolerances are widened up to this share of the distance to the nearest adjacent waypoint,
 const WIDEST: f64 = 0.25;
+/// and up to this factor: beyond that it would be a different mission.
 const WIDER_WITHIN: f64 = 10.0;
-/// Bounds are widened up to this many times.
+/// Bounds are widened up to this factor.
 const WIDER: f64 = 10.0;
-/// The lightest vehicle looked at, as a share of the spec's.
+/// The lightest vehicle that is tried, as a share of the spec's.
 const LIGHTEST: f64 = 0.5;
-/// A tilt limit is below 90 degrees.
+/// Largest tilt limit that is tried, degrees.
 const MOST_TILT: f64 = 89.0;
 
-/// Changes that give the whole spec a plan, cheapest first: what costs time before what costs accuracy, then room, then
-/// control, then what is given up, then another vehicle.
+/// Changes that give the whole spec a plan, cheapest first: changes that cost time, then accuracy, then limits and reserve,
+/// then removed statements, then a different vehicle.
 pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> {
     let (model, mission) = (questions.model, questions.mission);
     let mut found = Vec::new();
@@ -78,7 +78,7 @@ pub(super) fn fixes(questions: &mut Questions, conflict: &Conflict) -> Vec<Fix> 
         found.extend(looser(questions, statement));
     }
     for statement in of(|s| matches!(s, Statement::Limit(_) | Statement::Hold(_) | Statement::Mode(_))) {
-        // A limit that may be wider need not go.
+        // A limit that can be widened need not be removed.
         if found.iter().all(|fix: &Fix| fix.change.of() != Some(statement)) {
             found.extend(less(statement).and_then(|change| attempt(questions, change)));
         }
@@ -108,7 +108,7 @@ fn longer(questions: &mut Questions, statement: Statement) -> Option<Fix> {
     }
 }
 
-/// Wider tolerances of the waypoints of one statement. Where the vehicle stands at the start is not for the spec to choose.
+/// Wider tolerances of the waypoints of one statement, except the start, where the vehicle is given.
 fn wider(questions: &mut Questions, statement: Statement) -> Option<Fix> {
     let Statement::Waypoints { first, last } = statement else { return None };
     if last == 0 {
@@ -148,12 +148,12 @@ fn looser(questions: &mut Questions, statement: Statement) -> Option<Fix> {
     }
 }
 
-/// The first of `values`, which go ever further, whose change gives a plan: in steps of growing length, then by halving.
-/// Where a plan further on is no promise of one nearer (or the other way round) it is one that gives a plan all the same.
+/// The first of the ascending changes `values` that gives a plan: in steps of growing length, then by bisection. If
+/// feasibility is not monotone in the change, the result still gives a plan but need not be the first.
 fn seek(questions: &mut Questions, values: &[f64], change: impl Fn(f64) -> Change) -> Option<Fix> {
     let end = values.len().checked_sub(1)?;
-    // What cannot be mended in this way is told by the furthest. Not of a waypoint's time, which must leave some to those
-    // after it.
+    // If the largest change does not help, none does; except for a waypoint's time, which must leave time for the legs after
+    // it.
     let is_arrival = matches!(change(values[0]), Change::Arrival { .. });
     let furthest = attempt(questions, change(values[end]));
     if furthest.is_none() && !is_arrival {
@@ -182,7 +182,7 @@ fn seek(questions: &mut Questions, values: &[f64], change: impl Fn(f64) -> Chang
     best.1
 }
 
-/// The change that leaves a statement out, where an author might.
+/// The change that removes a statement, if an author might do so.
 fn less(statement: Statement) -> Option<Change> {
     match statement {
         Statement::Limit(limit) => Some(Change::NoLimit(limit)),
@@ -204,6 +204,7 @@ fn attempt(questions: &mut Questions, change: Change) -> Option<Fix> {
 }
 
 impl Change {
+    /// Applies the change to a spec.
     pub fn apply(self, model: &mut Model, mission: &mut Mission) {
         match self {
             Change::Samples(samples) => model.plan.samples = samples,
@@ -232,7 +233,7 @@ impl Change {
         }
     }
 
-    /// The kind in a word, for programs.
+    /// The kind as a word for JSON.
     pub fn kind(self) -> &'static str {
         match self {
             Change::Samples(_) => "samples",
@@ -248,7 +249,7 @@ impl Change {
         }
     }
 
-    /// The number changed to, in SI units.
+    /// The new value, SI.
     pub fn value(self) -> Option<f64> {
         match self {
             Change::Samples(samples) => Some(samples as f64),
@@ -260,7 +261,7 @@ impl Change {
         }
     }
 
-    /// The statement of the conflict that it changes, where it is one.
+    /// The statement that it changes; `None` if it is not one of [`Statement`].
     pub fn of(self) -> Option<Statement> {
         match self {
             Change::Samples(_) | Change::Mass(_) => None,

@@ -1,4 +1,4 @@
-//! The statements of a spec that a plan has to meet, one by one.
+//! The statements of a spec that a plan must satisfy.
 
 use super::oracle::Part;
 use crate::model::{Limit, Mission, MissionTime, Model, PlannerKind};
@@ -6,7 +6,7 @@ use crate::number::{number, part_of_all};
 use crate::planner::transcription::UNBOUNDED;
 use crate::source::Span;
 
-/// One statement, or one default that stands for it. Places are those in [`Mission`] and [`Model`].
+/// One statement, or the default in its place. Indices are those in [`Mission`] and [`Model`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Statement {
     /// The waypoints of one statement: more than one on a curve.
@@ -16,19 +16,19 @@ pub enum Statement {
     },
     /// A waypoint's own `time`.
     Arrival(usize),
-    /// What `hold` says after a waypoint.
+    /// The `hold` after a waypoint.
     Hold(usize),
     RestAtStart,
     RestAtEnd,
     Limit(usize),
-    /// `Model::modes[i]` is to be stood.
+    /// `Model::modes[i]` must be tolerated.
     Mode(usize),
     Reserve,
     /// `time` in `plan`.
     Time,
 }
 
-/// Every statement that a plan of this planner has to meet, in the order of flight.
+/// Every statement that a plan of this planner must satisfy, in the order of flight.
 pub fn statements(model: &Model, mission: &Mission) -> Vec<Statement> {
     let plan = &model.plan;
     let mut all = Vec::new();
@@ -38,7 +38,7 @@ pub fn statements(model: &Model, mission: &Mission) -> Vec<Statement> {
         first += group.len();
     }
     for (i, waypoint) in mission.waypoints.iter().enumerate() {
-        // The first waypoint is reached at time zero, said or not.
+        // The first waypoint is reached at time zero, whether stated or not.
         all.extend((i > 0 && waypoint.time.is_some()).then_some(Statement::Arrival(i)));
         all.extend((waypoint.hold > 0.0).then_some(Statement::Hold(i)));
     }
@@ -54,7 +54,7 @@ pub fn statements(model: &Model, mission: &Mission) -> Vec<Statement> {
 }
 
 impl Statement {
-    /// Whether multipliers can weigh it: times, holds and the reserve have no rows of their own.
+    /// Whether it has rows, and so multipliers: times, holds and the reserve have none of their own.
     pub fn has_rows(self) -> bool {
         !self.parts().is_empty()
     }
@@ -71,7 +71,7 @@ impl Statement {
         }
     }
 
-    /// Leaves it out. The times at which the others ask for something stay what they are, but for those that it fixed.
+    /// Leaves it out. The waypoint times of the other statements do not change, except those that it fixed.
     pub fn leave_out(self, model: &mut Model, mission: &mut Mission) {
         match self {
             Statement::Waypoints { first, last } => {
@@ -90,7 +90,7 @@ impl Statement {
         }
     }
 
-    /// Where it is said; where a default says it, the block that it would stand in.
+    /// Its place; for a default, the block to which it belongs.
     pub fn span(self, model: &Model, mission: &Mission) -> Span {
         let waypoint = |i: usize| &mission.waypoints[i];
         match self {
@@ -106,7 +106,7 @@ impl Statement {
         }
     }
 
-    /// The kind in a word, for programs.
+    /// The kind as a word for JSON.
     pub fn kind(self) -> &'static str {
         match self {
             Statement::Waypoints { .. } => "waypoint",
@@ -121,7 +121,7 @@ impl Statement {
         }
     }
 
-    /// What it asks for, as a label at its place.
+    /// Its requirement, as a label at its place.
     pub fn label(self, model: &Model, mission: &Mission) -> String {
         match self {
             Statement::Waypoints { first, last } => {
@@ -139,11 +139,11 @@ impl Statement {
                 }
             }
             Statement::Arrival(i) => format!("at {} s", number(mission.waypoints[i].time.unwrap_or(0.0))),
-            Statement::Hold(i) => format!("standing still for {} s", number(mission.waypoints[i].hold)),
-            Statement::RestAtStart => "from rest".into(),
-            Statement::RestAtEnd => "to rest".into(),
-            Statement::Limit(i) => format!("`{}` kept", written(&mission.limits[i])),
-            Statement::Mode(mode) => format!("{} stood", model.modes[mode].name),
+            Statement::Hold(i) => format!("holding for {} s", number(mission.waypoints[i].hold)),
+            Statement::RestAtStart => "starting at rest".into(),
+            Statement::RestAtEnd => "ending at rest".into(),
+            Statement::Limit(i) => format!("`{}` satisfied", written(&mission.limits[i])),
+            Statement::Mode(mode) => format!("{} tolerated", model.modes[mode].name),
             Statement::Reserve => {
                 let default = model.defaults.iter().any(|d| d.field == "plan.reserve");
                 let of = if default { " (the default)" } else { "" };
@@ -157,14 +157,14 @@ impl Statement {
     }
 }
 
-/// A limit as one writes it: of one that bounds a rate both ways alike only `<=`.
+/// A limit as an author writes it: a rate that is bounded equally in both directions has only `<=`.
 pub(super) fn written(limit: &Limit) -> String {
     let both_ways = limit.lower.is_some() && limit.lower == limit.upper.map(|upper| -upper);
     let lower = limit.lower.filter(|_| !both_ways);
     Limit { lower, ..*limit }.to_string()
 }
 
-/// A tolerance as one writes it: centimetres below a metre.
+/// A tolerance as an author writes it: in centimetres below a metre.
 pub(super) fn length(metres: f64) -> String {
     if metres < 1.0 { format!("{} cm", number(100.0 * metres)) } else { format!("{} m", number(metres)) }
 }

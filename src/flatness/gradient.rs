@@ -1,23 +1,24 @@
-//! The gradient of n.w by reverse mode: the lines of [`Course`] from the last to the first, each handing the derivative of
-//! n.w with respect to what it computes (`of_...`) on to what it is computed from (Griewank and Walther, *Evaluating
-//! Derivatives*, chapter 3).
+//! The gradient of n.w by reverse-mode differentiation (Griewank and Walther, *Evaluating Derivatives*, chapter 3).
+//!
+//! The lines of [`Intermediates`] are processed from the last to the first. `of_x` is the derivative of n.w with
+//! respect to the intermediate value `x`; each line passes it on to the values from which `x` is computed.
 
 use super::INPUTS;
-use super::course::Course;
+use super::intermediates::Intermediates;
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
 use nalgebra::SVector;
 use num_dual::DualNum;
 
-impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
-    /// d(n.w)/ds, in the order of [`super::FlatState`].
-    pub fn gradient(&self, vehicle: &Vehicle, n: &Wrench) -> SVector<D, INPUTS> {
-        let Course { f, l, v, f1, l1, v1, f2, l2, v2, h, h1, k, k1, k2, nn, nn1, .. } = *self;
+impl<D: DualNum<Primitive = f64> + Copy> Intermediates<D> {
+    /// The gradient of n.w with respect to the flat state s, in the order of [`super::FlatState`].
+    pub(super) fn gradient(&self, vehicle: &Vehicle, n: &Wrench) -> SVector<D, INPUTS> {
+        let Intermediates { f, l, v, f1, l1, v1, f2, l2, v2, h, h1, k, k1, k2, nn, nn1, .. } = *self;
         let two = D::from(2.0);
         let half = D::from(0.5);
         let (psi1, psi2) = (self.turn.rate, self.turn.acceleration);
 
-        // n.w in thrust, body rates and their derivatives.
+        // (67): n.w as a function of n, the body rates and their derivatives.
         let [ixx, iyy, izz] = vehicle.inertia;
         let [p, q, r] = self.rates;
         let across = [(izz - iyy) * n[1], (ixx - izz) * n[2], (iyy - ixx) * n[3]].map(D::from);
@@ -27,7 +28,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
         let [of_p1, of_q1, of_r1] = [ixx * n[1], iyy * n[2], izz * n[3]].map(D::from);
         let of_n = D::from(vehicle.mass * n[0]);
 
-        // In roll and pitch, psi' and psi''.
+        // (65) and (66): body rates as functions of roll, pitch, psi' and psi''.
         let (sin_phi, cos_phi, phi1, phi2) = (self.roll.sin, self.roll.cos, self.roll.rate, self.roll.acceleration);
         let (sin_theta, cos_theta, theta1) = (self.pitch.sin, self.pitch.cos, self.pitch.rate);
         let theta2 = self.pitch.acceleration;
@@ -58,7 +59,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
             + of_q1 * (psi2 * sin_phi + psi1 * cos_phi * phi1)
             + of_r1 * (psi2 * cos_phi - psi1 * sin_phi * phi1);
 
-        // phi'' = (l k'' - l'' k - phi' nn') / nn, phi' = (l k' - l' k) / nn, sin phi = -l / n, cos phi = k / n.
+        // (64): phi'' = (l k'' - l'' k - phi' nn') / nn, phi' = (l k' - l' k) / nn, sin phi = -l / n, cos phi = k / n.
         let share2 = of_phi2 / nn;
         let share1 = (of_phi1 - share2 * nn1) / nn;
         let of_l2 = -share2 * k;
@@ -69,10 +70,11 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
         let of_k2 = share2 * l;
         let mut of_l = share2 * k2 + share1 * k1 - of_sin_phi / self.n + two * (of_nn1 * l1 + of_nn * l);
 
-        // theta'' = (f'' v - f v'' - theta' h') / h, theta' = (f' v - f v') / h, sin theta = f / k, cos theta = v / k.
+        // (64): theta'' = (f'' v - f v'' - theta' h') / h, theta' = (f' v - f v') / h, sin theta = f / k, cos theta = v
+        // / k.
         let turned2 = of_theta2 / h;
         let turned1 = (of_theta1 - turned2 * h1) / h;
-        // k'' = (h'' / 2 - k'^2) / k, k' = h' / (2 k), k = sqrt h.
+        // (63): k'' = (h'' / 2 - k'^2) / k, k' = h' / (2 k), k = sqrt h.
         let of_h2 = half * of_k2 / k;
         let of_k1 = share1 * l - two * of_k2 * k1 / k;
         let of_h1 = of_nn1 - turned2 * theta1 + half * of_k1 / k;
@@ -82,7 +84,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
             - (of_sin_theta * sin_theta + of_cos_theta * cos_theta + of_k2 * k2 + of_k1 * k1) / k;
         let of_h = of_nn - turned2 * theta2 - turned1 * theta1 + half * of_k / k;
 
-        // h'' / 2 = f'^2 + f f'' + v'^2 + v v'', h' / 2 = f f' + v v', h = f^2 + v^2.
+        // (63): h'' / 2 = f'^2 + f f'' + v'^2 + v v'', h' / 2 = f f' + v v', h = f^2 + v^2.
         let of_f2 = turned2 * v + two * of_h2 * f;
         let of_v2 = two * of_h2 * v - turned2 * f;
         let of_f1 = turned1 * v + two * (two * of_h2 * f1 + of_h1 * f);
@@ -90,7 +92,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Course<D> {
         let mut of_f = of_sin_theta / k - turned2 * v2 - turned1 * v1 + two * (of_h2 * f2 + of_h1 * f1 + of_h * f);
         let of_v = of_cos_theta / k + turned2 * f2 + turned1 * f1 + two * (of_h2 * v2 + of_h1 * v1 + of_h * v);
 
-        // The frame turns with psi.
+        // (62), (61) and (60): the frame turns with psi.
         let [jerk_f, jerk_l] = self.jerk;
         let [snap_f, snap_l] = self.snap;
         let of_jerk_f = of_f1 - two * psi1 * of_l2;

@@ -1,15 +1,22 @@
-//! Wind: a mean and Dryden gusts.
+//! Wind: a constant mean and Dryden gusts (`docs/flight.md`, section 1).
 //!
-//! The Dryden spectra of MIL-F-8785C with one intensity sigma and one length L on all axes, as filters of white noise:
-//! along the wind sigma sqrt(2 tau) / (1 + tau s), across and vertically sigma sqrt(tau) (1 + sqrt(3) tau s) /
-//! (1 + tau s)^2, where tau = L/V. V, the speed through the air, is the mean wind and the mission's mean speed
-//! together, at least 1 m/s, and stays fixed during a flight. Steps are exact: the filters' states and the noise that
-//! a step adds have closed forms.
+//! Gusts have the Dryden spectra of MIL-F-8785C, with one intensity sigma and one length L on all axes, as filters of
+//! white noise:
+//!
+//! ```text
+//! along the wind              sigma sqrt(2 tau) / (1 + tau s)
+//! across it and vertically    sigma sqrt(tau) (1 + sqrt(3) tau s) / (1 + tau s)^2        tau = L/V
+//! ```
+//!
+//! V is the sum of the speed of the mean wind and the mean speed of the mission, at least 1 m/s, and is constant during
+//! a flight. The discretisation is exact: the state transition of the filters and the covariance of the noise in a step
+//! have closed forms.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
+/// The velocity of the air during a flight.
 #[derive(Debug, Clone)]
 pub struct Air {
     mean: Vector3<f64>,
@@ -22,11 +29,11 @@ struct Gusts {
     along: Vector3<f64>,
     across: Vector3<f64>,
     sigma: f64,
-    /// exp(-h/tau) and the noise's share that keeps the variance.
+    /// exp(-h/tau), and the factor of the noise that keeps the variance constant.
     decay: f64,
     fresh: f64,
     longitudinal: f64,
-    /// State transition and Cholesky factor of the noise's covariance, of the second-order filters.
+    /// Of the second-order filters: state transition, and Cholesky factor of the covariance of the noise.
     transition: Matrix2<f64>,
     noise: Matrix2<f64>,
     lateral: Vector2<f64>,
@@ -34,7 +41,9 @@ struct Gusts {
 }
 
 impl Air {
-    /// `speed` is V in m/s; `h` the time between draws, s.
+    /// Air with the mean velocity `mean` (m/s, world frame), the gust intensity `sigma` (m/s), the gust length `length`
+    /// (m) and the speed V `speed` (m/s); `h` is the time between two calls of [`Air::next`] (s). The initial gusts are
+    /// drawn from their stationary distribution.
     pub fn new(mean: [f64; 3], sigma: f64, length: f64, speed: f64, h: f64, random: &mut Pcg64Mcg) -> Self {
         let mean = Vector3::from(mean);
         if sigma == 0.0 {
@@ -46,11 +55,11 @@ impl Air {
         let tau = length / speed.max(1.0);
         let a = h / tau;
         let decay = (-a).exp();
-        // In units of tau the filter is x1' = x2, x2' = -x1 - 2 x2 + w with intensity one; exp(A a) and
-        // the integral of exp(A s) b b' exp(A' s) ds.
+        // In units of tau the filter is x1' = x2, x2' = -x1 - 2 x2 + w with white noise w of intensity 1. The step
+        // needs exp(A a) and the covariance, the integral of exp(A s) b b' exp(A' s) ds from 0 to a.
         let transition = Matrix2::new(1.0 + a, a, -a, 1.0 - a) * decay;
         let e2 = decay * decay;
-        // The first entry loses all its digits in short steps, where its series is exact.
+        // The closed form of the first entry cancels in short steps; its series is accurate there.
         let q11 = match a < 1e-3 {
             true => a.powi(3) * (1.0 / 3.0 - a * (0.5 - 0.4 * a)),
             false => 0.25 * (1.0 - e2 * (1.0 + 2.0 * a + 2.0 * a * a)),
@@ -78,12 +87,12 @@ impl Air {
         Air { mean, gusts: Some(gusts) }
     }
 
-    /// Whether the air moves at all.
+    /// Whether the air does not move at all.
     pub fn is_still(&self) -> bool {
         self.gusts.is_none() && self.mean == Vector3::zeros()
     }
 
-    /// The air's velocity now, m/s, world frame; the next call is `h` later.
+    /// The velocity of the air now, m/s, world frame. Each call advances the gusts by `h`.
     pub fn next(&mut self, random: &mut Pcg64Mcg) -> Vector3<f64> {
         let Some(g) = &mut self.gusts else { return self.mean };
         // sigma sqrt(tau) (1 + sqrt(3) tau s): with intensity one per tau the output's variance is sigma^2.

@@ -1,59 +1,61 @@
-//! From a wanted wrench to rotor speeds, by (42) or by bounded weighted least squares, with the capacities that the
-//! controller believes in.
+//! Allocation during a flight: from the demanded wrench to rotor speeds, by the pseudo-inverse (42) or by bounded
+//! weighted least squares, with the believed capacities (`docs/flight.md`, section 3).
 
 use crate::actuation::{Actuation, Wrench};
 use crate::admissible::allocation::{Bounds, MOST_ROTORS, bounded};
 use crate::admissible::pseudo_inverse;
 use crate::model::{Allocation, Model};
 
-/// Weights on the missing part of the wrench beside one on the rotors' shares of full thrust, for T, tau_x, tau_y,
-/// tau_z in shares of the largest each can be. Yaw is given up first, thrust next, roll and pitch last.
+/// Weights on the missing part of T, tau_x, tau_y and tau_z, as shares of the largest value of each, relative to 1 on
+/// the rotors' shares of full thrust. Yaw is given up first, then thrust, then roll and pitch.
 const WEIGHTS: [f64; 4] = [1e8, 1e10, 1e10, 1e4];
 
-/// The largest share of full thrust, rotor by rotor.
+/// The upper bounds on the shares of full thrust.
 const WHOLE: [f64; MOST_ROTORS] = [1.0; MOST_ROTORS];
 
-/// What the controller believes of each rotor.
+/// The state of each rotor as the controller believes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Belief {
-    /// theta of (32).
+    /// The capacity theta of (32) of each rotor, 0 to 1.
     pub capacity: Vec<f64>,
-    /// Share of full thrust at which a rotor is stuck.
+    /// The share of full thrust at which a rotor is stuck; `None` for a rotor that is not.
     pub stuck: Vec<Option<f64>>,
 }
 
 impl Belief {
+    /// All rotors healthy.
     pub fn healthy(rotors: usize) -> Self {
         Belief { capacity: vec![1.0; rotors], stuck: vec![None; rotors] }
     }
 }
 
-/// Allocates wrenches; nothing here allocates memory once it is made.
+/// Allocates wrenches to n rotors. Only [`Allocator::new`] allocates memory.
 #[derive(Debug, Clone)]
 pub struct Allocator {
     method: Allocation,
-    /// Wrench at full thrust over `extent`, healthy; one a rotor.
+    /// Wrench of each healthy rotor at full thrust, over `extent`.
     full: Vec<Wrench>,
-    /// The same under the belief; zero for stuck rotors.
+    /// Wrench of each rotor at full thrust under the belief, over `extent`; zero for stuck rotors.
     columns: Vec<Wrench>,
     /// Share of full thrust at which a rotor is believed stuck.
     stuck: Vec<Option<f64>>,
-    /// What the stuck rotors give, over `extent`.
+    /// Wrench of the stuck rotors, over `extent`.
     shift: Wrench,
-    /// Sum of the rotors' absolute wrenches: N, N m, N m, N m.
+    /// Sum of the absolute wrenches of all rotors at full thrust: N, N m, N m, N m.
     extent: Wrench,
-    /// Share of full thrust at the lowest speed, rotor by rotor.
+    /// Share of full thrust of each rotor at its lowest speed.
     least: Vec<f64>,
     max_speed: Vec<f64>,
-    /// Largest squared speed over the largest of all rotors'.
+    /// Largest squared speed of each rotor over the largest of all rotors.
     fullest: Vec<f64>,
-    /// Pseudo-inverse of `columns`, n x 4 as its rows.
+    /// Rows of the pseudo-inverse of `columns` (n x 4).
     inverse: Vec<Wrench>,
-    /// Multipliers of the last wrench: near those of the next.
+    /// Multipliers of the last wrench, the warm start for the next one.
     lambda: Wrench,
 }
 
 impl Allocator {
+    /// An allocator that believes all rotors healthy.
     pub fn new(model: &Model, method: Allocation) -> Self {
         let actuation = Actuation::of(&model.vehicle);
         let full: Vec<Wrench> = (0..actuation.rotors()).map(|k| actuation.full(k)).collect();
@@ -78,7 +80,7 @@ impl Allocator {
         allocator
     }
 
-    /// Reconfigures: B = A diag(theta) of (41), and its pseudo-inverse where that is in use.
+    /// Reconfigures for a new belief: B = A diag(theta) of (41), and its pseudo-inverse if that is the method.
     pub fn believe(&mut self, belief: &Belief) {
         self.shift = Wrench::zeros();
         self.stuck.copy_from_slice(&belief.stuck);
@@ -97,11 +99,12 @@ impl Allocator {
         self.lambda = Wrench::zeros();
     }
 
-    /// Speeds (rad/s) into `speeds` for a wrench. A rotor believed lost gets its lowest, a stuck one what it has.
+    /// Writes the rotor speeds (rad/s) for a wrench (N and N m) to `speeds` (n). A rotor believed lost gets its lowest
+    /// speed, a stuck one the speed at which it is stuck.
     pub fn speeds(&mut self, wrench: &Wrench, speeds: &mut [f64]) {
         let mut wanted = wrench.component_div(&self.extent) - self.shift;
         let bounds = Bounds { least: &self.least, most: &WHOLE };
-        // No vehicle gives more yaw than this, and what is missing of it draws on thrust by its weight.
+        // No vehicle produces more yaw torque than this. A larger demand would only trade thrust for yaw.
         if self.method == Allocation::Bounded {
             wanted[3] = wanted[3].clamp(-1.0, 1.0);
             self.lambda = bounded(&self.columns, bounds, &wanted, &WEIGHTS.into(), self.lambda);
@@ -116,8 +119,8 @@ impl Allocator {
         }
     }
 
-    /// How much of a wrench's thrust, roll and pitch (in shares of the largest each can be) cannot be given under a
-    /// belief by rotors within their bounds; yaw is left free.
+    /// The norm of the part of a wrench's thrust, roll and pitch that rotors within their bounds cannot produce under a
+    /// belief, each as a share of its largest value. Yaw is left free.
     pub fn missing(&self, wrench: &Wrench, belief: &Belief) -> f64 {
         let mut wanted = wrench.component_div(&self.extent);
         let mut columns = [Wrench::zeros(); MOST_ROTORS];

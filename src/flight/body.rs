@@ -1,23 +1,25 @@
-//! The rigid body of (3) to (9), on a quaternion: no angle of it is singular.
+//! The rigid body of (3) to (9) with the attitude as a quaternion, which has no singular angle (`docs/flight.md`,
+//! section 1).
 
 use crate::actuation::Wrench;
 use crate::model::Model;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// What stays the same during a flight.
+/// The constants of the rigid body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    /// kg
+    /// Mass, kg.
     pub mass: f64,
-    /// Diagonal of J, kg m^2.
+    /// Diagonal of the inertia J, kg m^2.
     pub inertia: Vector3<f64>,
-    /// m/s^2
+    /// Gravity, m/s^2.
     pub gravity: f64,
     /// Linear drag, N s/m.
     pub drag: f64,
 }
 
 impl Frame {
+    /// The constants of a model, with the drag of its `simulate` block.
     pub fn of(model: &Model) -> Self {
         Frame {
             mass: model.vehicle.mass,
@@ -31,57 +33,62 @@ impl Frame {
 /// The state of the body, or its derivative with respect to time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
-    /// p_W, m, world frame, z up.
+    /// Position p, m, world frame, z up.
     pub position: Vector3<f64>,
-    /// v_W, m/s, world frame.
+    /// Velocity v, m/s, world frame.
     pub velocity: Vector3<f64>,
-    /// q_WB, from the body to the world; of unit length but for what one step's rounding adds.
+    /// Attitude q from body to world; a unit quaternion up to rounding.
     pub attitude: Quaternion<f64>,
-    /// [P, Q, R], rad/s, body frame.
+    /// Body rates [P, Q, R], rad/s, body frame.
     pub rates: Vector3<f64>,
 }
 
 impl Body {
-    /// Level at a place, at rest.
+    /// Level and at rest at a position (m) with a yaw (rad).
     pub fn at_rest(position: Vector3<f64>, yaw: f64) -> Self {
         let attitude = UnitQuaternion::from_euler_angles(0.0, 0.0, yaw).into_inner();
         Body { position, velocity: Vector3::zeros(), attitude, rates: Vector3::zeros() }
     }
 
+    /// The attitude R as a rotation from body to world.
     pub fn rotation(&self) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(self.attitude)
     }
 
-    /// R e_3: where body z points in the world.
+    /// R e_3, the direction of the body's z axis in the world frame.
     pub fn up(&self) -> Vector3<f64> {
         let (w, v) = (self.attitude.w, self.attitude.imag());
         Vector3::new(2.0 * (v.x * v.z + w * v.y), 2.0 * (v.y * v.z - w * v.x), 1.0 - 2.0 * (v.x * v.x + v.y * v.y))
     }
 
-    /// ZYX angles phi, theta, psi of (4), rad.
+    /// The ZYX angles [phi, theta, psi] of (4), rad.
     pub fn angles(&self) -> [f64; 3] {
         let (roll, pitch, yaw) = self.rotation().euler_angles();
         [roll, pitch, yaw]
     }
 
-    /// Heading: the direction of the nose (body x) seen from above, psi of (4), rad; counter-clockwise from x, within half a
-    /// turn of zero. A nose that points straight up or down has none; the number then means nothing.
+    /// The heading, rad: the direction of the nose (body x) seen from above, which is psi of (4), counter-clockwise
+    /// from x, between -pi and pi. It is meaningless if the nose points straight up or down.
     pub fn heading(&self) -> f64 {
         let (w, v) = (self.attitude.w, self.attitude.imag());
         (2.0 * (w * v.z + v.x * v.y)).atan2(1.0 - 2.0 * (v.y * v.y + v.z * v.z))
     }
 
-    /// Angle between body z and the vertical, rad.
+    /// The angle between the body's z axis and the vertical, rad.
     pub fn tilt(&self) -> f64 {
         let up = self.up();
         up.x.hypot(up.y).atan2(up.z)
     }
 
-    /// With v = R v_B of (3), (7) and (8) read in the world frame
+    /// The time derivative of the state under a wrench (N and N m, body frame) and a velocity of the air (m/s, world
+    /// frame). With v = R v_B:
     ///
-    /// p' = v, v' = (T/m) R e_3 - g e_3 - (drag/m) (v - v_air),
-    /// q' = q (0, omega)/2, which is (5) and (6) without their singular angle,
-    /// omega' = J^-1 (tau - omega x J omega), (9).
+    /// ```text
+    /// p' = v                                                    (3)
+    /// v' = (T/m) R e_3 - g e_3 - (drag/m) (v - v_air)           (7) and (8) in the world frame
+    /// q' = q (0, omega)/2                                       (5) and (6) without their singular angle
+    /// omega' = J^-1 (tau - omega x J omega)                     (9)
+    /// ```
     pub fn derivative(&self, frame: &Frame, wrench: &Wrench, air: &Vector3<f64>) -> Body {
         let Frame { mass, inertia, gravity, drag } = *frame;
         let mut acceleration = self.up() * (wrench[0] / mass) - (self.velocity - air) * (drag / mass);
@@ -97,7 +104,7 @@ impl Body {
         }
     }
 
-    /// The state and `h` times a derivative.
+    /// The state plus `h` times a derivative.
     fn along(&self, slope: &Body, h: f64) -> Body {
         Body {
             position: self.position + slope.position * h,
@@ -107,8 +114,8 @@ impl Body {
         }
     }
 
-    /// One step of the classical Runge-Kutta method of fourth order, `h` s long, with the wrenches at its start,
-    /// middle and end. The quaternion is brought back to unit length afterwards.
+    /// Advances the state by one classical fourth-order Runge-Kutta step of `h` s with the wrenches (N and N m) at its
+    /// start, middle and end. The quaternion is normalised afterwards.
     pub fn step(&mut self, frame: &Frame, h: f64, [start, middle, end]: [&Wrench; 3], air: &Vector3<f64>) {
         let k1 = self.derivative(frame, start, air);
         let k2 = self.along(&k1, 0.5 * h).derivative(frame, middle, air);
@@ -122,6 +129,7 @@ impl Body {
         self.attitude /= self.attitude.norm();
     }
 
+    /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let parts = [&self.position, &self.velocity, &self.rates];
         parts.iter().all(|v| v.iter().all(|x| x.is_finite())) && self.attitude.coords.iter().all(|x| x.is_finite())

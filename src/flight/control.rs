@@ -1,4 +1,4 @@
-//! Controllers: from where the vehicle is and should be to a wrench.
+//! The controllers, which compute a wrench from the measured state and the reference (`docs/flight.md`, section 2).
 
 use super::body::{Body, Frame};
 use super::heading::wrapped;
@@ -7,12 +7,12 @@ use crate::actuation::Wrench;
 use crate::model::{Controller, Gains};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
 
-/// Feedback on position asks for no more than this share of gravity: far from its place the vehicle is to come back,
-/// not to turn over.
+/// The largest acceleration that feedback on position and velocity demands, as a share of gravity. A vehicle far from
+/// its reference shall return without turning over.
 const MOST_FEEDBACK: f64 = 0.5;
 
-/// The wrench that a controller asks for. `measured` is the body as the sensors give it; `force` the thrust over the
-/// mass, m/s^2, that the rotors are taken to give now.
+/// The wrench (N and N m, body frame) that a controller demands. `measured` is the body as measured by the sensors, and
+/// `force` the present thrust over the mass, m/s^2, as modelled.
 pub fn control(
     controller: Controller,
     frame: &Frame,
@@ -27,9 +27,10 @@ pub fn control(
     }
 }
 
-/// The paper's PD law, (21) to (28), linear about hover at the wanted yaw.
+/// The paper's PD law, (21) to (28), linear about hover at the reference yaw.
 ///
-/// e = reference - measured throughout; ZYX angles phi, theta, psi; c, s the cosine and sine of psi_ref.
+/// All errors are e = reference - measured. The angles phi, theta, psi are ZYX; c and s are the cosine and sine of the
+/// reference yaw.
 fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> Wrench {
     let g = frame.gravity;
     let [phi, theta, psi] = measured.angles();
@@ -38,7 +39,7 @@ fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> W
     let xy = |v: &Vector3<f64>| Vector2::new(v.x, v.y);
     let e = reference.position - measured.position;
     let e1 = reference.velocity - measured.velocity;
-    // (19) and its derivative with (16): what x'' and x''' are now.
+    // (19) and its derivative with (16): the present x'' and x'''.
     let now = |theta: f64, phi: f64| Vector2::new(c * theta + s * phi, s * theta - c * phi) * g;
     let (a, j) = (now(theta, phi), now(q, p));
     let e2 = xy(&reference.acceleration) - a;
@@ -63,15 +64,18 @@ fn pd(frame: &Frame, gains: &Gains, measured: &Body, reference: &Reference) -> W
     Wrench::new(thrust, torque.x, torque.y, torque.z)
 }
 
-/// Geometric tracking control on SE(3): T. Lee, M. Leok, N. H. McClamroch, "Geometric tracking control of a
-/// quadrotor UAV on SE(3)", CDC 2010, equations (12), (15), (16), z up:
+/// Geometric tracking control on SE(3): T. Lee, M. Leok, N. H. McClamroch, *Geometric tracking control of a quadrotor
+/// UAV on SE(3)*, CDC 2010, equations (12), (15) and (16), with z up:
 ///
-/// F/m = -k_x e_x - k_v e_v + g e_3 + x_d'', b_3d = F/|F|, T = F . R e_3,
-/// e_R = (R_d^T R - R^T R_d)^vee / 2, e_w = w - R^T R_d w_d,
-/// M = -J (k_R e_R + k_w e_w) + w x J w - J (w^ R^T R_d w_d - R^T R_d w_d').
+/// ```text
+/// F/m = -k_x e_x - k_v e_v + g e_3 + x_d''     b_3d = F/|F|     T = F . R e_3
+/// e_R = (R_d' R - R' R_d)^vee / 2              e_w = w - R' R_d w_d
+/// M = -J (k_R e_R + k_w e_w) + w x J w - J (w^ R' R_d w_d - R' R_d w_d')
+/// ```
 ///
-/// Deviations of acceleration and jerk enter the derivatives of F as they are measured. Feedback on position is held
-/// to half of g.
+/// where R' is a transpose and w_d' a time derivative. The derivatives of F use the errors of acceleration and jerk,
+/// which follow from the present thrust and the measured rates. Feedback on position and velocity is limited to half of
+/// g.
 fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, reference: &Reference) -> Wrench {
     let kx = Vector3::new(gains.position, gains.position, gains.altitude);
     let kv = Vector3::new(gains.velocity, gains.velocity, gains.climb);
@@ -80,7 +84,7 @@ fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, referenc
     let up: Vector3<f64> = r.column(2).into();
     let e3 = Vector3::z();
     let w = measured.rates;
-    // x'' as it is, from the thrust and its direction: (7) without drag.
+    // The present x'' from the thrust and its direction: (7) without drag.
     let acceleration = up * force - e3 * frame.gravity;
     let e = [
         reference.position - measured.position,
@@ -95,13 +99,13 @@ fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, referenc
     let back1 = if is_far { Vector3::zeros() } else { feedback(&e[1], &e[2]) };
     let f = reference.acceleration + back + e3 * frame.gravity;
     let f1 = reference.jerk + back1;
-    // x''' as it is: the direction turns with the body, and the thrust m F . R e_3 changes too.
+    // The present x''': the direction turns with the body, and the thrust m F . R e_3 changes as well.
     let turning = r * w.cross(&e3);
     let jerk = turning * force + up * (f1.dot(&up) + f.dot(&turning));
     let back2 = if is_far { Vector3::zeros() } else { feedback(&e[2], &(reference.jerk - jerk)) };
     let f2 = reference.snap + back2;
     let thrust = frame.mass * f.dot(&up);
-    // Where no force is wanted its direction says nothing: the vehicle keeps its own.
+    // A demanded force near zero has no meaningful direction, so the vehicle keeps its attitude.
     let small = f.norm() < 0.05 * frame.gravity;
     let b3 = if small { [up, Vector3::zeros(), Vector3::zeros()] } else { direction([f, f1, f2]) };
     let (rd, wd, wd1) = frame_of(b3, reference.yaw);
@@ -118,7 +122,8 @@ fn geometric(frame: &Frame, gains: &Gains, measured: &Body, force: f64, referenc
     Wrench::new(thrust, torque.x, torque.y, torque.z)
 }
 
-/// The body as it flies along a reference: attitude and rates that the geometric controller would have it take.
+/// The state of a body that follows a reference exactly, with the attitude and rates that the geometric controller
+/// demands. Flights start in it.
 pub fn start(frame: &Frame, reference: &Reference) -> Body {
     let f = reference.acceleration + Vector3::z() * frame.gravity;
     let small = f.norm() < 0.05 * frame.gravity;
@@ -131,7 +136,7 @@ pub fn start(frame: &Frame, reference: &Reference) -> Body {
     Body { position: reference.position, velocity: reference.velocity, attitude, rates: wd }
 }
 
-/// v/|v| and its first two derivatives, from those of v.
+/// v/|v| and its first two time derivatives, from v and its first two.
 fn direction([v, v1, v2]: [Vector3<f64>; 3]) -> [Vector3<f64>; 3] {
     let n = v.norm();
     let u = v / n;
@@ -142,8 +147,12 @@ fn direction([v, v1, v2]: [Vector3<f64>; 3]) -> [Vector3<f64>; 3] {
     [u, u1, u2]
 }
 
-/// R_d, w_d and w_d' (body frame) of the frame whose third axis is b3 and whose first points along psi seen from above, as
-/// the ZYX angles of (4) have it; b3 and psi with their derivatives. R_d w_d^ = R_d' and R_d (w_d'^ + w_d^ w_d^) = R_d''.
+/// The frame R_d with third axis b3 and first axis along psi seen from above, as for the ZYX angles of (4), and its
+/// body rates w_d with their time derivative w_d'. b3 and psi are given with their first two time derivatives.
+///
+/// ```text
+/// R_d w_d^ = R_d'     R_d (w_d'^ + w_d^ w_d^) = R_d''     where primes are time derivatives
+/// ```
 fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matrix3<f64>, Vector3<f64>, Vector3<f64>) {
     let (s, c) = psi.sin_cos();
     let heading = Vector3::new(c, s, 0.0);
@@ -157,7 +166,8 @@ fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matr
         ]
     };
     let ahead = product(&c2, &b3);
-    // The thrust points to the side: any nose across it will do.
+    // The thrust points to the left or right of psi, so the nose is not determined; any direction across the thrust
+    // will do.
     let b1 = match ahead[0].norm() < 1e-6 {
         true => [heading, Vector3::zeros(), Vector3::zeros()],
         false => direction(ahead),
@@ -168,7 +178,7 @@ fn frame_of(b3: [Vector3<f64>; 3], [psi, rate, acceleration]: [f64; 3]) -> (Matr
     let vee =
         |m: &Matrix3<f64>| Vector3::new(m[(2, 1)] - m[(1, 2)], m[(0, 2)] - m[(2, 0)], m[(1, 0)] - m[(0, 1)]) * 0.5;
     let wd = vee(&(rd.transpose() * matrix(1)));
-    // The symmetric part, w_d^ w_d^, falls out of the difference.
+    // The symmetric part w_d^ w_d^ cancels in the difference.
     let wd1 = vee(&(rd.transpose() * matrix(2)));
     (rd, wd, wd1)
 }

@@ -1,71 +1,75 @@
-//! Which rotors have lost how much: recursive least squares on the body's angular motion, (32) to (42), made safe.
+//! Estimation of rotor capacities by regularised recursive least squares on the body's angular motion, (32) to (42).
+//! See `docs/flight.md`, section 4.
 //!
-//! The paper's (40) has three equations a sample for n capacities, so at constant speeds most directions are unseen;
-//! plain recursive least squares with a forgetting factor drifts along them, and the vehicle falls. Here
+//! The paper's (40) has three equations a sample for n capacities, so at constant speeds most directions are not
+//! observable. Plain recursive least squares with a forgetting factor drifts along these directions until the vehicle
+//! falls. Therefore
 //!
-//! - the estimate minimises the forgotten squares of the torque residuals plus a small pull towards the last estimate
-//!   (which bounds the covariance), plus a small price on every loss (so that of two explanations the one with less
-//!   loss is taken), over capacities from 0 to 1;
-//! - a sample is taken in only where the torques differ from what the present estimate gives by more than noise
-//!   explains, or where the last one was: in quiet hover nothing moves. One that speaks after silence tells of a change,
-//!   and older ones are forgotten.
+//! - the estimate minimises, over capacities from 0 to 1, the exponentially weighted squares of the torque residuals,
+//!   plus a small penalty on the distance from the last estimate, which bounds the covariance, plus a small price on
+//!   losses, so that of two explanations the one with less loss is chosen;
+//! - a sample is used only if its residual exceeds the noise, or soon after such a sample, so that the estimate does
+//!   not move in quiet hover. A large residual after a quiet period signals a change, and older samples are forgotten.
 
 use crate::actuation::Actuation;
 use crate::geometry::symmetric::eigenvalues;
 use crate::model::Model;
 use nalgebra::Vector3;
 
-/// A sample speaks where its residual is this many standard deviations of the torque noise.
-pub const SPEAKS: f64 = 4.0;
+/// The residual of a sample is large if a component exceeds this many standard deviations of the torque noise.
+pub(super) const THRESHOLD: f64 = 4.0;
 
-/// The torque noise is taken to be at least this share of one rotor's mean torque: models are never exact.
+/// The error of the model as a share of the torque of one rotor in hover. It is added to the torque noise because no
+/// model is exact.
 const MODEL_ERROR: f64 = 0.04;
 
-/// Samples taken in after the last one that spoke.
+/// Number of samples that are used from one with a large residual on.
 const FOLLOWING: usize = 20;
 
-/// Pull towards the last estimate and price of a loss, beside residuals in standard deviations of noise.
+/// Weight of the distance from the last estimate, and price of a loss. Residuals are in standard deviations of the
+/// noise.
 const PULL: f64 = 1.0;
 const PRICE: f64 = 2.0;
 
-/// Sweeps over the capacities a sample.
+/// Largest number of sweeps over the capacities for one sample.
 const SWEEPS: usize = 30;
 
-/// Recursive least squares for theta in information form.
+/// Regularised recursive least squares for theta of (32), in information form, for n rotors.
 #[derive(Debug, Clone)]
 pub struct Estimator {
-    /// Rows 2 to 4 of A: torque per squared speed; one a rotor.
+    /// Rows 2 to 4 of A: the torque of each rotor per squared speed, N m s^2.
     columns: Vec<Vector3<f64>>,
     inertia: Vector3<f64>,
     forgetting: f64,
-    /// Between samples, s.
+    /// Time between samples, s.
     period: f64,
     /// Standard deviation of a torque sample, N m on each axis.
     noise: Vector3<f64>,
-    /// Forgotten sums of Psi^T W Psi (n x n) and Psi^T W tau (n).
+    /// Exponentially weighted sums of Psi' W Psi (n x n, row-major) and Psi' W tau (n).
     information: Vec<f64>,
     evidence: Vec<f64>,
-    /// theta, 0..1.
+    /// The estimated capacity theta of each rotor, 0 to 1.
     pub capacity: Vec<f64>,
-    /// Samples that are still taken in.
-    awake: usize,
+    /// How many more samples are used without a large residual.
+    updates_left: usize,
     last_rates: Option<Vector3<f64>>,
-    /// Sums of squared modelled speeds and of the gyroscopic torque since the last sample, and their number.
+    /// Sums of squared modelled speeds and of the gyroscopic torque since the last sample, and the number of terms.
     squares: Vec<f64>,
     gyroscopic: Vector3<f64>,
     count: usize,
-    /// The same as last noted.
+    /// The values at the last call of [`Estimator::note`].
     last_squares: Vec<f64>,
     last_gyroscopic: Vector3<f64>,
     has_noted: bool,
-    /// The regressor's columns of the last sample, in standard deviations of noise.
+    /// The columns of the regressor Psi of the last sample, in standard deviations of the noise.
     regressor: Vec<Vector3<f64>>,
-    /// Room for a matrix (n x n).
+    /// Scratch space for a matrix (n x n).
     spectrum: Vec<f64>,
 }
 
-/// Standard deviation of a torque sample, N m on each axis: of the gyroscope's noise, and of what no model is exact in.
-pub fn torque_noise(model: &Model, gyroscope_noise: f64, period: f64) -> Vector3<f64> {
+/// The standard deviation of a torque sample on each axis, N m: gyroscope noise and model error. `gyroscope_noise` is
+/// in rad/s, `period` in s.
+pub(super) fn torque_noise(model: &Model, gyroscope_noise: f64, period: f64) -> Vector3<f64> {
     // Two rate samples make one torque sample.
     let measured = Vector3::from(model.vehicle.inertia) * (gyroscope_noise * std::f64::consts::SQRT_2 / period);
     let actuation = Actuation::of(&model.vehicle);
@@ -79,7 +83,8 @@ pub fn torque_noise(model: &Model, gyroscope_noise: f64, period: f64) -> Vector3
 }
 
 impl Estimator {
-    /// `gyroscope_noise` is the standard deviation of a rate sample, rad/s; `period` the time between samples, s.
+    /// An estimator that starts with all capacities at 1. `forgetting` is the factor lambda, `gyroscope_noise` the
+    /// standard deviation of a rate sample (rad/s), and `period` the time between samples (s).
     pub fn new(model: &Model, forgetting: f64, gyroscope_noise: f64, period: f64) -> Self {
         let actuation = Actuation::of(&model.vehicle);
         let n = actuation.rotors();
@@ -94,7 +99,7 @@ impl Estimator {
             information: vec![0.0; n * n],
             evidence: vec![0.0; n],
             capacity: vec![1.0; n],
-            awake: 0,
+            updates_left: 0,
             last_rates: None,
             squares: vec![0.0; n],
             gyroscopic: Vector3::zeros(),
@@ -108,11 +113,11 @@ impl Estimator {
         }
     }
 
-    /// Notes the rotors' modelled speeds (rad/s) and measured body rates (rad/s), at even intervals.
+    /// Records the modelled rotor speeds (rad/s) and the measured body rates (rad/s). To be called at equal intervals.
     pub fn note(&mut self, speeds: &[f64], rates: &Vector3<f64>) {
         let gyroscopic = rates.cross(&self.inertia.component_mul(rates));
-        // The integrals over the interval by the trapezium rule: where speeds change fast, a sum of one end's values
-        // is off by more than noise.
+        // The integrals over the interval use the trapezium rule. If speeds change fast, a rectangle rule is off by
+        // more than the noise.
         if self.has_noted {
             for ((sum, last), w) in self.squares.iter_mut().zip(&mut self.last_squares).zip(speeds) {
                 let square = w * w;
@@ -128,15 +133,16 @@ impl Estimator {
         self.last_gyroscopic = gyroscopic;
     }
 
-    /// Speeds (rad/s) that hold from the last note on, where they jump as a flight begins.
-    pub fn settle(&mut self, speeds: &[f64]) {
+    /// Replaces the speeds (rad/s) of the last [`Estimator::note`], because they jump at the start of a flight.
+    pub(super) fn settle(&mut self, speeds: &[f64]) {
         self.last_squares.iter_mut().zip(speeds).for_each(|(last, w)| *last = w * w);
     }
 
-    /// Takes in what was noted since the last call, with the rates measured now. True where the estimate was updated.
+    /// Processes a sample: what was recorded since the last call, with the body rates measured now (rad/s). Returns
+    /// whether the estimate was updated.
     ///
-    /// The mean torque of (37) over the interval is J (w - w_last)/period + mean of w x J w, to noise; the regressor
-    /// of (36) takes the mean squares of the modelled speeds.
+    /// By (37) the mean torque over the interval is `J (w - w_last)/period` plus the mean of `w x J w`. The regressor
+    /// of (36) uses the mean squares of the modelled speeds.
     pub fn sample(&mut self, rates: &Vector3<f64>) -> bool {
         let count = self.count.max(1) as f64;
         let gyroscopic = self.gyroscopic / count;
@@ -150,25 +156,24 @@ impl Estimator {
         let torque = self.inertia.component_mul(&((rates - last) / self.period)) + gyroscopic;
         let torque = torque.component_div(&self.noise);
         let predicted = self.regressor.iter().zip(&self.capacity).fold(Vector3::zeros(), |sum, (p, c)| sum + p * *c);
-        if (torque - predicted).amax() > SPEAKS {
-            if self.awake == 0 {
-                // Something has changed since the last sample that spoke: what was seen before need not be true now.
+        if (torque - predicted).amax() > THRESHOLD {
+            if self.updates_left == 0 {
+                // A large residual after a quiet period signals a change, so older samples may no longer be valid.
                 self.information.fill(0.0);
                 self.evidence.fill(0.0);
             }
-            self.awake = FOLLOWING;
+            self.updates_left = FOLLOWING;
         }
-        if self.awake == 0 {
+        if self.updates_left == 0 {
             return false;
         }
-        self.awake -= 1;
+        self.updates_left -= 1;
         self.update(&torque);
         true
     }
 
-    /// Minimises over 0 <= theta <= 1
-    /// sum lambda^age |tau - Psi theta|^2 + PULL |theta - theta_last|^2 + PRICE sum (1 - theta)
-    /// one capacity after the other until none moves.
+    /// Minimises `sum lambda^age |tau - Psi theta|^2 + PULL |theta - theta_last|^2 + PRICE sum (1 - theta_k)` over
+    /// `0 <= theta <= 1`, by coordinate descent.
     fn update(&mut self, torque: &Vector3<f64>) {
         let n = self.capacity.len();
         for k in 0..n {
@@ -197,13 +202,12 @@ impl Estimator {
         }
     }
 
-    /// Rank of the regressor as it stands, and the ratio of the largest singular value to the smallest that counts: of
-    /// the forgotten information where samples are taken in, else of the last sample. Singular values below 1e-3 of
-    /// the largest do not count.
-    /// `None` before the first sample.
+    /// Rank and condition number of the regressor. While samples are used this is the exponentially weighted regressor,
+    /// otherwise that of the last sample. Singular values at or below 1e-3 of the largest do not count; the condition
+    /// number is the ratio of the largest to the smallest that counts. `None` before the first sample.
     pub fn conditioning(&mut self) -> Option<(usize, f64)> {
         let n = self.capacity.len();
-        match self.awake > 0 {
+        match self.updates_left > 0 {
             true => self.spectrum.copy_from_slice(&self.information),
             false => (0..n * n).for_each(|i| self.spectrum[i] = self.regressor[i / n].dot(&self.regressor[i % n])),
         }

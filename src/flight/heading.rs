@@ -1,70 +1,72 @@
-//! Where the nose points, against where it should: the heading error, whole turns counted.
+//! The heading error, with whole turns counted (`docs/flight.md`, section 5).
 
 use super::body::Body;
 use std::f64::consts::{PI, TAU};
 
-/// Tilted further than this, rad (85 degrees), the nose may point straight up or down, where heading is undefined: the
-/// last heading error is kept.
+/// The tilt, rad (85 degrees), beyond which the nose may point straight up or down, where the heading is not defined.
+/// Beyond it the last heading error is kept.
 pub const DEFINED_UP_TO: f64 = 1.483_529_864_195_180_1;
 
-/// The flown heading less the planned one, followed from look to look.
+/// The flown heading minus the planned one, tracked from sample to sample.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Heading {
-    /// rad; whole turns count, so that a vehicle that has turned away once and came back is a turn off.
+    /// rad; whole turns count, so that a vehicle that has made one turn relative to the plan is off by a turn.
     turned: f64,
 }
 
 impl Heading {
-    /// Takes in where the nose points now. `planned` is psi, rad. Between two looks the vehicle turns by less than half a
-    /// turn against the plan, or turns are missed.
+    /// Updates the heading with the body and the planned psi (rad) at a sample. Between two samples the heading error
+    /// must change by less than half a turn, or turns are missed.
     pub fn look(&mut self, body: &Body, planned: f64) {
         if body.tilt() <= DEFINED_UP_TO {
             self.turned += wrapped(body.heading() - planned - self.turned);
         }
     }
 
-    /// How far the vehicle has turned away from the planned heading, rad; counter-clockwise seen from above is positive.
+    /// The angle by which the vehicle has turned away from the planned heading, whole turns included, rad; positive
+    /// counter-clockwise seen from above.
     pub fn turned(&self) -> f64 {
         self.turned
     }
 
-    /// The heading error, within half a turn of zero, rad.
+    /// The heading error between -pi and pi, rad.
     pub fn error(&self) -> f64 {
         wrapped(self.turned)
     }
 }
 
-/// An angle brought within half a turn of zero, rad.
+/// The angle (rad) plus a multiple of a full turn such that it lies between -pi and pi.
 pub fn wrapped(angle: f64) -> f64 {
     (angle + PI).rem_euclid(TAU) - PI
 }
 
-/// What a flight's heading errors come to.
+/// Statistics of the heading error over a flight.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct HeadingErrors {
-    /// Root of the mean square, and largest, rad; at most half a turn.
+    /// Root mean square, rad; at most pi.
     pub rms: f64,
+    /// Largest absolute value, rad; at most pi.
     pub max: f64,
-    /// Largest since the first fault, rad; 0 where there was none.
+    /// Largest absolute value since the first fault, rad; 0 without a fault.
     pub max_after: f64,
-    /// Most whole turns that the vehicle was away from the planned heading.
+    /// The largest number of whole turns by which the vehicle was away from the planned heading.
     pub turns: usize,
 }
 
-/// Collects them, one look after the other.
+/// Accumulates [`HeadingErrors`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Collector {
+pub(super) struct Collector {
     errors: HeadingErrors,
     squares: f64,
-    looks: usize,
+    samples: usize,
 }
 
 impl Collector {
-    /// `after` where a fault has struck.
-    pub fn add(&mut self, heading: &Heading, after: bool) {
+    /// Adds a sample; `after` is whether a fault has struck.
+    pub(super) fn add(&mut self, heading: &Heading, after: bool) {
         let error = heading.error().abs();
         self.squares += error * error;
-        self.looks += 1;
+        self.samples += 1;
         self.errors.max = self.errors.max.max(error);
         if after {
             self.errors.max_after = self.errors.max_after.max(error);
@@ -72,36 +74,40 @@ impl Collector {
         self.errors.turns = self.errors.turns.max((heading.turned().abs() / TAU) as usize);
     }
 
-    pub fn errors(&self) -> HeadingErrors {
-        HeadingErrors { rms: (self.squares / self.looks.max(1) as f64).sqrt(), ..self.errors }
+    /// The statistics of the samples so far.
+    pub(super) fn errors(&self) -> HeadingErrors {
+        HeadingErrors { rms: (self.squares / self.samples.max(1) as f64).sqrt(), ..self.errors }
     }
 }
 
-/// Decides when a heading error has lasted too long.
+/// Decides whether a heading error has lasted too long.
 ///
-/// A vehicle that spins points the right way once a turn. So the seconds off are added up until the heading has been
-/// kept again for as long as it may be off: neither a fast spin nor a slow one goes unnoticed.
+/// A vehicle that spins points in the right direction once a turn. Therefore the time beyond the limit is added up
+/// until the heading has been kept without a break for longer than it may be off. This notices fast spins as well as
+/// slow ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Patience {
-    /// Largest heading error that counts as kept, rad; `None`: any.
+    /// Largest heading error that counts as kept, rad; `None` for no limit.
     limit: Option<f64>,
-    /// s
+    /// Time for which the heading may be off, s.
     longest: f64,
     off_for: f64,
     kept_for: f64,
 }
 
 impl Patience {
+    /// `limit` is the largest heading error that counts as kept (rad; `None` for no limit), `longest` the time for
+    /// which the heading may be off (s).
     pub fn new(limit: Option<f64>, longest: f64) -> Self {
         Patience { limit, longest, off_for: 0.0, kept_for: 0.0 }
     }
 
-    /// Whether a heading error, rad, is past the limit.
-    pub fn is_off(&self, error: f64) -> bool {
+    /// Whether a heading error (rad) exceeds the limit.
+    pub(super) fn is_off(&self, error: f64) -> bool {
         self.limit.is_some_and(|limit| error.abs() > limit)
     }
 
-    /// Whether the heading counts as lost, once `period` more seconds have passed with this error, rad.
+    /// Whether the heading counts as lost after another `period` s with this error (rad).
     pub fn is_over(&mut self, error: f64, period: f64) -> bool {
         if self.is_off(error) {
             self.off_for += period;

@@ -1,4 +1,5 @@
-//! What the controller knows of the rotors: nothing, the modes after a delay, or what the estimator says.
+//! The controller's knowledge of faults: none, the modes after a delay, or the estimator's capacities
+//! (`docs/flight.md`, section 4).
 
 use super::allocate::{Allocator, Belief};
 use super::body::Body;
@@ -7,71 +8,80 @@ use crate::actuation::Wrench;
 use crate::admissible::hover;
 use crate::model::{Detection, Model, Simulation, Strike};
 
-/// Beliefs follow the estimate where some capacity has moved by this much.
+/// The belief takes over the estimate if some capacity differs by more than this.
 const MOVED: f64 = 0.05;
 
-/// Estimates below are taken for lost rotors, above for sound ones.
+/// A rotor whose estimated capacity is below `LOST` is treated as lost, above `SOUND` as healthy.
 const LOST: f64 = 0.1;
 const SOUND: f64 = 0.9;
 
-/// A fault is found where every capacity is believed this closely.
+/// A fault is isolated if every believed capacity is within this of the true one.
 const CLOSE: f64 = 0.2;
 
-/// A sound rotor believed weaker is a false alarm where that lasts for longer than this, s.
+/// A false alarm is a healthy rotor believed to have a capacity below `ALARM` for longer than `LASTING` (s).
 const ALARM: f64 = 0.7;
 const LASTING: f64 = 0.1;
 
-/// Hover counts as possible where no more than this share of thrust, roll and pitch is missing.
+/// Hover counts as possible if at most this share of thrust, roll and pitch is missing.
 const HOVERS: f64 = 1e-3;
 
-/// When a strike came to be known.
+/// When a fault was detected and isolated.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Found {
+pub struct FaultDetection {
     /// Index into [`Model::modes`].
     pub mode: usize,
-    /// s
+    /// When the fault struck, s since the start.
     pub at: f64,
-    /// Seconds until some rotor that it touches was believed weaker than before, or until the fault was told; `None` where that
-    /// never came, of an estimate while the fault lasted.
+    /// Seconds from the fault until some affected rotor was believed weaker than before, or until a detection after a
+    /// delay reported the fault. `None` if that did not happen; the estimator has to detect the fault while it lasts.
     pub detected_after: Option<f64>,
-    /// Seconds until every rotor's capacity was believed within 0.2 of what it was.
+    /// Seconds from the fault until every believed capacity was within 0.2 of the true one; `None` if that did not
+    /// happen.
     pub isolated_after: Option<f64>,
 }
 
-pub struct Knowledge<'a> {
+/// The state of the controller's knowledge during a flight, and its record.
+pub(super) struct Knowledge<'a> {
     model: &'a Model,
     strikes: &'a [Strike],
     detection: Detection,
-    pub belief: Belief,
-    /// Some fault has become known.
-    pub fault_known: bool,
+    /// The capacities and stuck rotors that the allocation uses.
+    pub(super) belief: Belief,
+    /// Whether some fault has become known.
+    pub(super) fault_known: bool,
     estimator: Option<Estimator>,
+    /// Acts of the controller between two samples of the estimator.
     estimator_ticks: usize,
-    /// The rotors' speeds as the commands and the motors' lag give them, rad/s.
+    /// Rotor speeds modelled from the commands and the motors' lag, rad/s.
     modelled: Vec<f64>,
+    /// Commanded speeds, rad/s.
     command: Vec<f64>,
-    /// What is left of a difference to the command after a period.
+    /// Factor by which the difference of speed and command decays within a period.
     remaining: Vec<f64>,
     thrust_coefficient: Vec<f64>,
-    /// Speeds in hover, all rotors at one share of full thrust.
+    /// Speeds in hover with all rotors at the same share of full thrust, rad/s.
     hover_speed: Vec<f64>,
+    /// The belief that the current estimate suggests.
     proposal: Belief,
     hover: Wrench,
-    found: Vec<Found>,
-    /// What was believed as each strike came: one rotor after the other, strike after strike.
+    found: Vec<FaultDetection>,
+    /// The believed capacities at each fault: n entries for each.
     at_strike: Vec<f64>,
+    /// Time between two acts of the controller, s.
     period: f64,
-    /// Seconds for which each sound rotor has been believed weak.
+    /// For how long each healthy rotor has been believed weak, s.
     alarmed: Vec<f64>,
     false_alarms: usize,
     refused: usize,
     was_refused: bool,
-    /// When what a delay lets be known changes next, s.
+    /// When the faults known after a delay next change, s.
     next_change: f64,
 }
 
 impl<'a> Knowledge<'a> {
-    pub fn new(
+    /// `period` is the time between two acts of the controller, s; the estimator samples every `estimator_ticks` of
+    /// them.
+    pub(super) fn new(
         model: &'a Model,
         simulation: &Simulation,
         strikes: &'a [Strike],
@@ -112,23 +122,24 @@ impl<'a> Knowledge<'a> {
         }
     }
 
-    /// Brings knowledge up to time `t`, the tick-th act of the controller. True where the belief has changed.
-    pub fn update(&mut self, t: f64, tick: usize, measured: &Body, allocator: &Allocator) -> bool {
+    /// Updates the knowledge at time `t` (s), act number `tick` of the controller. Returns whether the belief has
+    /// changed.
+    pub(super) fn update(&mut self, t: f64, tick: usize, measured: &Body, allocator: &Allocator) -> bool {
         for k in 0..self.modelled.len() {
             let difference = (self.modelled[k] - self.command[k]) * self.remaining[k];
             self.modelled[k] = if difference.abs() < 1e-12 { self.command[k] } else { self.command[k] + difference };
         }
         let changed = match self.detection {
             Detection::Never => false,
-            Detection::After(delay) => t + 1e-9 >= self.next_change && self.told(t, delay),
+            Detection::After(delay) => t + 1e-9 >= self.next_change && self.after_delay(t, delay),
             Detection::Estimator => self.estimate(tick, measured, allocator),
         };
         self.keep_score(t);
         changed
     }
 
-    /// After a delay the modes are known as they are.
-    fn told(&mut self, t: f64, delay: f64) -> bool {
+    /// Sets the belief to the faults that struck at least `delay` s ago and lasted until then; they are known exactly.
+    fn after_delay(&mut self, t: f64, delay: f64) -> bool {
         let now = t + 1e-9;
         self.belief.capacity.fill(1.0);
         self.belief.stuck.fill(None);
@@ -149,6 +160,7 @@ impl<'a> Knowledge<'a> {
         true
     }
 
+    /// Updates the estimator and takes its estimate over if it has changed enough.
     fn estimate(&mut self, tick: usize, measured: &Body, allocator: &Allocator) -> bool {
         let Some(estimator) = &mut self.estimator else { return false };
         estimator.note(&self.modelled, &measured.rates);
@@ -169,7 +181,7 @@ impl<'a> Knowledge<'a> {
             self.was_refused = false;
             return false;
         }
-        // A belief under which the vehicle cannot hover is taken only where the present one cannot either.
+        // An estimate under which the vehicle cannot hover is rejected unless the present belief is no better.
         let missing = allocator.missing(&self.hover, &self.proposal);
         if missing > HOVERS && missing > allocator.missing(&self.hover, &self.belief) {
             self.refused += usize::from(!self.was_refused);
@@ -182,10 +194,15 @@ impl<'a> Knowledge<'a> {
         true
     }
 
-    /// When faults were found, and false alarms.
+    /// Records when faults are detected and isolated, and false alarms.
     fn keep_score(&mut self, t: f64) {
         while let Some(strike) = self.strikes.get(self.found.len()).filter(|s| s.at <= t + 1e-9) {
-            self.found.push(Found { mode: strike.mode, at: strike.at, detected_after: None, isolated_after: None });
+            self.found.push(FaultDetection {
+                mode: strike.mode,
+                at: strike.at,
+                detected_after: None,
+                isolated_after: None,
+            });
             self.at_strike.extend_from_slice(&self.belief.capacity);
         }
         let active = |s: &&Strike| s.at <= t + 1e-9 && s.until.is_none_or(|end| end > t);
@@ -202,7 +219,7 @@ impl<'a> Knowledge<'a> {
         let n = self.belief.capacity.len();
         for k in 0..n {
             let weak = believed(k).0 < ALARM || believed(k).1;
-            // A rotor that has recovered was weak: that it is still believed so is no false alarm.
+            // A rotor that has recovered but is still believed weak is not a false alarm.
             let before = self.alarmed[k];
             self.alarmed[k] = if weak && !has_failed(k) { before + self.period } else { 0.0 };
             self.false_alarms += usize::from(before <= LASTING && self.alarmed[k] > LASTING);
@@ -210,25 +227,25 @@ impl<'a> Knowledge<'a> {
         if self.found.iter().all(|f| f.isolated_after.is_some()) {
             return;
         }
-        // What a delay lets be known is known as it was, also of a fault that is over by then.
+        // After the delay a fault is known exactly, even if it has ended by then.
         if let Detection::After(delay) = self.detection {
-            let told = self.found.iter_mut().filter(|f| f.detected_after.is_none() && t + 1e-9 >= f.at + delay);
-            told.for_each(|f| {
+            let due = self.found.iter_mut().filter(|f| f.detected_after.is_none() && t + 1e-9 >= f.at + delay);
+            due.for_each(|f| {
                 let after = Some((t - f.at).max(0.0));
                 (f.detected_after, f.isolated_after) = (after, after);
             });
             return;
         }
         let is_close = |k: usize| {
-            let ((c, stuck), (b, told)) = (truth(k), believed(k));
-            if stuck { told || b < SOUND } else { (c - b).abs() <= CLOSE }
+            let ((c, stuck), (b, known_stuck)) = (truth(k), believed(k));
+            if stuck { known_stuck || b < SOUND } else { (c - b).abs() <= CLOSE }
         };
         let all_close = (0..n).all(is_close);
         for (index, (found, strike)) in self.found.iter_mut().zip(self.strikes).enumerate() {
             if strike.until.is_some_and(|end| end <= t) {
                 continue;
             }
-            // What was believed before is not found now.
+            // A loss that was believed before the fault is not a detection.
             let before = &self.at_strike[index * n..(index + 1) * n];
             let is_seen = |k: usize| self.belief.capacity[k] < before[k] - MOVED || self.belief.stuck[k].is_some();
             if found.detected_after.is_none() && (0..n).any(|k| touches(strike, k) && is_seen(k)) {
@@ -240,9 +257,9 @@ impl<'a> Knowledge<'a> {
         }
     }
 
-    /// Has rotors that the estimator believes lost turn as they would in hover (rad/s). Nothing is asked of them; should
-    /// one answer, the estimator sees it.
-    pub fn probe(&self, command: &mut [f64]) {
+    /// Commands rotors that the estimator believes lost to turn as in hover (rad/s). The allocation does not use their
+    /// thrust; if one produces thrust after all, the estimator sees it.
+    pub(super) fn probe(&self, command: &mut [f64]) {
         if self.estimator.is_none() {
             return;
         }
@@ -253,36 +270,37 @@ impl<'a> Knowledge<'a> {
         }
     }
 
-    /// The commands (rad/s) that hold from now on.
-    pub fn command(&mut self, command: &[f64]) {
+    /// Sets the commands (rad/s) that hold from now on.
+    pub(super) fn command(&mut self, command: &[f64]) {
         self.command.copy_from_slice(command);
     }
 
-    /// Rotors turn as commanded, as where a flight begins.
-    pub fn settle(&mut self) {
+    /// Sets the modelled speeds to the commands, as at the start of a flight.
+    pub(super) fn settle(&mut self) {
         self.modelled.copy_from_slice(&self.command);
         if let Some(estimator) = &mut self.estimator {
             estimator.settle(&self.modelled);
         }
     }
 
-    /// The thrust that the rotors are taken to give, N.
-    pub fn thrust(&self) -> f64 {
+    /// The thrust of the rotors by modelled speeds and believed capacities, N.
+    pub(super) fn thrust(&self) -> f64 {
         let rotors = self.belief.capacity.iter().zip(&self.thrust_coefficient).zip(&self.modelled);
         rotors.map(|((theta, b), w)| theta * b * w * w).sum()
     }
 
-    /// Rank and condition number of the estimator's regressor.
-    pub fn conditioning(&mut self) -> Option<(usize, f64)> {
+    /// Rank and condition number of the estimator's regressor; `None` without an estimator or before its first sample.
+    pub(super) fn conditioning(&mut self) -> Option<(usize, f64)> {
         self.estimator.as_mut().and_then(Estimator::conditioning)
     }
 
-    /// Capacities as estimated; as believed where nothing is.
-    pub fn estimated(&self) -> &[f64] {
+    /// The estimated capacities; the believed ones without an estimator.
+    pub(super) fn estimated(&self) -> &[f64] {
         self.estimator.as_ref().map_or(&self.belief.capacity, |e| &e.capacity)
     }
 
-    pub fn finish(self) -> (Vec<Found>, usize, usize) {
+    /// The detections, the number of false alarms and the number of rejected estimates.
+    pub(super) fn finish(self) -> (Vec<FaultDetection>, usize, usize) {
         (self.found, self.false_alarms, self.refused)
     }
 }

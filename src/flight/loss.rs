@@ -1,4 +1,4 @@
-//! When a vehicle is lost, and how far it was from its place and heading until then.
+//! When a vehicle is lost, and its errors of position and heading until then (`docs/flight.md`, section 5).
 
 use super::body::Body;
 use super::heading::{Collector, Heading, HeadingErrors, Patience};
@@ -6,54 +6,67 @@ use super::reference::Reference;
 use crate::model::Simulation;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// A vehicle that lands touches the ground no faster than this, m/s, and tilted no further than this, rad.
+/// A vehicle lands if it touches the ground no faster than this (m/s) and with no more than this tilt (rad).
 const TOUCHDOWN_SPEED: f64 = 2.0;
 const TOUCHDOWN_TILT: f64 = 0.5;
 
 /// How a flight ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Outcome {
-    /// To its end.
+    /// The vehicle kept position, attitude and heading to the end of the flight.
     Flown,
-    /// It came down as it was to; s.
-    Landed { at: f64 },
-    Lost {
+    /// The vehicle landed as intended.
+    Landed {
+        /// s since the start.
         at: f64,
+    },
+    /// The vehicle was lost.
+    Lost {
+        /// s since the start.
+        at: f64,
+        /// The limit that was exceeded.
         cause: Cause,
-        /// It pointed or leaned too far away as the flight ended, however short it had been so.
+        /// Whether heading or attitude was beyond its limit only at the end of the flight, for however short a time.
         at_end: bool,
     },
-    /// The integration broke down, first seen at `at`, s: a number was NaN or infinite, or the vehicle turned by more than
-    /// half a turn in one step. What became of the vehicle is unknown.
-    Diverged { at: f64 },
+    /// The integration broke down: a number was NaN or infinite, or the vehicle turned by more than half a turn in one
+    /// step. Whether the vehicle survived is unknown.
+    Diverged {
+        /// When this was first observed, s since the start.
+        at: f64,
+    },
 }
 
 impl Outcome {
+    /// Whether the vehicle was lost.
     pub fn is_lost(&self) -> bool {
         matches!(self, Outcome::Lost { .. })
     }
 
-    /// Place, attitude and heading were kept to the end or the ground.
+    /// Whether position, attitude and heading were kept to the end of the flight or to a landing.
     pub fn is_survived(&self) -> bool {
         matches!(self, Outcome::Flown | Outcome::Landed { .. })
     }
 }
 
+/// Why a vehicle was lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cause {
-    /// Farther from its place than `lost_beyond`.
+    /// It was farther than `lost_beyond` from the reference position.
     Position,
-    /// Tilted past 90 degrees for longer than `upside_down`, or at the flight's end.
+    /// It was tilted by more than 90 degrees for longer than `upside_down`, or at the end of the flight.
     UpsideDown,
-    /// It struck the ground.
+    /// It hit the ground.
     Ground,
-    /// Its heading was farther off than `lost_yaw`, for longer than `lost_yaw_after` or at the flight's end.
+    /// Its heading error exceeded `lost_yaw` for longer than `lost_yaw_after`, or at the end of the flight.
     Heading,
 }
 
 impl Cause {
+    /// All causes, in the order of reports.
     pub const ALL: [Cause; 4] = [Cause::Position, Cause::UpsideDown, Cause::Ground, Cause::Heading];
 
+    /// The name in tables and JSON.
     pub fn name(self) -> &'static str {
         match self {
             Cause::Position => "position",
@@ -64,34 +77,37 @@ impl Cause {
     }
 }
 
-/// Looks at the vehicle every `period` s.
+/// Monitors the vehicle every `period` s.
 #[derive(Debug, Clone)]
-pub struct Watch {
+pub(super) struct Watch {
     lost_beyond: f64,
     upside_down: f64,
     ground: f64,
     period: f64,
-    /// rad/s; half a turn in one step of the integrator.
+    /// The body rate of half a turn in one step of the integrator, rad/s.
     fastest_turn: f64,
-    /// Seconds upside down without a break.
+    /// For how long the vehicle has been upside down without a break, s.
     upside_down_for: f64,
     patience: Patience,
-    pub heading: Heading,
+    pub(super) heading: Heading,
     headings: Collector,
-    /// A stop has begun.
-    pub is_stopping: bool,
-    /// It is to touch the ground.
-    pub may_land: bool,
-    pub max_error: f64,
-    pub max_tilt: f64,
+    /// Whether a stop has begun.
+    pub(super) is_stopping: bool,
+    /// Whether the vehicle may touch the ground.
+    pub(super) may_land: bool,
+    /// Largest distance from the reference position, m.
+    pub(super) max_error: f64,
+    /// Largest tilt, rad.
+    pub(super) max_tilt: f64,
+    /// Sum of the squared position errors (m^2) and number of samples, over the flight and since the first fault.
     squares: f64,
-    looks: usize,
+    samples: usize,
     squares_after: f64,
-    looks_after: usize,
+    samples_after: usize,
 }
 
 impl Watch {
-    pub fn new(simulation: &Simulation, period: f64) -> Self {
+    pub(super) fn new(simulation: &Simulation, period: f64) -> Self {
         Watch {
             lost_beyond: simulation.lost_beyond,
             upside_down: simulation.upside_down,
@@ -107,17 +123,18 @@ impl Watch {
             max_error: 0.0,
             max_tilt: 0.0,
             squares: 0.0,
-            looks: 0,
+            samples: 0,
             squares_after: 0.0,
-            looks_after: 0,
+            samples_after: 0,
         }
     }
 
-    /// The flight's end where it has come; `after` where a fault has struck.
-    pub fn look(&mut self, t: f64, body: &Body, reference: &Reference, after: bool) -> Option<Outcome> {
+    /// Processes a sample at time `t` (s); `after` is whether a fault has struck. Returns the outcome if the flight
+    /// ends here.
+    pub(super) fn look(&mut self, t: f64, body: &Body, reference: &Reference, after: bool) -> Option<Outcome> {
         let lost = |cause| Some(Outcome::Lost { at: t, cause, at_end: false });
         let error = (body.position - reference.position).norm();
-        // The distance of finite numbers, or its square, may not be finite.
+        // The distance of finite positions, or its square, may overflow.
         let finite = body.is_finite() && reference.is_finite() && (self.squares + error * error).is_finite();
         if !finite || body.rates.norm() > self.fastest_turn {
             return Some(Outcome::Diverged { at: t });
@@ -136,10 +153,10 @@ impl Watch {
         }
         self.headings.add(&self.heading, after);
         self.squares += error * error;
-        self.looks += 1;
+        self.samples += 1;
         if after {
             self.squares_after += error * error;
-            self.looks_after += 1;
+            self.samples_after += 1;
         }
         if error > self.lost_beyond {
             return lost(Cause::Position);
@@ -151,9 +168,9 @@ impl Watch {
         if self.patience.is_over(self.heading.error(), self.period) { lost(Cause::Heading) } else { None }
     }
 
-    /// What a flight that has come to its end ended in: a vehicle that points or leans too far away then has not kept its
-    /// heading or attitude, however short it has been so.
-    pub fn end(&self, t: f64, body: &Body) -> Outcome {
+    /// The outcome of a flight whose duration has elapsed. A vehicle that is upside down or off its heading now is
+    /// lost, for however short a time it has been so.
+    pub(super) fn end(&self, t: f64, body: &Body) -> Outcome {
         let lost = |cause| Outcome::Lost { at: t, cause, at_end: true };
         match (body.tilt() > FRAC_PI_2, self.patience.is_off(self.heading.error())) {
             (true, _) => lost(Cause::UpsideDown),
@@ -162,15 +179,17 @@ impl Watch {
         }
     }
 
-    pub fn heading_errors(&self) -> HeadingErrors {
+    pub(super) fn heading_errors(&self) -> HeadingErrors {
         self.headings.errors()
     }
 
-    pub fn rms_error(&self) -> f64 {
-        (self.squares / self.looks.max(1) as f64).sqrt()
+    /// Root mean square of the position error, m.
+    pub(super) fn rms_error(&self) -> f64 {
+        (self.squares / self.samples.max(1) as f64).sqrt()
     }
 
-    pub fn rms_error_after(&self) -> f64 {
-        (self.squares_after / self.looks_after.max(1) as f64).sqrt()
+    /// Root mean square of the position error since the first fault, m.
+    pub(super) fn rms_error_after(&self) -> f64 {
+        (self.squares_after / self.samples_after.max(1) as f64).sqrt()
     }
 }

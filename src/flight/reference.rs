@@ -1,40 +1,49 @@
-//! Where the vehicle should be: along the plan, coming to rest, or descending.
+//! The reference that a flight follows: the plan, a stop, or a descent after a stop (`docs/flight.md`, section 5).
 
 use crate::motion::{Trajectory, X, Y, YAW, Z};
 use nalgebra::Vector3;
 
-/// Largest deceleration that a stop is meant to take, m/s^2, and how long it takes at least where nothing presses, s.
+/// Nominal deceleration of a stop, m/s^2.
 const BRAKING: f64 = 3.0;
-const UNHURRIED: f64 = 1.5;
-/// A stop is gentle where it accelerates no more than this many times what it begins with or brakes by.
+/// Shortest duration of a stop, s; the vertical part may be shorter close to the ground.
+const SHORTEST_STOP: f64 = 1.5;
+/// A stop is gentle if its largest acceleration is at most this many times the larger of the initial acceleration and
+/// the nominal deceleration.
 const GENTLE: f64 = 1.1;
 
-/// Speed of a descent, m/s, and how long it takes to come to it, s.
+/// Speed of a descent, m/s.
 pub const DESCENT: f64 = 1.0;
+/// Time from rest to the speed of a descent, s.
 const EASING: f64 = 2.0;
 
-/// Where to be and how to move at an instant, world frame, SI units.
+/// The reference at an instant, world frame.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Reference {
+    /// m
     pub position: Vector3<f64>,
+    /// m/s
     pub velocity: Vector3<f64>,
+    /// m/s^2
     pub acceleration: Vector3<f64>,
+    /// m/s^3
     pub jerk: Vector3<f64>,
+    /// m/s^4
     pub snap: Vector3<f64>,
     /// psi, psi', psi'': rad, rad/s, rad/s^2.
     pub yaw: [f64; 3],
 }
 
-/// What is followed.
+/// What the vehicle follows.
 #[derive(Debug, Clone)]
 pub enum Course<'a> {
-    /// The plan; past its end its last position, at rest.
+    /// The plan, and after its end its last position at rest.
     Plan(&'a Trajectory),
-    /// A stop, and what follows it.
+    /// A stop, then hover or a descent.
     Stop(Box<Stop>),
 }
 
 impl Reference {
+    /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let vectors = [&self.position, &self.velocity, &self.acceleration, &self.jerk, &self.snap];
         vectors.iter().all(|v| v.iter().all(|x| x.is_finite())) && self.yaw.iter().all(|x| x.is_finite())
@@ -68,8 +77,9 @@ impl Course<'_> {
     }
 }
 
-/// Velocities fade to zero along polynomials of fifth degree that continue velocity, acceleration and jerk; a
-/// descent may follow. Where that would use up the height above the ground, the vertical velocity fades sooner.
+/// A stop: the velocity on each axis goes to zero along a polynomial of fifth degree that continues velocity,
+/// acceleration and jerk. A descent may follow. If the stop would use up the height above the ground, the vertical
+/// velocity goes to zero sooner.
 #[derive(Debug, Clone)]
 pub struct Stop {
     begin: f64,
@@ -78,16 +88,18 @@ pub struct Stop {
 }
 
 impl Stop {
-    /// From a reference at time `begin`, s, above a ground at height `ground`, m.
+    /// The stop from a reference at time `begin` (s) above a ground at height `ground` (m), followed by a descent if
+    /// `descends`.
     pub fn from(reference: &Reference, begin: f64, descends: bool, ground: f64) -> Self {
         let Reference { position, velocity, acceleration, jerk, yaw, .. } = reference;
-        let longest = UNHURRIED.max(1.875 * velocity.norm() / BRAKING).max(acceleration.norm() / BRAKING);
+        let longest = SHORTEST_STOP.max(1.875 * velocity.norm() / BRAKING).max(acceleration.norm() / BRAKING);
         let fades = |duration: f64, jerk: Vector3<f64>| {
             [0, 1, 2].map(|k| Fade::new(position[k], [velocity[k], acceleration[k], jerk[k]], duration))
         };
         let gentle = GENTLE * BRAKING.max(acceleration.norm());
         let smooth = gentlest(longest, gentle, |duration| fades(duration, *jerk));
-        // Where the jerk drives it away, a step in the jerk is better than a thrust that points down.
+        // If continuing the jerk needs too much acceleration at every duration, a step in the jerk is better than a
+        // thrust that points down.
         let stop = match smooth.0 <= gentle {
             true => smooth,
             false => {
@@ -96,15 +108,16 @@ impl Stop {
             }
         };
         let [x, y, z] = stop.1;
-        let turn = Fade::new(yaw[0], [yaw[1], yaw[2], 0.0], UNHURRIED);
+        let turn = Fade::new(yaw[0], [yaw[1], yaw[2], 0.0], SHORTEST_STOP);
         Stop { begin, axes: [x, y, z.above(ground), turn], descends }
     }
 
-    /// When the vehicle has come to rest, s since the start of the flight.
+    /// When the reference comes to rest, s since the start of the flight.
     pub fn at_rest(&self) -> f64 {
         self.begin + self.axes.iter().map(|fade| fade.duration).fold(0.0, f64::max)
     }
 
+    /// Where the reference comes to rest, m.
     pub fn place_of_rest(&self) -> Vector3<f64> {
         self.at(self.at_rest()).position
     }
@@ -125,7 +138,7 @@ impl Stop {
         };
         let down = t - self.at_rest();
         if self.descends && down > 0.0 {
-            // The speed grows as 3 u^2 - 2 u^3 with u = t / EASING.
+            // The speed of the descent is DESCENT (3 u^2 - 2 u^3) with u = t / EASING until u = 1.
             let u = (down / EASING).min(1.0);
             let eased = EASING * (u.powi(3) - 0.5 * u.powi(4)) + (down - EASING).max(0.0);
             reference.position.z -= DESCENT * eased;
@@ -140,17 +153,17 @@ impl Stop {
     }
 }
 
-/// `longest`, and shorter durations down to `least`, s.
+/// `longest` and shorter durations down to `least`, s, each [`SHORTER`] times the one before.
 fn durations(longest: f64, least: f64) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(longest), |duration| Some(duration * SHORTER)).take_while(move |d| *d >= least)
 }
 
-/// The first of the stops with such durations that accelerates by no more than `gentle`, m/s^2; where none does, the one
-/// that accelerates least. A long stop goes on for long with the acceleration and jerk that it begins with, a short one
-/// brakes hard. With its largest acceleration, m/s^2.
+/// The longest stop whose largest acceleration is at most `gentle` (m/s^2), or the one with the smallest if none is;
+/// with its largest acceleration (m/s^2). A long stop follows the initial acceleration and jerk for a long time, a
+/// short one brakes hard.
 fn gentlest(longest: f64, gentle: f64, stop: impl Fn(f64) -> [Fade; 3]) -> (f64, [Fade; 3]) {
     let mut best = (f64::INFINITY, stop(longest));
-    for tried in durations(longest, UNHURRIED).map(stop) {
+    for tried in durations(longest, SHORTEST_STOP).map(stop) {
         let hardest = hardest(&tried);
         if hardest < best.0 {
             best = (hardest, tried);
@@ -162,41 +175,42 @@ fn gentlest(longest: f64, gentle: f64, stop: impl Fn(f64) -> [Fade; 3]) -> (f64,
     best
 }
 
-/// Largest acceleration on the way, m/s^2.
+/// The largest acceleration of a stop, m/s^2.
 fn hardest(stop: &[Fade; 3]) -> f64 {
     let at = |k: usize| {
-        let squares = stop.iter().map(|fade| fade.at(fade.duration * k as f64 / LOOKS as f64)[2].powi(2));
+        let squares = stop.iter().map(|fade| fade.at(fade.duration * k as f64 / SAMPLES as f64)[2].powi(2));
         squares.sum::<f64>().sqrt()
     };
-    (0..=LOOKS).map(at).fold(0.0, f64::max)
+    (0..=SAMPLES).map(at).fold(0.0, f64::max)
 }
 
-/// One coordinate whose velocity fades to zero.
+/// One coordinate of a stop, whose velocity fades to zero.
 #[derive(Debug, Clone, Copy)]
 struct Fade {
+    /// Initial position.
     start: f64,
-    /// Velocity, acceleration and jerk where it begins.
+    /// Initial velocity, acceleration and jerk.
     begins: [f64; 3],
     /// s
     duration: f64,
-    /// Coefficients of the velocity in t.
+    /// Coefficients of the velocity as a polynomial in t, from t^0 on.
     velocity: [f64; 6],
 }
 
-/// Share of the height above the ground that a stop may use up: what remains is for the vehicle's own error.
+/// Share of the height above the ground that a stop may use up. The rest is a margin for the vehicle's tracking error.
 const USED_UP: f64 = 0.75;
-/// Each shorter fade that is tried has this share of the duration of the one before.
+/// Ratio of the durations of two fades tried one after the other.
 const SHORTER: f64 = 0.95;
-/// No fade is shorter than this, s: nothing could follow it.
+/// Shortest duration of a fade, s; a vehicle could not follow a shorter one.
 const SHORTEST_FADE: f64 = 0.1;
-/// Instants at which a fade is looked at.
-const LOOKS: usize = 200;
+/// Steps in which a fade is sampled.
+const SAMPLES: usize = 200;
 
 impl Fade {
     /// The polynomial v of fifth degree with v, v', v'' as given at 0 and zero at `duration`.
     fn new(start: f64, [v, a, j]: [f64; 3], duration: f64) -> Self {
         let t = duration;
-        // What the first three terms leave at the end, in value, slope and curvature.
+        // Value, slope and curvature of the first three terms at the end, which the other three cancel.
         let (p, q, r) = (v + a * t + 0.5 * j * t * t, a + j * t, j);
         let c3 = (-10.0 * p + 4.0 * q * t - 0.5 * r * t * t) / t.powi(3);
         let c4 = (15.0 * p - 7.0 * q * t + r * t * t) / t.powi(4);
@@ -204,8 +218,8 @@ impl Fade {
         Fade { start, begins: [v, a, j], duration, velocity: [v, a, 0.5 * j, c3, c4, c5] }
     }
 
-    /// Itself, or the longest one tried that leaves a share of the height above `ground`. Where it begins on the ground or
-    /// below, nothing helps.
+    /// This fade if it uses up at most [`USED_UP`] of the height above `ground` (m), or else the longest shorter one
+    /// tried that does. This fade too if it starts on or below the ground, or if no shorter one does.
     fn above(self, ground: f64) -> Self {
         let floor = ground + (1.0 - USED_UP) * (self.start - ground);
         if self.start <= ground || self.lowest() >= floor {
@@ -216,12 +230,13 @@ impl Fade {
         shorter.find(|fade| fade.lowest() >= floor).unwrap_or(self)
     }
 
+    /// The smallest sampled value of the coordinate.
     fn lowest(&self) -> f64 {
-        let places = (0..=LOOKS).map(|k| self.at(self.duration * k as f64 / LOOKS as f64)[0]);
+        let places = (0..=SAMPLES).map(|k| self.at(self.duration * k as f64 / SAMPLES as f64)[0]);
         places.fold(f64::INFINITY, f64::min)
     }
 
-    /// Place and its first four derivatives, `t` s after it began; at rest once it is over.
+    /// The coordinate and its first four derivatives `t` s after the start; at rest after the end.
     fn at(&self, t: f64) -> [f64; 5] {
         if t > self.duration {
             return [self.at(self.duration)[0], 0.0, 0.0, 0.0, 0.0];

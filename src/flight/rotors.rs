@@ -1,29 +1,30 @@
-//! Motors and rotors: speeds follow their commands, thrust and drag follow the speeds, faults take their share.
+//! Motors and rotors: speeds follow their commands with a first-order lag, thrust and drag follow the speeds, and
+//! faults reduce both (`docs/flight.md`, section 1, "Motors").
 
 use crate::actuation::{Actuation, Wrench};
 use crate::model::{FaultMode, Model};
 
-/// The rotors of a vehicle in flight.
+/// The state of the n rotors of a vehicle in flight.
 #[derive(Debug, Clone)]
 pub struct Rotors {
-    /// Columns of A, per squared speed.
+    /// Columns of A: wrench per squared speed.
     columns: Vec<Wrench>,
-    /// rad/s
+    /// Largest speeds, rad/s.
     pub max_speed: Vec<f64>,
-    /// What is left of a difference to the command after half a step: exp(-h / (2 time constant)).
+    /// Factor by which the difference of speed and command decays in half a step: exp(-h / (2 time constant)).
     remaining: Vec<f64>,
-    /// rad/s
+    /// Present speeds, rad/s.
     pub speed: Vec<f64>,
-    /// Commanded speeds, rad/s, within what the rotors can turn.
+    /// Commanded speeds, rad/s, within the bounds of the rotors.
     pub command: Vec<f64>,
-    /// theta of (32).
+    /// Capacity theta of (32) of each rotor, 0 to 1.
     pub capacity: Vec<f64>,
-    /// Share of full thrust at which a rotor is stuck.
+    /// Share of full thrust at which a rotor is stuck; `None` for a rotor that is not.
     pub stuck: Vec<Option<f64>>,
 }
 
 impl Rotors {
-    /// At rest, for steps of `h` s.
+    /// Rotors at standstill without faults, for integration steps of `h` s.
     pub fn new(model: &Model, h: f64) -> Self {
         let rotors = &model.vehicle.rotors;
         let n = rotors.len();
@@ -42,13 +43,13 @@ impl Rotors {
         }
     }
 
-    /// Takes on the commands at once, as where a flight begins.
+    /// Sets the speeds to the commands at once, as at the start of a flight.
     pub fn settle(&mut self) {
         self.speed.copy_from_slice(&self.command);
     }
 
-    /// Capacities and stuck rotors of the modes that are active: of several the smallest capacity holds, and a stuck
-    /// rotor stays stuck.
+    /// Applies the active fault modes. If several affect a rotor, the smallest capacity and the first share at which it
+    /// is stuck hold. A stuck rotor takes its speed at once.
     pub fn set_faults<'a>(&mut self, active: impl Iterator<Item = &'a FaultMode>) {
         self.capacity.fill(1.0);
         self.stuck.fill(None);
@@ -65,18 +66,18 @@ impl Rotors {
         }
     }
 
-    /// Lets half a step pass: w' = (command - w) / time constant, in closed form.
+    /// Advances the speeds by half a step of w' = (command - w) / time constant, in closed form.
     pub fn half_step(&mut self) {
         for (k, speed) in self.speed.iter_mut().enumerate() {
             if self.stuck[k].is_none() {
                 let difference = (*speed - self.command[k]) * self.remaining[k];
-                // What fades for ever ends here: numbers near the smallest are slow to compute with.
+                // The decay is cut off here, because arithmetic with subnormal numbers is slow.
                 *speed = if difference.abs() < 1e-12 { self.command[k] } else { self.command[k] + difference };
             }
         }
     }
 
-    /// A diag(theta) Omega_s of (32).
+    /// The wrench A diag(theta) Omega_s of (32), N and N m.
     pub fn wrench(&self) -> Wrench {
         let rotors = self.columns.iter().zip(&self.capacity).zip(&self.speed);
         rotors.fold(Wrench::zeros(), |sum, ((column, theta), w)| sum + column * (theta * w * w))

@@ -1,9 +1,9 @@
-//! What the controller sees: attitude as it is, body rates with white noise, position and velocity as an inertial
-//! navigation gives them.
+//! The measurements that the controller receives: the true attitude, body rates with white noise, and position and
+//! velocity from an inertial navigation (`docs/flight.md`, section 1, "Sensors").
 //!
-//! The navigation integrates the true acceleration and is corrected by position samples with white noise through
-//! fixed gains. The true motion falls out of its errors, e' = e_v - 2 zeta w (e - n), e_v' = -w^2 (e - n), so that
-//! these are what is simulated: slow wanderings of a small part of the samples' noise.
+//! The navigation integrates the true acceleration and is corrected with fixed gains by position samples with white
+//! noise n. Its errors e and e_v satisfy e' = e_v - 2 zeta w (e - n) and e_v' = -w^2 (e - n), in which the true motion
+//! cancels. Only these errors are simulated; they vary slowly and contain a small part of the samples' noise.
 
 use super::body::Body;
 use crate::model::Simulation;
@@ -11,12 +11,14 @@ use nalgebra::Vector3;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
-/// w and zeta of the navigation: rad/s, and none.
+/// w of the navigation filter, rad/s.
 const BANDWIDTH: f64 = 2.0;
+/// zeta of the navigation filter.
 const DAMPING: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
+/// The state of the sensors during a flight.
 #[derive(Debug, Clone)]
-pub struct Sensors {
+pub(super) struct Sensors {
     period: f64,
     rate_noise: f64,
     position_noise: f64,
@@ -25,8 +27,8 @@ pub struct Sensors {
 }
 
 impl Sensors {
-    /// Samples `period` s apart.
-    pub fn new(simulation: &Simulation, period: f64) -> Self {
+    /// Sensors with samples `period` s apart.
+    pub(super) fn new(simulation: &Simulation, period: f64) -> Self {
         Sensors {
             period,
             rate_noise: simulation.gyroscope_noise,
@@ -36,8 +38,8 @@ impl Sensors {
         }
     }
 
-    /// The body as it is measured now; the next call is a period later.
-    pub fn measure(&mut self, body: &Body, random: &mut Pcg64Mcg) -> Body {
+    /// The measured state of the body. Each call advances the errors by a period.
+    pub(super) fn measure(&mut self, body: &Body, random: &mut Pcg64Mcg) -> Body {
         let mut white = || Vector3::from_fn(|_, _| StandardNormal.sample(random));
         let mut measured = *body;
         if self.rate_noise > 0.0 {

@@ -1,6 +1,7 @@
-//! Fault modes that the torques cannot tell apart.
+//! Indistinguishable fault modes: modes whose torques differ too little for the estimator. See `docs/flight.md`,
+//! section 4.
 
-use super::estimate::{SPEAKS, torque_noise};
+use super::estimate::{THRESHOLD, torque_noise};
 use crate::actuation::{Actuation, Wrench};
 use crate::admissible::allocation::Allocator;
 use crate::admissible::{HEALTHY, hover};
@@ -9,28 +10,28 @@ use crate::model::{Detection, Model};
 use crate::motion::Trajectory;
 use nalgebra::Vector3;
 
-/// Modes, and groups of them, that a message names; of more it gives the number.
+/// The number of modes, and of groups, that a message names; if there are more, it gives the number of the others.
 const SHOWN: usize = 6;
 
-/// Modes that an estimator is asked to tell apart are alike in hover.
-pub const ALIKE: &str = "mavc::simulate::alike";
+/// Code: modes are indistinguishable in hover for the estimator that the spec configures.
+pub(crate) const ALIKE: &str = "mavc::simulate::alike";
 
-/// An estimator of capacities is to find a rotor that is stuck.
-pub const STUCK: &str = "mavc::simulate::stuck";
+/// Code: the spec configures the estimator for a mode with a stuck rotor.
+const STUCK: &str = "mavc::simulate::stuck";
 
-/// Squared rotor speeds (rad^2/s^2) with which the healthy vehicle gives a wrench.
+/// The squared rotor speeds (rad^2/s^2) with which the healthy vehicle produces a wrench.
 fn squares(allocator: &Allocator, wrench: &Wrench) -> Vec<f64> {
     allocator.speeds(wrench).iter().map(|w| w * w).collect()
 }
 
-/// Groups of modes (0 is healthy, i + 1 is `Model::modes[i]`) whose torques differ too little at the instants for one sample of the estimator;
-/// only groups of two or more. `instants` holds squared rotor speeds.
+/// Groups of two or more indistinguishable modes. In a group 0 is the healthy vehicle and i + 1 is `Model::modes[i]`.
+/// `instants` has the squared rotor speeds (rad^2/s^2) at each instant.
 ///
-/// A fault is like the healthy vehicle where at every instant the difference of their torques is below the threshold at
-/// which the estimator takes a sample in. Two faults are alike where it is below that threshold over the root of the
-/// samples that the forgetting factor keeps, 1/(1 - lambda). Being alike is not transitive; a mode joins the first
-/// group whose first member it is like.
-pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
+/// A fault mode is indistinguishable from the healthy vehicle if at every instant the difference of their torques is at
+/// most the estimator's threshold for one sample. Two fault modes are if it is at most that threshold over the square
+/// root of the number of samples that the forgetting factor keeps, 1/(1 - lambda). The relation is not transitive: a
+/// mode joins the first group whose first member it cannot be distinguished from.
+fn indistinguishable(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     let simulation = &model.simulation;
     let noise = torque_noise(model, simulation.gyroscope_noise, 1.0 / simulation.estimator_rate);
     let columns: Vec<Vector3<f64>> = Actuation::of(&model.vehicle)
@@ -54,8 +55,8 @@ pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     }));
     let kept = 1.0 / (1.0 - simulation.forgetting);
     let near = |d: Vector3<f64>, healthy: bool| match healthy {
-        true => d.amax() <= SPEAKS,
-        false => d.norm() * kept.sqrt() <= SPEAKS,
+        true => d.amax() <= THRESHOLD,
+        false => d.norm() * kept.sqrt() <= THRESHOLD,
     };
     let alike = |a: usize, b: usize| torques[a].iter().zip(&torques[b]).all(|(x, y)| near(x - y, a == 0));
     let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -69,10 +70,12 @@ pub fn twins(model: &Model, instants: &[Vec<f64>]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Instants of a plan at which modes are compared: with thousands of modes every node would be too many.
+/// The largest number of nodes of a plan at which modes are compared; with thousands of modes all nodes would take too
+/// long.
 const INSTANTS: usize = 200;
 
-/// Groups of modes that look alike to the estimator at nodes spread over a plan; none where nothing is estimated.
+/// Groups of modes that are indistinguishable for the estimator all along a plan, compared at up to 200 of its nodes;
+/// none without an estimator. In a group 0 is the healthy vehicle and i + 1 is `Model::modes[i]`.
 pub fn along(model: &Model, trajectory: &Trajectory) -> Vec<Vec<usize>> {
     if model.simulation.detection != Detection::Estimator {
         return Vec::new();
@@ -81,16 +84,17 @@ pub fn along(model: &Model, trajectory: &Trajectory) -> Vec<Vec<usize>> {
     let every = wrenches.len().div_ceil(INSTANTS);
     let allocator = Allocator::new(&model.vehicle);
     let instants: Vec<Vec<f64>> = wrenches.iter().step_by(every).map(|w| squares(&allocator, w)).collect();
-    twins(model, &instants)
+    indistinguishable(model, &instants)
 }
 
-/// Names of a group's modes, the healthy vehicle's first.
+/// The names of the modes of a group, in its order.
 pub fn names<'a>(model: &'a Model, group: &[usize]) -> Vec<&'a str> {
     group.iter().map(|&m| if m == 0 { HEALTHY } else { model.modes[m - 1].name.as_str() }).collect()
 }
 
-/// Warns where a written `simulate` asks for estimates and modes that it or a campaign may strike pin a rotor or are
-/// alike in hover. Every plan begins and ends there, and so does every hold.
+/// Warnings if the spec configures the estimator and the modes that `simulate` or `campaign` may strike have a stuck
+/// rotor or are indistinguishable in hover. Hover is compared because plans from rest to rest, and holds, begin and end
+/// there.
 pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
     let written = model.simulation.written || model.campaign.written;
     if !written || model.simulation.detection != Detection::Estimator || model.modes.is_empty() {
@@ -107,33 +111,34 @@ pub fn diagnose(model: &Model) -> Vec<Diagnostic> {
         (0..model.modes.len()).filter(|m| is_struck(*m) && pinned(*m)).map(|m| model.modes[m].name.as_str()).collect();
     if !stuck.is_empty() {
         let what = if stuck.len() == 1 { "a stuck rotor" } else { "stuck rotors" };
-        let message = format!("the estimator takes {what} for losses: {}", listed(&stuck));
+        let message = format!("the estimator mistakes {what} for losses: {}", listed(&stuck));
         found.push(
-            warning(STUCK, message)
-                .help("a capacity says how much is lost, not that a rotor gives too much: write `detection = 50 ms`"),
+            warning(STUCK, message).help(
+                "a capacity describes a loss of thrust, not a rotor that gives too much: write `detection = 50 ms`",
+            ),
         );
     }
-    let groups = twins(model, &[squares(&Allocator::new(&model.vehicle), &hover(model))]);
+    let groups = indistinguishable(model, &[squares(&Allocator::new(&model.vehicle), &hover(model))]);
     let matters = |group: &&Vec<usize>| model.campaign.written || group.iter().any(|m| struck.contains(m));
-    let told = |group: &Vec<usize>| {
+    let pairs = |group: &Vec<usize>| {
         let names = names(model, group);
         format!("{} from {}", listed(&names[1..]), names[0])
     };
-    let told: Vec<String> = groups.iter().filter(matters).map(told).collect();
-    if told.is_empty() {
+    let pairs: Vec<String> = groups.iter().filter(matters).map(pairs).collect();
+    if pairs.is_empty() {
         return found;
     }
-    let some = if told.len() > SHOWN { format!("; and {} more groups", told.len() - SHOWN) } else { String::new() };
-    let message = format!("in hover the estimator may not tell {}{some}", told[..told.len().min(SHOWN)].join("; nor "));
-    found
-        .push(warning(ALIKE, message).help(
-            "their torques there differ by less than the threshold for one sample: write `detection = 50 ms` for faults that \
-             something else reports",
-        ));
+    let some = if pairs.len() > SHOWN { format!("; and {} more groups", pairs.len() - SHOWN) } else { String::new() };
+    let message =
+        format!("in hover the estimator may not distinguish {}{some}", pairs[..pairs.len().min(SHOWN)].join("; nor "));
+    found.push(warning(ALIKE, message).help(
+        "their torques in hover differ by less than the threshold for one sample: write `detection = 50 ms` if \
+         something else reports the faults",
+    ));
     found
 }
 
-/// `healthy and M1_5`; of many the first ones and the number.
+/// Names as a list in a sentence: `healthy and M1_5`. Of many names the first ones and the number of the others.
 pub fn listed(names: &[&str]) -> String {
     match names {
         [one] => one.to_string(),

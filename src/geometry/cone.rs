@@ -1,19 +1,19 @@
-//! How far a ray lies from a cone of rays (non-negative least squares; Lawson and Hanson, *Solving Least
+//! Distance of a vector from the cone of some rays, by non-negative least squares (Lawson and Hanson, *Solving Least
 //! Squares Problems*, chapter 23).
 
 use super::least_squares::least_squares;
 use nalgebra::{DMatrix, DVector, SVector};
 
-/// A vector of R^(D+1), a unit vector where it is a direction, the last coordinate apart.
+/// A vector of R^(D+1) whose last coordinate is stored separately. Rays made by [`Ray::new`] have length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ray<const D: usize> {
-    pub head: SVector<f64, D>,
-    pub last: f64,
+pub(super) struct Ray<const D: usize> {
+    pub(super) head: SVector<f64, D>,
+    pub(super) last: f64,
 }
 
 impl<const D: usize> Ray<D> {
-    /// The direction of `(head, last)`, which must not be zero.
-    pub fn new(head: SVector<f64, D>, last: f64) -> Self {
+    /// The unit vector along `(head, last)`, which must not be zero.
+    pub(super) fn new(head: SVector<f64, D>, last: f64) -> Self {
         let length = head.norm().hypot(last);
         Ray { head: head / length, last: last / length }
     }
@@ -35,20 +35,22 @@ impl<const D: usize> Ray<D> {
     }
 }
 
-/// Rays taken in after which the distance reached is returned; a basis of D + 1 rays takes a few tens.
+/// Iterations after which the search stops. A basis of D + 1 rays is found in a few tens of iterations.
 const MOST_ROUNDS: usize = 1_000;
 
-/// The distance of `target` from the cone of `rays`, or a larger one should the search not end; it ends early
-/// once at most `enough`.
-pub fn distance_to_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64) -> f64 {
-    beyond_cone(target, rays, enough).norm()
+/// The distance of `target` from the cone of `rays`.
+///
+/// The search stops early once the distance is at most `enough`. If it reaches its iteration limit, the result is an
+/// upper bound on the distance.
+pub(super) fn distance_to_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64) -> f64 {
+    cone_residual(target, rays, enough).norm()
 }
 
-/// `target` less the point of the cone of `rays` nearest to it; the search ends as for [`distance_to_cone`].
-pub fn beyond_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64) -> Ray<D> {
+/// `target` minus the point of the cone of `rays` that is nearest to it. The search stops as in [`distance_to_cone`].
+pub(super) fn cone_residual<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64) -> Ray<D> {
     let mut basis: Vec<usize> = Vec::new();
     let mut weights: Vec<f64> = Vec::new();
-    // Rays that brought the basis no nearer, for rounding: not tried again from the same place.
+    // Rays that did not reduce the distance because of rounding. They are not tried again until the basis changes.
     let mut useless: Vec<usize> = Vec::new();
     let mut rest = *target;
     let mut distance = rest.norm();
@@ -56,7 +58,7 @@ pub fn beyond_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64
         if distance <= enough {
             break;
         }
-        // The ray that points most along what is missing; none points along it at the nearest point.
+        // The ray with the largest component along the residual. At the nearest point no ray has a positive one.
         let rate = |j: usize| rays[j].dot(&rest);
         let free = (0..rays.len()).filter(|j| !basis.contains(j) && !useless.contains(j));
         let Some(next) = free.max_by(|a, b| rate(*a).total_cmp(&rate(*b))).filter(|&j| rate(j) > 1e-13 * distance)
@@ -75,8 +77,8 @@ pub fn beyond_cone<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], enough: f64
     rest
 }
 
-/// The basis and its weights after `next` has come in: towards the least squares weights, with the ray whose
-/// weight turns negative first going out.
+/// The basis and its weights after ray `next` has entered. The weights move towards the least-squares weights; a ray
+/// whose weight reaches zero on the way leaves the basis.
 fn extended<const D: usize>(
     target: &Ray<D>,
     rays: &[Ray<D>],
@@ -103,7 +105,7 @@ fn extended<const D: usize>(
     (basis, weights)
 }
 
-/// Weights of the rays of `basis` that come nearest to `target`.
+/// Least-squares weights of the rays of `basis` for `target`; `None` if the rays are linearly dependent.
 fn goal_of<const D: usize>(target: &Ray<D>, rays: &[Ray<D>], basis: &[usize]) -> Option<Vec<f64>> {
     let columns = DMatrix::from_fn(D + 1, basis.len(), |r, c| rays[basis[c]].coordinate(r));
     least_squares(columns, DVector::from_fn(D + 1, |r, _| target.coordinate(r)))
@@ -124,7 +126,7 @@ mod tests {
         assert!((distance_to_cone(&ray(3., 0., -4.), &quadrant, 0.0) - 0.8).abs() < 1e-15);
         assert!((distance_to_cone(&ray(-2., 1., -2.), &quadrant, 0.0) - 8.0_f64.sqrt() / 3.0).abs() < 1e-15);
         assert!((distance_to_cone(&ray(-1., -1., -1.), &quadrant, 0.0) - 1.0).abs() < 1e-15);
-        // A thin cone: a ray a millionth outside of it, among rays of which most are of no use.
+        // A thin cone: a ray 1e-6 outside it, with many rays that do not help.
         let thin: Vec<_> = (0..=100).map(|k| ray(1., 1e-6 * f64::from(k) / 100.0, 1e-6)).collect();
         let d = distance_to_cone(&ray(1., -1e-6, 1e-6), &thin, 0.0);
         assert!((d - 1e-6).abs() < 1e-12, "{d}");

@@ -1,14 +1,14 @@
-//! Linear least squares for few columns of like length.
+//! Linear least squares for a few columns of similar length.
 
 use nalgebra::{DMatrix, DVector};
 
-/// The weights with which the columns of `a` (m x n, n <= m) come nearest to `b`, by Householder's reflections (G. H.
-/// Golub, C. F. Van Loan, *Matrix Computations*, section 5.3); `None` where a column depends on those before it.
+/// The weights x (n) that minimise |a x - b| for `a` of m x n and `b` of m entries, by Householder reflections (G. H.
+/// Golub, C. F. Van Loan, *Matrix Computations*, section 5.3). `None` if n > m or a column depends on those before it.
 ///
-/// What is left is orthogonal to the columns to rounding, however nearly parallel they are. Searches for nearest points rely
-/// on it: what nalgebra's singular values left was now and then 1e-9 long where the columns reach `b`, and such a search
-/// then ends too early or turns in circles.
-pub fn least_squares(a: DMatrix<f64>, b: DVector<f64>) -> Option<Vec<f64>> {
+/// The residual is orthogonal to the columns to rounding, however nearly parallel they are. The nearest-point searches
+/// rely on this: with nalgebra's singular value decomposition the residual was occasionally 1e-9 long although the
+/// columns reach `b`, and such a search then ends early or cycles.
+pub(super) fn least_squares(a: DMatrix<f64>, b: DVector<f64>) -> Option<Vec<f64>> {
     if a.ncols() > a.nrows() {
         return None;
     }

@@ -1,19 +1,21 @@
-//! The point of a polytope that lies nearest to the origin (Wolfe, "Finding the nearest point in a
-//! polytope", Mathematical Programming 11, 1976). The polytope is given by a linear minimisation oracle
-//! alone, so the 2^n vertices of a zonotope are never listed.
+//! The point of a polytope nearest to the origin (P. Wolfe, *Finding the nearest point in a polytope*, Mathematical
+//! Programming 11, 1976).
+//!
+//! The polytope is given by a linear minimisation oracle only, so the 2^n vertices of a zonotope are never listed.
 
 use super::least_squares::least_squares;
 use nalgebra::{DMatrix, DVector, SVector};
 
-/// Iterations after which the search stops with what it has; Wolfe's method is finite, and the sets
-/// here need a few tens.
+/// Iterations after which the search returns its current point. Wolfe's method is finite; the sets of this crate need a
+/// few tens of iterations.
 const MOST_ITERATIONS: usize = 1_000;
 
-/// The nearest point to the origin of `conv` of the points that `lowest` can return.
+/// The point nearest to the origin in the convex hull of the points that `lowest` can return.
 ///
-/// `lowest(v)` returns a point p of the polytope with the smallest v.p; `start` is any point of the polytope.
-/// A result shorter than `zero` is returned as exactly zero.
-pub fn nearest_to_origin<const D: usize>(
+/// `lowest(v)` returns a point p of the polytope that minimises v.p, and `start` is any point of the polytope. A result
+/// of length at most `zero` is returned as exactly zero. The search ends where no point p has `x.p` below `|x|^2` by
+/// more than `1e-13 |x| (|p| + |x|)` (`docs/method.md`, section 3).
+pub(super) fn nearest_to_origin<const D: usize>(
     start: SVector<f64, D>,
     mut lowest: impl FnMut(&SVector<f64, D>) -> SVector<f64, D>,
     zero: f64,
@@ -27,17 +29,17 @@ pub fn nearest_to_origin<const D: usize>(
             return SVector::zeros();
         }
         let p = lowest(&x);
-        // x is nearest when no point lies on the origin's side of the plane through x.
+        // x is the nearest point if no point of the polytope lies on the origin's side of the plane through x.
         let gap = length * length - x.dot(&p);
         if gap <= 1e-13 * length * (p.norm() + length) || corral.contains(&p) {
             return x;
         }
         corral.push(p);
         weights.push(0.0);
-        // Minor cycle: move to the affine minimiser, dropping points until it lies inside the corral.
+        // Minor cycle: move towards the affine minimiser and drop points until it lies inside their convex hull.
         loop {
             let Some(target) = affine_minimiser(&corral) else {
-                // The new point depends on the others to rounding: x is as near as can be told.
+                // The new point depends on the others to rounding, so x cannot be improved.
                 return x;
             };
             if target.iter().all(|&t| t > 1e-12) {
@@ -65,7 +67,8 @@ pub fn nearest_to_origin<const D: usize>(
     x
 }
 
-/// Weights (summing to 1) of the point of the affine hull of `points` that lies nearest to the origin.
+/// Weights, with sum 1, of the point of the affine hull of `points` that is nearest to the origin; `None` if the points
+/// are affinely dependent.
 fn affine_minimiser<const D: usize>(points: &[SVector<f64, D>]) -> Option<Vec<f64>> {
     // With q_i = p_i - p_0: minimise |p_0 + Q c| over c.
     let k = points.len() - 1;

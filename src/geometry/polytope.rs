@@ -1,4 +1,4 @@
-//! Half-space descriptions `{ w : C w = d, N w <= e }`, equalities first, and minimal intersections.
+//! Half-space descriptions `{ w : C w = d, N w <= e }`, equalities first, and their minimal intersections.
 
 mod nearest;
 mod shadow;
@@ -7,52 +7,64 @@ use super::cone::{Ray, distance_to_cone};
 use nalgebra::SVector;
 use std::cmp::Ordering;
 
-/// `normal . w = offset`, unit normal.
+/// The equality `normal.w = offset`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equality<const D: usize> {
+    /// Normal of length 1 in the plain norm.
     pub normal: SVector<f64, D>,
+    /// Right-hand side.
     pub offset: f64,
 }
 
-/// `normal . w <= offset`, unit normal. `origin` says where the row comes from; its meaning is the owner's.
+/// The inequality `normal.w <= offset`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Facet<const D: usize, O> {
+    /// Outward normal of length 1 in the plain norm.
     pub normal: SVector<f64, D>,
+    /// Right-hand side.
     pub offset: f64,
+    /// Where the row comes from; the caller defines its meaning.
     pub origin: O,
 }
 
 impl<const D: usize, O> Facet<D, O> {
-    /// Distance from `w` to the facet's plane, positive inside.
+    /// Signed distance from `w` to the facet's plane, `offset - normal.w`: positive inside.
     pub fn slack(&self, w: &SVector<f64, D>) -> f64 {
         self.offset - self.normal.dot(w)
     }
 }
 
+/// The set of points that satisfy all equalities and all facets.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polytope<const D: usize, O> {
+    /// Equalities; empty for a full-dimensional set.
     pub equalities: Vec<Equality<D>>,
+    /// Inequalities. Whether they are minimal depends on the function that made them.
     pub facets: Vec<Facet<D, O>>,
 }
 
 impl<const D: usize, O: Clone> Polytope<D, O> {
-    /// Smallest facet slack of `w`: the distance to the boundary where `w` lies inside a full-dimensional
-    /// set, minus the largest violation where it lies outside. Infinite for a set without facets.
+    /// The smallest facet slack of `w`. Inside a full-dimensional set this is the distance to the boundary; outside it
+    /// is minus the largest violation of a facet, whose absolute value is at most the distance to the set. Infinite for
+    /// a set without facets.
     pub fn margin(&self, w: &SVector<f64, D>) -> f64 {
         self.facets.iter().map(|f| f.slack(w)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Largest distance of `w` from the set's equality planes (0 for a full-dimensional set).
+    /// The largest distance of `w` from the planes of the equalities; 0 for a full-dimensional set.
     pub fn off_plane(&self, w: &SVector<f64, D>) -> f64 {
         self.equalities.iter().map(|e| (e.normal.dot(w) - e.offset).abs()).fold(0.0, f64::max)
     }
 
+    /// Whether `w` violates no row by more than `tolerance`, as a distance from the row's plane.
     pub fn contains(&self, w: &SVector<f64, D>, tolerance: f64) -> bool {
         self.margin(w) >= -tolerance && self.off_plane(w) <= tolerance
     }
 
-    /// The parameters t with `start + t direction` in the set, as a closed interval; `None` where the line
-    /// misses it. `tolerance` is how far a parallel plane may be passed.
+    /// The closed interval of parameters t with `start + t direction` in the set; `None` if the line misses the set.
+    ///
+    /// `tolerance` is the distance by which a plane parallel to the line may be violated, and by which the planes of a
+    /// flat set may miss a common parameter. Ends are infinite where the set is unbounded along the line.
     pub fn chord(&self, start: &SVector<f64, D>, direction: &SVector<f64, D>, tolerance: f64) -> Option<(f64, f64)> {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let parallel = 1e-12 * direction.norm();
@@ -75,19 +87,19 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
                 return None;
             }
         }
-        // Planes of a flat set meet in one parameter up to rounding.
+        // The planes of a flat set give the same parameter only up to rounding.
         let slip = tolerance / direction.norm();
         (low <= high + slip).then(|| if low <= high { (low, high) } else { ((low + high) / 2.0, (low + high) / 2.0) })
     }
 
-    /// The same rows, whatever they come from.
-    pub fn without_origins(&self) -> Polytope<D, ()> {
+    /// The same rows without their origins.
+    pub(crate) fn without_origins(&self) -> Polytope<D, ()> {
         let facets = self.facets.iter().map(|f| Facet { normal: f.normal, offset: f.offset, origin: () });
         Polytope { equalities: self.equalities.clone(), facets: facets.collect() }
     }
 
-    /// The set seen from `point` and made smaller about it: `{ w : point + (w - point) / (1 - share) in self }`.
-    /// `point` must satisfy the equalities.
+    /// The set shrunk about `point` by `share` (0 to 1): `{ w : point + (w - point) / (1 - share) in self }`, the
+    /// reserve of `docs/method.md`, section 2. `point` must satisfy the equalities.
     pub fn shrink_about(&self, point: &SVector<f64, D>, share: f64) -> Self {
         let mut shrunk = self.clone();
         for f in &mut shrunk.facets {
@@ -98,18 +110,18 @@ impl<const D: usize, O: Clone> Polytope<D, O> {
     }
 }
 
-/// Two unit normals are one when they differ by less.
+/// Two unit normals are treated as equal if no component differs by more than this.
 const SAME_NORMAL: f64 = 1e-9;
 
-/// A row is redundant when it lies nearer than this to the cone of the others (unit rays).
+/// A row is redundant if the distance of its unit ray from the cone of the others is at most this.
 const REDUNDANT: f64 = 1e-9;
 
-/// The minimal description of an intersection.
+/// The minimal description of an intersection (`docs/method.md`, section 2).
 ///
-/// Equalities first (dependent ones out), then facets with one row per normal (the smallest offset), then
-/// redundant rows out. `scale` holds one positive length per axis, so that normals are compared in
-/// coordinates of like size; `inside` is a point of every set. The origins of the row kept are those of the
-/// rows it stands for: the facets of the given sets with the same plane.
+/// Dependent equalities are dropped, then of the facets with one normal the one with the smallest offset is kept, then
+/// redundant rows are dropped. `inside` is a point of every set. `scale` has one positive length for each axis; normals
+/// are compared in coordinates divided by it. The origin of each row lists the origins of all given facets in the same
+/// plane.
 pub fn intersect<const D: usize, O: Clone>(
     sets: &[&Polytope<D, O>],
     inside: &SVector<f64, D>,
@@ -117,14 +129,13 @@ pub fn intersect<const D: usize, O: Clone>(
 ) -> Polytope<D, Vec<O>> {
     let equalities = independent(sets.iter().flat_map(|s| &s.equalities), scale);
     let mut rows = tightest(sets, scale);
-    // A pair of opposite rows through one point is an equality in disguise; rows parallel to all
-    // equality planes constrain nothing more.
+    // A row whose normal lies in the span of the equalities' normals is constant on the set, which holds `inside`.
     rows.retain(|row| remainder(&row.normal, &equalities, scale).norm() > SAME_NORMAL);
     let facets = irredundant(rows, &equalities, inside, scale);
     Polytope { equalities, facets }
 }
 
-/// Keeps a maximal independent subset, in order.
+/// A maximal linearly independent subset, in the given order.
 fn independent<'a, const D: usize>(
     all: impl Iterator<Item = &'a Equality<D>>,
     scale: &SVector<f64, D>,
@@ -138,7 +149,7 @@ fn independent<'a, const D: usize>(
     kept
 }
 
-/// What is left of `normal` (in scaled coordinates, as a unit vector before) outside the span of the equalities.
+/// The component of `normal` (a unit vector in scaled coordinates) orthogonal to the normals of the equalities.
 fn remainder<const D: usize>(
     normal: &SVector<f64, D>,
     equalities: &[Equality<D>],
@@ -154,8 +165,9 @@ fn remainder<const D: usize>(
     deflate(normal.component_mul(scale).normalize(), &basis)
 }
 
+/// The component of `v` orthogonal to an orthonormal basis, by Gram-Schmidt.
 fn deflate<const D: usize>(mut v: SVector<f64, D>, basis: &[SVector<f64, D>]) -> SVector<f64, D> {
-    // Twice is enough (Kahan).
+    // A second pass restores orthogonality to rounding ("twice is enough", Kahan).
     for _ in 0..2 {
         for b in basis {
             v -= b * b.dot(&v);
@@ -164,12 +176,12 @@ fn deflate<const D: usize>(mut v: SVector<f64, D>, basis: &[SVector<f64, D>]) ->
     v
 }
 
-/// One row per normal: the smallest offset, with the origins of all rows in that plane.
+/// One row for each normal: the one with the smallest offset, with the origins of all rows in that plane.
 fn tightest<const D: usize, O: Clone>(sets: &[&Polytope<D, O>], scale: &SVector<f64, D>) -> Vec<Facet<D, Vec<O>>> {
     let unit = |f: &Facet<D, O>| f.normal.component_mul(scale).normalize();
     let mut all: Vec<(SVector<f64, D>, &Facet<D, O>)> =
         sets.iter().flat_map(|s| &s.facets).map(|f| (unit(f), f)).collect();
-    // Coordinates that agree to rounding compare as equal, so equal normals become neighbours.
+    // Coordinates that agree to rounding compare as equal, so that equal normals are neighbours after sorting.
     let cell = |v: f64| (v / (4.0 * SAME_NORMAL)).round();
     let order = |a: &SVector<f64, D>, b: &SVector<f64, D>| {
         a.iter().zip(b.iter()).map(|(x, y)| cell(*x).total_cmp(&cell(*y))).find(|o| *o != Ordering::Equal)
@@ -177,7 +189,7 @@ fn tightest<const D: usize, O: Clone>(sets: &[&Polytope<D, O>], scale: &SVector<
     all.sort_by(|a, b| order(&a.0, &b.0).unwrap_or(Ordering::Equal));
     let mut groups: Vec<(SVector<f64, D>, Vec<&Facet<D, O>>)> = Vec::new();
     for (n, f) in all {
-        // A coordinate may round to either side of a cell's edge: look back over all near groups.
+        // A coordinate may round to either side of a cell boundary, so the preceding groups are searched too.
         let near = groups.iter_mut().rev().take(64).find(|(m, _)| (m - n).amax() < SAME_NORMAL);
         match near {
             Some((_, group)) => group.push(f),
@@ -197,10 +209,10 @@ fn tightest<const D: usize, O: Clone>(sets: &[&Polytope<D, O>], scale: &SVector<
 
 /// Drops every row that the others imply.
 ///
-/// About a point c of the set, rows read n.w <= s with slacks s >= 0. Row i is implied by the others exactly when
-/// n_i = sum l_j n_j and sum l_j s_j <= s_i for some l >= 0 (Farkas; Ziegler, *Lectures on Polytopes*, section
-/// 1.4), that is when (n_i, s_i) lies in the cone of the other (n_j, s_j) and (0, 1). A row at distance d from
-/// that cone would let a point w of the set past it by no more than d |(w, 1)|.
+/// Relative to a point of the set the rows read n.w <= s with slacks s >= 0. Row i is implied by the others if and only
+/// if n_i = sum l_j n_j and sum l_j s_j <= s_i for some l >= 0 (Farkas; Ziegler, *Lectures on Polytopes*, section 1.4),
+/// that is, if (n_i, s_i) lies in the cone of the other (n_j, s_j) and (0, 1). If a row at distance d from that cone is
+/// dropped, a point w that satisfies the others violates it by at most d |(w, 1)|.
 fn irredundant<const D: usize, O: Clone>(
     rows: Vec<Facet<D, O>>,
     equalities: &[Equality<D>],

@@ -1,11 +1,16 @@
 //! Eigenvalues of symmetric matrices in place.
 
-/// Sweeps over all pairs; each squares what is left beside the diagonal.
+/// Sweeps over all pairs of rows. Convergence is quadratic, so a few sweeps suffice.
 const MOST_SWEEPS: usize = 30;
 
-/// Eigenvalues of a symmetric matrix (n x n, row by row) into `values` (n), in no order, by Jacobi's rotations. The
-/// matrix is used up; no memory is allocated. (G. H. Golub, C. F. Van Loan, *Matrix Computations*, section 8.5.)
-pub fn eigenvalues(matrix: &mut [f64], values: &mut [f64]) {
+/// Writes the eigenvalues of a symmetric matrix (n x n, row-major) to `values` (n entries), in no particular order, by
+/// Jacobi rotations (G. H. Golub, C. F. Van Loan, *Matrix Computations*, section 8.5).
+///
+/// The contents of `matrix` are overwritten. Allocates no memory, because the estimator calls it during a flight.
+///
+/// # Panics
+/// If `matrix` has fewer than n^2 entries.
+pub(crate) fn eigenvalues(matrix: &mut [f64], values: &mut [f64]) {
     let n = values.len();
     let scale = matrix.iter().fold(0.0, |m: f64, a| m.max(a.abs()));
     for _ in 0..MOST_SWEEPS {

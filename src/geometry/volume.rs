@@ -1,15 +1,17 @@
-//! Volumes: of a zonotope from its generators, of a polytope from its rows.
+//! Volume of a zonotope from its generators, and of a polytope from its rows (`docs/method.md`, section 3, "Share given
+//! away").
 
 use super::polytope::Polytope;
 use super::zonotope::Zonotope;
 use nalgebra::{Matrix4, Vector4};
 
-/// Two unit normals are one when no component differs by more.
+/// Two unit normals are treated as equal if no component differs by more than this.
 const SAME: f64 = 1e-9;
 
 impl Zonotope<4> {
-    /// The sum of |det(g_i, g_j, g_k, g_l)| over all sets of four generators (Shephard, "Combinatorial properties of
-    /// associated zonotopes", 1974): the zonotope is tiled by these parallelepipeds.
+    /// The volume: the sum of |det(g_i, g_j, g_k, g_l)| over all sets of four generators, because the corresponding
+    /// parallelepipeds tile the zonotope (G. C. Shephard, *Combinatorial properties of associated zonotopes*, 1974). 0
+    /// for a flat set.
     pub fn volume(&self) -> f64 {
         let g = &self.generators;
         let n = g.len();
@@ -28,13 +30,15 @@ impl Zonotope<4> {
 }
 
 impl<O: Clone> Polytope<4, O> {
-    /// The exact volume of a bounded set (Lasserre, "An analytical expression and an algorithm for the volume of a
-    /// convex polyhedron in R^n", 1983); 0 for a flat one. `inside` is a point of the set and `scale` a length for
-    /// each axis, in which rows are compared.
+    /// The volume of a bounded set; 0 for a flat one (J. B. Lasserre, *An analytical expression and an algorithm for
+    /// the volume of a convex polyhedron in R^n*, 1983).
     ///
-    /// By Euler's theorem on homogeneous functions, d V = sum over the facets of b_i/|a_i| times the facet's volume,
-    /// and that is the volume of its projection along an axis, in which it is a polytope with one row and one
-    /// dimension less.
+    /// `inside` is a point of the set. `scale` has one positive length for each axis; rows are compared in coordinates
+    /// divided by it.
+    ///
+    /// By Euler's theorem on homogeneous functions `d vol = sum b_i/|a_i| vol(facet i)` for the polytope `a_i.x <= b_i`
+    /// of dimension d. The volume of a facet follows in the same way from its projection along an axis, which is a
+    /// polytope with one row and one dimension less.
     pub fn volume(&self, inside: &Vector4<f64>, scale: &Vector4<f64>) -> f64 {
         if !self.equalities.is_empty() {
             return 0.0;
@@ -52,6 +56,7 @@ struct Row {
     slack: f64,
 }
 
+/// Volume of the polytope of these rows in `dimension` dimensions.
 fn lasserre(rows: Vec<Row>, dimension: usize) -> f64 {
     let Some(rows) = distinct(rows) else { return 0.0 };
     if dimension == 1 {
@@ -78,8 +83,8 @@ fn lasserre(rows: Vec<Row>, dimension: usize) -> f64 {
     (0..rows.len()).map(cone).sum::<f64>() / dimension as f64
 }
 
-/// Rows with unit normals, of each normal the tightest, for a face may be cut twice by one plane; `None` where one
-/// holds nowhere.
+/// Rows with unit normals, keeping only the tightest row of each normal, because projection can produce the same plane
+/// twice. `None` if a row is infeasible by itself, so that the set is empty.
 fn distinct(rows: Vec<Row>) -> Option<Vec<Row>> {
     let mut kept: Vec<Row> = Vec::new();
     for mut row in rows {

@@ -1,60 +1,65 @@
-//! Zonotopes `{ c + sum_k t_k g_k : 0 <= t_k <= 1 }` and their exact facets.
+//! Zonotopes `{ c + sum_k t_k g_k : 0 <= t_k <= 1 }` and their exact facets (`docs/method.md`, section 2).
 //!
-//! A facet's normal is orthogonal to r - 1 independent generators, r the dimension of the set; the offset
-//! is the support function. So all facets follow from the (r-1)-subsets of the generators, merged where they
-//! span one plane: no hull, no vertices.
+//! The normal of a facet is orthogonal to r - 1 independent generators, where r is the dimension of the set, and the
+//! offset is the support function. All facets therefore follow from the (r-1)-subsets of the generators; subsets that
+//! span the same plane are merged. No convex hull is computed and no vertices are listed.
 
 use super::polytope::{Equality, Facet, Polytope};
 use nalgebra::{SMatrix, SVector};
 
-/// Directions closer to dependence than this (in scaled coordinates) count as dependent.
+/// A unit direction depends on others if its component orthogonal to them, in scaled coordinates, is at most this.
 const DEPENDENT: f64 = 1e-7;
-/// A generator lies in a facet's plane when its unit direction leaves it by less.
+/// A generator lies in the plane of a facet if the component of its unit direction along the normal is at most this.
 const IN_PLANE: f64 = 1e-8;
 
-/// At most 64 generators.
+/// The set `{ center + sum_k t_k generators[k] : 0 <= t_k <= 1 }`, with at most 64 generators.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Zonotope<const D: usize> {
+    /// The vertex at t = 0; not the centre of symmetry.
     pub center: SVector<f64, D>,
+    /// One for each rotor in this crate; zero for a rotor without freedom.
     pub generators: Vec<SVector<f64, D>>,
 }
 
-/// The generators that span a facet: bit k stands for generator k.
+/// The generators that span a facet, as a bit set: bit k stands for generator k.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Spanning(pub u64);
+pub struct Spanning(
+    /// Bit k is set if generator k lies in the plane of the facet.
+    pub u64,
+);
 
 impl Spanning {
-    /// Generators counted from 0.
+    /// Indices of the generators, from 0, ascending.
     pub fn generators(self) -> impl Iterator<Item = usize> {
         (0..64).filter(move |k| self.0 >> k & 1 == 1)
     }
 }
 
 impl<const D: usize> Zonotope<D> {
-    /// Largest `n.w` over the set.
+    /// The support function: the largest `n.w` over the set.
     pub fn support(&self, n: &SVector<f64, D>) -> f64 {
         n.dot(&self.center) + self.generators.iter().map(|g| n.dot(g).max(0.0)).sum::<f64>()
     }
 
-    /// A vertex with the smallest `n.w`.
+    /// A vertex that minimises `n.w`.
     pub fn lowest(&self, n: &SVector<f64, D>) -> SVector<f64, D> {
         self.generators.iter().filter(|g| n.dot(g) < 0.0).fold(self.center, |sum, g| sum + g)
     }
 
-    /// Width along n: the largest minus the smallest `n.w`.
+    /// The width along n: the largest minus the smallest `n.w` over the set.
     pub fn width(&self, n: &SVector<f64, D>) -> f64 {
         self.generators.iter().map(|g| n.dot(g).abs()).sum()
     }
 
-    /// Extent along each axis, so that coordinates divided by it are of like size; 1 where the set has none
-    /// but rounding dust.
+    /// The extent `sum_k |g_k,i|` along each axis i, by which coordinates are divided to make them comparable; 1 for an
+    /// axis whose extent is rounding error.
     pub fn scale(&self) -> SVector<f64, D> {
         let extent = self.generators.iter().fold(SVector::<f64, D>::zeros(), |sum, g| sum + g.abs());
         let dust = 1e-12 * extent.max();
         extent.map(|e| if e > dust { e } else { 1.0 })
     }
 
-    /// Point of the set nearest to `w` in the plain Euclidean norm.
+    /// The point of the set nearest to `w` in the plain Euclidean norm.
     pub fn nearest(&self, w: &SVector<f64, D>) -> SVector<f64, D> {
         let size = self.generators.iter().map(nalgebra::Matrix::norm).sum::<f64>() + w.norm();
         let shifted = Zonotope { center: self.center - w, generators: self.generators.clone() };
@@ -62,8 +67,8 @@ impl<const D: usize> Zonotope<D> {
         w + super::nearest::nearest_to_origin(start, |v| shifted.lowest(v), 1e-13 * size)
     }
 
-    /// Dimension of the set's affine hull, its unit directions and an orthonormal complement, in scaled
-    /// coordinates.
+    /// The dimension of the set's affine hull, and an orthonormal basis of the complement of its directions, both in
+    /// scaled coordinates.
     fn frame(&self, scale: &SVector<f64, D>) -> (usize, Vec<SVector<f64, D>>) {
         // Rank-revealing Gram-Schmidt with pivoting on the unit directions.
         let mut left: Vec<SVector<f64, D>> = self.directions(scale).into_iter().flatten().collect();
@@ -101,7 +106,7 @@ impl<const D: usize> Zonotope<D> {
         (rank, complement)
     }
 
-    /// Unit direction of each generator in scaled coordinates; `None` for a zero generator.
+    /// The unit direction of each generator in scaled coordinates; `None` for a zero generator.
     fn directions(&self, scale: &SVector<f64, D>) -> Vec<Option<SVector<f64, D>>> {
         self.generators
             .iter()
@@ -112,13 +117,14 @@ impl<const D: usize> Zonotope<D> {
             .collect()
     }
 
-    /// Dimension of the set (the rank of its generators).
+    /// The dimension of the set, which is the rank of its generators.
     pub fn rank(&self) -> usize {
         self.frame(&self.scale()).0
     }
 
-    /// The minimal half-space description: one row per facet, unit normals in the plain norm; equality rows
-    /// where the set is flat. Cost: C(n, r-1) n for n generators and rank r.
+    /// The minimal half-space description: one row for each facet, with normals of length 1 in the plain norm, and `D -
+    /// rank` equalities if the set is flat. The two facets of each plane are neighbours. The cost is C(n, r-1) n for n
+    /// generators and rank r.
     pub fn facets(&self) -> Polytope<D, Spanning> {
         let scale = self.scale();
         let directions = self.directions(&scale);
@@ -155,13 +161,13 @@ impl<const D: usize> Zonotope<D> {
         Polytope { equalities, facets }
     }
 
-    /// The support function, leaving out the generators in the plane, which only add rounding.
+    /// The support function without the generators in the plane, which would only add rounding errors.
     fn support_outside(&self, n: &SVector<f64, D>, plane: u64) -> f64 {
         let outside = self.generators.iter().enumerate().filter(|(k, _)| plane >> k & 1 == 0);
         n.dot(&self.center) + outside.map(|(_, g)| n.dot(g).max(0.0)).sum::<f64>()
     }
 
-    /// Walks all `more`-subsets of the used generators, eliminating as it goes.
+    /// Extends `rows` by every subset of `more` generators out of `used` and collects the planes that they span.
     fn planes(
         &self,
         directions: &[Option<SVector<f64, D>>],
@@ -174,7 +180,7 @@ impl<const D: usize> Zonotope<D> {
             let Some(n) = rows.orthogonal() else { return };
             let mut key = 0;
             for (k, d) in directions.iter().enumerate() {
-                // A zero generator lies in every plane; it spans none.
+                // A zero generator lies in every plane and spans none.
                 if d.is_some_and(|d| n.dot(&d).abs() <= IN_PLANE) {
                     key |= 1 << k;
                 }
@@ -192,7 +198,7 @@ impl<const D: usize> Zonotope<D> {
     }
 }
 
-/// Up to D - 1 independent rows in echelon form with column pivoting, grown and shrunk at the end.
+/// A stack of up to D - 1 independent rows in echelon form with column pivoting.
 struct Elimination<const D: usize> {
     rows: SMatrix<f64, D, D>,
     pivots: [usize; D],
@@ -204,7 +210,7 @@ impl<const D: usize> Elimination<D> {
         Elimination { rows: SMatrix::zeros(), pivots: [0; D], count: 0 }
     }
 
-    /// Adds a row unless it depends on those before.
+    /// Adds a row unless it depends on those before; returns whether it was added.
     fn push(&mut self, v: &SVector<f64, D>) -> bool {
         if self.count + 1 > D {
             return false;
@@ -235,7 +241,7 @@ impl<const D: usize> Elimination<D> {
         self.count -= 1;
     }
 
-    /// The unit vector orthogonal to D - 1 rows.
+    /// The unit vector orthogonal to D - 1 rows; `None` with fewer rows.
     fn orthogonal(&self) -> Option<SVector<f64, D>> {
         if self.count + 1 != D {
             return None;

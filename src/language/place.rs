@@ -1,9 +1,9 @@
-//! Which statement belongs in which block.
+//! Which statements belong in which block.
 
 use super::statements::{BLOCKS, OPENERS};
 use crate::diagnostic::nearest;
 
-/// Where a statement stands: the top level, or the block around it.
+/// Where a statement is: the top level, or the block around it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     Top,
@@ -23,11 +23,11 @@ pub enum Place {
     Plan,
     Simulate,
     Campaign,
-    /// A block that could not be made out: anything may stand in it.
+    /// A block that could not be recognised: anything is allowed in it.
     Unknown,
 }
 
-/// What a statement is, as far as its place is concerned.
+/// The kind of a statement, as far as its place is concerned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     Use,
@@ -47,8 +47,8 @@ pub enum Kind {
     Require,
 }
 
-/// Words that other languages and ground stations have for ours. A word with several entries means the first that fits
-/// where it stands, or else the first.
+/// Words that other languages and ground stations use, each with the word of this language. A word with several entries
+/// means the first that fits its place, or else the first.
 pub const OTHER_WORDS: &[(&str, &str)] = &[
     ("import", "use"),
     ("include", "use"),
@@ -96,13 +96,13 @@ impl Place {
         BLOCKS.iter().find(|b| b.keyword == keyword).map(|b| b.place)
     }
 
-    /// Whether `word` begins some statement, in whatever block.
+    /// Whether `word` begins a statement in any block.
     pub fn opens_statement(word: &str) -> bool {
         OPENERS.iter().any(|o| o.1.contains(&word))
     }
 
-    /// Whether `word` begins a statement without braces and is not meant for a block that stands here: `fault {` at the
-    /// top level is a misspelt `faults {`.
+    /// Whether `word` begins a statement without braces and is not a misspelling of a block that is allowed here: `fault {`
+    /// at the top level is a misspelt `faults {`.
     pub fn has_braceless(self, word: &str) -> bool {
         let is_slip = || {
             self.meant(word).is_some_and(|meant| Place::of_block(meant).is_some() && self.openers().contains(&meant))
@@ -111,7 +111,7 @@ impl Place {
         Place::opens_statement(word) && Place::of_block(word).is_none() && (fits || !is_slip())
     }
 
-    /// The block that a broken head was probably to open.
+    /// The block that a broken head was probably meant to open.
     pub fn of_head(word: &str) -> Option<Place> {
         match word {
             "curve" => Some(Place::Curve),
@@ -120,17 +120,17 @@ impl Place {
         }
     }
 
-    /// The keyword that opens this block, where it has a plain head.
+    /// The keyword that opens this block, if it has a simple head.
     pub fn keyword(self) -> Option<&'static str> {
         BLOCKS.iter().find(|b| b.place == self).map(|b| b.keyword)
     }
 
-    /// Whether the block has a name of its own.
+    /// Whether the block has a name.
     pub fn is_named(self) -> bool {
         BLOCKS.iter().any(|b| b.place == self && b.is_named)
     }
 
-    /// As one says it: "in a `mission`".
+    /// As messages name it: "in a `mission`".
     pub fn phrase(self) -> &'static str {
         match self {
             Place::Top => "at the top level",
@@ -150,18 +150,18 @@ impl Place {
         }
     }
 
-    /// As one says it: "a statement of a `mission`".
+    /// As messages name it after "of": "a `mission`".
     pub fn phrase_alone(self) -> &'static str {
         let phrase = self.phrase();
         phrase.strip_prefix("in ").unwrap_or(phrase)
     }
 
-    /// The words that may begin a statement here.
+    /// The words that begin statements here.
     pub fn openers(self) -> &'static [&'static str] {
         OPENERS.iter().find(|o| o.0 == self).map_or(&[], |o| o.1)
     }
 
-    /// The opening word that `word` was probably meant to be: one that fits here if any does.
+    /// The opening word that `word` was probably meant to be, preferably one that is allowed here.
     pub fn meant(self, word: &str) -> Option<&'static str> {
         let all = || OPENERS.iter().flat_map(|o| o.1.iter().copied());
         let others = || OTHER_WORDS.iter().filter(|(other, _)| *other == word).map(|(_, ours)| *ours);
@@ -171,7 +171,7 @@ impl Place {
 }
 
 impl Kind {
-    /// Where such a statement belongs; `None` where the place decides nothing.
+    /// Where such a statement belongs; `None` for fields, which occur in many places.
     pub fn home(self) -> Option<Place> {
         match self {
             Kind::Field => None,
@@ -187,6 +187,7 @@ impl Kind {
         }
     }
 
+    /// Whether such a statement is allowed in `place`.
     pub fn fits(self, place: Place) -> bool {
         match self {
             _ if place == Place::Unknown => true,

@@ -1,8 +1,8 @@
-//! The rows of the table as docs/language.md prints them.
+//! Renders the language table as the Markdown tables of docs/language.md.
 
 use super::{Absent, EFFECTS, Entry, Group, Place, STATEMENTS, Takes};
 
-/// The table of a group's entries in Markdown, its head included.
+/// The table of a group's entries in Markdown, including its head.
 pub fn markdown(group: Group) -> String {
     let subject = match group {
         Group::Top => "top level",
@@ -19,13 +19,13 @@ pub fn markdown(group: Group) -> String {
         let row = |entry: &Entry| vec![quoted(entry.name), unit(entry), forms(entry), entry.doc.to_string()];
         return rows(&[subject, "unit", "forms", ""], group.entries().iter().map(|entry| row(entry)));
     }
-    // The clauses of a placed rotor that `rotor { }` has too are explained there.
+    // The clauses that a placed rotor shares with `rotor { }` are listed there.
     let is_own = |entry: &&&Entry| group != Group::PlacedRotor || !Group::Rotor.has(entry.name);
     let row = |entry: &Entry| vec![quoted(entry.name), takes(entry), absent(entry), entry.doc.to_string()];
     rows(&[subject, "takes", "default", ""], group.entries().iter().filter(is_own).map(|entry| row(entry)))
 }
 
-/// The table of the statements of a place, or of the effects of a fault, in Markdown.
+/// The table of the statements of a place in Markdown; for [`Place::Faults`], the effects of a fault.
 pub fn statement_markdown(place: Place) -> String {
     if place == Place::Faults {
         let row = |&(_, form, capacity, doc): &(&str, &str, &str, &str)| {

@@ -1,8 +1,8 @@
-//! Blocks, the words that begin a statement, and what each says.
+//! Blocks, the words that begin statements, and a line of documentation for each.
 
 use super::place::Place;
 
-/// A braced block with a plain head.
+/// A block with a simple head: a keyword, and a name if `is_named`.
 #[derive(Debug, Clone, Copy)]
 pub struct BlockEntry {
     pub keyword: &'static str,
@@ -17,6 +17,7 @@ const fn block(keyword: &'static str, place: Place, is_named: bool, within: Plac
     BlockEntry { keyword, place, is_named, within }
 }
 
+/// Every block with a simple head.
 pub const BLOCKS: &[BlockEntry] = &[
     block("vehicle", Place::Vehicle, true, Place::Top),
     block("faults", Place::Faults, false, Place::Top),
@@ -30,7 +31,7 @@ pub const BLOCKS: &[BlockEntry] = &[
     block("limits", Place::Limits, false, Place::Mission),
 ];
 
-/// The words that begin a statement in each place, fields aside.
+/// The words that begin a statement in each place, other than fields.
 pub const OPENERS: &[(Place, &[&str])] = &[
     (Place::Top, &["use", "let", "vehicle", "faults", "mission", "plan", "simulate", "campaign"]),
     (Place::Vehicle, &["rotor", "rotors"]),
@@ -42,14 +43,14 @@ pub const OPENERS: &[(Place, &[&str])] = &[
     (Place::Simulate, &["fault"]),
 ];
 
-/// A statement that has a form of its own.
+/// A statement other than a field.
 #[derive(Debug, Clone, Copy)]
 pub struct StatementEntry {
-    /// The word that it begins with.
+    /// Its first word.
     pub word: &'static str,
-    /// As one writes it.
+    /// Its form, as written in a spec.
     pub form: &'static str,
-    /// One line of Markdown.
+    /// One line of documentation, in Markdown.
     pub doc: &'static str,
 }
 
@@ -62,20 +63,20 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
     (
         Place::Top,
         &[
-            statement("use", "use \"file.mav\"", "brings in the blocks and `let`s of another file"),
-            statement("let", "let NAME = EXPRESSION", "names a value, outside all blocks"),
+            statement("use", "use \"file.mav\"", "includes the blocks and `let`s of another file"),
+            statement("let", "let NAME = EXPRESSION", "names a value; outside all blocks"),
             statement("vehicle", "vehicle NAME { }", "the mass, inertia and rotors of a vehicle"),
             statement("faults", "faults { }", "the fault modes: what may fail, one rotor or several at a time"),
             statement("mission", "mission NAME { }", "where to fly, in the order of flight, and within which limits"),
             statement("plan", "plan { }", "how the mission is planned, and against which fault modes"),
-            statement("simulate", "simulate { }", "how the plan is flown, and which faults strike on the way"),
+            statement("simulate", "simulate { }", "how the plan is flown, and which faults strike during the flight"),
             statement("campaign", "campaign { }", "how many flights are flown, with every fault mode at many instants"),
         ],
     ),
     (
         Place::Faults,
         &[
-            statement("mode", "mode NAME \"title\" { }", "one fault mode; the title may be left out"),
+            statement("mode", "mode NAME \"title\" { }", "one fault mode; the title is optional"),
             statement(
                 "every",
                 "every k rotors EFFECT as NAME",
@@ -89,7 +90,7 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
         &[statement(
             "require",
             "require risk <= BOUND",
-            "lets the planner choose what to protect, until the risk of the mission is at most this",
+            "lets the planner choose what to protect until the risk of the mission is at most this bound",
         )],
     ),
     (Place::Simulate, &[statement("fault", "fault NAME at TIME", "a declared fault mode strikes at this time")]),
@@ -99,9 +100,9 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             statement(
                 "rotor",
                 "rotor { }",
-                "what the rotors have in common; required unless each of `rotors` gives everything itself",
+                "the properties that rotors share; required unless each rotor of `rotors` gives all of them itself",
             ),
-            statement("rotors", "rotors { }", "places the rotors one by one, in place of `layout`, `arm` and `first`"),
+            statement("rotors", "rotors { }", "places the rotors one by one, instead of `layout`, `arm` and `first`"),
         ],
     ),
     (
@@ -110,7 +111,7 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             statement(
                 "start",
                 "start at POSITION ...",
-                "the first waypoint; may be left out, then the flight starts at the first point of what follows",
+                "the first waypoint; without it the flight starts at the first point of the next statement",
             ),
             statement(
                 "waypoint",
@@ -120,12 +121,12 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             statement(
                 "curve",
                 "curve NAME in RANGE, points = N { x = ...; y = ...; z = ... }",
-                "N waypoints evenly spaced in the parameter, both ends included",
+                "N waypoints evenly spaced in the parameter, including both ends",
             ),
-            statement("waypoints", "waypoints from \"file.csv\"", "takes waypoints from a table, one for each row"),
-            statement("hold", "hold TIME", "stays at rest at the waypoint before it"),
-            statement("start", "start moving", "leaves out the rest at the start"),
-            statement("end", "end moving", "leaves out the rest at the end"),
+            statement("waypoints", "waypoints from \"file.csv\"", "reads waypoints from a table, one per row"),
+            statement("hold", "hold TIME", "stays at rest at the previous waypoint"),
+            statement("start", "start moving", "the mission need not start at rest"),
+            statement("end", "end moving", "the mission need not end at rest"),
             statement(
                 "limits",
                 "limits { }",
@@ -135,31 +136,36 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
     ),
 ];
 
-/// What can happen to a rotor in a fault mode: its form, the capacity that remains, and what that means.
+/// The effects of a fault on a rotor: keyword, form, remaining capacity, and meaning.
 pub const EFFECTS: &[(&str, &str, &str, &str)] = &[
     ("lost", "lost", "0", "the rotor gives no thrust and no torque"),
-    ("reduced", "reduced to 60 %", "0.6", "the rotor gives this share of what its speed would give"),
+    (
+        "reduced",
+        "reduced to 60 %",
+        "0.6",
+        "the rotor gives this share of the thrust and torque that belong to its speed",
+    ),
     (
         "stuck",
         "stuck at 50 %",
         "1",
-        "thrust pinned at this share of full thrust; at 50 % the rotor turns at 71 % of full speed",
+        "the thrust stays at this share of full thrust; at 50 % the rotor turns at 71 % of full speed",
     ),
 ];
 
-/// The functions and constants of expressions, each with what it takes and gives.
+/// The functions and constants of expressions, each with a line on its arguments and its value.
 pub const FUNCTIONS: &[(&str, &str)] = &[
     ("pi", "a plain number"),
     ("g0", "the spec's gravity, an acceleration"),
     ("sin", "sine of an angle or a plain number (rad)"),
     ("cos", "cosine of an angle or a plain number (rad)"),
     ("tan", "tangent of an angle or a plain number (rad)"),
-    ("asin", "of a plain number, an angle"),
-    ("acos", "of a plain number, an angle"),
-    ("atan", "of a plain number, an angle"),
-    ("atan2", "`atan2(y, x)` of two of a kind, an angle"),
-    ("sqrt", "halves exponents: the root of `m^2` is `m`"),
-    ("abs", "keeps the unit"),
-    ("min", "the least of two or more of a kind"),
-    ("max", "the largest of two or more of a kind"),
+    ("asin", "arcsine of a plain number, an angle"),
+    ("acos", "arccosine of a plain number, an angle"),
+    ("atan", "arctangent of a plain number, an angle"),
+    ("atan2", "`atan2(y, x)`: the angle of the point (x, y), from two values of one dimension"),
+    ("sqrt", "square root; the root of `m^2` is `m`"),
+    ("abs", "absolute value, with the same unit"),
+    ("min", "the smallest of two or more values of one dimension"),
+    ("max", "the largest of two or more values of one dimension"),
 ];

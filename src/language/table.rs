@@ -1,4 +1,4 @@
-//! The rows of the table, group by group, in the order in which they are explained.
+//! The rows of the language table, group by group, in the order in which docs/language.md explains them.
 
 use super::Absent::{Needed, Otherwise, Value, Written};
 use super::Range::{Any, NotNegative, Positive};
@@ -6,7 +6,7 @@ use super::Takes::{Bound, Names, Quantity, QuantityOr, Share, Text, Vector, Whol
 use super::{Absent, Entry, Takes};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Constants for the rows of a group, and the list of them.
+/// Defines a constant for each row of a group, and the list of all rows.
 macro_rules! group {
     ($(#[$doc:meta])* $group:ident: $($name:ident $written:literal, $takes:expr, $absent:expr, $doc_line:literal;)*) => {
         $(#[$doc])*
@@ -20,38 +20,38 @@ macro_rules! group {
 
 const NO_DEFAULT: Absent = Otherwise("");
 
-/// The words after which a warning is named; `crate::model` checks that each is one.
+/// The names of warnings; `crate::model` has the list and checks that each name is in it.
 const WARNINGS: Takes = Names(&[]);
 
 group! {
     /// Outside all blocks.
     top:
-    GRAVITY "gravity", Quantity("m/s^2", Positive), Value(9.81, "9.81 m/s^2", "standard gravity of the language"),
-        "the acceleration of gravity, `g0` in expressions: `gravity = 9.80665 m/s^2`, outside all blocks";
+    GRAVITY "gravity", Quantity("m/s^2", Positive), Value(9.81, "9.81 m/s^2", "the language's default gravity"),
+        "the acceleration of gravity, `g0` in expressions; written outside all blocks: `gravity = 9.80665 m/s^2`";
     ALLOW "allow", WARNINGS, Written("[]", "every warning is shown"),
-        "warnings that are not shown, by the last word of their code: `allow = [tip_speed]`, outside all blocks";
+        "warnings to suppress, by the last part of their codes; written outside all blocks: `allow = [tip_speed]`";
 }
 
 group! {
-    /// Of `vehicle { }`.
+    /// The fields of `vehicle { }`.
     vehicle:
     LAYOUT "layout", Text, Otherwise("required for a ring"),
-        "which way each rotor of a ring turns, one letter `P` or `N` for each rotor, such as `\"PNPN\"`";
+        "the direction in which each rotor of a ring turns, one letter `P` or `N` per rotor, such as `\"PNPN\"`";
     FIRST "first", Quantity("deg", Any), Value(0.0, "0 deg", "the first rotor is on +y"),
-        "turns a ring clockwise by an angle, so that its first rotor is no longer on +y";
+        "the angle from +y to the first rotor of a ring, clockwise";
     ARM "arm", Quantity("m", Positive), Otherwise("required for a ring"),
         "the radius of a ring, from the centre of gravity to each rotor";
     MASS "mass", Quantity("kg", Positive), Needed,
-        "the mass of the whole vehicle as it flies, payload included";
+        "the mass of the whole vehicle in flight, including its payload";
     INERTIA "inertia", Vector("kg*m^2", Positive), Needed,
         "the moments of inertia `[Ixx, Iyy, Izz]` about the centre of gravity";
     ALLOCATION "allocation", Words(&["bounded", "pseudo_inverse"]), Written("bounded", "reaches all that the rotors can give"),
-        "how a wrench becomes rotor speeds. `bounded` keeps to what the rotors can give, and gives up yaw first. \
-         `pseudo_inverse` is the paper's, clipped; verdicts and plans then keep to what it gives without clipping";
+        "how a wrench becomes rotor speeds. `bounded` respects the limits of the rotors and gives up yaw first. \
+         `pseudo_inverse` is the paper's, clipped; verdicts and plans then use only what it reaches without clipping";
 }
 
 group! {
-    /// Of `rotor { }`.
+    /// The fields of `rotor { }`.
     rotor:
     THRUST_COEFFICIENT "thrust_coefficient", Quantity("N*s^2/rad^2", Positive), Otherwise("required, or `max_thrust`"),
         "a rotor's thrust divided by the square of its speed";
@@ -62,22 +62,22 @@ group! {
     TORQUE_PER_THRUST "torque_per_thrust", Quantity("m", Positive), Otherwise("required, or `drag_coefficient`"),
         "a rotor's drag torque divided by its thrust";
     MIN_SPEED "min_speed", Quantity("rad/s", NotNegative), Otherwise("0"),
-        "for a rotor that may not stop: the slowest speed at which it turns unless it is lost";
+        "the lowest speed of a rotor that cannot stop unless it is lost";
     MAX_SPEED "max_speed", Quantity("rad/s", Positive), Needed,
-        "the full speed, the fastest at which a rotor turns";
+        "the full speed, the highest at which a rotor turns";
     TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),
-        "how fast the speed follows its command, w' = (command - w)/time_constant; [plans](#plan) use it with \
-         `rotors = lagging`";
+        "the time constant with which the speed w follows its command, w' = (command - w)/time_constant; \
+         [plans](#plan) use it with `rotors = lagging`";
 }
 
-/// The clauses of `rotor at` in `rotors { }`: its own, and those of [`rotor`].
+/// The clauses of `rotor at` in `rotors { }`: two of its own, and the fields of [`rotor`].
 pub mod placed_rotor {
     use super::rotor::*;
     use super::*;
 
     pub const AT: Entry =
         Entry::new("at", Vector("m", Any), Needed, "the position `[x, y, z]` from the centre of gravity");
-    pub const SPIN: Entry = Entry::new("spin", Words(&["P", "N"]), Needed, "which way the rotor turns");
+    pub const SPIN: Entry = Entry::new("spin", Words(&["P", "N"]), Needed, "the direction in which the rotor turns");
     pub const ENTRIES: &[&Entry] = &[
         &AT,
         &SPIN,
@@ -92,44 +92,47 @@ pub mod placed_rotor {
 }
 
 group! {
-    /// Of `mode { }` and `every { }`.
+    /// The fields of `mode { }` and `every { }`.
     mode:
-    RATE "rate", Quantity("1/h", NotNegative), NO_DEFAULT, "failure rate";
-    SEVERITY "severity", Whole(1, 10), NO_DEFAULT, "FMEA severity; with `occurrence` and `detection` it gives `rpn`, their product";
-    OCCURRENCE "occurrence", Whole(1, 10), NO_DEFAULT, "FMEA occurrence";
-    DETECTION "detection", Whole(1, 10), NO_DEFAULT, "FMEA detection";
+    RATE "rate", Quantity("1/h", NotNegative), NO_DEFAULT, "the failure rate";
+    SEVERITY "severity", Whole(1, 10), NO_DEFAULT,
+        "the FMEA severity; its product with `occurrence` and `detection` is `rpn`";
+    OCCURRENCE "occurrence", Whole(1, 10), NO_DEFAULT, "the FMEA occurrence";
+    DETECTION "detection", Whole(1, 10), NO_DEFAULT, "the FMEA detection";
     AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Otherwise("as in `plan`"),
-        "what the mission does after this fault, as its risk is counted";
+        "the reaction to this fault that the risk of the mission assumes";
 }
 
 group! {
-    /// In the braces of `curve`.
+    /// The fields in the braces of `curve`.
     curve:
     X "x", Quantity("m", Any), Needed, "the coordinate to the east, as an expression of the parameter";
     Y "y", Quantity("m", Any), Needed, "the coordinate to the north, as an expression of the parameter";
     Z "z", Quantity("m", Any), Needed, "the height, as an expression of the parameter";
-    YAW "yaw", Quantity("deg", Any), Otherwise("that of the waypoint before; 0 deg for the first"), "where the vehicle points";
-    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "how closely each waypoint is met (distance)";
-    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "how closely each yaw is met";
+    YAW "yaw", Quantity("deg", Any), Otherwise("that of the previous waypoint; 0 deg for the first"),
+        "the direction in which the vehicle points";
+    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "the position tolerance of each waypoint, a distance";
+    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance of each waypoint";
     WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
-        "weight of the squared distance and of the squared yaw error";
+        "the weight of the squared distance and of the squared yaw error";
 }
 
 group! {
-    /// After the range of a `curve`, behind a comma.
+    /// The options after the range of a `curve`, each preceded by a comma.
     curve_head:
-    POINTS "points", Whole(2, 10_000), Needed, "the number of waypoints, both ends included; follows the range after a comma";
+    POINTS "points", Whole(2, 10_000), Needed, "the number of waypoints, including both ends; follows the range after a comma";
 }
 
 group! {
     /// The clauses of `start` and `waypoint`.
     waypoint:
     AT "at", Vector("m", Any), Needed, "the position `[x, y, z]`";
-    YAW "yaw", Quantity("deg", Any), Otherwise("that of the waypoint before; 0 deg for the first"), "where the vehicle points";
-    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "how closely the waypoint is met (distance)";
-    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "how closely the yaw is met";
+    YAW "yaw", Quantity("deg", Any), Otherwise("that of the previous waypoint; 0 deg for the first"),
+        "the direction in which the vehicle points";
+    WITHIN "within", Quantity("cm", Positive), Otherwise("as in `plan`"), "the position tolerance, a distance";
+    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance";
     WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
-        "weight of the squared distance and of the squared yaw error";
+        "the weight of the squared distance and of the squared yaw error";
     TIME "time", Quantity("s", NotNegative), Otherwise("free"), "the time of arrival, counted from the start of the mission";
 }
 
@@ -144,7 +147,7 @@ group! {
     Y "y", Bound("m", COORDINATE), NO_DEFAULT, "bounds the coordinate to the north";
     Z "z", Bound("m", COORDINATE), NO_DEFAULT, "bounds the height";
     ALTITUDE "altitude", Bound("m", COORDINATE), NO_DEFAULT, "bounds the height; the same as `z`";
-    YAW "yaw", Bound("deg", COORDINATE), NO_DEFAULT, "bounds the yaw, which counts on through full turns from the start";
+    YAW "yaw", Bound("deg", COORDINATE), NO_DEFAULT, "bounds the yaw, which continues through full turns from the start";
     SPEED "speed", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the velocity";
     SPEED_HORIZONTAL "speed_horizontal", Bound("m/s", NORM), NO_DEFAULT, "bounds the magnitude of the horizontal velocity";
     CLIMB "climb", Bound("m/s", NORM), NO_DEFAULT, "bounds the upward speed";
@@ -156,75 +159,75 @@ group! {
     YAW_RATE "yaw_rate", Bound("deg/s", RATE_FORMS), NO_DEFAULT, "bounds how fast the yaw changes; `<=` bounds both directions";
     YAW_ACCELERATION "yaw_acceleration", Bound("deg/s^2", RATE_FORMS), NO_DEFAULT,
         "bounds how fast the yaw rate changes; `<=` bounds both directions";
-    TILT "tilt", Bound("deg", NORM), NO_DEFAULT, "bounds the angle between thrust and the vertical, below 90 deg";
+    TILT "tilt", Bound("deg", NORM), NO_DEFAULT, "bounds the angle between the thrust and the vertical; the bound is below 90 deg";
 }
 
 group! {
-    /// Of `plan { }`.
+    /// The fields of `plan { }`.
     plan:
-    MODEL "model", Words(&["hover", "exact"]), Written("exact", "the thrust and torques that a motion needs"),
-        "the equations for the thrust and torques that a motion needs: `exact` at any tilt, or `hover`, the paper's, linear about \
-         hover";
+    MODEL "model", Words(&["hover", "exact"]), Written("exact", "how the required thrust and torques are computed"),
+        "how the thrust and torques that a motion requires are computed: `exact`, at any tilt, or `hover`, the paper's model, \
+         linear about hover";
     ROTORS "rotors", Words(&["instant", "lagging"]), Written("instant", "thrusts follow their commands at once"),
-        "how rotors follow their commands: `instant`, at once, or `lagging`, with the `time_constant` that each rotor then needs";
+        "how rotors follow their commands: `instant`, at once, or `lagging`, with a `time_constant`, which each rotor then needs";
     PLANNER "planner", Words(&["rip", "rcp", "rsp"]), Written("rsp", "the risk-sensitive planner"),
-        "`rip`: the healthy set alone. `rcp`: inside the sets of all modes, always. `rsp`: the healthy set and those facets of \
-         the modes' sets that the `rip` plan would violate";
+        "`rip` uses the healthy set alone. `rcp` stays inside the sets of all modes at all times. `rsp` uses the healthy set and \
+         those facets of the modes' sets that the `rip` plan would violate";
     ROUNDS "rounds", Whole(0, 100), Value(1.0, "1", "how often rsp selects facets"),
         "how often `rsp` selects facets, all at one mission time: 0 is `rip`, 1 the paper's `rsp`. Each further round adds the \
-         facets that the plan of the round before would violate";
-    AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Written("continue", "the mission goes on"),
-        "what the mission does after a fault, as its risk is counted: `continue`, or `hold`, come to rest and stay";
+         facets that the plan of the previous round would violate";
+    AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Written("continue", "the mission continues"),
+        "the reaction to a fault that the risk of the mission assumes: `continue`, or `hold`, that is, come to rest and stay";
     AGAINST "against", Names(&["all"]), Written("all", "every declared fault mode"),
         "the modes to tolerate: `all`; a mode `M1`; all modes `M` of `every ... as M`; a range of them, `M1 .. M4`; a list of \
          these, `[M1 .. M4, worn]`; or `where FIELD RELATION VALUE` with `rpn`, `severity`, `occurrence`, `detection` or `rate` \
-         and `< <= > >= =`. A mode without the number is not chosen. `[]` is no mode";
-    TIME "time", QuantityOr("s", Positive, &["minimum"]), Written("minimum", "the shortest time that is feasible"),
-        "the time of the whole mission, holds included, or `minimum`: as short as the planner can make it";
-    WITHIN "within", Quantity("cm", Positive), Value(0.05, "5 cm", "how closely each waypoint is met"),
-        "how closely each waypoint is met (distance)";
-    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Value(PI / 90.0, "2 deg", "how closely each yaw is met"),
-        "how closely each yaw is met";
+         and `< <= > >= =`, which skips modes without that number. `[]` chooses no mode";
+    TIME "time", QuantityOr("s", Positive, &["minimum"]), Written("minimum", "the shortest time that the planner finds"),
+        "the time of the whole mission, including holds, or `minimum`: as short as the planner can make it";
+    WITHIN "within", Quantity("cm", Positive), Value(0.05, "5 cm", "position tolerance of each waypoint"),
+        "the position tolerance of each waypoint, a distance";
+    YAW_WITHIN "yaw_within", Quantity("deg", Positive), Value(PI / 90.0, "2 deg", "yaw tolerance of each waypoint"),
+        "the yaw tolerance of each waypoint";
     SAMPLES "samples", Whole(1, 3_000), Value(200.0, "200", "intervals of the whole mission"),
-        "intervals of the whole mission: 200 are 201 nodes. Every waypoint lies on a node; a hold takes one interval, and legs \
-         share the others, with at least 10 from rest to rest and 5 from or to rest ([grid](#grid))";
-    RESERVE "reserve", Share, Value(0.1, "10 %", "a share of each set stays free for feedback"),
-        "shrinks each set about hover, to keep control for feedback; below 100 %";
+        "the number of intervals of the whole mission; 200 intervals have 201 nodes. Every waypoint lies on a node. A hold takes \
+         one interval; legs share the others, with at least 10 from rest to rest and 5 from or to rest ([grid](#grid))";
+    RESERVE "reserve", Share, Value(0.1, "10 %", "share of each set kept for feedback"),
+        "the share of each set that is kept for feedback: sets are shrunk about hover; below 100 %";
     SNAP "snap", Quantity("1", NotNegative), Value(1e-4, "1e-4", "weight of snap: horizontal, in the exact model vertical too"),
-        "weight of the integral of the squared horizontal snap, s^7/m^2";
+        "the weight of the integral of the squared horizontal snap, s^7/m^2";
     ACCELERATION "acceleration", Quantity("1", NotNegative), Value(1e-4, "1e-4", "weight of vertical and yaw acceleration"),
-        "weight of the integral of the squared vertical acceleration (s^3/m^2) and yaw acceleration (s^3/rad^2)";
+        "the weight of the integral of the squared vertical acceleration (s^3/m^2) and yaw acceleration (s^3/rad^2)";
     WEIGHT "weight", Quantity("1", NotNegative), Value(1.0, "1", "weight of the squared distance to each waypoint"),
-        "weight of the squared distance to each waypoint, 1/m^2, and of the squared yaw error there, 1/rad^2";
+        "the weight of the squared distance to each waypoint, 1/m^2, and of the squared yaw error there, 1/rad^2";
     TIMING "timing", Words(&["optimal", "proportional", "uniform", "distance"]),
-        Written("optimal", "the planner finds when waypoints are passed"),
-        "`optimal`: the planner seeks the waypoint times that make the mission shortest (a local best). `proportional`: legs \
-         share the time as described under [mission](#mission). `uniform`: every leg takes the same time. `distance`: every leg by \
-         its length, those of curves too";
-    VEHICLE "vehicle", Names(&[]), Otherwise("the only one"), "the vehicle that flies, by name, where the spec holds several";
-    MISSION "mission", Names(&[]), Otherwise("the only one"), "the mission that is planned, by name, where the spec holds several";
+        Written("optimal", "the planner chooses the waypoint times"),
+        "`optimal`: the planner searches for the waypoint times of the shortest mission (a local optimum). `proportional`: legs \
+         share the time as described under [mission](#mission). `uniform`: all legs take the same time. `distance`: each leg takes \
+         time in proportion to its length, on curves too";
+    VEHICLE "vehicle", Names(&[]), Otherwise("the only one"), "the name of the vehicle to use, if the spec has several";
+    MISSION "mission", Names(&[]), Otherwise("the only one"), "the name of the mission to plan, if the spec has several";
 }
 
 group! {
-    /// Of `simulate { }`.
+    /// The fields of `simulate { }`.
     simulate:
     DURATION "duration", Quantity("s", Positive), Written("that of the plan", "how long the flight is simulated"),
-        "how long the flight is simulated; a stop or landing after a fault goes on until it is done";
+        "how long the flight is simulated; a stop or a landing after a fault is simulated to its end";
     RATE "rate", Quantity("Hz", Positive), Value(1000.0, "1 kHz", "steps of the integration"),
-        "steps of the integration (Runge-Kutta, fourth order) per second; at most 100 kHz, and a step at most half of the \
-         shortest `time_constant`";
+        "integration steps per second (fourth-order Runge-Kutta); at most 100 kHz, and a step is at most half of the shortest \
+         `time_constant`";
     CONTROL_RATE "control_rate", Quantity("Hz", Positive), Value(500.0, "500 Hz", "how often the controller acts"),
-        "how often the controller acts; divides `rate` to a whole number";
+        "how often the controller acts; `rate` must be a whole multiple of it";
     ESTIMATOR_RATE "estimator_rate", Quantity("Hz", Positive), Value(100.0, "100 Hz", "how often capacities are estimated"),
-        "how often the rotors' capacities are estimated; divides `control_rate`";
+        "how often the rotors' capacities are estimated; `control_rate` must be a whole multiple of it";
     CONTROLLER "controller", Words(&["geometric", "pd"]), Written("geometric", "tracks far from hover too"),
-        "`geometric` tracks on SE(3), far from hover too. `pd` is the paper's, about hover";
+        "`geometric` tracks on SE(3), far from hover too. `pd` is the paper's controller about hover";
     DETECTION "detection", QuantityOr("s", NotNegative, &["estimator", "never"]),
         Written("estimator", "how the controller learns of a fault"),
-        "how the controller learns of a fault: `estimator` by estimating the capacities, `never`, or a delay after which it knows \
-         the mode";
+        "how the controller learns of a fault: `estimator`, from the estimated capacities; `never`; or a delay after which it \
+         knows the mode";
     AFTER_FAULT "after_fault", Words(&["continue", "hold", "land"]), Written("continue", "flies on as planned"),
-        "once the controller knows: `continue` the plan, `hold` where it comes to rest, or `land` there";
+        "the reaction to a detected fault: `continue` the plan, `hold` where the vehicle comes to rest, or `land` there";
     POSITION_GAIN "position_gain", Quantity("1/s^2", Positive), Value(4.0, "4 1/s^2", "gain on the deviation in x and y"),
         "gain on the deviation in x and y";
     VELOCITY_GAIN "velocity_gain", Quantity("1/s", Positive),
@@ -238,62 +241,63 @@ group! {
         Value(100.0, "100 1/s^2", "gain on the deviation in roll and pitch"),
         "gain on the deviation in roll and pitch";
     ATTITUDE_RATE_GAIN "attitude_rate_gain", Quantity("1/s", Positive),
-        Value(16.0, "16 1/s", "gain on the deviation of their rates"),
+        Value(16.0, "16 1/s", "gain on the deviation of the roll and pitch rates"),
         "gain on the deviation of the roll and pitch rates";
     YAW_GAIN "yaw_gain", Quantity("1/s^2", Positive), Value(4.0, "4 1/s^2", "gain on the deviation in yaw"),
         "gain on the deviation in yaw";
     YAW_RATE_GAIN "yaw_rate_gain", Quantity("1/s", Positive), Value(3.2, "3.2 1/s", "gain on the deviation of the yaw rate"),
         "gain on the deviation of the yaw rate";
-    FORGETTING "forgetting", Quantity("1", Positive), Value(0.95, "0.95", "memory of the estimator per sample"),
-        "forgetting factor of the estimator per sample, between 0 and 1";
+    FORGETTING "forgetting", Quantity("1", Positive), Value(0.95, "0.95", "forgetting factor of the estimator per sample"),
+        "the forgetting factor of the estimator per sample, between 0 and 1";
     GYROSCOPE_NOISE "gyroscope_noise", Quantity("rad/s", NotNegative),
-        Value(0.005, "0.005 rad/s", "standard deviation of a sample, as of a small MEMS gyroscope"),
-        "standard deviation of a sample of the body rates on each axis";
+        Value(0.005, "0.005 rad/s", "standard deviation of a sample of a small MEMS gyroscope"),
+        "the standard deviation of a sample of the body rates on each axis";
     POSITION_NOISE "position_noise", Quantity("m", NotNegative),
         Value(0.01, "1 cm", "standard deviation of a sample on each axis"),
-        "standard deviation of a sample of the position on each axis";
+        "the standard deviation of a sample of the position on each axis";
     DRAG "drag", Quantity("N*s/m", NotNegative), Value(0.0, "0 N*s/m", "as in the paper's model"),
-        "force divided by speed through the air";
+        "the drag force divided by the speed through the air";
     WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
-        "where the air goes, x east, y north, z up; acts through `drag` alone";
+        "the velocity of the air, x east, y north, z up; it acts only through `drag`";
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "still air"),
-        "standard deviation of the gusts on each axis; they act through `drag` alone";
+        "the standard deviation of the gusts on each axis; they act only through `drag`";
     GUST_LENGTH "gust_length", Quantity("m", Positive), Value(50.0, "50 m", "length scale of gusts"),
-        "length scale of the gusts (Dryden)";
-    SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "of noise and gusts"),
-        "seed of noise and gusts: the same seed gives the same flight";
-    LOST_BEYOND "lost_beyond", Quantity("m", Positive), Value(2.0, "2 m", "farther from where it should be the vehicle is lost"),
-        "farther than this from where it should be the vehicle is lost";
+        "the length scale of the gusts (Dryden)";
+    SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "seed of noise and gusts"),
+        "the seed of noise and gusts: the same seed gives the same flight";
+    LOST_BEYOND "lost_beyond", Quantity("m", Positive), Value(2.0, "2 m", "farther from its reference the vehicle is lost"),
+        "the vehicle is lost when it is farther than this from its reference";
     UPSIDE_DOWN "upside_down", Quantity("s", Positive),
-        Value(0.5, "0.5 s", "tilted past 90 degrees for longer the vehicle is lost"),
-        "tilted past 90 deg for longer than this, or when the flight ends, the vehicle is lost";
+        Value(0.5, "0.5 s", "tilted past 90 degrees for longer, the vehicle is lost"),
+        "the vehicle is lost when it is tilted past 90 deg for longer than this, or at the end of the flight";
     LOST_YAW "lost_yaw", QuantityOr("deg", Positive, &["off"]),
-        Value(FRAC_PI_2, "90 deg", "with its heading farther off the vehicle is lost"),
-        "with its heading farther than this from the planned one, for longer than `lost_yaw_after` or when the flight ends, the \
-         vehicle is lost; below 180 deg. `off`: whatever its heading";
-    LOST_YAW_AFTER "lost_yaw_after", Quantity("s", Positive), Value(1.0, "1 s", "how long the heading may be that far off"),
-        "how long the heading may be that far off ([how it is \
+        Value(FRAC_PI_2, "90 deg", "with a larger heading error the vehicle is lost"),
+        "the vehicle is lost when its heading error exceeds this for longer than `lost_yaw_after`, or at the end of the flight; \
+         below 180 deg. `off`: the heading does not matter";
+    LOST_YAW_AFTER "lost_yaw_after", Quantity("s", Positive),
+        Value(1.0, "1 s", "how long the heading error may exceed `lost_yaw`"),
+        "how long the heading error may exceed `lost_yaw` ([how it is \
          counted](flight.md#5-after-a-fault-and-when-the-vehicle-is-lost))";
     GROUND "ground", Quantity("m", Any), Value(0.0, "0 m", "height of the ground"),
-        "height of the ground, below every waypoint; 1 m below the lowest waypoint where that is not above 0 m";
+        "the height of the ground, below every waypoint; 1 m below the lowest waypoint if that is not above 0 m";
 }
 
 group! {
     /// The clauses of `fault` in `simulate`.
     strike:
     AT "at", Quantity("s", NotNegative), Needed, "when the fault strikes, counted from the start of the mission";
-    UNTIL "until", Quantity("s", Any), Otherwise("the fault stays"), "when its rotors recover";
+    UNTIL "until", Quantity("s", Any), Otherwise("the fault stays"), "when its rotors recover, counted likewise";
 }
 
 group! {
-    /// Of `campaign { }`.
+    /// The fields of `campaign { }`.
     campaign:
-    TIMES "times", Whole(1, 10_000), Value(20.0, "20", "instants of the fault along the mission"),
-        "instants of the fault, evenly spread over the mission";
+    TIMES "times", Whole(1, 10_000), Value(20.0, "20", "fault instants along the mission"),
+        "the number of fault instants, evenly spread over the mission";
     SEEDS "seeds", Whole(1, 1_000_000), Value(10.0, "10", "flights for each mode and instant"),
-        "flights for each mode and instant, each with its own noise";
-    PLANNERS "planners", WordList(&["rip", "rsp", "rcp"]), Written("[rip, rsp, rcp]", "plans that are flown side by side"),
+        "the number of flights for each mode and instant, each with its own noise";
+    PLANNERS "planners", WordList(&["rip", "rsp", "rcp"]), Written("[rip, rsp, rcp]", "planners whose plans are flown"),
         "the planners whose plans are flown: one, or a list";
-    SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "what the seeds of the flights are drawn from"),
-        "what the seeds of the flights are drawn from";
+    SEED "seed", Whole(0, 1 << 53), Value(1.0, "1", "seed from which the seeds of the flights are drawn"),
+        "the seed from which the seeds of the flights are drawn";
 }

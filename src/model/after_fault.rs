@@ -1,4 +1,4 @@
-//! `after_fault` in `plan` and in fault modes: what the mission does once a fault has struck, as its risk is counted.
+//! `after_fault` in `plan` and in fault modes: the reaction to a fault that the risk of a mission assumes.
 
 use super::context::Context;
 use super::fields::Fields;
@@ -9,14 +9,14 @@ use crate::syntax::ast::ExprKind;
 
 const CODE: &str = "mavc::plan::after_fault";
 
-/// The field's word: `None` where it is not written, `Some(None)` where something else stands there.
+/// The field's word: `None` where it is not written, `Some(None)` where it has an error, which is reported.
 pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Option<AfterFault>> {
     let expr = fields.get("after_fault")?;
     if matches!(&expr.kind, ExprKind::Name(name) if name == AfterFault::Land.name()) {
-        let message = format!("`after_fault = land` is flown by `simulate`, and no choice in {}", fields.owner);
-        let error = Diagnostic::error(CODE, expr.span, message).here("belongs to `simulate`");
+        let message = format!("`after_fault = land` is not allowed in {}", fields.owner);
+        let error = Diagnostic::error(CODE, expr.span, message).here("only `simulate` takes `land`");
         let hold = AfterFault::Hold.name();
-        cx.report(error.help("a vehicle that lands comes to rest first: write `hold`").fix(expr.span, hold));
+        cx.report(error.help("write `hold`: a vehicle that lands comes to rest first").fix(expr.span, hold));
         return Some(None);
     }
     let choices = [AfterFault::Continue, AfterFault::Hold];
@@ -25,8 +25,11 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> Option<Opti
 }
 
 impl Model {
-    /// What the mission does after a fault of a mode, by its place in [`Model::modes`]: what the mode says, else the plan.
-    /// Never [`AfterFault::Land`].
+    /// The reaction to a fault of the mode with index `mode` in [`Model::modes`]: the mode's own, or else the plan's. Never
+    /// [`AfterFault::Land`].
+    ///
+    /// # Panics
+    /// If there is no such mode.
     pub fn after_fault(&self, mode: usize) -> AfterFault {
         self.modes[mode].after_fault.unwrap_or(self.plan.after_fault)
     }

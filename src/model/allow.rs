@@ -1,10 +1,10 @@
-//! `allow = [tip_speed]`: warnings that the author has seen and does not want to see again.
+//! `allow = [tip_speed]`: warnings that the author has accepted and that are not shown again.
 
 use std::sync::LazyLock;
 
 use super::context::{Context, no_filter};
+use super::edits;
 use super::elaborate::expr_of;
-use super::mend;
 use crate::diagnostic::{Diagnostic, Severity, codes, nearest};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, Field};
@@ -13,8 +13,8 @@ const UNKNOWN: &str = "mavc::allow::unknown";
 const NOT_A_WARNING: &str = "mavc::allow::not_a_warning";
 const IDLE: &str = "mavc::allow::idle";
 
-/// What `allow` silences: every warning about what is written. What is found out by computing, as the sets of
-/// `mavc::analysis`, is an answer that nobody can wave away, and an error is not a matter of taste.
+/// The warnings that `allow` can suppress: those about what is written. The results of an analysis (`mavc::analysis`) and
+/// errors cannot be suppressed.
 const WARNINGS: [&str; 30] = [
     "mavc::sense::thrust_to_weight",
     "mavc::sense::inertia",
@@ -48,13 +48,13 @@ const WARNINGS: [&str; 30] = [
     "mavc::campaign::listed_twice",
 ];
 
-/// The last words of codes that no other of [`WARNINGS`] ends with: what one writes.
+/// The last parts of the codes, where no other of [`WARNINGS`] ends in the same part: what one writes.
 static SHORT: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
     let words = WARNINGS.map(last_word);
     words.into_iter().filter(|word| words.iter().filter(|other| *other == word).count() == 1).collect()
 });
 
-/// The words that may stand in `allow`.
+/// The words that `allow` accepts.
 pub(super) fn words() -> &'static [&'static str] {
     &SHORT
 }
@@ -76,7 +76,7 @@ struct Entry {
 pub(super) struct Allowed(Vec<Entry>);
 
 impl Allowed {
-    /// Whether `diagnostic` is not to be shown; keeps in mind that its entry was of use.
+    /// Whether `diagnostic` is suppressed; marks the entry that suppresses it as used.
     pub fn silences(&mut self, diagnostic: &Diagnostic) -> bool {
         let is_meant = |entry: &&mut Entry| entry.code == diagnostic.code;
         match self.0.iter_mut().find(is_meant).filter(|_| diagnostic.severity == Severity::Warning) {
@@ -90,13 +90,14 @@ impl Allowed {
 }
 
 impl<'a> Context<'a> {
-    /// Takes up the `allow` fields of all files; a file has one.
+    /// Reads the `allow` fields of all files; a file may have only one.
     pub fn allow(&mut self, fields: &[&'a Field]) {
         for (k, field) in fields.iter().enumerate() {
             if let Some(first) = fields[..k].iter().find(|first| first.span.file == field.span.file) {
-                let error = Diagnostic::error("mavc::name::duplicate", field.name.span, "a file has one `allow`");
-                let error = error.here("a second one").also(first.name.span, "the first");
-                self.report(error.help("join the two lists"));
+                let message = "a file may have only one `allow`";
+                let error = Diagnostic::error("mavc::name::duplicate", field.name.span, message);
+                let error = error.here("second `allow`").also(first.name.span, "first `allow`");
+                self.report(error.help("merge the two lists"));
             }
             match expr_of(field) {
                 Some(Expr { kind: ExprKind::List { elements, unit: None }, .. }) => {
@@ -110,9 +111,9 @@ impl<'a> Context<'a> {
 
     fn allow_one(&mut self, element: &Expr, in_list: bool) {
         let (ExprKind::Name(written) | ExprKind::Text(written)) = &element.kind else {
-            let error = Diagnostic::error(UNKNOWN, element.span, "`allow` takes the codes of warnings");
-            return self
-                .report(error.here("not a code").help("write `allow = [tip_speed]`, with the last word of the code"));
+            let error = Diagnostic::error(UNKNOWN, element.span, "`allow` takes warning codes");
+            let error = error.here("not a warning code");
+            return self.report(error.help("write the last part of the code, as in `allow = [tip_speed]`"));
         };
         match meant(written) {
             Some(code) => self.allowed.0.push(Entry { code, span: element.span, in_list, is_used: false }),
@@ -120,51 +121,50 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Warns of every `allow` that silenced nothing.
+    /// Warns of every `allow` that suppressed nothing.
     pub fn warn_idle(&mut self) {
         for Entry { code, span, in_list, is_used } in std::mem::take(&mut self.allowed).0 {
             if is_used {
                 continue;
             }
-            let message = format!("the spec gives no warning `{code}` to be allowed");
-            let warning = Diagnostic::warning(IDLE, span, message).here("silences nothing");
-            let warning = warning.help("take it out, so that it does not hide a later mistake");
+            let message = format!("unused `allow`: the spec has no warning `{code}`");
+            let warning = Diagnostic::warning(IDLE, span, message).here("suppresses nothing");
+            let warning = warning.help("remove it, so that it cannot hide a later mistake");
             self.report(match in_list {
-                true => warning.fix(mend::element(self.sources.get(span.file), span), ""),
+                true => warning.fix(edits::element(self.sources.get(span.file), span), ""),
                 false => warning,
             });
         }
     }
 }
 
-/// The code that `written` stands for: a whole code, or the last word of one.
+/// The code that `written` stands for: a full code, or the last part of one.
 pub(super) fn meant(written: &str) -> Option<&'static str> {
     let is_meant = |code: &&&str| **code == written || code.strip_prefix("mavc::") == Some(written);
     let is_short = |code: &&&str| SHORT.contains(&written) && last_word(code) == written;
     WARNINGS.iter().find(is_meant).or_else(|| WARNINGS.iter().find(is_short)).copied()
 }
 
-/// `written` is no warning that can be allowed.
+/// The error for `written`, which is not a warning that can be allowed.
 fn no_warning(written: &str, span: Span) -> Diagnostic {
     let alike = |code: &&&str| last_word(code) == last_word(written);
     if SHORT.iter().all(|word| *word != last_word(written)) {
         if let (Some(one), Some(other)) = (WARNINGS.iter().find(alike), WARNINGS.iter().rfind(alike)) {
-            let error = Diagnostic::error(UNKNOWN, span, format!("several warnings are called `{written}`"));
-            return error.here("which one?").help(format!("write the whole code: `\"{one}\"` or `\"{other}\"`"));
+            let error = Diagnostic::error(UNKNOWN, span, format!("`{written}` is ambiguous in `allow`"));
+            let error = error.here("several warnings end in this");
+            return error.help(format!("write the full code: `\"{one}\"` or `\"{other}\"`"));
         }
         let is_code = |page: &&codes::CodePage| page.code == written || page.last_word() == last_word(written);
         if let Some(page) = codes::all().iter().find(is_code) {
-            let message = format!("`{}` is not a warning that can be allowed", page.code);
-            let error = Diagnostic::error(NOT_A_WARNING, span, message).here("an error, or the answer of an analysis");
-            return error.help(format!("take it out; `mavc explain {}` shows how to mend the spec", page.code));
+            let message = format!("`{}` cannot be allowed", page.code);
+            let error = Diagnostic::error(NOT_A_WARNING, span, message).here("an error or the result of an analysis");
+            return error.help(format!("remove it; `mavc explain {}` shows how to fix the spec", page.code));
         }
     }
-    let error = Diagnostic::error(UNKNOWN, span, format!("no warning is called `{written}`")).here("unknown");
+    let error = Diagnostic::error(UNKNOWN, span, format!("unknown warning `{written}`")).here("not a warning code");
     match nearest(last_word(written), SHORT.iter().copied()) {
         Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
-        None => {
-            error.help("write the last word of the warning's code; `mavc explain sense` lists those of sense checks")
-        }
+        None => error.help("write the last part of the warning's code; `mavc explain sense` lists the sense checks"),
     }
 }
 

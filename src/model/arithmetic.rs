@@ -1,4 +1,4 @@
-//! The operators: on two numbers, and element by element where lists allow it.
+//! The operators: on two numbers, and element by element on lists.
 
 use super::context::{CONSTANTS, Context};
 use super::due::joined_unit;
@@ -38,18 +38,18 @@ impl<'a> Context<'a> {
             }
             (a, b) => {
                 let sign = symbol(operator);
-                let message = format!("`{sign}` cannot join {} and {}", a.kind(), b.kind());
+                let message = format!("cannot apply `{sign}` to {} and {}", a.kind(), b.kind());
                 self.report(
                     Diagnostic::error("mavc::unit::kind", operator.span, message)
-                        .here("not defined for these")
-                        .help("lists of equal length add and subtract, and a number scales a list"),
+                        .here("not defined for these operands")
+                        .help("add or subtract lists of equal length, or multiply a list by a number"),
                 );
                 None
             }
         }
     }
 
-    /// A unit after an operator where it should follow its number, `2e-5 / h`: reported here.
+    /// Reports a unit after an operator that should directly follow its number, as in `2e-5 / h`; whether there was one.
     fn stands_apart(&mut self, operator: &Spanned<Operator>, left: &Expr, right: &Expr) -> bool {
         let may_be_unit = |name: &str| !(self.in_scope(name) || CONSTANTS.contains(&name) || self.may_exist(name));
         let Some((value, unit)) = joined_unit(operator.value, left, right, &may_be_unit) else {
@@ -59,13 +59,13 @@ impl<'a> Context<'a> {
             return false;
         }
         let name = self.sources.snippet(right.span).split([' ', '^']).next().unwrap_or("");
-        let message = format!("no `let` is called `{name}`, and a unit cannot stand alone");
-        let mended = format!("{} {unit}", self.without_unit(value));
+        let message = format!("unknown name `{name}`; a unit must directly follow a number");
+        let corrected = format!("{} {unit}", self.without_unit(value));
         self.report(
             Diagnostic::error("mavc::name::unknown", right.span, message)
-                .here("a unit stands directly after a number, `)` or `]`")
-                .help(format!("write `{mended}`"))
-                .fix(left.span.to(right.span), mended),
+                .here("a unit goes directly after a number, `)` or `]`")
+                .help(format!("write `{corrected}`"))
+                .fix(left.span.to(right.span), corrected),
         );
         true
     }
@@ -98,11 +98,11 @@ impl<'a> Context<'a> {
             Operator::Power if b.dimension.is_plain() => a.power(b.value).or_else(|| self.no_exponent(right.span)),
             Operator::Power => {
                 let kind = b.dimension.describe();
-                let message = format!("the exponent is {kind}, not a plain number");
+                let message = format!("an exponent must be a plain number, not {kind}");
                 self.report(
                     Diagnostic::error("mavc::unit::exponent", right.span, message)
                         .here("has a unit")
-                        .help("divide it by its unit, or take the unit out"),
+                        .help("remove the unit, or divide by it"),
                 );
                 None
             }
@@ -116,16 +116,16 @@ impl<'a> Context<'a> {
         b: Quantity,
     ) -> Option<T> {
         let (x, y) = (a.dimension, b.dimension);
-        let message = format!("`{}` joins {} and {}", symbol(operator), x.describe(), y.describe());
+        let message = format!("cannot apply `{}` to {} and {}", symbol(operator), x.describe(), y.describe());
         let table = compare(["left", "right"], x, y).table;
         let (bare, other) = if x.is_plain() { (left, y) } else { (right, x) };
-        // `3 %` and `3 deg` are plain numbers that have their unit already.
+        // `3 %` is a plain number that has its unit already.
         let unit_of_bare = trailing_unit(bare).map(|unit| unit.value.as_str());
         let is_share = operator.span.start < bare.span.start && unit_of_bare == Some("%");
         let bare_side =
             (x.is_plain() || y.is_plain()).then(|| other.named()).flatten().filter(|_| unit_of_bare.is_none());
         let error = Diagnostic::error("mavc::unit::mismatch", operator.span, message)
-            .here("both sides must measure the same")
+            .here("both sides must have the same dimension")
             .also(left.span, format!("this is {}", x.describe()))
             .also(right.span, format!("this is {}", y.describe()));
         let error = match bare_side {
@@ -134,16 +134,16 @@ impl<'a> Context<'a> {
         };
         let slip = match bare_side.and_then(|(_, unit)| self.with_unit(bare, unit)) {
             _ if error.help.is_some() => error.help.as_ref().map(|help| format!("a unit is missing: {help}")),
-            Some(mended) => Some(format!("a unit is missing: write `{mended}`")),
+            Some(corrected) => Some(format!("a unit is missing: write `{corrected}`")),
             None if is_share && matches!(left.kind, ExprKind::Number { .. } | ExprKind::Name(_)) => {
                 let [whole, share] = [left, right].map(|side| self.sources.snippet(side.span));
-                Some(format!("a share is taken of a quantity: write `{whole}*(1 {} {share})`", symbol(operator)))
+                Some(format!("to change a quantity by a share, write `{whole}*(1 {} {share})`", symbol(operator)))
             }
             None => self.likely_slip(y, left).or_else(|| self.likely_slip(x, right)),
         };
         let error = error.help(match slip {
             Some(slip) => format!("{table}\n{slip}"),
-            None => format!("{table}\ngive both sides units of one kind, or take one side out"),
+            None => format!("{table}\ngive both sides units of the same dimension, or remove one side"),
         });
         match bare_side {
             Some(_) => self.report(error),
@@ -153,11 +153,11 @@ impl<'a> Context<'a> {
     }
 
     fn no_exponent<T>(&mut self, span: Span) -> Option<T> {
-        let message = "the exponent of a unit has to be a small fraction";
+        let message = "the exponent of a quantity with a unit must be a small fraction";
         self.report(
             Diagnostic::error("mavc::unit::exponent", span, message)
-                .here("this gives none")
-                .help("with a unit, raise to whole numbers or simple fractions such as `1/2`, up to 1000"),
+                .here("not a small fraction")
+                .help("use a whole number or a simple fraction such as `1/2`, at most 1000"),
         );
         None
     }

@@ -1,4 +1,4 @@
-//! Mistakes that show where a `let` is used and stand where it is declared: told once, with both places.
+//! Errors that appear where a `let` is used but belong to its declaration: reported once, with both places.
 
 use super::context::{Context, State};
 use super::due::Due;
@@ -11,20 +11,20 @@ use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::unit::{Dimension, Quantity, mismatch};
 
-/// Further uses of a wrong `let` that are labelled.
+/// How many further uses of a wrong `let` get a label.
 const MOST_USES: usize = 4;
 
-/// A use of a `let` that takes another dimension than the `let` has.
+/// A use of a `let` that expects another dimension than the `let` has.
 pub(super) struct Suspect<'a> {
     /// Its error, among the diagnostics.
-    told: usize,
+    index: usize,
     name: &'a str,
-    /// The help where other uses take the `let` as it is.
+    /// The help if other uses accept the `let` as it is.
     help: String,
 }
 
 impl<'a> Context<'a> {
-    /// The `let`s that `expr` names one through the other, and the value of the last.
+    /// The chain of `let`s that `expr` names, and the value of the last.
     fn chain(&self, expr: &Expr) -> (Vec<&'a str>, Option<&'a Expr>) {
         let mut names = Vec::new();
         let mut value: Option<&'a Expr> = None;
@@ -38,21 +38,21 @@ impl<'a> Context<'a> {
         (names, value)
     }
 
-    /// The name and the value of the `let` whose value `expr` has.
+    /// The name and value of the `let` that `expr` resolves to.
     pub(super) fn let_behind(&self, expr: &Expr) -> Option<(&'a str, &'a Expr)> {
         let (names, value) = self.chain(expr);
         names.last().copied().zip(value)
     }
 
-    /// Reports what is wrong with `expr`. Where that is a `let` by name, its declaration is labelled with the `fact` that is
-    /// not as it is `due`, and other uses that go wrong alike join the first as labels.
+    /// Reports `error` at `expr`. Where `expr` names a `let`, the declaration gets a label with the `fact` that differs from
+    /// what is `due`, and later uses with the same error become labels of the first.
     pub(super) fn report_of_let(&mut self, expr: &Expr, due: &str, fact: &str, error: Diagnostic) {
         let Some((name, value)) = self.let_behind(expr) else {
             return self.report(error);
         };
         let key = (name, due.to_string());
-        if let Some(&told) = self.accused.get(&key) {
-            let first = &mut self.diagnostics[told];
+        if let Some(&index) = self.accused.get(&key) {
+            let first = &mut self.diagnostics[index];
             let is_new = first.span != expr.span && first.labels.iter().all(|label| label.span != expr.span);
             // The declaration has a label too.
             if is_new && first.labels.len() <= MOST_USES {
@@ -66,8 +66,8 @@ impl<'a> Context<'a> {
         self.report(error.also(value.span, format!("`{name}` is {fact}")));
     }
 
-    /// Keeps in mind what to say of `expr`, of another dimension than the one due and about to be told, where it is a `let`
-    /// by name that turns out to be right for others.
+    /// Records the help for `expr`, whose dimension error is about to be reported, in case it names a `let` that turns out to
+    /// be right for other uses.
     pub(super) fn suspect_use(&mut self, due: Due, q: Quantity, expr: &Expr) {
         let Some((name, _)) = self.let_behind(expr) else { return };
         let expected = due.dimension();
@@ -80,47 +80,47 @@ impl<'a> Context<'a> {
         };
         let example = if expected.is_plain() { "2".to_string() } else { format!("2 {}", due.unit) };
         let action = format!(
-            "`{name}` is used as {} elsewhere: write {} of its own here, as in `{example}`",
+            "`{name}` is used as {} elsewhere: write {} here, as in `{example}`",
             kind(q.dimension),
             kind(expected),
         );
         let help = format!("{}\n{action}", mismatch(expected, q.dimension).table);
-        self.suspects.push(Suspect { told: self.diagnostics.len(), name, help });
+        self.suspects.push(Suspect { index: self.diagnostics.len(), name, help });
     }
 
-    /// Once everything has been read: where a `let` was right for one use, the use that it is wrong for is to change.
+    /// Runs once everything has been read: where a `let` was right for one use, the help asks to change the other use.
     pub(super) fn settle_suspects(&mut self) {
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        // A `let` made of another is read whatever it is for.
+        // A `let` defined by another does not count as a use.
         let lets: Vec<Span> = self.lets.values().filter_map(|l| expr_of(l.field)).map(|value| value.span).collect();
-        for Suspect { told, name, help } in std::mem::take(&mut self.suspects) {
+        for Suspect { index, name, help } in std::mem::take(&mut self.suspects) {
             let names = |reading: &Reading| {
                 let mut words = self.sources.snippet(reading.span).split(|c| !is_word(c));
                 !lets.contains(&reading.span) && words.any(|word| word == name)
             };
             if self.readings.iter().any(names)
-                && let Some(diagnostic) = self.diagnostics.get_mut(told)
+                && let Some(diagnostic) = self.diagnostics.get_mut(index)
             {
                 diagnostic.help = Some(help);
             }
         }
     }
 
-    /// As [`Context::report_of_let`], of two values that measure different things: what one is, the other has to be.
+    /// As [`Context::report_of_let`], for two values that must have the same dimension.
     pub(super) fn report_of_sides(&mut self, [a, b]: [(&Expr, Quantity); 2], error: Diagnostic) {
         let (side, other) = if self.let_behind(a.0).is_some() { (a, b) } else { (b, a) };
         let (due, fact) = (other.1.dimension.to_string(), side.1.dimension.describe());
         self.report_of_let(side.0, &due, &fact, error);
     }
 
-    /// Where `expr` lacks a unit because a `let` does, says so there, once: other uses of the `let` stay silent.
-    /// The `units` are those it may have been meant in; the help names all, and only one alone makes a fix.
+    /// Where `expr` lacks a unit because a `let` does, reports that at the `let`, once for all its uses. `units` are the
+    /// candidates: the help lists all of them, and a single one becomes a fix.
     pub(super) fn blame(&mut self, expr: &Expr, units: &[&str], error: Diagnostic) -> Diagnostic {
         let (chain, found) = self.chain(expr);
         let (Some(value), Some(&last)) = (found.filter(|e| trailing_unit(e).is_none()), chain.last()) else {
             return error;
         };
-        let Some(mended) = units.iter().map(|unit| self.with_unit(value, unit)).collect::<Option<Vec<_>>>() else {
+        let Some(corrected) = units.iter().map(|unit| self.with_unit(value, unit)).collect::<Option<Vec<_>>>() else {
             return error;
         };
         for name in &chain {
@@ -129,7 +129,7 @@ impl<'a> Context<'a> {
             }
         }
         let is_set = self.sources.get(value.span.file).name == OVERRIDE;
-        let choices: Vec<String> = mended
+        let choices: Vec<String> = corrected
             .iter()
             .map(|text| match is_set {
                 true => format!("`--set {last}={}`", text.replace(' ', "")),
@@ -138,18 +138,18 @@ impl<'a> Context<'a> {
             .collect();
         let error = error.also(value.span, format!("`{last}` has no unit here"));
         let mut error = error.help(format!("write {}", choices.join(" or ")));
-        error.fix = <[String; 1]>::try_from(mended).ok().map(|[text]| Fix { span: value.span, text });
+        error.fix = <[String; 1]>::try_from(corrected).ok().map(|[text]| Fix { span: value.span, text });
         error
     }
 
-    /// Whether the `let` behind `expr` has been told to lack its unit since it was evaluated.
+    /// Whether the missing unit of the `let` behind `expr` has been reported.
     pub(super) fn is_blamed(&self, expr: &Expr) -> bool {
         let name = sole_name(expr).filter(|name| !self.is_parameter(name));
         name.and_then(|n| self.lets.get(n)).is_some_and(|l| matches!(l.state, State::Done(None)))
     }
 }
 
-/// The name that an expression is, its sign aside.
+/// The name that an expression consists of, apart from signs and parentheses.
 pub(super) fn sole_name(expr: &Expr) -> Option<&str> {
     match &expr.kind {
         ExprKind::Name(name) => Some(name),

@@ -1,8 +1,8 @@
-//! The `campaign` block: how many flights with faults are flown, and by which planners.
+//! The `campaign` block: how many flights with faults are flown, and with the plans of which planners.
 
-use super::context::{Context, listed};
+use super::context::{Context, either};
+use super::edits;
 use super::fields::Fields;
-use super::mend;
 use super::simulate::{Around, seed};
 use super::{Campaign, DefaultUsed, PlannerKind};
 use crate::diagnostic::{Diagnostic, nearest};
@@ -14,11 +14,11 @@ use crate::syntax::ast::{Block, Expr, ExprKind, Statement};
 
 const CHOICE: &str = "mavc::campaign::choice";
 const COUNT: &str = "mavc::campaign::count";
-/// Most flights of one campaign.
+/// The most flights that one campaign may have.
 const MAX_FLIGHTS: f64 = 1e8;
 const PLANNERS: [PlannerKind; 3] = [PlannerKind::Rip, PlannerKind::Rsp, PlannerKind::Rcp];
 
-/// The campaign, `None` where it has errors, and the defaults of a block that is written.
+/// Reads the block. The campaign is `None` where it has errors; defaults are listed only if the block is written.
 pub(super) fn elaborate<'a>(
     cx: &mut Context<'a>,
     block: Option<&'a Block>,
@@ -45,8 +45,8 @@ pub(super) fn elaborate<'a>(
         None => Some(take(&mut defaults, &table::SEED, table::SEED.value() as u64)),
     };
     if around.modes.is_empty() && !around.incomplete {
-        let message = "the campaign has no fault mode to strike with";
-        let warning = Diagnostic::warning("mavc::campaign::no_modes", span, message).here("every flight stays healthy");
+        let message = "the campaign has no fault modes";
+        let warning = Diagnostic::warning("mavc::campaign::no_modes", span, message).here("no flight has a fault");
         cx.report(warning.help("declare fault modes, as in `faults { every 1 rotor lost as M }`"));
     }
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
@@ -73,13 +73,13 @@ fn planners<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<PlannerKind>
         ExprKind::List { elements, unit: None } => elements,
         _ => {
             let error = Diagnostic::error(CHOICE, expr.span, "`planners` takes a planner or a list of planners");
-            cx.report(error.here("neither").help("write `[rip, rsp, rcp]`"));
+            cx.report(error.here("not a planner").help("write `[rip, rsp, rcp]`"));
             return None;
         }
     };
     if elements.is_empty() {
-        let error = Diagnostic::error(CHOICE, expr.span, "a campaign flies the plan of at least one planner");
-        cx.report(error.here("names none").help("write `[rip, rsp, rcp]`, or leave `planners` out"));
+        let error = Diagnostic::error(CHOICE, expr.span, "a campaign needs at least one planner");
+        cx.report(error.here("empty list").help("write `[rip, rsp, rcp]`, or remove `planners`"));
         return None;
     }
     let (mut chosen, mut fine) = (Vec::new(), true);
@@ -88,8 +88,8 @@ fn planners<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<PlannerKind>
             Some(planner) if chosen.contains(&planner) => {
                 let message = format!("`{}` is listed twice", planner.name());
                 let warning = Diagnostic::warning("mavc::campaign::listed_twice", element.span, message);
-                let again = mend::element(cx.sources.get(element.span.file), element.span);
-                cx.report(warning.here("listed already").help("take it out").fix(again, ""));
+                let again = edits::element(cx.sources.get(element.span.file), element.span);
+                cx.report(warning.here("already listed").help("remove it").fix(again, ""));
             }
             Some(planner) => chosen.push(planner),
             None => fine = false,
@@ -104,16 +104,16 @@ fn planner(cx: &mut Context, expr: &Expr) -> Option<PlannerKind> {
     if let Some(k) = names.iter().position(|name| *name == word) {
         return Some(PLANNERS[k]);
     }
-    let error = Diagnostic::error(CHOICE, expr.span, format!("a planner is one of {}", listed(&names)));
-    let error = error.here("none of them");
+    let error = Diagnostic::error(CHOICE, expr.span, format!("a planner must be {}", either(&names)));
+    let error = error.here("not a planner");
     cx.report(match nearest(word, names) {
         Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
-        None => error.help("write some of them, as in `[rip, rsp]`"),
+        None => error.help("list the planners, as in `[rip, rsp]`"),
     });
     None
 }
 
-/// Whether the flights can be flown: one for each time, seed, mode and planner.
+/// Whether there are few enough flights: one for each time, seed, mode and planner.
 fn few_enough(cx: &mut Context, campaign: &Campaign, modes: usize, span: Span) -> bool {
     let parts = [campaign.times, campaign.seeds, modes, campaign.planners.len()];
     let flights: f64 = parts.iter().map(|&n| n as f64).product();
@@ -122,7 +122,7 @@ fn few_enough(cx: &mut Context, campaign: &Campaign, modes: usize, span: Span) -
     }
     let several = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
     let [times, seeds, modes, planners] = parts;
-    let message = format!("a campaign has at most 100 million flights, not {}", number(flights));
+    let message = format!("a campaign may have at most 100 million flights, not {}", number(flights));
     let error = Diagnostic::error("mavc::campaign::too_many_flights", span, message).here(format!(
         "{}, {}, {} and {}",
         several(times, "time"),
@@ -130,6 +130,6 @@ fn few_enough(cx: &mut Context, campaign: &Campaign, modes: usize, span: Span) -
         several(modes, "mode"),
         several(planners, "planner")
     ));
-    cx.report(error.help("write fewer `times` or `seeds`; 10 seeds are usual"));
+    cx.report(error.help("reduce `times` or `seeds`; 10 seeds are usual"));
     false
 }

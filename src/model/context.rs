@@ -1,20 +1,20 @@
-//! What elaboration carries along: the diagnostics found so far, the `let`s, and how much work is left.
+//! The state of elaboration: the diagnostics found so far, the `let`s, and the remaining evaluation budget.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::allow::Allowed;
 use super::blame::Suspect;
+use super::edits;
 use super::expression::Value;
-use super::mend;
 use super::understanding::Reading;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::{SourceMap, Span};
 use crate::syntax::ast::{Block, Field, FieldValue, Name};
 use crate::unit::{GRAVITY, Quantity};
 
-/// Steps of evaluation one spec may take; a guard against hostile input.
+/// Evaluation steps one spec may take; a guard against hostile input.
 pub(super) const MAX_STEPS: u32 = 20_000_000;
-/// How deep expressions may stand inside each other, through `let`s too.
+/// How deep expressions may be nested, counted through `let`s.
 pub(super) const MAX_EVALUATION_DEPTH: u32 = 600;
 
 /// Diagnostics shown for one spec.
@@ -29,28 +29,28 @@ pub(super) struct Context<'a> {
     pub diagnostics: Vec<Diagnostic>,
     /// g, m/s^2.
     pub gravity: f64,
-    /// A file could not be brought in: what seems to be missing may stand there.
+    /// Some file could not be loaded: what seems to be missing may be declared there.
     pub incomplete: bool,
-    /// There are fault modes whose names nobody knows, for what makes them has an error.
+    /// Some fault modes have unknown names, because the statement that declares them has an error.
     pub modes_unnamed: bool,
-    /// Every word of the statements that could not be read.
+    /// Every word of the statements that could not be parsed.
     lost_words: BTreeSet<&'a str>,
-    /// Warnings that are not to be shown.
+    /// Warnings that `allow` suppresses.
     pub(super) allowed: Allowed,
     /// Diagnostics past the limit.
     pub dropped: usize,
-    /// Those past the limit that are about blocks which are not used.
+    /// Those past the limit that concern blocks which this command does not use.
     pub dropped_softly: usize,
-    /// Some error was made a warning, for its block is not used.
+    /// Some error was downgraded to a warning, because its block is not used.
     pub softened: bool,
-    /// What was read where, for whoever shows the spec.
+    /// The values read so far with their places, for editors.
     pub readings: Vec<Reading>,
     pub(super) lets: BTreeMap<&'a str, Let<'a>>,
-    /// Of what is wrong with uses of a `let`, by its name and what is due: the first of `diagnostics` to say so.
+    /// The index in `diagnostics` of the first report of a wrong use of a `let`, by its name and what was expected.
     pub(super) accused: BTreeMap<(&'a str, String), usize>,
-    /// Uses of a `let` that may be wrong where the `let` is right.
+    /// Uses that may be wrong of a `let` that is right elsewhere.
     pub(super) suspects: Vec<Suspect<'a>>,
-    /// The curve parameter and its value.
+    /// The parameter of the curve being evaluated, and its value.
     pub(super) parameter: Option<(&'a str, Quantity)>,
     /// Whether the parameter, a plain number, is an angle in radians.
     pub(super) parameter_turns: bool,
@@ -64,7 +64,7 @@ pub(super) struct Let<'a> {
     pub used: bool,
 }
 
-/// How far a `let` has come; `Done(None)` is one whose error has been reported.
+/// The evaluation state of a `let`; `Done(None)` means that its error has been reported.
 #[derive(Clone)]
 pub(super) enum State {
     Waiting,
@@ -98,7 +98,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Keeps a diagnostic unless `allow` silences it; past [`MAX_DIAGNOSTICS`] it is only counted.
+    /// Adds a diagnostic unless `allow` suppresses it; beyond [`MAX_DIAGNOSTICS`] it is only counted.
     pub fn report(&mut self, diagnostic: Diagnostic) {
         if self.allowed.silences(&diagnostic) {
             return;
@@ -110,30 +110,30 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Whether further diagnostics are only counted: what they would say need not be found out.
+    /// Whether further diagnostics are only counted, so that their texts need not be computed.
     pub fn is_full(&self) -> bool {
         self.diagnostics.len() >= MAX_DIAGNOSTICS
     }
 
-    /// Whether `name` may be declared in a place that could not be read.
+    /// Whether `name` may be declared in a place that could not be parsed.
     pub fn may_exist(&self, name: &str) -> bool {
         self.incomplete || self.lost_words.contains(name)
     }
 
-    /// Holds back what would be said of `name` as one that nothing declares: its declaration has an error.
+    /// Suppresses "unknown name" errors for `name`, whose declaration has an error.
     pub fn lose(&mut self, name: &'a str) {
         self.lost_words.insert(name);
     }
 
-    /// Takes up every `let`; a second one of a name, or a name of the language, is an error.
+    /// Registers every `let`. A second `let` of the same name and a built-in name are errors.
     pub fn declare(&mut self, fields: impl Iterator<Item = &'a Field>) {
         for field in fields {
             let name = &field.name;
             if CONSTANTS.contains(&name.value.as_str()) || FUNCTIONS.contains(&name.value.as_str()) {
-                let message = format!("`{}` belongs to the language and cannot be a `let`", name.value);
+                let message = format!("`{}` is a built-in name and cannot be redefined by `let`", name.value);
                 self.report(
                     Diagnostic::error("mavc::name::reserved", name.span, message)
-                        .here("reserved")
+                        .here("reserved name")
                         .help(format!("choose another name, such as `my_{}`", name.value)),
                 );
             } else if let Some(first) = self.lets.get(name.value.as_str()) {
@@ -145,7 +145,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Evaluates every `let`, so that mistakes in unused ones are found too.
+    /// Evaluates every `let`, so that errors in unused ones are found too.
     pub fn settle(&mut self) {
         let names: Vec<&'a str> = self.lets.keys().copied().collect();
         for name in names {
@@ -162,9 +162,9 @@ impl<'a> Context<'a> {
                 entry.state = State::Done(None);
                 let span = entry.field.name.span;
                 self.report(
-                    Diagnostic::error("mavc::name::cycle", span, format!("`{name}` is defined by itself"))
-                        .here("following this value leads back here")
-                        .help("give one `let` of the circle a value that needs none of the others"),
+                    Diagnostic::error("mavc::name::cycle", span, format!("`{name}` is defined in terms of itself"))
+                        .here("its value depends on itself")
+                        .help("give one `let` of the cycle a value that does not depend on the others"),
                 );
                 None
             }
@@ -182,7 +182,7 @@ impl<'a> Context<'a> {
                     self.note_value(expr.span, value);
                 }
                 let entry = self.lets.get_mut(name)?;
-                // A cycle found on the way has settled this one already.
+                // A cycle found during evaluation has settled this `let` already.
                 let value = if matches!(entry.state, State::Busy) { value } else { None };
                 entry.state = State::Done(value.clone());
                 value
@@ -190,50 +190,51 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Warns of every `let` that nothing has asked for.
+    /// Warns of every `let` that was never evaluated for a use.
     pub fn warn_unused(&mut self) {
         let unused: Vec<&Field> = self.lets.values().filter(|l| !l.used).map(|l| l.field).collect();
         for Field { name, doc, span, .. } in unused {
             let message = format!("`{}` is never used", name.value);
             let warning = Diagnostic::warning("mavc::name::unused", name.span, message).here("nothing refers to it");
-            let warning = warning.help("use it or take it out");
-            // A comment that describes it would describe what follows.
+            let warning = warning.help("use it or remove it");
+            // Its doc comment would then describe the next statement, so there is no fix for one that has a comment.
             self.report(match doc {
-                None => warning.fix(mend::removal(self.sources.get(span.file), *span), ""),
+                None => warning.fix(edits::removal(self.sources.get(span.file), *span), ""),
                 Some(_) => warning,
             });
         }
     }
 
-    /// The error of a second block of which there is one, with what makes one of the two where that is plain.
+    /// Adds the help for a second block where only one is allowed, with a fix that merges the two where that is simple.
     pub fn joined(&self, error: Diagnostic, first: &Block, second: &Block) -> Diagnostic {
-        let junction = mend::junction(self.sources.get(first.span.file), first, second);
+        let junction = edits::junction(self.sources.get(first.span.file), first, second);
         match junction.filter(|_| first.span.file == second.span.file) {
-            Some((span, text)) => error.help("join them: one pair of braces for both").fix(span, text),
-            None => error.help("move what only this one says into the first, and take this one out"),
+            Some((span, text)) => error.help("merge the two blocks into one").fix(span, text),
+            None => error.help("move its contents into the first block, then remove this one"),
         }
     }
 
-    /// Says that `name` is not known, unless it may stand where the text could not be read.
+    /// Reports an unknown `name`, unless it may be declared where the text could not be parsed.
     pub fn unknown(&mut self, what: &str, name: &str, span: Span, known: &[&str]) {
         self.unknown_among(what, name, span, known, |_| true);
     }
 
-    /// As [`Context::unknown`], where only some of the known names may be the one that was meant.
+    /// As [`Context::unknown`]; only the known names for which `open` holds are suggested.
     pub fn unknown_among(&mut self, what: &str, name: &str, span: Span, known: &[&str], open: impl Fn(&str) -> bool) {
         if self.may_exist(name) {
             return;
         }
-        // Looking for near names takes time, and nobody reads hundreds of errors.
+        // The search for similar names takes time, and nobody reads hundreds of errors.
         let known = if self.is_full() { &[] } else { known };
-        let mut error = Diagnostic::error("mavc::name::unknown", span, format!("no {what} is called `{name}`"))
-            .here("not declared");
+        let message =
+            if what == "`let`" { format!("unknown name `{name}`") } else { format!("unknown {what} `{name}`") };
+        let mut error = Diagnostic::error("mavc::name::unknown", span, message).here("not declared");
         if let Some(near) = nearest(name, known.iter().copied().filter(|k| open(k))) {
             error = error.help(format!("did you mean `{near}`?")).fix(span, near);
         } else if what == "`let`" {
             error = error.help(format!("declare it outside all blocks: `let {name} = ...`"));
         } else if !known.is_empty() {
-            error = error.help(format!("name one that there is: {}", in_runs(known)));
+            error = error.help(format!("use a declared name: {}", in_runs(known)));
         } else if what == "fault mode" {
             error = error.help(format!("declare it in `faults`, as in `mode {name} {{ rotor 1 lost }}`"));
         }
@@ -243,18 +244,30 @@ impl<'a> Context<'a> {
 
 /// `name` is declared twice.
 pub(super) fn duplicate(what: &str, name: &Name, first: Span) -> Diagnostic {
-    let message = format!("a second {what} is called `{}`", name.value);
+    let message = match what {
+        "`let`" => format!("the name `{}` is declared twice", name.value),
+        _ => format!("{what} `{}` is declared twice", name.value),
+    };
     Diagnostic::error("mavc::name::duplicate", name.span, message)
         .here("declared again")
         .also(first, "first declared here")
-        .help("give one of them another name, or take one out")
+        .help("rename one of them, or remove one")
 }
 
 /// `where` in a field other than `against`.
 pub(super) fn no_filter(span: Span) -> Diagnostic {
-    Diagnostic::error("mavc::plan::choice", span, "`where` stands only in `against`")
-        .here("not a filter")
-        .help("write a value in its place")
+    Diagnostic::error("mavc::plan::choice", span, "`where` is allowed only in `against`")
+        .here("this field takes no condition")
+        .help("write a value instead")
+}
+
+/// "`a`, `b` or `c`": the words that a field accepts.
+pub(super) fn either(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => quoted.concat(),
+    }
 }
 
 /// `a`, `b` and `c`, each in backquotes.
@@ -262,7 +275,8 @@ pub(super) fn listed(words: &[&str]) -> String {
     joined(&words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>())
 }
 
-/// As [`listed`], where names that differ in their numbers alone are told by the first and the last, and not too many.
+/// As [`listed`], but a run of names that differ only in their numbers is given by its first and last, and a long list is
+/// cut short.
 fn in_runs(names: &[&str]) -> String {
     const SHOWN: usize = 12;
     let runs = names.chunk_by(|a, b| without_digits(a) == without_digits(b));

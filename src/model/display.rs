@@ -1,4 +1,4 @@
-//! The model as text: what `mavc emit model` prints.
+//! The model as text, printed by `mavc emit model`.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -19,12 +19,12 @@ fn list(values: &[f64]) -> String {
     format!("[{}]", shown.join(", "))
 }
 
-/// Coordinates, with a hair's breadth of rounding left out.
+/// Coordinates, with rounding errors below 1 nm shown as zero.
 fn place(position: &[f64; 3]) -> String {
     list(&position.map(|x| if x.abs() < 1e-9 { 0.0 } else { x }))
 }
 
-/// As printed: lengths in m, masses in kg, times in s, angles in deg, speeds of rotors in rad/s.
+/// Lengths in m, masses in kg, times in s, angles in deg, rotor speeds in rad/s.
 impl fmt::Display for Model {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "gravity {} m/s^2", number(self.gravity))?;
@@ -95,7 +95,7 @@ fn vehicle(f: &mut fmt::Formatter<'_>, v: &Vehicle) -> fmt::Result {
     Ok(())
 }
 
-/// ` times 0.97 to 1.03`, or nothing for a number known exactly.
+/// ` times 0.97 to 1.03`, or nothing for a value known exactly.
 fn between(spread: Spread) -> String {
     match spread.is_none() {
         true => String::new(),
@@ -173,7 +173,7 @@ fn mission(f: &mut fmt::Formatter<'_>, m: &Mission) -> fmt::Result {
 }
 
 impl LimitKind {
-    /// Its name in the language, the unit one writes, and that unit in SI.
+    /// Its name in the language, the usual unit, and that unit in SI.
     pub fn words(self) -> (&'static str, &'static str, f64) {
         let degree = PI / 180.0;
         match self {
@@ -195,7 +195,7 @@ impl LimitKind {
     }
 }
 
-/// As one would write it: `speed <= 8 m/s`.
+/// As written in a spec: `speed <= 8 m/s`.
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (name, unit, scale) = self.kind.words();

@@ -1,4 +1,4 @@
-//! What a place in the spec expects: a quantity of some dimension, a positive one, a whole number, a share.
+//! Reads what a place in the spec expects: a quantity of some dimension, a positive one, a whole number, a share.
 
 use super::blame::sole_name;
 use super::context::Context;
@@ -11,13 +11,13 @@ use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Operator};
 use crate::unit::{Dimension, Quantity, parse_unit};
 
-/// What a field or clause takes: its name as the author writes it, and the unit one would write.
+/// What a field or clause expects: its name as the author writes it, and its usual unit.
 #[derive(Clone, Copy)]
 pub(super) struct Due<'t> {
     pub what: &'t str,
     /// A unit text of the right dimension; `1` for a plain number.
     pub unit: &'static str,
-    /// Whether the dimension may also be spelled without its radians.
+    /// Whether the unit may also be written without its radians.
     pub coefficient: bool,
 }
 
@@ -26,7 +26,7 @@ impl<'t> Due<'t> {
         Due { what, unit, coefficient: false }
     }
 
-    /// What a field of the table takes.
+    /// What a field of the language table expects.
     pub fn of(entry: &'static Entry) -> Self {
         Due::new(entry.name, entry.unit().unwrap_or("1"))
     }
@@ -37,19 +37,19 @@ impl<'t> Due<'t> {
 }
 
 impl<'a> Context<'a> {
-    /// A single quantity of the dimension due, in SI.
+    /// A single quantity of the expected dimension, in SI units.
     pub fn number(&mut self, due: Due, expr: &'a Expr) -> Option<f64> {
         let q = self.evaluate_quantity(expr)?;
         self.lower(due, q, expr)
     }
 
-    /// As [`Context::number`], above zero; `code` names the mistake of one that is not.
+    /// As [`Context::number`], above zero; `code` is the error code for any other value.
     pub fn positive(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(due, expr)?;
         if value > 0.0 {
             return Some(value);
         }
-        self.wrong_sign(due, "has to be greater than zero", value, expr, code)
+        self.wrong_sign(due, "must be greater than zero", value, expr, code)
     }
 
     /// As [`Context::number`], zero or above.
@@ -69,21 +69,21 @@ impl<'a> Context<'a> {
         let error = error.here(format!("this is {found}"));
         let error = match (&expr.kind, self.let_behind(expr).map(|(name, value)| (name, &value.kind))) {
             (ExprKind::Negate(inner), None) if value < 0.0 => {
-                let mended = self.sources.snippet(inner.span);
-                error.help(format!("take the sign out: write `{mended}`")).fix(expr.span, mended)
+                let corrected = self.sources.snippet(inner.span);
+                error.help(format!("remove the minus sign: write `{corrected}`")).fix(expr.span, corrected)
             }
             (ExprKind::Name(_), Some((name, ExprKind::Negate(inner)))) if value < 0.0 => {
                 let positive = self.sources.snippet(inner.span);
                 error.help(format!("write `let {name} = {positive}`, or another value here"))
             }
-            _ if value < 0.0 => error.help("look for the sign that makes it negative"),
+            _ if value < 0.0 => error.help("find the sign that makes the value negative"),
             _ => error.help("write a value above zero"),
         };
         self.report_of_let(expr, rule, &found, error);
         None
     }
 
-    /// A quantity as a field of the table takes it, in SI; `code` names the mistake of one that is out of its range.
+    /// The value of a field of the language table, in SI units; `code` is the error code for a value out of its range.
     pub fn quantity(&mut self, entry: &'static Entry, expr: &'a Expr, code: &'static str) -> Option<f64> {
         match entry.takes {
             Takes::Quantity(_, Range::Positive) | Takes::QuantityOr(_, Range::Positive, _) => {
@@ -96,19 +96,19 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// A whole number as a field of the table takes it, which is called `what`.
+    /// The whole number of a field of the language table, which messages call `what`.
     pub fn count(&mut self, entry: &'static Entry, what: &str, expr: &'a Expr, code: &'static str) -> Option<usize> {
         let (least, most) = entry.whole();
         self.whole(what, expr, least as usize..=most as usize, code)
     }
 
-    /// A share of a whole, `60 %` or `0.6`, as a number in 0..=1.
+    /// A share, `60 %` or `0.6`, as a number in 0..=1.
     pub fn share(&mut self, what: &str, expr: &'a Expr, code: &'static str) -> Option<f64> {
         let value = self.number(Due::new(what, "1"), expr)?;
         if (0.0..=1.0).contains(&value) {
             return Some(value);
         }
-        let mut error = Diagnostic::error(code, expr.span, format!("{what} lies between 0 % and 100 %"))
+        let mut error = Diagnostic::error(code, expr.span, format!("{what} must be between 0 % and 100 %"))
             .here(format!("this is {} %", number(value * 100.0)));
         if let ExprKind::Number { text, unit: None, .. } = &expr.kind
             && value <= 100.0
@@ -122,7 +122,7 @@ impl<'a> Context<'a> {
         None
     }
 
-    /// A plain whole number within `range`.
+    /// A plain whole number within `range`, whose expression is evaluated here.
     pub fn whole(
         &mut self,
         what: &str,
@@ -134,6 +134,7 @@ impl<'a> Context<'a> {
         self.whole_value(what, value, expr.span, range, code)
     }
 
+    /// As [`Context::whole`], of a number already evaluated.
     pub fn whole_value(
         &mut self,
         what: &str,
@@ -146,7 +147,7 @@ impl<'a> Context<'a> {
         if value.fract() == 0.0 && value >= low as f64 && value <= high as f64 {
             return Some(value as usize);
         }
-        let message = format!("{what} is a whole number from {low} to {high}");
+        let message = format!("{what} must be a whole number from {low} to {high}");
         let help = match value {
             v if v < low as f64 => format!("write `{low}` or more"),
             v if v > high as f64 => format!("write `{high}` or less"),
@@ -156,12 +157,12 @@ impl<'a> Context<'a> {
         None
     }
 
-    /// `[x, y, z] m`: three quantities of the dimension due, in SI.
+    /// `[x, y, z] m`: three quantities of the expected dimension, in SI units.
     pub fn triple(&mut self, due: Due, expr: &'a Expr) -> Option<[f64; 3]> {
         let list = match self.evaluate(expr)? {
             Value::List(list) => list,
             other => {
-                let message = format!("a list of three for `{}` is due here, not {}", due.what, other.kind());
+                let message = format!("expected a list of three numbers for `{}`, found {}", due.what, other.kind());
                 let error = Diagnostic::error("mavc::unit::kind", expr.span, message);
                 let error = error.here(format!("this is {}", other.kind()));
                 self.report(error.help(format!("write `[x, y, z] {}`", due.unit)));
@@ -171,10 +172,11 @@ impl<'a> Context<'a> {
         let [x, y, z] = list[..] else {
             let message = format!("`{}` takes three numbers, not {}", due.what, list.len());
             let error = Diagnostic::error("mavc::unit::kind", expr.span, message);
-            self.report(error.here(format!("{} here", list.len())).help(format!("write `[x, y, z] {}`", due.unit)));
+            let error = error.here(format!("this list has {}", list.len()));
+            self.report(error.help(format!("write `[x, y, z] {}`", due.unit)));
             return None;
         };
-        // Three of one wrong kind are one mistake.
+        // Three elements of the same wrong dimension are reported as one error.
         if x.dimension == y.dimension && y.dimension == z.dimension {
             for part in [x, y, z] {
                 self.fit(due, part, expr)?;
@@ -195,16 +197,16 @@ impl<'a> Context<'a> {
             .collect();
         let is_list = matches!(expr.kind, ExprKind::List { unit: None, .. });
         let others_fit = [x, y, z].iter().all(|q| q.dimension.is_plain() || q.dimension == due.dimension());
-        // A unit behind the list goes to every bare element, whether or not the others have theirs.
+        // A unit after the list applies to every bare element, whether or not the others have their own.
         if is_list && others_fit && bare.len() > 1 && bare.iter().any(|e| sole_name(e).is_none()) {
             let mut error = self.unit_missing(due, 0.0, expr);
             error.span = bare[0].span;
-            let error = bare[1..].iter().fold(error, |error, e| error.also(e.span, "and so is this"));
+            let error = bare[1..].iter().fold(error, |error, e| error.also(e.span, "missing unit"));
             self.report(error);
             return None;
         }
         let lowered = [x, y, z].into_iter().enumerate().map(|(k, q)| self.fit(due, q, place(k)));
-        // All three are looked at before any is given up, so that each mistake is told.
+        // All three are checked before any error returns, so that each one is reported.
         let [x, y, z] = lowered.collect::<Vec<_>>()[..] else {
             return None;
         };
@@ -213,7 +215,7 @@ impl<'a> Context<'a> {
         Some([x, y, z])
     }
 
-    /// `a .. b` of the dimension due, in SI, in the order written.
+    /// `a .. b` of the expected dimension, in SI units, in the order written.
     pub fn range_of(&mut self, due: Due, expr: &'a Expr) -> Option<(f64, f64)> {
         let (a, b) = self.range_ends(expr, &format!("a range `a .. b` for `{}`", due.what))?;
         if a.dimension.is_plain() && !due.dimension().is_plain() {
@@ -225,7 +227,7 @@ impl<'a> Context<'a> {
         Some((a, b))
     }
 
-    /// Drops the dimension of `q` once it is the one due, and notes what was read.
+    /// Checks that `q` has the expected dimension and notes what was read; the value in SI units.
     pub fn lower(&mut self, due: Due, q: Quantity, expr: &Expr) -> Option<f64> {
         let value = self.fit(due, q, expr)?;
         self.note(expr.span, &[value], due.unit);
@@ -239,10 +241,10 @@ impl<'a> Context<'a> {
             return self.is_within_magnitude(due, q.value, expr.span).then_some(q.value);
         }
         if due.coefficient && q.dimension == expected.without_angle() {
-            let message = format!("`{}` is usually given per square of a rate in radians", due.what);
+            let message = format!("the unit of `{}` is written without radians", due.what);
             let advice = Diagnostic::advice("mavc::unit::radian", expr.span, message)
-                .here(format!("taken as {}", due.unit))
-                .help(format!("write `{}` to say so", due.unit));
+                .here(format!("read as {}", due.unit))
+                .help(format!("write `{}` to make the radians explicit", due.unit));
             self.report(match &expr.kind {
                 ExprKind::Number { unit: Some(unit), .. }
                     if parse_unit(&format!("{}/rad^2", unit.value), 1.0).is_ok() =>
@@ -264,7 +266,8 @@ impl<'a> Context<'a> {
         None
     }
 
-    /// Reports a plain number of this size where a quantity is due, unless its `let` has been told to lack the unit.
+    /// Reports a plain number of this size where a quantity is expected, unless the missing unit of its `let` has been
+    /// reported already.
     fn lacks_unit(&mut self, due: Due, size: f64, expr: &Expr) {
         if self.is_blamed(expr) {
             return;
@@ -277,11 +280,11 @@ impl<'a> Context<'a> {
     fn unit_missing(&self, due: Due, size: f64, expr: &Expr) -> Diagnostic {
         let kind = due.dimension().named().map_or("a quantity", |(name, _)| name);
         let message = format!("{} is {kind} and needs a unit", called(due.what));
-        let error = Diagnostic::error("mavc::unit::missing", expr.span, message).here("a plain number");
+        let error = Diagnostic::error("mavc::unit::missing", expr.span, message).here("missing unit");
         if let ExprKind::Number { text, unit: Some(percent), .. } = &expr.kind {
             let units = likely_units(due, text.parse().unwrap_or(size));
-            let mended = units.iter().map(|unit| format!("{text} {unit}")).collect();
-            return one_of(error.here(format!("`{}` makes a share of it", percent.value)), expr.span, mended);
+            let corrected = units.iter().map(|unit| format!("{text} {unit}")).collect();
+            return one_of(error.here(format!("`{}` makes it a share", percent.value)), expr.span, corrected);
         }
         let units = self.likely_units_of(due, size, expr);
         if let ExprKind::Range { high, .. } = &expr.kind
@@ -291,12 +294,12 @@ impl<'a> Context<'a> {
             return error.help(format!("put the unit at the end, as in {}", examples.join(" or ")));
         }
         match units.iter().map(|unit| self.with_unit(expr, unit)).collect::<Option<Vec<_>>>() {
-            Some(mended) => one_of(error, expr.span, mended),
-            None => error.help(format!("put a unit behind it: `(...) {}`", units[0])),
+            Some(corrected) => one_of(error, expr.span, corrected),
+            None => error.help(format!("add a unit: `(...) {}`", units[0])),
         }
     }
 
-    /// The text of `expr` with a unit behind it, where that fits on a line.
+    /// The text of `expr` with a unit after it, where that fits on a line.
     pub(super) fn with_unit(&self, expr: &Expr, unit: &str) -> Option<String> {
         let text = self.sources.snippet(expr.span).trim();
         let closed = match &expr.kind {
@@ -304,11 +307,11 @@ impl<'a> Context<'a> {
             ExprKind::Name(_) | ExprKind::Binary { .. } => false,
             _ => true,
         };
-        let mended = if closed { format!("{text} {unit}") } else { format!("({text}) {unit}") };
-        (mended.len() <= 48 && !mended.contains('\n')).then_some(mended)
+        let corrected = if closed { format!("{text} {unit}") } else { format!("({text}) {unit}") };
+        (corrected.len() <= 48 && !corrected.contains('\n')).then_some(corrected)
     }
 
-    /// A value as written, its unit aside.
+    /// A value as written, without its unit.
     pub(super) fn without_unit(&self, expr: &Expr) -> &'a str {
         let unit = match &expr.kind {
             ExprKind::Number { unit, .. } | ExprKind::List { unit, .. } | ExprKind::Paren { unit, .. } => unit.as_ref(),
@@ -327,18 +330,18 @@ impl<'a> Context<'a> {
     }
 }
 
-/// The error with what to write at `span`: a fix where that is one text, several where only the author knows which.
-fn one_of(error: Diagnostic, span: Span, mended: Vec<String>) -> Diagnostic {
-    let listed: Vec<String> = mended.iter().map(|text| format!("`{text}`")).collect();
+/// The error with what to write at `span`: a fix where there is one candidate, a list where only the author can choose.
+fn one_of(error: Diagnostic, span: Span, corrected: Vec<String>) -> Diagnostic {
+    let listed: Vec<String> = corrected.iter().map(|text| format!("`{text}`")).collect();
     let error = error.help(format!("write {}", listed.join(" or ")));
-    match <[String; 1]>::try_from(mended) {
+    match <[String; 1]>::try_from(corrected) {
         Ok([text]) => error.fix(span, text),
         Err(_) => error,
     }
 }
 
 /// A value and names joined to it as if they were its unit, `2e-5 / h` or `[1, 2, 3] kg * m ^ 2`: the value and that unit.
-/// All the names are such as `may_be_unit` lets pass.
+/// `may_be_unit` must hold for every name.
 pub(super) fn joined_unit<'e>(
     operator: Operator,
     left: &'e Expr,
@@ -374,11 +377,11 @@ pub(super) fn joined_unit<'e>(
         (_, Some(unit)) => format!("{unit}*{factor}"),
         (_, None) => factor,
     };
-    // No unit that people write is longer, and a long product is looked at again for each of its factors.
+    // No real unit is longer, and a long product is examined again for each of its factors.
     (unit.len() <= 48).then_some((value, unit))
 }
 
-/// A field by its name in backquotes, anything else as it is said.
+/// A field name in backquotes; a phrase as it is.
 pub(super) fn called(what: &str) -> String {
     if what.contains([' ', '`']) { what.to_string() } else { format!("`{what}`") }
 }

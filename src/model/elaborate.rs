@@ -1,9 +1,9 @@
-//! From the tree to the model: collect, evaluate, choose, check.
+//! From the syntax tree to the model: collect blocks, evaluate values, choose vehicle and mission, check.
 
-use super::context::{Context, State, duplicate, no_filter};
+use super::blocks::{Blocks, broken, use_broken};
+use super::context::{Context, State, no_filter};
 use super::due::Due;
 use super::fault::Modes;
-use super::fields::elsewhere;
 use super::flight_blocks::{self, FlightBlocks};
 use super::load::FileSet;
 use super::overrides::{Override, apply};
@@ -11,31 +11,30 @@ use super::plan::{Draft, against};
 use super::simulate::Around;
 use super::understanding::Understanding;
 use super::{DefaultUsed, FaultMode, Model, Vehicle, lag, mission, sense, vehicle};
-use crate::diagnostic::{Checked, Diagnostic, Severity, nearest, sort};
-use crate::language::Group;
+use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
 use crate::number::number;
-use crate::source::{SourceMap, Span, Spanned};
-use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile, Statement};
+use crate::source::{Span, Spanned};
+use crate::syntax::ast::{Block, Expr, Field, FieldValue, Item, SpecFile};
 use crate::unit::GRAVITY;
 
-/// Gives a file set its meaning. Overrides replace or add fields before anything is understood, so they are checked
-/// like what they replace. The model is missing where there are errors; diagnostics of loading are not repeated.
+/// Elaborates a file set into a model. Overrides replace or add fields first, so they are checked like the fields they
+/// replace. The model is `None` where there are errors; diagnostics from loading are not repeated.
 ///
 /// # Steps
 /// 1. Collect the blocks of all files.
 /// 2. Evaluate gravity and every `let`.
-/// 3. Elaborate every vehicle, choose one, and give its faults and missions their numbers.
-/// 4. Settle the plan against modes and mission, then what flies it.
+/// 3. Elaborate every vehicle, choose one, and elaborate its faults and the missions.
+/// 4. Check the plan against modes and mission, then read the blocks that fly it.
 pub fn elaborate(files: &FileSet, overrides: &[Override]) -> Checked<Model> {
     elaborate_for(files, overrides, FlightBlocks::Used)
 }
 
-/// As [`elaborate`], for a command that may fly nothing.
+/// As [`elaborate`], for a command that may not use the flight blocks.
 pub fn elaborate_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks) -> Checked<Model> {
     understand_for(files, overrides, flights).checked
 }
 
-/// As [`elaborate`], with what was understood on the way, errors or not.
+/// As [`elaborate`], with everything that was understood, errors or not.
 pub fn understand(files: &FileSet, overrides: &[Override]) -> Understanding {
     understand_for(files, overrides, FlightBlocks::Used)
 }
@@ -47,12 +46,12 @@ fn understand_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks
     let incomplete = files.incomplete || use_broken(&trees, &files.sources);
     let mut cx = Context::new(&files.sources, incomplete, &broken);
     let whole_text = !incomplete && broken.is_empty();
-    // What could not be read may be what makes a model of the rest wrong, or a `let` used.
+    // What could not be parsed might change the model, or use a `let`.
     let mut parts = Parts::default();
     let value = whole(&mut cx, &trees, files, flights, &mut parts).filter(|_| whole_text);
     cx.settle_suspects();
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
-    // What a block with mistakes would have used is unknown.
+    // What a block with errors would have used is unknown.
     if value.is_some() && !cx.softened && !cx.diagnostics.iter().chain(&diagnostics).any(is_error) {
         cx.warn_unused();
         cx.warn_idle();
@@ -73,55 +72,11 @@ fn understand_for(files: &FileSet, overrides: &[Override], flights: FlightBlocks
     Understanding { checked, gravity: cx.gravity, vehicles, modes, readings: cx.readings }
 }
 
-/// What could be made out of a spec, errors elsewhere or not.
+/// The parts of a spec that have no errors of their own.
 #[derive(Default)]
 struct Parts {
     vehicles: Vec<Vehicle>,
     modes: Vec<FaultMode>,
-}
-
-/// Every statement that could not be read.
-fn broken(trees: &[SpecFile]) -> Vec<Span> {
-    fn within(body: &[Statement], into: &mut Vec<Span>) {
-        for statement in body {
-            match statement {
-                Statement::Broken(span) => into.push(*span),
-                Statement::Block(block) => within(&block.body, into),
-                _ => {}
-            }
-        }
-    }
-    let mut spans = Vec::new();
-    for item in trees.iter().flat_map(|tree| &tree.items) {
-        match item {
-            Item::Broken(span) => spans.push(*span),
-            Item::Block(block) => within(&block.body, &mut spans),
-            _ => {}
-        }
-    }
-    spans
-}
-
-/// Whether some `use` could not be read: then nobody knows what it brings in.
-fn use_broken(trees: &[SpecFile], sources: &SourceMap) -> bool {
-    let brings_in = |span: Span| {
-        let text = sources.snippet(span);
-        // By its keyword, or by what it names where the keyword is misspelt or another language's.
-        text.split(|c: char| !c.is_ascii_alphanumeric()).next() == Some("use") || text.contains(".mav")
-    };
-    trees.iter().flat_map(|tree| &tree.items).any(|item| matches!(item, Item::Broken(span) if brings_in(*span)))
-}
-
-/// The fields that stand outside all blocks.
-
-#[derive(Default)]
-struct Blocks<'a> {
-    vehicles: Vec<&'a Block>,
-    faults: Vec<&'a Block>,
-    missions: Vec<&'a Block>,
-    plans: Vec<&'a Block>,
-    simulations: Vec<&'a Block>,
-    campaigns: Vec<&'a Block>,
 }
 
 fn whole<'a>(
@@ -132,42 +87,10 @@ fn whole<'a>(
     parts: &mut Parts,
 ) -> Option<Model> {
     let items = || trees.iter().flat_map(|tree| &tree.items);
-    let mut blocks = Blocks::default();
-    let mut gravity: Option<&Field> = None;
-    let mut allows = Vec::new();
-    for tree in trees {
-        // Below a statement that could not be read, a field may belong to the block that it should have opened.
-        let mut homeless = false;
-        for item in &tree.items {
-            match item {
-                Item::Block(block) => match block.keyword.value.as_str() {
-                    "vehicle" => blocks.vehicles.push(block),
-                    "faults" => blocks.faults.push(block),
-                    "mission" => blocks.missions.push(block),
-                    "plan" => blocks.plans.push(block),
-                    "simulate" => blocks.simulations.push(block),
-                    "campaign" => blocks.campaigns.push(block),
-                    _ => {}
-                },
-                Item::Field(field) if field.name.value == "allow" => allows.push(field),
-                Item::Field(field) if homeless && field.name.value != "gravity" => cx.lose(&field.name.value),
-                Item::Field(field) => top_field(cx, field, &mut gravity),
-                // A limit was to open none.
-                Item::Broken(span) => homeless |= !cx.sources.snippet(*span).contains(['<', '>']),
-                Item::Let(_) | Item::Use(_) => {}
-            }
-        }
-    }
-    cx.allow(&allows);
-    no_second(cx, "vehicle", &blocks.vehicles);
-    no_second(cx, "mission", &blocks.missions);
-    only_one(cx, &blocks.plans);
-    for blocks in [&blocks.simulations, &blocks.campaigns] {
-        cx.of_flights(flights, None, |cx| only_one(cx, blocks));
-    }
+    let blocks = Blocks::collect(cx, trees, flights);
     let mut defaults = Vec::new();
     cx.declare(items().filter_map(|item| if let Item::Let(field) = item { Some(field) } else { None }));
-    settle_gravity(cx, gravity, &mut defaults);
+    settle_gravity(cx, blocks.gravity, &mut defaults);
     cx.settle();
 
     let vehicles: Vec<_> = blocks.vehicles.iter().map(|block| vehicle::elaborate(cx, block)).collect();
@@ -179,11 +102,11 @@ fn whole<'a>(
     if vehicles.is_empty() && readable && !cx.may_exist("vehicle") {
         let span = items().next().map_or(Span::default(), start_of);
         let message = match items().next() {
-            Some(_) => "the spec describes no vehicle".to_string(),
-            None => format!("`{}` holds no statement, so there is no vehicle", cx.sources.get(span.file).name),
+            Some(_) => "the spec declares no vehicle".to_string(),
+            None => format!("`{}` is empty: no vehicle is declared", cx.sources.get(span.file).name),
         };
         let error = Diagnostic::error("mavc::name::no_vehicle", span, message);
-        cx.report(error.help("add a `vehicle` block, or bring one in with `use \"vehicles/...\"`"));
+        cx.report(error.help("add a `vehicle` block, or include one with `use \"vehicles/...\"`"));
     }
 
     let mut modes = Modes::default();
@@ -201,7 +124,7 @@ fn whole<'a>(
         defaults.push(DefaultUsed {
             field: format!("mission.{}.yaw", mission.name),
             value: "0 deg".into(),
-            reason: "the first waypoint says no yaw".into(),
+            reason: "the first waypoint gives no yaw".into(),
         });
     }
 
@@ -236,7 +159,7 @@ fn whole<'a>(
     if mission.is_some() && flown.is_none() {
         return None;
     }
-    // A campaign strikes with every mode, and a block with mistakes with nobody knows which.
+    // A campaign uses every mode, and which modes a block with errors uses is unknown.
     if names_modes && !campaign.written && !cx.softened {
         let struck = simulation.faults.iter().map(|fault| fault.mode);
         let used: Vec<usize> = plan.against.iter().copied().chain(struck).collect();
@@ -254,31 +177,6 @@ fn whole<'a>(
     })
 }
 
-fn top_field<'a>(cx: &mut Context<'a>, field: &'a Field, gravity: &mut Option<&'a Field>) {
-    let name = &field.name;
-    if name.value != "gravity" {
-        let message = format!("`{}` is not a field of the top level", name.value);
-        let error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
-        let error = match (nearest(&name.value, Group::Top.names()), elsewhere(&name.value)) {
-            (Some(near), _) => error.help(format!("did you mean `{near}`?")).fix(name.span, near),
-            (None, Some(place)) => error.help(place),
-            (None, None) => {
-                let value = cx.sources.snippet(field.span);
-                let value =
-                    if value.len() <= 48 && !value.contains('\n') { value } else { &format!("{} = ...", name.value) };
-                let before = Span { end: name.span.start, ..name.span };
-                error.help(format!("to name a value, write `let {value}`")).fix(before, "let ")
-            }
-        };
-        cx.report(error);
-        cx.lose(&name.value);
-    } else if let Some(first) = gravity {
-        cx.report(duplicate("field", name, first.name.span));
-    } else {
-        *gravity = Some(field);
-    }
-}
-
 fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: &mut Vec<DefaultUsed>) {
     match field.map(|f| &f.value) {
         Some(FieldValue::Expr(expr)) => {
@@ -286,7 +184,7 @@ fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: 
             if let Some(given) = given.filter(|g| *g != GRAVITY) {
                 sense::gravity(cx, given, expr.span);
                 cx.gravity = given;
-                // What was evaluated on the way may have used the old value.
+                // Values evaluated meanwhile may have used the default gravity.
                 cx.lets.values_mut().for_each(|l| {
                     if matches!(l.state, State::Done(Some(_))) {
                         l.state = State::Waiting;
@@ -300,36 +198,12 @@ fn settle_gravity<'a>(cx: &mut Context<'a>, field: Option<&'a Field>, defaults: 
         None => defaults.push(DefaultUsed {
             field: "gravity".into(),
             value: format!("{} m/s^2", number(GRAVITY)),
-            reason: "standard gravity of the language".into(),
+            reason: "the language's default gravity".into(),
         }),
     }
 }
 
-/// Blocks of one kind have different names.
-fn no_second(cx: &mut Context, what: &str, blocks: &[&Block]) {
-    for (i, block) in blocks.iter().enumerate() {
-        let Some(name) = &block.name else { continue };
-        let first = blocks[..i].iter().filter_map(|b| b.name.as_ref()).find(|n| n.value == name.value);
-        if let Some(first) = first {
-            let first = first.span;
-            cx.report(duplicate(what, name, first));
-        }
-    }
-}
-
-/// Of some blocks a spec has one. Of one whose keyword is misspelt that has been told, and the two may not be meant alike.
-fn only_one(cx: &mut Context, blocks: &[&Block]) {
-    let well_spelt = |block: &Block| cx.sources.snippet(block.keyword.span) == block.keyword.value;
-    let spelt: Vec<&Block> = blocks.iter().copied().filter(|block| well_spelt(block)).collect();
-    let [first, rest @ ..] = spelt.as_slice() else { return };
-    for block in rest {
-        let message = format!("a spec has one `{}` block", block.keyword.value);
-        let error = Diagnostic::error("mavc::name::duplicate", block.keyword.span, message);
-        cx.report(cx.joined(error.here("a second one").also(first.keyword.span, "the first"), first, block));
-    }
-}
-
-/// The vehicle or mission that is meant: the one `plan` names, or the only one.
+/// The index of the vehicle or mission to use: the one `plan` names, or the only one.
 fn choose<'a>(
     cx: &mut Context<'a>,
     draft: &Draft<'a>,
@@ -341,7 +215,7 @@ fn choose<'a>(
     let names: Vec<&str> = named.iter().map(|n| n.0).collect();
     if let Some(Spanned { value, span }) = draft.chosen(cx, what) {
         let index = names.iter().position(|n| *n == value);
-        // One whose head could not be read may be meant.
+        // A block whose head could not be parsed may have this name.
         if index.is_none() && !nameless {
             cx.unknown(what, value, span, &names);
         }
@@ -350,25 +224,25 @@ fn choose<'a>(
     match named {
         [] => None,
         [_] => Some(0),
-        // Two of one name are told of already, and `plan` could not tell them apart.
+        // Two of the same name are reported already, and `plan` could not distinguish them.
         [first, rest @ ..] if rest.iter().all(|other| other.0 == first.0) => Some(0),
         [..] => {
-            // A block whose keyword is misspelt may have been meant as another: it is neither counted nor offered.
+            // A block with a misspelt keyword may be of another kind: it is neither counted nor suggested.
             let is_sure = |block: &Block| cx.sources.snippet(block.keyword.span) == what;
             let sure: Vec<usize> = (0..named.len()).filter(|&index| is_sure(blocks[index])).collect();
             let [first, second, ..] = sure[..] else {
                 return Some(sure.first().copied().unwrap_or(0));
             };
             let (first, second) = (named[first], named[second]);
-            let message = format!("the spec has {} {what}s, and none is chosen", sure.len());
+            let message = format!("the spec has {} {what}s, but `plan` chooses none", sure.len());
             let help = format!("write `{what} = {}` in `plan`", first.0);
             let error = match draft.span {
                 Some(plan) => Diagnostic::error("mavc::name::ambiguous", plan, message)
-                    .here("which one?")
-                    .also(first.1, "this one?"),
-                None => Diagnostic::error("mavc::name::ambiguous", first.1, message).here("this one?"),
+                    .here(format!("no `{what}` field"))
+                    .also(first.1, "first candidate"),
+                None => Diagnostic::error("mavc::name::ambiguous", first.1, message).here("first candidate"),
             };
-            cx.report(error.also(second.1, "or this one?").help(help));
+            cx.report(error.also(second.1, "second candidate").help(help));
             None
         }
     }

@@ -1,6 +1,6 @@
-//! Expressions to values: numbers with units, lists, ranges, names and calls.
+//! Evaluates expressions: numbers with units, lists, ranges, names and calls.
 //!
-//! A `None` always means that an error has been reported, so whoever gets it stays silent.
+//! `None` always means that an error has been reported, so callers report nothing further.
 
 use super::context::{CONSTANTS, Context, FUNCTIONS, MAX_EVALUATION_DEPTH, MAX_STEPS, State};
 use crate::diagnostic::{Diagnostic, nearest};
@@ -24,13 +24,13 @@ impl Value {
             Value::Quantity(_) => "a number",
             Value::List(_) => "a list",
             Value::Range(..) => "a range",
-            Value::Text(_) => "a text",
+            Value::Text(_) => "text",
         }
     }
 }
 
-/// Bytes of stack that evaluation leaves untouched, and how many it takes elsewhere once it comes near them; asked once
-/// in so many levels, for asking costs more than most evaluations.
+/// Evaluation moves to a new stack of `STACK_MORE` bytes once fewer than `STACK_LEFT` are left. This is checked once every
+/// `STACK_ASKED` levels, because the check costs more than most evaluations.
 const STACK_LEFT: usize = 256 << 10;
 const STACK_MORE: usize = 1 << 20;
 const STACK_ASKED: u32 = 8;
@@ -44,7 +44,7 @@ impl<'a> Context<'a> {
             return None;
         }
         self.depth += 1;
-        // So deep a stack is more than some threads have.
+        // Some threads have too small a stack for this depth.
         let value = if self.depth.is_multiple_of(STACK_ASKED) {
             stacker::maybe_grow(STACK_LEFT, STACK_MORE, || self.evaluate_kind(expr))
         } else {
@@ -54,7 +54,7 @@ impl<'a> Context<'a> {
         value
     }
 
-    /// The value of `expr`, which has to be a single number with or without a unit.
+    /// The value of `expr`, which must be a single number with or without a unit.
     pub fn evaluate_quantity(&mut self, expr: &'a Expr) -> Option<Quantity> {
         let value = self.evaluate(expr)?;
         self.single(value, expr.span)
@@ -117,21 +117,21 @@ impl<'a> Context<'a> {
             return value;
         }
         if FUNCTIONS.contains(&name) {
-            let message = format!("`{name}` is a function and needs its arguments in parentheses");
+            let message = format!("the function `{name}` needs arguments in parentheses");
             self.report(
                 Diagnostic::error("mavc::unit::argument", span, message)
-                    .here("no parentheses follow")
+                    .here("missing arguments")
                     .help(format!("write `{name}(...)`")),
             );
         } else if parse_unit(name, self.gravity).is_ok() && !self.may_exist(name) {
-            let message = format!("no `let` is called `{name}`, and a unit cannot stand alone");
+            let message = format!("unknown name `{name}`; a unit must directly follow a number");
             self.report(
                 Diagnostic::error("mavc::name::unknown", span, message)
-                    .here("a unit stands directly after a number, `)` or `]`")
-                    .help(format!("write `1 {name}`, or put the unit behind parentheses: `(...) {name}`")),
+                    .here("a unit goes directly after a number, `)` or `]`")
+                    .help(format!("write `1 {name}`, or put the unit after parentheses: `(...) {name}`")),
             );
         } else {
-            // A `let` that is being evaluated is not what it is made of.
+            // A `let` that is being evaluated cannot be part of its own definition.
             let waits = |name: &str| self.lets.get(name).is_some_and(|l| matches!(l.state, State::Busy));
             let names = match self.is_full() {
                 true => Vec::new(),
@@ -147,7 +147,7 @@ impl<'a> Context<'a> {
         self.lets.keys().copied().chain(parameter).chain(CONSTANTS).collect()
     }
 
-    /// The unit behind a text, or an error that says what to write.
+    /// The unit that a text stands for, or an error that says what to write.
     pub fn unit(&mut self, text: &UnitText) -> Option<Unit> {
         let error = match parse_unit(&text.value, self.gravity) {
             Ok(unit) => return Some(unit),
@@ -155,26 +155,26 @@ impl<'a> Context<'a> {
         };
         let code = "mavc::unit::unknown";
         let diagnostic = match error {
-            UnitError::Malformed => Diagnostic::error(code, text.span, format!("`{}` is no unit", text.value))
+            UnitError::Malformed => Diagnostic::error(code, text.span, format!("`{}` is not a unit", text.value))
                 .here("not a product of units with small whole exponents")
                 .help("write it like `kg*m^2` or `m/s^2`, without spaces"),
             UnitError::Unknown { word, .. } if self.names_in_scope().contains(&word.as_str()) => {
                 Diagnostic::error(code, text.span, format!("`{word}` is a name, not a unit"))
-                    .here("a unit would stand here")
+                    .here("expected a unit")
                     .help(format!("to multiply, write `{}*{}`", self.number_before(text), text.value))
                     .fix(text.span, format!("*{}", text.value))
             }
             UnitError::Unknown { word, meant } => {
                 let near = meant.or_else(|| nearest(&word, unit_names()).map(str::to_string));
-                let diagnostic = Diagnostic::error(code, text.span, format!("no unit is called `{word}`"));
+                let diagnostic = Diagnostic::error(code, text.span, format!("unknown unit `{word}`"));
                 match near {
                     Some(near) => {
                         let whole = text.value.replacen(&word, &near, 1);
-                        diagnostic.here("not a unit mavc knows").help(format!("write `{whole}`")).fix(text.span, whole)
+                        diagnostic.here("not a known unit").help(format!("write `{whole}`")).fix(text.span, whole)
                     }
-                    None => diagnostic.here("not a unit mavc knows").help(
-                        "known are m g s rad N J W Hz with prefixes (mm, kg, us), and min h deg rev rpm ft inch lb \
-                         kgf gf %",
+                    None => diagnostic.here("not a known unit").help(
+                        "use a known unit: m g s rad N J W Hz with prefixes (mm, kg, us), or min h deg rev rpm ft inch \
+                         lb kgf gf %",
                     ),
                 }
             }
@@ -194,7 +194,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// `(...) m`: the unit applies to what stands inside, which has to be plain.
+    /// `(...) m`: applies the unit to the value in the parentheses, which must be a plain number.
     fn attach(&mut self, value: Value, unit: Unit, text: &UnitText, span: Span) -> Option<Value> {
         match value {
             Value::Quantity(q) => {
@@ -217,12 +217,12 @@ impl<'a> Context<'a> {
         if q.dimension.is_plain() {
             return Some(Quantity::with_unit(q.value, unit));
         }
-        let message = format!("`{}` follows what already is {}", text.value, q.dimension.describe());
+        let message = format!("the unit `{}` follows {}, which already has a unit", text.value, q.dimension.describe());
         self.report(
             Diagnostic::error("mavc::unit::mismatch", text.span, message)
-                .here("a unit goes with a plain number")
+                .here("a unit can follow only a plain number")
                 .also(span, format!("this is {}", q.dimension.describe()))
-                .help(format!("{}\ntake the unit out here or inside", mismatch(Dimension::PLAIN, q.dimension).table)),
+                .help(format!("{}\nremove this unit or the one inside", mismatch(Dimension::PLAIN, q.dimension).table)),
         );
         None
     }
@@ -256,12 +256,12 @@ impl<'a> Context<'a> {
             }
         }
         if a.dimension != b.dimension {
-            let message = format!("a range goes from {} to {}", a.dimension.describe(), b.dimension.describe());
-            let told = compare(["start", "end"], a.dimension, b.dimension);
+            let message = format!("a range cannot go from {} to {}", a.dimension.describe(), b.dimension.describe());
+            let difference = compare(["start", "end"], a.dimension, b.dimension);
             let error = Diagnostic::error("mavc::unit::mismatch", high.span, message)
                 .here(format!("this is {}", b.dimension.describe()))
                 .also(low.span, format!("this is {}", a.dimension.describe()))
-                .help(format!("{}\ngive both ends one unit, as in `1 .. 30 m`", told.table));
+                .help(format!("{}\ngive both ends the same unit, as in `1 .. 30 m`", difference.table));
             self.report_of_sides([(low, a), (high, b)], error);
             return None;
         }
@@ -275,7 +275,7 @@ impl<'a> Context<'a> {
         self.report(
             Diagnostic::error("mavc::unit::not_finite", span, "the value is not a finite number")
                 .here(if q.value.is_nan() { "this is not a number" } else { "this is infinite" })
-                .help("look for a division by zero, a root of a negative number or an overflow"),
+                .help("check for a division by zero, a root of a negative number or an overflow"),
         );
         None
     }
@@ -288,12 +288,12 @@ impl<'a> Context<'a> {
     }
 
     pub(super) fn wrong_kind<T>(&mut self, found: &Value, due: &str, span: Span) -> Option<T> {
-        let message = format!("{due} is due here, not {}", found.kind());
+        let message = format!("expected {due}, found {}", found.kind());
         let error = Diagnostic::error("mavc::unit::kind", span, message).here(format!("this is {}", found.kind()));
         self.report(match found {
             Value::Text(text) if text.starts_with(|c: char| c.is_ascii_digit() || "-[(".contains(c)) => {
                 let is_written_here = self.sources.snippet(span).starts_with('"');
-                let error = error.help(format!("take out the quotes: write `{text}`"));
+                let error = error.help(format!("remove the quotes: write `{text}`"));
                 if is_written_here { error.fix(span, text) } else { error }
             }
             _ => error.help(format!("write {due}")),
@@ -301,17 +301,17 @@ impl<'a> Context<'a> {
         None
     }
 
-    /// The two ends of a range; `due` says what is due.
+    /// The two ends of a range; `due` says what was expected.
     pub(super) fn range_ends(&mut self, expr: &'a Expr, due: &str) -> Option<(Quantity, Quantity)> {
         if let ExprKind::Binary { operator, left, right } = &expr.kind
             && operator.value == Operator::Subtract
         {
             let (low, high) = (self.sources.snippet(left.span), self.sources.snippet(right.span));
             let error =
-                Diagnostic::error("mavc::unit::kind", operator.span, format!("{due} is due here, not a difference"));
+                Diagnostic::error("mavc::unit::kind", operator.span, format!("expected {due}, found a subtraction"));
             self.report(
                 error
-                    .here("takes one end from the other")
+                    .here("subtracts one end from the other")
                     .help(format!("write `{low} .. {high}`"))
                     .fix(operator.span, ".."),
             );
@@ -320,13 +320,12 @@ impl<'a> Context<'a> {
         match self.evaluate(expr)? {
             Value::Range(low, high) => Some((low, high)),
             Value::Quantity(_) => {
-                let error =
-                    Diagnostic::error("mavc::unit::kind", expr.span, format!("{due} is due here, not a number"));
-                self.report(error.here("one end alone").help("write both ends, as in `LOW .. HIGH`"));
+                let error = Diagnostic::error("mavc::unit::kind", expr.span, format!("expected {due}, found a number"));
+                self.report(error.here("only one end").help("write both ends, as in `LOW .. HIGH`"));
                 None
             }
             Value::List(ends) if ends.len() == 2 => {
-                let error = Diagnostic::error("mavc::unit::kind", expr.span, format!("{due} is due here, not a list"));
+                let error = Diagnostic::error("mavc::unit::kind", expr.span, format!("expected {due}, found a list"));
                 let error = error.here("this is a list");
                 self.report(match self.ends_of_list(expr) {
                     Some(range) => error.help(format!("write `{range}`")).fix(expr.span, range),
@@ -338,7 +337,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// `[1, 30] m` as `1 .. 30 m`, where it is written out.
+    /// `[1, 30] m` rewritten as `1 .. 30 m`, where the list is a literal.
     fn ends_of_list(&self, expr: &Expr) -> Option<String> {
         let ExprKind::List { elements, unit } = &expr.kind else { return None };
         let [low, high] = elements.as_slice() else { return None };
@@ -355,16 +354,16 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Says once that evaluation has gone too far; later steps stay silent.
+    /// Reports once that a limit of evaluation is exceeded.
     fn report_too_much(&mut self, span: Span) {
         const CODE: &str = "mavc::unit::too_much";
         if self.diagnostics.iter().any(|d| d.code == CODE) {
             return;
         }
         let message = "evaluating this spec takes too much work";
-        self.report(Diagnostic::error(CODE, span, message).here("the limit was passed here").help(format!(
-            "expressions may stand {MAX_EVALUATION_DEPTH} deep, through `let`s too, and take {MAX_STEPS} steps \
-                     in all: use fewer points or shorter expressions"
+        self.report(Diagnostic::error(CODE, span, message).here("the limit is exceeded here").help(format!(
+            "use fewer points or shorter expressions: the limits are {MAX_EVALUATION_DEPTH} levels of nesting, counted \
+             through `let`s, and {MAX_STEPS} steps in all"
         )));
     }
 }

@@ -19,12 +19,12 @@ use crate::syntax::no_choice;
 use crate::unit::parse_unit;
 use family::Families;
 
-/// Fault modes of one spec.
+/// The most fault modes that one spec may have.
 pub const MAX_MODES: usize = 10_000;
 
 pub(super) const RESERVED: [&str; 2] = ["all", "healthy"];
 
-/// The modes and what else may be known about their names.
+/// The fault modes read so far, and what is known about their names.
 #[derive(Default)]
 pub(super) struct Modes {
     pub modes: Vec<FaultMode>,
@@ -33,12 +33,12 @@ pub(super) struct Modes {
     pub statements: usize,
     pub families: Families,
     names: BTreeMap<String, Span>,
-    /// Some statement gave no modes for an error of its own: names may be missing.
+    /// Some statement gave no modes because of an error: names may be missing.
     pub incomplete: bool,
 }
 
 impl Modes {
-    /// Takes up one `faults` block. `rotors` is the vehicle's rotor count, if it is known.
+    /// Reads one `faults` block. `rotors` is the vehicle's number of rotors, if it is known.
     pub fn take<'a>(&mut self, cx: &mut Context<'a>, block: &'a Block, rotors: Option<usize>) {
         let owner = "`faults`".to_string();
         Fields::of_block(cx, owner, block.keyword.span, &block.body, Group::Nothing);
@@ -50,7 +50,7 @@ impl Modes {
                 }
                 Statement::Broken(span) => {
                     self.incomplete = true;
-                    // The words of a `mode` are known to be lost; the names that an `every` makes are not among them.
+                    // The name of a broken `mode` is among the lost words; the names that an `every` makes are not.
                     let text = cx.sources.snippet(*span);
                     cx.modes_unnamed |= text.is_empty() || text.contains("every");
                 }
@@ -62,7 +62,7 @@ impl Modes {
 
     fn single<'a>(&mut self, cx: &mut Context<'a>, block: &'a Block, rotors: Option<usize>) {
         let Some(name) = &block.name else {
-            // Its head could not be read; what it says may have mistakes of its own.
+            // The head could not be parsed, but the body may have errors of its own.
             (self.incomplete, cx.modes_unnamed) = (true, true);
             let owner = format!("this `{}`", block.keyword.value);
             if block.keyword.value == "mode" {
@@ -122,11 +122,12 @@ impl Modes {
         let total = (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64).round();
         if total + self.modes.len() as f64 > MAX_MODES as f64 {
             let message = format!(
-                "{k} of {n} rotors make {} combinations; a spec has at most {MAX_MODES} fault modes",
+                "{k} of {n} rotors make {} combinations; a spec may have at most {MAX_MODES} fault modes",
                 number(total)
             );
             let error = Diagnostic::error("mavc::fault::too_many", at, message);
-            cx.report(error.here("too many combinations").help("choose fewer rotors, or name the modes that matter"));
+            let help = "choose fewer rotors, or declare only the modes that matter";
+            cx.report(error.here("too many combinations").help(help));
             (self.incomplete, cx.modes_unnamed) = (true, true);
             return;
         }
@@ -146,7 +147,7 @@ impl Modes {
         self.families.add(prefix, first..self.modes.len());
     }
 
-    /// Reports what only all blocks together show: a name that is both a mode's and a family's.
+    /// Reports names that belong to both a mode and a family, which only all blocks together show.
     pub fn finish(&self, cx: &mut Context) {
         self.families.clashes(&self.names).for_each(|error| cx.report(error));
     }
@@ -156,12 +157,12 @@ impl Modes {
         self.origin.push(self.statements);
     }
 
-    /// Books a mode's name; `false` where it is reserved or taken.
+    /// Registers a mode's name; `false` where it is reserved or taken, which is reported.
     fn admit(&mut self, cx: &mut Context, written: &Name, name: &str) -> bool {
         if RESERVED.contains(&name) {
-            let message = format!("`{name}` belongs to the language and cannot name a fault mode");
+            let message = format!("`{name}` is reserved and cannot name a fault mode");
             let error = Diagnostic::error("mavc::name::reserved", written.span, message);
-            cx.report(error.here("reserved").help("choose another name"));
+            cx.report(error.here("reserved name").help("choose another name"));
             return false;
         }
         if let Some(&first) = self.names.get(name) {
@@ -170,8 +171,9 @@ impl Modes {
             return false;
         }
         if self.modes.len() >= MAX_MODES {
-            let message = format!("a spec has at most {MAX_MODES} fault modes");
-            cx.report(Diagnostic::error("mavc::fault::too_many", written.span, message).here("one too many"));
+            let message = format!("a spec may have at most {MAX_MODES} fault modes");
+            let error = Diagnostic::error("mavc::fault::too_many", written.span, message).here("one too many");
+            cx.report(error.help("declare only the modes that matter"));
             return false;
         }
         self.names.insert(name.to_string(), written.span);
@@ -179,7 +181,7 @@ impl Modes {
     }
 }
 
-/// Every choice of `k` from 1..=n, ascending.
+/// Every choice of `k` from 1..=n, in lexicographic order.
 fn combinations(n: usize, k: usize) -> impl Iterator<Item = Vec<usize>> {
     let mut next = (k <= n).then(|| (1..=k).collect::<Vec<_>>());
     std::iter::from_fn(move || {
@@ -223,7 +225,7 @@ impl Loss {
     }
 }
 
-/// The rotors a mode touches, each with what happens to it.
+/// The rotors that a mode affects, each with its fault.
 struct Effects;
 
 impl Effects {
@@ -250,9 +252,11 @@ impl Effects {
             let indices = indices(cx, list, rotors);
             for &(k, span) in indices.iter().flatten() {
                 if let Some(&first) = touched.get(&k) {
-                    let message = format!("rotor {k} is named twice in {owner}");
-                    let error = Diagnostic::error("mavc::fault::rotor_twice", span, message).here("named again");
-                    cx.report(error.also(first, "first named here").help("a rotor has one fault in a mode"));
+                    let message = format!("rotor {k} is listed twice in {owner}");
+                    let error = Diagnostic::error("mavc::fault::rotor_twice", span, message).here("listed again");
+                    cx.report(
+                        error.also(first, "first listed here").help("remove one: a rotor has one fault per mode"),
+                    );
                     all = None;
                 } else {
                     touched.insert(k, span);
@@ -265,8 +269,8 @@ impl Effects {
         }
         if !any {
             let span = block.name.as_ref().map_or(block.keyword.span, |n| n.span);
-            let error = Diagnostic::error("mavc::fault::empty", span, format!("{owner} touches no rotor"));
-            cx.report(error.here("nothing fails").help("say what fails, such as `rotor 3 lost`"));
+            let error = Diagnostic::error("mavc::fault::empty", span, format!("{owner} affects no rotor"));
+            cx.report(error.here("nothing fails").help("add a fault, such as `rotor 3 lost`"));
             return None;
         }
         all
@@ -278,7 +282,7 @@ fn indices<'a>(cx: &mut Context<'a>, expr: &'a Expr, rotors: Option<usize>) -> O
     let values = match cx.evaluate(expr)? {
         Value::Quantity(q) => vec![q],
         Value::List(list) => list,
-        other => return cx.wrong_kind(&other, "a rotor number or a list of them", expr.span),
+        other => return cx.wrong_kind(&other, "a rotor number or a list of rotor numbers", expr.span),
     };
     let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
     let mut indices = Some(Vec::new());
@@ -298,7 +302,7 @@ fn indices<'a>(cx: &mut Context<'a>, expr: &'a Expr, rotors: Option<usize>) -> O
     indices
 }
 
-/// Rate, FMEA numbers, and what the mission does then.
+/// The fields of a mode: rate, FMEA numbers, and the reaction to the fault.
 struct Numbers {
     after_fault: Option<AfterFault>,
     rate: Option<f64>,
@@ -344,7 +348,7 @@ impl Numbers {
     }
 }
 
-/// Something not written is fine, something written with an error is not.
+/// `None` for a field with an error, `Some(None)` for one that is not written.
 fn settled<T>(given: Option<Option<T>>) -> Option<Option<T>> {
     match given {
         None => Some(None),

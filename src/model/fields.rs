@@ -1,7 +1,7 @@
-//! The `name = value` statements of a block: known names, no repetition, nothing due left out.
+//! The `name = value` statements of a block: reports unknown, repeated and missing fields.
 
-use super::context::{Context, listed, no_filter};
-use super::mend;
+use super::context::{Context, either, listed, no_filter};
+use super::edits;
 use super::overrides::is_override;
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::{Entry, Group};
@@ -9,17 +9,17 @@ use crate::source::Span;
 use crate::syntax::Place;
 use crate::syntax::ast::{Clauses, Expr, ExprKind, Field, FieldValue, Name, Statement};
 
-/// Units that show a number to be a time.
+/// Units by which a number is recognised as a time.
 const TIMES: [&str; 4] = ["s", "ms", "min", "h"];
 
-/// Words that people use for something that is not a field, or a field whose place its table does not tell.
+/// Words for something that is written elsewhere or in another form, and where or how.
 const ELSEWHERE: &[(&str, &str)] = &[
-    ("gravity", "stands at the top level, outside all blocks"),
-    ("allow", "stands at the top level, outside all blocks"),
-    ("points", "follows the range of a `curve`, after a comma"),
+    ("gravity", "belongs at the top level, outside all blocks"),
+    ("allow", "belongs at the top level, outside all blocks"),
+    ("points", "goes after the range of a `curve`, separated by a comma"),
     ("fault", "is a statement of `simulate`, written `fault M1 at 5 s`"),
-    ("rpn", "is the product of `severity`, `occurrence` and `detection`: write those"),
-    ("probability", "is written as a failure rate, such as `rate = 1e-5 1/h`"),
+    ("rpn", "is the product of `severity`, `occurrence` and `detection`: write these instead"),
+    ("probability", "is given as a failure rate, such as `rate = 1e-5 1/h`"),
     ("speed", "is a limit, written `speed <= 8 m/s` in `limits`"),
     ("tilt", "is a limit, written `tilt <= 35 deg` in `limits`"),
     ("heading", "is written `yaw`, counter-clockwise from east: a compass heading h is `yaw = 90 deg - h`"),
@@ -32,7 +32,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("hold", "is a statement of a `mission`, written `hold 3 s`"),
 ];
 
-/// Whose fields these are, as one says it.
+/// The owners of the groups of fields, as messages name them.
 const OWNERS: [(Group, &str); 8] = [
     (Group::Plan, "of `plan`"),
     (Group::Vehicle, "of `vehicle`"),
@@ -44,7 +44,7 @@ const OWNERS: [(Group, &str); 8] = [
     (Group::Campaign, "of `campaign`"),
 ];
 
-/// Where a field that people write in the wrong place belongs.
+/// Where a field that is written in the wrong place belongs.
 pub(super) fn elsewhere(word: &str) -> Option<String> {
     if let Some((_, place)) = ELSEWHERE.iter().find(|(field, _)| *field == word) {
         return Some(format!("`{word}` {place}"));
@@ -60,22 +60,22 @@ pub(super) fn elsewhere(word: &str) -> Option<String> {
 
 /// The fields or clauses of one block or statement, by name.
 pub(super) struct Fields<'a> {
-    /// As one says it: "vehicle `octo`".
+    /// As messages name it: "vehicle `octo`".
     pub owner: String,
     /// Where a missing field is reported.
     pub span: Span,
     found: Vec<(&'a Name, &'a Expr, Span)>,
-    /// Known names that stand here in some unreadable or misspelled form, so that they are not missing.
+    /// Known names that are present in an unreadable or misspelt form, so that they are not reported as missing.
     accounted: Vec<&'static str>,
-    /// The block holds statements that could not be read: nothing is surely missing.
+    /// The block has statements that could not be parsed, so that no field is certainly missing.
     broken: bool,
     /// Where a missing field would go.
-    room: Room,
+    slot: Slot,
 }
 
-/// Where a field that is missing goes.
-enum Room {
-    /// Below the last statement of a block, or behind the brace of an empty one.
+/// Where a missing field goes.
+enum Slot {
+    /// After the last statement of a block, or after the brace of an empty one.
     Block(Option<Span>),
     /// At the end of a statement made of clauses, or of a head.
     End(Span),
@@ -84,11 +84,11 @@ enum Room {
 impl<'a> Fields<'a> {
     /// The fields among the statements of a block.
     pub fn of_block(cx: &mut Context<'a>, owner: String, span: Span, body: &'a [Statement], known: Group) -> Self {
-        let room = Room::Block(body.last().map(Statement::span));
-        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, room };
+        let slot = Slot::Block(body.last().map(Statement::span));
+        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, slot };
         for statement in body {
             if let Statement::Broken(span) = statement {
-                // What plainly is one field is no other.
+                // A broken statement that clearly is one field does not hide the others.
                 match meant_field(cx.sources.snippet(*span), known) {
                     Some(field) => fields.accounted.push(field),
                     None => fields.broken = true,
@@ -103,7 +103,7 @@ impl<'a> Fields<'a> {
         fields
     }
 
-    /// The options behind a curve's range and the fields of its body are read by the same rules.
+    /// Adds one field; the options after a curve's range are read by the same rules as the fields of its body.
     pub fn take_field(&mut self, cx: &mut Context<'a>, field: &'a Field, known: Group) {
         match &field.value {
             FieldValue::Expr(expr) => self.take(cx, &field.name, expr, field.span, known),
@@ -116,8 +116,8 @@ impl<'a> Fields<'a> {
 
     /// The `word value` clauses of a statement.
     pub fn of_clauses(cx: &mut Context<'a>, owner: String, statement: &'a Clauses, known: Group) -> Self {
-        let (span, room) = (statement.span, Room::End(statement.span));
-        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, room };
+        let (span, slot) = (statement.span, Slot::End(statement.span));
+        let mut fields = Fields { owner, span, found: Vec::new(), accounted: Vec::new(), broken: false, slot };
         for clause in &statement.clauses {
             fields.take(cx, &clause.word, &clause.value, clause.value.span, known);
         }
@@ -128,22 +128,22 @@ impl<'a> Fields<'a> {
         if !known.has(&name.value) {
             self.unknown(cx, name, known);
         } else if let Some((first, ..)) = self.found.iter().find(|(n, ..)| n.value == name.value) {
-            // Between `at` a place and `at` a time a reader sees no mistake.
+            // `at` with a position and a second `at` with a time: the second one means `time`.
             let is_time =
                 matches!(&value.kind, ExprKind::Number { unit: Some(unit), .. } if TIMES.contains(&unit.value.trim()));
             if name.value == "at" && is_time && known.has("time") {
-                let message = format!("{} takes a place after `at`, not a time", self.owner);
-                let error = Diagnostic::error("mavc::name::duplicate", name.span, message).here("`at` for a time");
-                cx.report(error.help("write `time` for when it is reached").fix(name.span, "time"));
+                let message = format!("{} takes a position after `at`, not a time", self.owner);
+                let error = Diagnostic::error("mavc::name::duplicate", name.span, message).here("followed by a time");
+                cx.report(error.help("write `time` for the time of arrival").fix(name.span, "time"));
                 return;
             }
             let message = format!("`{}` is given twice in {}", name.value, self.owner);
-            let again = mend::removal(cx.sources.get(span.file), name.span.to(span));
+            let again = edits::removal(cx.sources.get(span.file), name.span.to(span));
             cx.report(
                 Diagnostic::error("mavc::name::duplicate", name.span, message)
                     .here("given again")
                     .also(first.span, "first given here")
-                    .help("take one out")
+                    .help("remove one")
                     .fix(again, ""),
             );
         } else {
@@ -154,7 +154,7 @@ impl<'a> Fields<'a> {
     fn unknown(&mut self, cx: &mut Context<'a>, name: &Name, known: Group) {
         let word = name.value.as_str();
         let message = format!("{} has no field `{word}`", self.owner);
-        let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown here");
+        let mut error = Diagnostic::error("mavc::name::unknown_field", name.span, message).here("unknown field");
         let near = nearest(word, known.names()).or_else(|| nearest_by_words(word, known.names()));
         // `drag` among the fields of a rotor is `drag_coefficient`, `times` in a plan is `time`.
         let begins = |k: &&str| k.strip_prefix(word).is_some_and(|rest| rest.starts_with('_'));
@@ -163,25 +163,25 @@ impl<'a> Fields<'a> {
         let near = near.filter(|near| plural(near, word) || plural(word, near)).or(begun).or(near);
         let surer = near.is_some_and(|near| plural(near, word) || plural(word, near) || begun == Some(near));
         if matches!(word, "at" | "position") && known.has("x") {
-            error = error.help("write its coordinates one by one: `x = ..`, `y = ..` and `z = ..`");
+            error = error.help("write the coordinates separately: `x = ..`, `y = ..` and `z = ..`");
             self.accounted.extend(["x", "y", "z"]);
         } else if let Some(place) = elsewhere(word).filter(|_| !surer) {
             error = error.help(place);
         } else if let Some(near) = near.filter(|_| is_override(cx.sources, name.span)) {
-            // What the spec says of the field is what an override is to replace.
+            // An override that names a field wrongly is corrected on the command line.
             let written = &cx.sources.get(name.span.file).text;
             let (before, after) = (&written[..name.span.start as usize], &written[name.span.end as usize..]);
             error = error.here(format!("did you mean `{near}`?")).help(format!("write `--set {before}{near}{after}`"));
         } else if let Some((first, ..)) = near.and_then(|near| self.found.iter().find(|(n, ..)| n.value == near)) {
-            let message = format!("`{}` is given already", first.value);
-            error = error.also(first.span, message).help("take one out");
+            let message = format!("`{}` is given here", first.value);
+            error = error.also(first.span, message).help("remove one");
         } else if let Some(near) = near {
             error = error.help(format!("did you mean `{near}`?")).fix(name.span, near);
         } else if known == Group::Nothing {
             let place = if self.owner.starts_with("mission") { Place::Mission } else { Place::Faults };
-            error = error.help(format!("take it out: only {} stand here", listed(place.openers())));
+            error = error.help(format!("remove it; only {} are allowed here", listed(place.openers())));
         } else {
-            error = error.help(format!("its fields are {}", listed(&known.names().collect::<Vec<_>>())));
+            error = error.help(format!("use one of the fields {}", listed(&known.names().collect::<Vec<_>>())));
         }
         if word == "heading" {
             self.accounted.push("yaw");
@@ -194,7 +194,7 @@ impl<'a> Fields<'a> {
         self.found.iter().find(|(n, ..)| n.value == name).map(|(_, expr, _)| *expr)
     }
 
-    /// The word of a field that takes one of a few; `Some(None)` where something else is written.
+    /// The word of a field that takes one of a few words; `Some(None)` where its value is not one of them, which is reported.
     pub fn word(&self, cx: &mut Context<'a>, code: &'static str, entry: &'static Entry) -> Option<Option<&'a str>> {
         let (field, words) = (entry.name, entry.words());
         let expr = self.get(field)?;
@@ -203,8 +203,8 @@ impl<'a> Fields<'a> {
         {
             return Some(Some(name));
         }
-        let error = Diagnostic::error(code, expr.span, format!("`{field}` is one of {}", listed(words)));
-        let error = error.here("none of them");
+        let error = Diagnostic::error(code, expr.span, format!("`{field}` must be {}", either(words)));
+        let error = error.here(if words.len() > 2 { "not one of these" } else { "neither of these" });
         let near = match &expr.kind {
             ExprKind::Name(name) => nearest(name, words.iter().copied()),
             _ => None,
@@ -216,10 +216,10 @@ impl<'a> Fields<'a> {
         cx.report(match near {
             _ if quoted.is_some() => {
                 let word = quoted.copied().unwrap_or_default();
-                error.here("a text").help(format!("take out the quotes: write `{word}`")).fix(expr.span, word)
+                error.here("text in quotes").help(format!("remove the quotes: write `{word}`")).fix(expr.span, word)
             }
             Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
-            None => error.help(format!("write one of them, such as `{}`", words[0])),
+            None => error.help(format!("write one of these words, such as `{}`", words[0])),
         });
         Some(None)
     }
@@ -229,12 +229,12 @@ impl<'a> Fields<'a> {
         self.found.iter().find(|(n, ..)| n.value == name).map(|(.., span)| *span)
     }
 
-    /// Whether `name` is given, if only in a form that could not be read.
+    /// Whether `name` is given, possibly in a form that could not be parsed.
     pub fn may_have(&self, name: &str) -> bool {
         self.broken || self.accounted.contains(&name) || self.get(name).is_some()
     }
 
-    /// The field `name`, or an error that it is missing, with an example of how to write it.
+    /// The field `name`; where it is missing, reports that with an example of how to write it.
     pub fn demand(&self, cx: &mut Context<'a>, name: &str, example: &str) -> Option<&'a Expr> {
         let expr = self.get(name);
         if expr.is_none() && !self.may_have(name) {
@@ -243,44 +243,44 @@ impl<'a> Fields<'a> {
         expr
     }
 
-    /// As [`Fields::demand`], of a figure that nobody but the user knows.
+    /// As [`Fields::demand`], for a value that only the user knows.
     pub fn demand_own(&self, cx: &mut Context<'a>, name: &str, example: &str) -> Option<&'a Expr> {
         let expr = self.get(name);
         if expr.is_none() && !self.may_have(name) {
-            let help = format!("add `{example}`, with the figures of your vehicle");
+            let help = format!("add `{example}`, with the values of your vehicle");
             self.missing_or(cx, &format!("`{name}`"), example, &help);
         }
         expr
     }
 
+    /// Reports that `what` is missing, with a fix that adds `example`.
     pub fn missing(&self, cx: &mut Context<'a>, what: &str, example: &str) {
         self.missing_or(cx, what, example, &format!("add `{example}`"));
     }
 
-    /// As [`Fields::missing`], with a help of its own where the example is not the only way.
+    /// As [`Fields::missing`], with its own help where the example is not the only way.
     pub fn missing_or(&self, cx: &mut Context<'a>, what: &str, example: &str, help: &str) {
-        let error = Diagnostic::error("mavc::name::missing_field", self.span, format!("{} has no {what}", self.owner))
-            .here("needed here")
-            .help(help);
+        let message = format!("{} is missing {what}", self.owner);
+        let error = Diagnostic::error("mavc::name::missing_field", self.span, message).here("required here").help(help);
         cx.report(self.add(cx, error, example));
     }
 
-    /// The error with `text`, a field that is to be added, put where fields of these stand.
+    /// The error with a fix that adds the field `text` where the other fields are.
     pub fn add(&self, cx: &Context, error: Diagnostic, text: &str) -> Diagnostic {
         let source = cx.sources.get(self.span.file);
-        let room = match self.room {
+        let slot = match self.slot {
             _ if text.starts_with(',') => Some((Span { start: self.span.end, ..self.span }, text.to_string())),
-            Room::Block(last) => mend::insertion(source, self.span, last, text),
-            Room::End(span) => Some((Span { start: span.end, ..span }, format!(" {text}"))),
+            Slot::Block(last) => edits::insertion(source, self.span, last, text),
+            Slot::End(span) => Some((Span { start: span.end, ..span }, format!(" {text}"))),
         };
-        match room {
+        match slot {
             Some((span, text)) => error.fix(span, text),
             None => error,
         }
     }
 }
 
-/// The field that a statement which could not be read was to give, if it begins with its name and speaks of no other.
+/// The field that an unparsable statement was meant to give, if it begins with that name and contains no other.
 fn meant_field(text: &str, known: Group) -> Option<&'static str> {
     let mut words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).filter(|word| !word.is_empty());
     let first = words.next()?;

@@ -1,4 +1,4 @@
-//! Errors of `simulate` and `campaign` in commands that fly nothing: they are warned of, and do not stand in the way.
+//! `simulate` and `campaign` in commands that fly nothing: their errors become warnings.
 
 use super::context::Context;
 use super::simulate::Around;
@@ -7,16 +7,16 @@ use crate::diagnostic::{Label, Severity};
 use crate::source::Span;
 use crate::syntax::ast::Block;
 
-/// Whether a model is made to be flown.
+/// Whether the model is to be flown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FlightBlocks {
-    /// Mistakes in `simulate` and `campaign` are errors.
+    /// Errors in `simulate` and `campaign` are errors.
     Used,
-    /// They are warnings, and a block that has some counts as one that is not written.
+    /// They become warnings, and a block with errors counts as not written.
     Unused,
 }
 
-/// `simulate` and `campaign`; `None` for one that has errors.
+/// Reads `simulate` and `campaign`; `None` for a block with errors.
 pub(super) fn read<'a>(
     cx: &mut Context<'a>,
     [simulate, campaign]: [Option<&'a Block>; 2],
@@ -41,26 +41,26 @@ pub(super) fn read<'a>(
 }
 
 impl<'a> Context<'a> {
-    /// Reads a block that only flights need, whose keyword stands at `block`.
+    /// Reads a block that only flights need, with its keyword at `block`. If flights are not used, its errors become warnings.
     pub(super) fn of_flights<T>(
         &mut self,
         flights: FlightBlocks,
         block: Option<Span>,
         read: impl FnOnce(&mut Self) -> T,
     ) -> T {
-        let (told, dropped) = (self.diagnostics.len(), self.dropped);
+        let (before, dropped) = (self.diagnostics.len(), self.dropped);
         let value = read(self);
         if flights == FlightBlocks::Used {
             return value;
         }
-        for diagnostic in self.diagnostics[told..].iter_mut().filter(|d| d.severity == Severity::Error) {
+        for diagnostic in self.diagnostics[before..].iter_mut().filter(|d| d.severity == Severity::Error) {
             diagnostic.severity = Severity::Warning;
             self.softened = true;
             if let Some(span) = block.filter(|span| *span != diagnostic.span) {
                 diagnostic.labels.push(Label { span, message: "this block is not used here".into() });
             }
         }
-        // As long as there was room for all that came before, nothing else was dropped.
+        // If nothing was dropped before, all dropped diagnostics concern this block.
         if dropped == 0 {
             self.dropped_softly += std::mem::take(&mut self.dropped);
         }

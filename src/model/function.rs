@@ -10,22 +10,19 @@ use crate::unit::{Dimension, Quantity, compare, mismatch};
 impl<'a> Context<'a> {
     pub(super) fn call(&mut self, function: &'a Name, arguments: &'a [Expr], span: Span) -> Option<Value> {
         let name = function.value.as_str();
-        // Arguments are evaluated whatever the function, so that their own errors come out in the same run.
+        // Arguments are evaluated even for an unknown function, so that their errors are reported in the same run.
         let values: Vec<Option<Quantity>> = arguments.iter().map(|a| self.evaluate_quantity(a)).collect();
         let due = match name {
             "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "sqrt" | "abs" => 1..=1,
             "atan2" => 2..=2,
             "min" | "max" => 2..=usize::MAX,
             _ => {
-                let mut error =
-                    Diagnostic::error("mavc::name::unknown", function.span, format!("no function is called `{name}`"));
-                error = match meant(name) {
-                    Some(near) => {
-                        error.here("unknown").help(format!("did you mean `{near}`?")).fix(function.span, near)
-                    }
-                    None => error.here("unknown").help(format!("there are {}", FUNCTIONS.join(", "))),
-                };
-                self.report(error);
+                let message = format!("unknown function `{name}`");
+                let error = Diagnostic::error("mavc::name::unknown", function.span, message).here("not a function");
+                self.report(match meant(name) {
+                    Some(near) => error.help(format!("did you mean `{near}`?")).fix(function.span, near),
+                    None => error.help(format!("use one of the functions {}", FUNCTIONS.join(", "))),
+                });
                 return None;
             }
         };
@@ -70,13 +67,13 @@ impl<'a> Context<'a> {
             _ => {
                 let other = values.iter().zip(arguments).skip(1).find(|(q, _)| q.dimension != x.dimension);
                 if let Some((q, argument)) = other {
-                    let told = compare(["first", "other"], x.dimension, q.dimension);
+                    let difference = compare(["first", "other"], x.dimension, q.dimension);
                     let message =
-                        format!("`{name}` compares {} and {}", x.dimension.describe(), q.dimension.describe());
+                        format!("`{name}` cannot combine {} and {}", x.dimension.describe(), q.dimension.describe());
                     let error = Diagnostic::error("mavc::unit::mismatch", argument.span, message)
                         .here(format!("this is {}", q.dimension.describe()))
                         .also(arguments[0].span, format!("this is {}", x.dimension.describe()))
-                        .help(format!("{}\ngive all of them units of one kind", told.table));
+                        .help(format!("{}\ngive all arguments the same dimension", difference.table));
                     self.report_of_sides([(&arguments[0], x), (argument, *q)], error);
                     return None;
                 }
@@ -90,9 +87,9 @@ impl<'a> Context<'a> {
         match result {
             Some(q) => self.finite(q, span),
             None => {
-                let message = "the root of this unit has no small exponent";
-                let error = Diagnostic::error("mavc::unit::exponent", span, message).here("cannot be rooted");
-                self.report(error.help("root the number alone, and write the unit behind it"));
+                let message = "the square root of this unit has too large an exponent";
+                let error = Diagnostic::error("mavc::unit::exponent", span, message).here("no square root");
+                self.report(error.help("take the root of the number alone, and write the unit after it"));
                 None
             }
         }
@@ -100,12 +97,12 @@ impl<'a> Context<'a> {
 
     fn wrong_argument(&mut self, function: &str, due: &str, found: Quantity, argument: &Expr) -> Option<Value> {
         let message = format!("`{function}` takes {due}, not {}", found.dimension.describe());
-        let told = mismatch(Dimension::PLAIN, found.dimension);
+        let difference = mismatch(Dimension::PLAIN, found.dimension);
         let unit = found.dimension;
         self.report(
             Diagnostic::error("mavc::unit::mismatch", argument.span, message)
                 .here(format!("this is {}", found.dimension.describe()))
-                .help(format!("{}\ndivide by {}, as in `/ (1 {unit})`", told.table, found.dimension.describe())),
+                .help(format!("{}\ndivide by {}, as in `/ (1 {unit})`", difference.table, found.dimension.describe())),
         );
         None
     }

@@ -1,24 +1,24 @@
-//! The time grid of a mission: how long each leg takes and into how many pieces it is cut. Planner and checker share
-//! it, because it belongs to the meaning of a spec (docs/language.md, *Samples* and *Waypoint times*).
+//! The time grid of a mission: how long each leg takes and into how many pieces it is divided. Planner and checker share
+//! this module, because the grid is part of the meaning of a spec (docs/language.md, *Samples* and *Waypoint times*).
 
 use super::Mission;
 
 /// How the pieces of a leg share its duration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spacing {
-    /// All pieces last equally long: the paper's grid.
+    /// All pieces have the same duration: the paper's grid.
     Even,
-    /// Pieces are short near both ends of a leg, where a vehicle starts, turns or stops, and long in a cruise: at t s from
-    /// the nearer end their length is proportional to `1 + t/`[`TRANSIENT`].
+    /// Pieces are short near both ends of a leg, where a vehicle starts, turns or stops, and long in between: at t s from
+    /// the nearer end their duration is proportional to `1 + t/`[`TRANSIENT`].
     Graded,
 }
 
-/// The length of pieces doubles within this time from an end of a leg, s (chosen by measurement among 2, 1 and 0.5 s:
-/// docs/performance.md).
+/// The duration of pieces doubles within this time from an end of a leg, s. Chosen by measurement among 2, 1 and 0.5 s
+/// (docs/performance.md).
 pub const TRANSIENT: f64 = 0.5;
 
 impl Spacing {
-    /// The weight of a leg when pieces are shared, s: the integral over it of a density of nodes that is 1 at its ends.
+    /// The weight of a leg when pieces are distributed, s: the integral over the leg of a node density that is 1 at its ends.
     fn measure(self, duration: f64) -> f64 {
         match self {
             Spacing::Even => duration,
@@ -26,7 +26,7 @@ impl Spacing {
         }
     }
 
-    /// The start of piece `nth` of the `count` pieces of a leg, s after the start of the leg.
+    /// The start of piece `nth` of the `count` pieces of a leg that takes `duration` s, in s after the start of the leg.
     pub fn start_of(self, duration: f64, nth: usize, count: usize) -> f64 {
         match self {
             Spacing::Even => duration * nth as f64 / count as f64,
@@ -34,7 +34,8 @@ impl Spacing {
         }
     }
 
-    /// When the first `share` (0 to 1) of the pieces of a leg that takes `duration` s ends, as a share of its duration.
+    /// The instant at which the first `share` (0 to 1) of the pieces of a leg that takes `duration` s end, as a fraction of
+    /// its duration.
     fn instant(self, duration: f64, share: f64) -> f64 {
         match self {
             Spacing::Even => share,
@@ -45,8 +46,8 @@ impl Spacing {
         }
     }
 
-    /// The share of the pieces of a leg of `duration` s that have ended after the share `instant` of its duration: the
-    /// inverse of `instant`.
+    /// The share (0 to 1) of the pieces of a leg of `duration` s that have ended after the fraction `instant` of its
+    /// duration: the inverse of `instant`.
     pub fn share(self, duration: f64, instant: f64) -> f64 {
         match self {
             Spacing::Even => instant,
@@ -58,11 +59,11 @@ impl Spacing {
     }
 }
 
-/// Slack when a whole number of pieces is taken from a quotient, so that rounding does not lose one.
+/// Added before a quotient is rounded down to a number of pieces, so that rounding errors do not lose one.
 const ROUNDING: f64 = 1e-9;
 
-/// The duration of each leg, s, in flight order: between fixed arrival times, what holds leave is shared among the legs in
-/// proportion to [`super::Leg::share`]. `None` where some leg would get no time.
+/// The duration of each leg, s, in flight order, for a mission that takes `total` s: between fixed arrival times, the time
+/// left by holds is shared among the legs in proportion to [`super::Leg::share`]. `None` where some leg would get no time.
 pub fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
     let points = &mission.waypoints;
     let last = points.len().checked_sub(1)?;
@@ -88,25 +89,27 @@ pub fn leg_durations(mission: &Mission, total: f64) -> Option<Vec<f64>> {
     Some(durations)
 }
 
-/// The number of pieces of each leg, for leg durations in s: one piece for each hold, where nothing changes, and the
-/// other `samples` for the legs, each at least one ([`Mission::least_intervals`] where there are enough).
+/// The number of pieces of each leg, for leg durations in s. Each hold takes one of the `samples`, because nothing changes
+/// during a hold; the legs share the others, with at least [`Mission::least_intervals`] each where there are enough, and
+/// one otherwise.
 pub fn pieces(mission: &Mission, durations: &[f64], samples: usize) -> Vec<usize> {
     Shares::of(mission, durations, samples).rounded()
 }
 
-/// The least number of pieces of each leg that counts as what `samples` ask for: the whole part of its share. Durations that
-/// change a little move the rounding of [`pieces`] from one leg to another, which makes no grid coarser.
+/// The least number of pieces of each leg with which a grid has the resolution that `samples` requires: its share rounded
+/// down. A small change of durations moves the rounding of [`pieces`] from one leg to another, which must not count as a
+/// coarser grid.
 pub fn fewest_pieces(mission: &Mission, durations: &[f64], samples: usize) -> Vec<usize> {
     Shares::of(mission, durations, samples).whole_parts()
 }
 
-/// A piece counts as no longer than the spec's up to these factors: to rounding on an even grid; on a graded one, whose shares
-/// depend on the duration, durations change a little after nodes are spaced.
+/// Up to these factors a piece does not count as longer than the spec's. The factor for even grids allows for rounding; that
+/// for graded ones for small changes of the duration, on which the shares depend, after the nodes were placed.
 const MOST_LONGER_EVEN: f64 = 1.0 + 1e-6;
 const MOST_LONGER_GRADED: f64 = 1.1;
 
-/// Whether a leg has pieces longer than the spec's would be if there were `fewest` of them ([`fewest_pieces`]); `nodes` are
-/// the instants of its nodes, s, from start to end. What is not a number is longer.
+/// Whether a leg has pieces that are longer than those of a grid with `fewest` pieces ([`fewest_pieces`]); `nodes` are the
+/// instants of its nodes, s, from start to end. NaN counts as longer.
 pub fn is_coarser(mission: &Mission, nodes: &[f64], fewest: usize) -> bool {
     let (Some(start), Some(end)) = (nodes.first(), nodes.last()) else { return false };
     let duration = end - start;
@@ -119,13 +122,14 @@ pub fn is_coarser(mission: &Mission, nodes: &[f64], fewest: usize) -> bool {
     nodes.windows(2).any(|piece| pieces(piece).partial_cmp(&most).is_none_or(std::cmp::Ordering::is_gt))
 }
 
-/// Pieces in proportion to durations, but none below what its leg needs; where there are too few for that, none below one.
+/// The pieces of each leg in proportion to its duration, but not fewer than the leg needs, or than one where there are too
+/// few for that.
 struct Shares {
-    /// What each leg needs, where that is more than its share.
+    /// The pieces that a leg needs, where that is more than its share.
     needed: Vec<Option<usize>>,
-    /// In proportion to durations, not rounded; of the other legs.
+    /// The shares of the other legs, in proportion to durations and not rounded.
     ideal: Vec<f64>,
-    /// Pieces for the legs that `ideal` is about.
+    /// The number of pieces that the other legs share.
     spare: usize,
 }
 
@@ -149,7 +153,7 @@ impl Shares {
             if short.is_empty() {
                 return Shares { needed, ideal, spare };
             }
-            // These take what they need; what that costs the others may leave some of them short, too.
+            // These legs get what they need, which may leave others short: repeat.
             spare -= short.iter().map(|&leg| needs[leg]).sum::<usize>();
             short.into_iter().for_each(|leg| needed[leg] = Some(needs[leg]));
         }
@@ -160,7 +164,7 @@ impl Shares {
         self.needed.iter().zip(&self.ideal).map(|(needed, ideal)| needed.unwrap_or_else(|| whole(*ideal))).collect()
     }
 
-    /// The largest remainders are rounded up.
+    /// Rounds to whole numbers; the largest remainders are rounded up.
     fn rounded(&self) -> Vec<usize> {
         let mut pieces = self.whole_parts();
         let mut free: Vec<usize> = (0..pieces.len()).filter(|&leg| self.needed[leg].is_none()).collect();

@@ -1,4 +1,4 @@
-//! Numbers known to within bounds: `1.8 kg +- 3 %`, `1.8 kg +- 50 g`.
+//! Values known only to an interval: `1.8 kg +- 3 %`, `1.8 kg +- 50 g`.
 
 use super::Vehicle;
 use super::context::Context;
@@ -12,7 +12,7 @@ use crate::unit::Quantity;
 
 const INTERVAL: &str = "mavc::unit::interval";
 
-/// The least and the largest that a number may be, in shares of its middle: 0 < low <= 1 <= high.
+/// The smallest and largest possible value, as multiples of the middle: 0 < low <= 1 <= high.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
     pub low: f64,
@@ -20,19 +20,19 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// The number is known exactly.
+    /// The value is known exactly.
     pub const NONE: Spread = Spread { low: 1.0, high: 1.0 };
 
     pub fn is_none(self) -> bool {
         self == Spread::NONE
     }
 
-    /// Of a product.
+    /// The spread of a product.
     pub fn times(self, other: Spread) -> Spread {
         Spread { low: self.low * other.low, high: self.high * other.high }
     }
 
-    /// Of a quotient of two numbers that do not depend on each other.
+    /// The spread of a quotient of two independent values.
     pub fn over(self, other: Spread) -> Spread {
         Spread { low: self.low / other.high, high: self.high / other.low }
     }
@@ -44,14 +44,14 @@ impl Default for Spread {
     }
 }
 
-/// What the intervals on a rotor's coefficients and speed come to.
+/// The spreads that follow from the intervals on a rotor's coefficients and speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RotorSpread {
-    /// Of b w_max^2.
+    /// Spread of b w_max^2.
     pub full_thrust: Spread,
-    /// Of b w_min^2.
+    /// Spread of b w_min^2.
     pub idle_thrust: Spread,
-    /// Of d/b.
+    /// Spread of d/b.
     pub torque_per_thrust: Spread,
 }
 
@@ -62,13 +62,13 @@ struct Written<'a> {
     unit: Option<&'a UnitText>,
 }
 
-/// The interval that an expression is, in brackets or not.
+/// The interval that an expression consists of, in parentheses or not.
 fn written(expr: &Expr) -> Option<Written<'_>> {
     match &expr.kind {
         ExprKind::Interval { value, by } => Some(Written { value, by, unit: None }),
         ExprKind::Paren { inner, unit } => {
             let inside = written(inner)?;
-            // Of two units the inner one stands; the outer one has nothing to go with.
+            // With two units there is nothing for the outer one to apply to.
             (inside.unit.is_none() || unit.is_none()).then(|| Written { unit: unit.as_ref().or(inside.unit), ..inside })
         }
         _ => None,
@@ -76,19 +76,19 @@ fn written(expr: &Expr) -> Option<Written<'_>> {
 }
 
 impl Vehicle {
-    /// Whether any number of it is known only to within bounds.
+    /// Whether the mass or some rotor has an interval.
     pub fn is_uncertain(&self) -> bool {
         !self.mass_spread.is_none() || self.has_uncertain_rotors()
     }
 
-    /// The same of its rotors alone.
+    /// Whether some rotor has an interval.
     pub fn has_uncertain_rotors(&self) -> bool {
         self.rotors.iter().any(|r| r.spread != RotorSpread::default())
     }
 }
 
 impl<'a> Context<'a> {
-    /// As [`Context::positive`], with the interval about it if one is written; all of it above zero.
+    /// As [`Context::positive`], with the interval around the value if one is written; all of it must lie above zero.
     pub(super) fn interval(&mut self, due: Due, expr: &'a Expr, code: &'static str) -> Option<(f64, Spread)> {
         let Some(Written { value, by, unit }) = written(expr) else {
             return self.positive(due, expr, code).map(|value| (value, Spread::NONE));
@@ -115,10 +115,9 @@ impl<'a> Context<'a> {
             && width.dimension.is_plain()
         {
             let percent = number(100.0 * width.value);
-            let error =
-                Diagnostic::error(INTERVAL, by.span, format!("`+- {text}` says neither a share nor {}", due.unit))
-                    .here("a unit is missing")
-                    .help(format!("write `{text} {}`, or `{percent} %`", due.unit));
+            let error = Diagnostic::error(INTERVAL, by.span, format!("`+- {text}` needs a unit or `%`"))
+                .here("missing unit")
+                .help(format!("write `{text} {}`, or `{percent} %`", due.unit));
             self.report(error);
             return None;
         }
@@ -132,30 +131,30 @@ impl<'a> Context<'a> {
         }
         let (message, at, help) = match () {
             _ if middle <= 0.0 => {
-                (format!("`{}` has to be greater than zero", due.what), value.span, "write a value above zero")
+                (format!("`{}` must be greater than zero", due.what), value.span, "write a value above zero")
             }
-            _ if share < 0.0 => ("what follows `+-` cannot be negative".into(), by.span, "take the sign out"),
+            _ if share < 0.0 => ("the value after `+-` cannot be negative".into(), by.span, "remove the minus sign"),
             _ => (
-                format!("`{}` could be zero or less", due.what),
+                format!("the interval of `{}` reaches zero", due.what),
                 by.span,
-                "write a smaller interval: the value less what follows `+-` has to be above zero",
+                "write a narrower interval, all of it above zero",
             ),
         };
         let here = match middle <= 0.0 {
             true => "not above zero".to_string(),
-            false => format!("this is {} % of it", number(100.0 * share)),
+            false => format!("this is {} % of the value", number(100.0 * share)),
         };
         self.report(Diagnostic::error(INTERVAL, at, message).here(here).help(help));
         None
     }
 
-    /// An interval where one number is due.
+    /// Reports an interval where one number is expected.
     pub(super) fn no_interval(&mut self, value: &'a Expr, by: &'a Expr, span: Span) -> Option<Value> {
-        let error = Diagnostic::error(INTERVAL, span, "an interval cannot stand here").here("one number is due");
+        let error = Diagnostic::error(INTERVAL, span, "an interval is not allowed here").here("expected one number");
         let [value, by] = [value, by].map(|e| self.sources.snippet(e.span).to_string());
         self.report(error.help(format!(
-            "intervals stand in `mass` and in a rotor's coefficients, `max_thrust`, `torque_per_thrust` and `max_speed`, \
-             directly in the field; here write one number, `{value}` without `+- {by}`"
+            "write `{value}` without `+- {by}`; only `mass` and a rotor's coefficients, `max_thrust`, `torque_per_thrust` \
+             and `max_speed` take an interval, written directly in the field"
         )));
         None
     }

@@ -1,4 +1,4 @@
-//! Legs: how the time that is left free is shared, and how yaw goes on from waypoint to waypoint.
+//! Legs: how they share the free time, and how yaw continues from waypoint to waypoint.
 
 use std::f64::consts::PI;
 
@@ -7,30 +7,31 @@ use super::{Leg, Waypoint};
 /// `timing = optimal | proportional | uniform | distance`
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Timing {
-    /// Every leg the same.
+    /// All legs take the same time.
     Uniform,
-    /// Every leg by its length.
+    /// Each leg in proportion to its length.
     Distance,
-    /// Explicit legs by their length, those of a curve evenly: the paper's rule.
+    /// Explicit legs in proportion to their length, the legs of a curve evenly: the paper's rule.
     Proportional,
-    /// As the planner finds best. Shares as under [`Timing::Proportional`] stand where it does not choose.
+    /// Chosen by the planner; as [`Timing::Proportional`] where it does not choose.
     Optimal,
 }
 
-/// Below this length, m, a leg's turn counts too.
+/// Below this length, m, the turn of a leg counts as well.
 const SHORT: f64 = 0.1;
-/// What a radian of turn counts on a short leg, m.
+/// The length that a radian of turn counts for on a short leg, m.
 const METRES_A_RADIAN: f64 = 1.0;
-/// No leg gets less than this part of the mean.
+/// The smallest share of a leg, as a fraction of the mean share.
 const LEAST: f64 = 0.01;
 
 pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Each leg's share, with sum 1. Proportionally, explicit legs count by their effort and the legs of a
-/// curve share its length evenly, so that both kinds are measured in metres and may be mixed. Effort is the length; on a
-/// leg shorter than 10 cm it is at least one metre a radian of its turn. No leg gets less than 1 % of the mean.
+/// The share of each leg; the shares sum to 1. Under [`Timing::Proportional`] an explicit leg counts by its effort, and the
+/// legs of a curve share the curve's length evenly, so that both kinds are measured in metres and may be mixed. The effort
+/// of a leg is its length; for a leg shorter than 10 cm it is at least one metre per radian of turn. No leg gets less than
+/// 1 % of the mean.
 pub(super) fn shares(waypoints: &[Waypoint], curves: &[Option<usize>], timing: Timing) -> Vec<Leg> {
     let mut effort: Vec<f64> = waypoints.windows(2).map(|pair| leg_effort(&pair[0], &pair[1])).collect();
     match timing {
@@ -68,8 +69,8 @@ fn leg_effort(from: &Waypoint, to: &Waypoint) -> f64 {
     if length < SHORT { length.max(turn) } else { length }
 }
 
-/// Settles each waypoint's yaw: one that says none keeps the last (0 at the start), and each turn goes the shorter way,
-/// counter-clockwise where both are equally long.
+/// Sets each waypoint's yaw, rad: a waypoint without one keeps the previous yaw (0 at the start), and each turn goes the
+/// shorter way, counter-clockwise where both are equally long.
 pub(super) fn unwrap_yaw(waypoints: &mut [Waypoint], given: &[Option<f64>]) {
     let mut last: Option<f64> = None;
     for (waypoint, yaw) in waypoints.iter_mut().zip(given) {

@@ -1,15 +1,15 @@
-//! Which unit a plain number was probably meant to have, by its size.
+//! Guesses from its size which unit a plain number was meant to have.
 
 use super::context::Context;
 use super::due::Due;
 use crate::syntax::ast::{Expr, ExprKind};
 
-/// From a number's size below which the units beside it are likely.
+/// Upper bounds of a number's size, each with the likely units for numbers below it.
 type Sizes = &'static [(f64, &'static [&'static str])];
 
 const ANY: f64 = f64::INFINITY;
 
-/// Sizes of what multirotors have, field by field. Two units where the size leaves both possible, the likelier first.
+/// Typical sizes for multirotors by field. Two units where both are possible, the likelier first.
 const FIELDS: [(&[&str], Sizes); 8] = [
     (&["within"], &[(1.0, &["m"]), (ANY, &["cm"])]),
     (&["arm"], &[(5.0, &["m"]), (60.0, &["cm"]), (100.0, &["cm", "mm"]), (ANY, &["mm"])]),
@@ -28,14 +28,14 @@ const FIELDS: [(&[&str], Sizes); 8] = [
 /// Units of angles and of their rates, in degrees and in radians.
 const RADIANS: [(&str, &str); 3] = [("deg", "rad"), ("deg/s", "rad/s"), ("deg/s^2", "rad/s^2")];
 
-/// The largest angle that is as likely given in radians: a full turn, rounded up.
+/// The largest number that may be an angle in radians: a full turn, rounded up.
 const TURN: f64 = 6.4;
 
-/// A tilt goes to a quarter of a turn, rounded up.
+/// The same for a tilt: a quarter turn, rounded up.
 const QUARTER: f64 = 1.6;
 
-/// The units, the likeliest first, that a plain number of this size may have been meant in. More than one where only its
-/// author can tell, never none.
+/// The likely units of a plain number of this size, the likeliest first: at least one, and more than one where only the
+/// author can know.
 pub(super) fn likely_units(due: Due, size: f64) -> Vec<&'static str> {
     let size = size.abs();
     if let Some((_, sizes)) = FIELDS.iter().find(|(names, _)| names.contains(&due.what)) {
@@ -48,8 +48,8 @@ pub(super) fn likely_units(due: Due, size: f64) -> Vec<&'static str> {
 }
 
 impl Context<'_> {
-    /// As [`likely_units`] of what `expr` comes to, where its form tells radians from degrees: `pi/2`, or a curve's
-    /// parameter that runs through turns.
+    /// As [`likely_units`], for the value of `expr`, whose form may show that it is in radians: `pi/2`, or the parameter of a
+    /// curve that runs through full turns.
     pub(super) fn likely_units_of(&self, due: Due, size: f64, expr: &Expr) -> Vec<&'static str> {
         let written = self.let_behind(expr).map_or(expr, |(_, value)| value);
         let radians = RADIANS.iter().find(|(degrees, _)| *degrees == due.unit).map(|(_, radians)| *radians);
@@ -59,19 +59,19 @@ impl Context<'_> {
         }
     }
 
-    /// Whether the form of a plain number is that of an angle in radians.
+    /// Whether an expression has the form of an angle in radians.
     fn is_in_radians(&self, expr: &Expr) -> bool {
         let turns = |name: &str| name == "pi" || self.parameter_turns && self.is_parameter(name);
         let names = |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if turns(name));
-        // `s*180/pi` has become degrees.
+        // `s*180/pi` converts to degrees.
         let converts =
             |e: &Expr| matches!(&e.kind, ExprKind::Number { text, .. } if matches!(text.as_str(), "180" | "360"));
         any_part(expr, &names) && !any_part(expr, &converts)
     }
 }
 
-/// Whether `parameter`, which runs through `range`, is an angle in radians: its range is written with `pi`, or one of the
-/// expressions takes its sine, cosine or tangent.
+/// Whether the curve parameter `parameter` is an angle in radians: its range is written with `pi`, or one of the expressions
+/// takes its sine, cosine or tangent.
 pub(super) fn runs_through_turns(parameter: &str, range: &Expr, expressions: &[Option<&Expr>]) -> bool {
     let named = |wanted: &'static str| move |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name == wanted);
     let is_parameter = |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name == parameter);
@@ -85,7 +85,7 @@ pub(super) fn runs_through_turns(parameter: &str, range: &Expr, expressions: &[O
     any_part(range, &named("pi")) || expressions.iter().flatten().any(|expr| any_part(expr, &turned))
 }
 
-/// Whether `expr` or a part of it is what is looked for.
+/// Whether `wanted` holds for `expr` or for a part of it.
 fn any_part(expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
     let within = |part: &Expr| any_part(part, wanted);
     wanted(expr)

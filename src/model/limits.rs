@@ -1,8 +1,8 @@
-//! The `limits` block: a closed list of bounds.
+//! The `limits` block of a mission.
 
 use super::context::{Context, listed};
 use super::due::Due;
-use super::{Limit, LimitKind, Waypoint, mend};
+use super::{Limit, LimitKind, Waypoint, edits};
 use crate::diagnostic::{Diagnostic, nearest, nearest_by_words};
 use crate::language::table::limits as table;
 use crate::language::{Entry, Group};
@@ -43,7 +43,7 @@ const LIMITS: [(&Entry, LimitKind, Form); 15] = [
 ];
 
 impl LimitKind {
-    /// Name, unit for people, and its factor from SI.
+    /// Its name in running text, the unit in which reports show it, and the factor from SI to that unit.
     pub fn name_and_unit(self) -> (&'static str, &'static str, f64) {
         let degrees = 180.0 / std::f64::consts::PI;
         match self {
@@ -69,10 +69,10 @@ const FORM: &str = "mavc::mission::limit_form";
 const ORDER: &str = "mavc::mission::limit_order";
 const VALUE: &str = "mavc::mission::limit_value";
 
-/// Reads the block: the limits without an error, and whether these are all.
+/// Reads the block: the limits without errors, and whether these are all of them.
 pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, bool) {
     let (mut limits, mut whole) = (Vec::new(), true);
-    // Name and side (lower, upper) of what has been given, with its place.
+    // Name, sides (lower, upper) and place of each limit so far.
     let mut given: Vec<(&str, bool, bool, Span)> = Vec::new();
     for statement in &block.body {
         let limit = match statement {
@@ -86,8 +86,8 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, b
                 if let Some(&(.., first)) = earlier {
                     let message = format!("`{}` is limited twice", name.value);
                     let error = Diagnostic::error("mavc::name::duplicate", *span, message).here("limited again");
-                    let again = mend::removal(cx.sources.get(span.file), *span);
-                    cx.report(error.also(first, "first limited here").help("keep one of the two").fix(again, ""));
+                    let again = edits::removal(cx.sources.get(span.file), *span);
+                    cx.report(error.also(first, "first limited here").help("remove one of the two").fix(again, ""));
                     whole = false;
                     continue;
                 }
@@ -104,8 +104,8 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, b
                 let name = &field.name.value;
                 match LIMITS.iter().find(|row| row.0.name == name) {
                     Some(_) => {
-                        let error = Diagnostic::error(FORM, field.span, format!("`{name}` is a limit, not a value"));
-                        cx.report(error.here("`=` sets nothing here").help(format!("write `{name} <= ...`")));
+                        let error = Diagnostic::error(FORM, field.span, format!("the limit `{name}` takes no `=`"));
+                        cx.report(error.here("expected a bound").help(format!("write `{name} <= ...`")));
                     }
                     None => unknown(cx, name, field.name.span),
                 }
@@ -123,7 +123,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Vec<Limit>, b
     (limits, whole)
 }
 
-/// What statements of their own for the two sides leave nothing between.
+/// Reports a lower and an upper bound, in separate statements, that leave no value between them.
 fn crossed(cx: &mut Context, limits: &[Limit]) -> Option<LimitKind> {
     let crossed = limits.iter().enumerate().find_map(|(i, limit)| {
         let other = limits[..i].iter().find(|other| {
@@ -134,16 +134,16 @@ fn crossed(cx: &mut Context, limits: &[Limit]) -> Option<LimitKind> {
     });
     let (limit, other) = crossed?;
     let name = cx.sources.snippet(limit.span).split_whitespace().next().unwrap_or_default().to_string();
-    let message = format!("the lower bound of `{name}` exceeds the upper");
-    let error = Diagnostic::error(ORDER, limit.span, message).here("nothing lies between this");
-    cx.report(error.also(other.span, "and this").help("lower the lower bound, or raise the upper one"));
+    let message = format!("the lower bound of `{name}` exceeds the upper bound");
+    let error = Diagnostic::error(ORDER, limit.span, message).here("no value satisfies this");
+    cx.report(error.also(other.span, "and this").help("lower the lower bound, or raise the upper bound"));
     Some(limit.kind)
 }
 
 fn unknown(cx: &mut Context, name: &str, span: Span) {
     let names = || Group::Limits.names();
-    let error = Diagnostic::error("mavc::name::unknown_field", span, format!("there is no limit `{name}`"));
-    let error = error.here("unknown limit");
+    let error = Diagnostic::error("mavc::name::unknown_field", span, format!("unknown limit `{name}`"));
+    let error = error.here("not a limit");
     const HABITS: [(&str, &str); 8] = [
         ("velocity", "speed"),
         ("height", "altitude"),
@@ -157,7 +157,7 @@ fn unknown(cx: &mut Context, name: &str, span: Span) {
     let habit = HABITS.iter().find(|(wrong, _)| *wrong == name).map(|(_, right)| *right);
     cx.report(match habit.or_else(|| nearest(name, names())).or_else(|| nearest_by_words(name, names())) {
         Some(near) => error.help(format!("did you mean `{near}`?")).fix(span, near),
-        None => error.help(format!("the limits are {}", listed(&names().collect::<Vec<_>>()))),
+        None => error.help(format!("use one of the limits {}", listed(&names().collect::<Vec<_>>()))),
     });
 }
 
@@ -176,10 +176,10 @@ fn one<'a>(
     let unit = due.unit;
     if !entry.forms().contains(&written) {
         let highest = if let ExprKind::Range { high, .. } = &bound.kind { high } else { bound };
-        let mended = format!("{name} <= {}", cx.sources.snippet(highest.span));
-        let error = Diagnostic::error(FORM, span, format!("`{name}` is bounded from above only"));
-        let error = error.here(format!("`{written}` does not fit"));
-        cx.report(error.help(format!("write `{mended}`")).fix(span, mended));
+        let corrected = format!("{name} <= {}", cx.sources.snippet(highest.span));
+        let error = Diagnostic::error(FORM, span, format!("`{name}` takes only an upper bound"));
+        let error = error.here(format!("`{written}` is not allowed"));
+        cx.report(error.help(format!("write `{corrected}`")).fix(span, corrected));
         return None;
     }
     let (lower, upper, at): (Option<f64>, Option<f64>, &Expr) = match relation {
@@ -197,41 +197,41 @@ fn one<'a>(
         && low > high
         && written == "in"
     {
-        let message = format!("the lower bound of `{name}` exceeds the upper");
+        let message = format!("the lower bound of `{name}` exceeds the upper bound");
         let error = Diagnostic::error(ORDER, at.span, message);
-        let error = error.here("nothing lies between").help("swap the two ends");
+        let error = error.here("empty range").help("swap the two ends");
         cx.report(match swapped(cx, at) {
-            Some(mended) => error.fix(at.span, mended),
+            Some(corrected) => error.fix(at.span, corrected),
             None => error,
         });
         return None;
     }
     let wrong = match (form, upper) {
         (Form::Norm, Some(upper)) if upper <= 0.0 => {
-            Some(("has to be greater than zero", format!("write a value above 0 {unit}")))
+            Some(("must be greater than zero", format!("write a value above 0 {unit}")))
         }
         (Form::Norm, Some(upper)) if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 => {
-            let rule = "has to be below 90 deg, where thrust carries no weight";
+            let rule = "must be below 90 deg, where thrust carries no weight";
             Some((rule, "write a smaller angle, as in `tilt <= 35 deg`".to_string()))
         }
         (Form::OneSided, Some(upper)) if upper < 0.0 => {
-            Some(("cannot be negative", "take the sign out: the name says which way".to_string()))
+            Some(("cannot be negative", "remove the sign: the name gives the direction".to_string()))
         }
         (Form::Rate, Some(upper)) if upper < 0.0 || lower.is_some_and(|low| low > 0.0) => {
-            let both_ways = format!("write `{name} <= ...`, which bounds both ways, with a value above 0 {unit}");
-            Some(("has to allow zero, the rate at rest", both_ways))
+            let both_ways = format!("write `{name} <= ...` with a value above 0 {unit}: it bounds both directions");
+            Some(("must include zero, the rate at rest", both_ways))
         }
         _ => None,
     };
     if let Some((wrong, help)) = wrong {
         let error = Diagnostic::error(VALUE, at.span, format!("`{name}` {wrong}"));
-        cx.report(error.here("outside what it may be").help(help));
+        cx.report(error.here("out of range").help(help));
         return None;
     }
     Some(Limit { kind, lower, upper, span })
 }
 
-/// `1 .. 30 m` for `30 .. 1 m`: a unit that stands for both stays at the end.
+/// `1 .. 30 m` for `30 .. 1 m`: a unit that applies to both ends stays at the end.
 fn swapped(cx: &Context, range: &Expr) -> Option<String> {
     let ExprKind::Range { low, high } = &range.kind else { return None };
     let (ExprKind::Number { text: first, unit: own, .. }, ExprKind::Number { text: second, unit: Some(unit), .. }) =
@@ -245,7 +245,7 @@ fn swapped(cx: &Context, range: &Expr) -> Option<String> {
     })
 }
 
-/// Every waypoint lies within the limits on coordinates; told once a limit.
+/// Reports waypoints outside the limits on coordinates and yaw, once for each limit.
 pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) {
     for limit in limits {
         let coordinate = |waypoint: &Waypoint| match limit.kind {
@@ -272,14 +272,14 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
         let which = called(index, waypoint);
         let side = if is_below(value) { "below" } else { "above" };
         let others: Vec<(usize, &Waypoint)> = outside.map(|(i, waypoint, _)| (i, waypoint)).collect();
-        // The first is the start, so that the number of one without a name needs a word.
+        // The start counts as waypoint 1, which a number needs to explain.
         let is_numbered = |index: usize, waypoint: &Waypoint| index > 0 && waypoint.name.is_none();
         let numbered = is_numbered(index, waypoint) || matches!(others[..], [(i, w)] if is_numbered(i, w));
         let counted = if numbered { "; the first waypoint is the start" } else { "" };
         let others = match others[..] {
             [] => String::new(),
-            [(i, waypoint)] => format!("; {} leaves it too", called(i, waypoint)),
-            _ => format!("; {} more waypoints leave it", others.len()),
+            [(i, waypoint)] => format!("; {} violates it too", called(i, waypoint)),
+            _ => format!("; {} more waypoints violate it", others.len()),
         };
         let message = format!("{which} has {axis} = {} {unit}, {side} the limit{others}", number(value * scale));
         let error = Diagnostic::error("mavc::mission::outside_limits", waypoint.span, message);
@@ -288,7 +288,7 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
         } else {
             "move the waypoints or widen the limit"
         };
-        let error = error.here("leaves the limits").also(limit.span, "limited here");
+        let error = error.here("violates the limit").also(limit.span, "the limit");
         cx.report(error.help(format!("{help}{counted}")));
     }
 }

@@ -1,4 +1,4 @@
-//! Bringing a file set together: `use` and tables, through a reader that the caller gives.
+//! Loads a file set: follows `use` and tables, through a reader supplied by the caller.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -12,53 +12,54 @@ use crate::source::{FileId, Source, SourceMap, Span, Spanned, visible};
 use crate::syntax::ast::{Item, SpecFile, Statement};
 use crate::syntax::{MAX_FILE_BYTES, not_utf8, parse, too_large};
 
-/// Files of one file set.
+/// The most spec files, and the most tables, of one file set.
 pub const MAX_FILES: usize = 256;
 
-/// Everything one compilation reads.
+/// Everything that one compilation reads.
 #[derive(Debug, Clone, Default)]
 pub struct FileSet {
-    /// All texts, tables included, in the order they were first named.
+    /// All texts, including tables, in the order in which they were first named.
     pub sources: SourceMap,
     /// The parsed files, the root first.
     pub files: Vec<SpecFile>,
-    /// Tables that `waypoints from` names.
+    /// The tables that `waypoints from` names.
     pub tables: Vec<Table>,
-    /// Some file could not be brought in, so what seems to be missing may stand there.
+    /// Some file could not be loaded, so that what seems to be missing may be declared there.
     pub incomplete: bool,
 }
 
-/// A table as read.
+/// A table of waypoints as read from its file.
 #[derive(Debug, Clone)]
 pub struct Table {
     pub name: String,
     pub bytes: Vec<u8>,
-    /// Its text among the sources.
+    /// Its text in [`FileSet::sources`].
     pub file: FileId,
 }
 
 impl FileSet {
-    /// The files that were read, and those that `use` names though they could not be.
+    /// The names of the files that were read and of those that `use` names but that could not be read.
     pub fn names(&self) -> Vec<String> {
         let read = self.sources.iter().map(|(_, source)| source.name.clone());
-        let asked = self.files.iter().flat_map(|file| {
+        let used = self.files.iter().flat_map(|file| {
             let name = &self.sources.get(file.file).name;
             let used = file.items.iter().filter_map(|item| if let Item::Use(path) = item { Some(path) } else { None });
             used.map(|path| resolve(name, &path.value).display().to_string())
         });
-        read.chain(asked).filter(|name| !name.starts_with(['<', '-'])).collect()
+        read.chain(used).filter(|name| !name.starts_with(['<', '-'])).collect()
     }
 
-    /// The table that `path`, written in `file`, leads to.
+    /// The table at `path`, as written in `file`.
     pub fn table(&self, file: FileId, path: &str) -> Option<&Table> {
         let name = resolve(&self.sources.get(file).name, path).display().to_string();
         self.tables.iter().find(|table| table.name == name)
     }
 }
 
-/// Parses the root and whatever it uses, each file once. `read` gets paths relative as the root's name is.
+/// Parses the root file and everything it uses, each file once. Paths given to `read` are relative to the same folder as
+/// `root_name`.
 ///
-/// Errors (missing files, cycles, limits, what the parser says) are listed beside what could be read.
+/// Errors (missing files, cycles, limits, syntax) are returned as diagnostics together with what could be read.
 pub fn load(
     root_name: &str,
     root_bytes: &[u8],
@@ -67,8 +68,8 @@ pub fn load(
     load_among(root_name, root_bytes, read, &|_| Vec::new())
 }
 
-/// As [`load`], where `list` names what a folder holds ([`super::near_files::entries`]), so that a file that is not there can
-/// be told by those that are.
+/// As [`load`]; `list` gives the contents of a folder ([`super::near_files::entries`]), so that the error for a missing file
+/// can suggest a similar name.
 pub fn load_among(
     root_name: &str,
     root_bytes: &[u8],
@@ -94,19 +95,19 @@ struct Loader<'r> {
     read: &'r dyn Fn(&Path) -> io::Result<Vec<u8>>,
     list: &'r List<'r>,
     seen: BTreeMap<PathBuf, ()>,
-    /// The files that are being brought in, the root first.
+    /// The files being loaded, the root first.
     open: Vec<PathBuf>,
 }
 
 impl Loader<'_> {
-    /// Takes in one file and what it uses. `asked` is the `use` that named it.
-    fn file(&mut self, name: String, bytes: &[u8], asked: Option<Span>) {
+    /// Loads one file and what it uses. `used_at` is the place of the `use` that named it.
+    fn file(&mut self, name: String, bytes: &[u8], used_at: Option<Span>) {
         let path = normal(Path::new(&name));
         self.seen.insert(path.clone(), ());
         let id = FileId(self.set.sources.iter().count() as u32);
         if bytes.len() > MAX_FILE_BYTES {
             self.set.sources.add(Source::new(&name, ""));
-            let span = asked.unwrap_or(Span::new(id, 0, 0));
+            let span = used_at.unwrap_or(Span::new(id, 0, 0));
             self.fail(too_large(&name, span, MAX_FILE_BYTES));
             return;
         }
@@ -114,10 +115,10 @@ impl Loader<'_> {
             Ok(source) => self.set.sources.add(source),
             Err(error) => {
                 let file = self.set.sources.add(error.source.clone());
-                let told = not_utf8(file, &error);
-                self.fail(match asked {
-                    Some(span) => told.also(span, "named here"),
-                    None => told,
+                let diagnostic = not_utf8(file, &error);
+                self.fail(match used_at {
+                    Some(span) => diagnostic.also(span, "named here"),
+                    None => diagnostic,
                 });
                 return;
             }
@@ -150,8 +151,8 @@ impl Loader<'_> {
                 .collect();
             let message = format!("`{}` uses itself", target.display());
             let error = Diagnostic::error("mavc::file::cycle", path.span, message)
-                .here("leads back to a file that is being read")
-                .help(format!("the circle is {}: take one `use` out", circle.join(" -> ")));
+                .here("this file is already being read")
+                .help(format!("remove one `use` from the cycle {}", circle.join(" -> ")));
             self.fail(error);
             return;
         }
@@ -160,16 +161,17 @@ impl Loader<'_> {
         }
         if self.seen.len() >= MAX_FILES {
             if !self.diagnostics.iter().any(|d| d.code == "mavc::file::too_many") {
-                let message = format!("a spec is spread over more than {MAX_FILES} files");
-                self.fail(Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many"));
+                let message = format!("a spec may have at most {MAX_FILES} files");
+                let error = Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many");
+                self.fail(error.help("merge some of the files"));
             }
             return;
         }
         match self.bytes(Kind::Spec, &target, path, from) {
             Ok(bytes) => self.file(target.display().to_string(), &bytes, Some(path.span)),
-            Err(told) => {
+            Err(diagnostic) => {
                 self.seen.insert(target.clone(), ());
-                self.fail(*told);
+                self.fail(*diagnostic);
             }
         }
     }
@@ -181,8 +183,9 @@ impl Loader<'_> {
             return;
         }
         if self.set.tables.len() >= MAX_FILES {
-            let message = format!("a spec reads more than {MAX_FILES} tables");
-            self.fail(Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many"));
+            let message = format!("a spec may have at most {MAX_FILES} tables of waypoints");
+            let error = Diagnostic::error("mavc::file::too_many", path.span, message).here("one too many");
+            self.fail(error.help("merge some of the tables"));
             return;
         }
         match self.bytes(Kind::Table, &target, path, from) {
@@ -199,11 +202,11 @@ impl Loader<'_> {
                     self.fail(not_utf8(file, &error).also(path.span, "named here"));
                 }
             },
-            Err(told) => self.fail(*told),
+            Err(diagnostic) => self.fail(*diagnostic),
         }
     }
 
-    /// Reads what `path`, written in `from`, leads to; a name of another kind is not even opened.
+    /// Reads the file at `path`, as written in `from`; a file with the wrong ending is not even opened.
     fn bytes(&self, kind: Kind, target: &Path, path: &Spanned<String>, from: &str) -> Result<Vec<u8>, Box<Diagnostic>> {
         if let Some(refused) = refused_by_name(kind, target, path, from, self.list) {
             return Err(Box::new(refused));
@@ -236,7 +239,7 @@ fn wanted(item: &Item) -> Vec<Wanted> {
     }
 }
 
-/// `path` as seen from the file `from`, without `.` and resolvable `..`.
+/// `path` relative to the folder of the file `from`, without `.` and without those `..` that can be resolved.
 pub fn resolve(from: &str, path: &str) -> PathBuf {
     normal(&Path::new(from).parent().unwrap_or(Path::new("")).join(path))
 }

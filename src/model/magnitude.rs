@@ -1,5 +1,5 @@
-//! The magnitudes that mavc computes with. They are far beyond every multirotor, and near enough to each other that
-//! sums and products of any two keep their digits; what lies beyond is an error wherever it is written.
+//! The range of magnitudes that mavc computes with. It is far wider than any multirotor needs and narrow enough that sums
+//! and products of any two values keep their digits. A value outside the range is an error.
 
 use super::context::Context;
 use super::due::{Due, called};
@@ -11,20 +11,20 @@ use crate::unit::parse_unit;
 
 const CODE: &str = "mavc::unit::magnitude";
 
-/// Least size (zero aside, which signs are checked for) and largest, in SI.
+/// Smallest nonzero and largest magnitude, in SI units; zero is handled by the checks of signs.
 type Bounds = (f64, f64);
 
-/// Of what is not listed: products of smaller numbers underflow.
+/// For fields that are not listed: products of smaller numbers underflow.
 const ANY: Bounds = (1e-100, 1e12);
-/// Of a limit on a rate or on tilt: smaller ones let nothing move, and the least times they imply overflow.
+/// For a limit on a rate or on tilt: with smaller ones nothing can move, and the least times they imply overflow.
 const RATE: Bounds = (1e-9, 1e12);
 
-/// Thrust of one rotor at full speed, N: from a millionth of that of the smallest to more than a helicopter's.
+/// Thrust of one rotor at full speed, N: from a millionth of the smallest rotor's to more than a helicopter's.
 const THRUST: Bounds = (1e-6, 1e6);
-/// Its torque per thrust, m.
+/// Torque per thrust of one rotor, m.
 const TORQUE: Bounds = (1e-12, 1e4);
 
-/// Fields with bounds of their own.
+/// Fields with their own bounds: name, unit and bounds in SI units.
 const FIELDS: [(&str, &str, Bounds); 31] = [
     ("gravity", "m/s^2", (1e-3, 1e4)),
     ("mass", "kg", (1e-6, 1e6)),
@@ -35,7 +35,7 @@ const FIELDS: [(&str, &str, Bounds); 31] = [
     ("max_speed", "rad/s", (0.1, 1e6)),
     ("min_speed", "rad/s", (0.0, 1e6)),
     ("time_constant", "s", (1e-6, 1e4)),
-    // These have upper bounds and errors of their own.
+    // Upper bounds of these are checked where they are read.
     ("time", "s", (1e-9, f64::INFINITY)),
     ("hold", "s", (0.0, f64::INFINITY)),
     ("duration", "s", (1e-9, f64::INFINITY)),
@@ -66,10 +66,10 @@ fn has((low, high): Bounds, value: f64) -> bool {
 }
 
 impl Context<'_> {
-    /// Whether mavc computes with `value`, in SI; otherwise it is reported.
+    /// Whether `value`, in SI units, is within the supported magnitudes; reports it otherwise.
     pub(super) fn is_within_magnitude(&mut self, due: Due, value: f64, span: Span) -> bool {
         let own = FIELDS.iter().find(|(name, unit, _)| (*name, *unit) == (due.what, due.unit));
-        // Plain numbers have ranges of their own where they are read.
+        // The ranges of plain numbers are checked where they are read.
         let bounds = own.map(|row| row.2).or((due.unit != "1").then_some(ANY));
         let Some(bounds) = bounds.filter(|bounds| !has(*bounds, value)) else { return true };
         let scale = parse_unit(due.unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
@@ -77,8 +77,8 @@ impl Context<'_> {
         false
     }
 
-    /// Whether mavc computes with what the rotors' numbers come to together; otherwise it is reported where `places`
-    /// have the thrust and the torque of the rotor.
+    /// Whether the full thrust and the torque per thrust of every rotor are within the supported magnitudes; reports it
+    /// otherwise. `places` gives the places of a rotor's thrust and torque.
     pub(super) fn has_magnitude(&mut self, vehicle: &Vehicle, places: impl Fn(usize) -> [Span; 2]) -> bool {
         let ratio = |rotor: &Rotor| rotor.drag_coefficient / rotor.thrust_coefficient;
         let odd = vehicle.rotors.iter().enumerate().find_map(|(k, rotor)| match () {
@@ -98,7 +98,7 @@ impl Context<'_> {
 fn beyond(what: &str, value: f64, (low, high): Bounds, unit: &str, span: Span) -> Diagnostic {
     let blank = if unit == "1" { String::new() } else { format!(" {unit}") };
     let (side, bound) = if value.abs() > high { ("at most", high) } else { ("at least", low) };
-    let message = format!("{what} must be {side} {}{blank} in size", number(bound));
+    let message = format!("{what} must be {side} {}{blank} in magnitude", number(bound));
     let error = Diagnostic::error(CODE, span, message).here(format!("this is {}{blank}", number(value)));
     error.help("check the number, its exponent and its unit")
 }

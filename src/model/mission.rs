@@ -1,6 +1,9 @@
-//! `mission` blocks: curves, waypoints, holds and tables become one list of waypoints and legs.
+//! `mission` blocks: turns curves, waypoints, holds and tables into one list of waypoints and legs.
 
 mod curve;
+mod times;
+
+pub(super) use times::{MAX_DURATION, too_long};
 
 use std::collections::BTreeMap;
 
@@ -10,7 +13,7 @@ use super::fields::Fields;
 use super::grid::Spacing;
 use super::legs::{Timing, shares, unwrap_yaw};
 use super::load::FileSet;
-use super::{Mission, Waypoint, limits, mend, sense, survey};
+use super::{Mission, Waypoint, edits, limits, sense, survey};
 use crate::diagnostic::Diagnostic;
 use crate::language::Group;
 use crate::language::table::curve_head::POINTS;
@@ -20,19 +23,14 @@ use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, Statement};
 use crate::unit::Quantity;
 
-/// Waypoints of one mission.
+/// The most waypoints that one mission may have.
 pub const MAX_WAYPOINTS: usize = POINTS.whole().1 as usize;
 
-/// How far a coordinate may lie from the origin, m: further than any multirotor flies, and little enough for the
-/// tolerances of centimetres to survive rounding.
+/// How far a coordinate may lie from the origin, m: farther than any multirotor flies, and near enough that tolerances of
+/// centimetres survive rounding.
 const MAX_DISTANCE: f64 = 1e6;
 
-/// How long a mission may be, s: over a day.
-pub const MAX_DURATION: f64 = 100_000.0;
-
-const TOO_LONG: &str = "mavc::mission::too_long";
-
-/// What a waypoint takes where it says nothing itself.
+/// What applies to a waypoint that does not give these values itself.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Manner {
     /// m
@@ -44,16 +42,17 @@ pub(super) struct Manner {
     pub spacing: Spacing,
 }
 
+/// What is known of a mission, errors or not.
 pub(super) struct Outline {
     pub name: String,
     pub span: Span,
-    /// The mission, where it has no errors.
+    /// The mission, if it has no errors.
     pub mission: Option<Mission>,
-    /// Whether the first waypoint leaves its yaw to the default.
+    /// Whether the first waypoint gives no yaw.
     pub yaw_defaulted: bool,
 }
 
-/// A waypoint before its yaw is settled.
+/// A waypoint whose yaw is not resolved yet.
 pub(super) struct Stop {
     pub name: Option<String>,
     pub position: [f64; 3],
@@ -65,7 +64,7 @@ pub(super) struct Stop {
     pub span: Span,
 }
 
-/// The list under construction.
+/// The list of waypoints under construction.
 pub(super) struct Route {
     pub waypoints: Vec<Waypoint>,
     pub yaws: Vec<Option<f64>>,
@@ -73,7 +72,7 @@ pub(super) struct Route {
     pub curves: Vec<Option<usize>>,
     /// A statement had an error, so points may be missing.
     pub broken: bool,
-    /// The names of the waypoints that have one, by statement, not by table.
+    /// The names of waypoints from statements, not from tables, with their places.
     names: BTreeMap<String, Span>,
     too_many: bool,
     too_far: bool,
@@ -83,9 +82,9 @@ impl Route {
     pub fn push(&mut self, cx: &mut Context, stop: Stop, curve: Option<usize>) {
         if self.waypoints.len() >= MAX_WAYPOINTS {
             if !self.too_many {
-                let message = format!("a mission has at most {MAX_WAYPOINTS} waypoints");
+                let message = format!("a mission may have at most {MAX_WAYPOINTS} waypoints");
                 let error = Diagnostic::error("mavc::mission::too_many_waypoints", stop.span, message);
-                cx.report(error.here("the limit is passed here").help("use fewer points"));
+                cx.report(error.here("the limit is exceeded here").help("use fewer points"));
             }
             (self.too_many, self.broken) = (true, true);
             return;
@@ -94,7 +93,7 @@ impl Route {
             if !self.too_far {
                 let message = "a waypoint lies more than 1000 km from the origin";
                 let error = Diagnostic::error("mavc::mission::too_far", stop.span, message);
-                let help = "put the origin where the mission begins: x east, y north, z up";
+                let help = "place the origin where the mission starts: x east, y north, z up";
                 cx.report(error.here(format!("a coordinate of {} km", number(far / 1e3))).help(help));
             }
             (self.too_far, self.broken) = (true, true);
@@ -136,17 +135,17 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     let (mut start_at_rest, mut end_at_rest) = (true, true);
     let mut limit_block: Option<&Block> = None;
     let (mut limits, mut limits_whole) = (Vec::new(), true);
-    // The waypoints before the first statement with an error: which they are and when, they say for themselves.
+    // The number of waypoints before the first statement with an error: these are certain.
     let mut sure = None;
     for (index, statement) in block.body.iter().enumerate() {
         let before = route.waypoints.len();
         match statement {
             Statement::Start(clauses) => {
                 if !route.waypoints.is_empty() {
-                    let message = "`start` comes before everything else that is flown";
+                    let message = "`start` must come before all other waypoints";
                     let error = Diagnostic::error("mavc::mission::start_first", clauses.span, message);
                     let word = Span { end: clauses.span.start + "start".len() as u32, ..clauses.span };
-                    let error = error.here("the mission has begun already").help("move it up, or write `waypoint at`");
+                    let error = error.here("waypoints come before this").help("move it up, or write `waypoint at`");
                     cx.report(error.fix(word, "waypoint"));
                     route.broken = true;
                 }
@@ -168,12 +167,9 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             Statement::Moving { end, .. } => *if end.value { &mut end_at_rest } else { &mut start_at_rest } = false,
             Statement::Block(inner) => match limit_block {
                 Some(first) => {
-                    let error = Diagnostic::error(
-                        "mavc::name::duplicate",
-                        inner.keyword.span,
-                        "a mission has one `limits` block",
-                    );
-                    let error = error.here("a second one").also(first.keyword.span, "the first");
+                    let message = "a mission may have only one `limits` block";
+                    let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
+                    let error = error.here("second block").also(first.keyword.span, "first block");
                     cx.report(cx.joined(error, first, inner));
                 }
                 None => {
@@ -185,7 +181,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             _ => {}
         }
         if route.broken {
-            // A `hold` is of the waypoint before it.
+            // A `hold` changes the waypoint before it.
             let holds = matches!(statement, Statement::Hold { .. });
             sure.get_or_insert(before.saturating_sub(usize::from(holds)));
         }
@@ -194,11 +190,11 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     if route.waypoints.len() < 2 && !route.broken {
         let message = format!("mission `{name}` needs at least two waypoints");
         let error = Diagnostic::error("mavc::mission::too_few_waypoints", span, message);
-        let count = if route.waypoints.is_empty() { "nothing is flown" } else { "one point is no flight" };
+        let count = if route.waypoints.is_empty() { "it has no waypoint" } else { "it has only one" };
         let error = error.here(count).help("add `waypoint at [10, 0, 5] m` or a `curve`");
         let last = block.body.last().map(Statement::span);
-        let room = mend::insertion(cx.sources.get(span.file), span, last, "waypoint at [10, 0, 5] m");
-        cx.report(match room.filter(|_| route.waypoints.len() == 1) {
+        let slot = edits::insertion(cx.sources.get(span.file), span, last, "waypoint at [10, 0, 5] m");
+        cx.report(match slot.filter(|_| route.waypoints.len() == 1) {
             Some((span, text)) => error.fix(span, text),
             None => error,
         });
@@ -206,7 +202,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     }
     let yaw_defaulted = matches!(route.yaws.first(), Some(None));
     unwrap_yaw(&mut route.waypoints, &route.yaws);
-    let in_order = check_times(cx, &route.waypoints[..sure]);
+    let in_order = times::check(cx, &route.waypoints[..sure]);
     if !route.broken {
         warn_close(cx, &route.waypoints);
         sense::check_mission(cx, &name, span, &route.waypoints);
@@ -232,7 +228,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
 const TOLERANCE: &str = "mavc::mission::tolerance";
 const WEIGHT: &str = "mavc::mission::weight";
 
-/// Reads `within`, `yaw_within` and `weight` where they are given.
+/// `manner` with `within`, `yaw_within` and `weight` replaced where `fields` give them; `None` where one has an error.
 fn manner_of<'a>(cx: &mut Context<'a>, fields: &Fields<'a>, manner: Manner) -> Option<Manner> {
     let within = match fields.get("within") {
         Some(e) => cx.quantity(&table::WITHIN, e, TOLERANCE),
@@ -293,79 +289,16 @@ fn hold<'a>(cx: &mut Context<'a>, duration: &'a Expr, span: Span, route: &mut Ro
             route.broken = true;
         }
         (None, _) if !route.broken => {
-            let message = "`hold` stands still at the waypoint before it, and there is none";
+            let message = "`hold` needs a waypoint before it";
             let error = Diagnostic::error("mavc::mission::hold_first", span, message);
-            cx.report(error.here("nothing comes before").help("put `start at [0, 0, 2] m` first"));
+            cx.report(error.here("no waypoint comes before this").help("put `start at [0, 0, 2] m` first"));
             route.broken = true;
         }
         _ => route.broken = true,
     }
 }
 
-/// Fixed times rise, and leave room for the holds between them; the mission starts at zero. False where they do not.
-fn check_times(cx: &mut Context, waypoints: &[Waypoint]) -> bool {
-    let mut fine = true;
-    const CODE: &str = "mavc::mission::time_order";
-    // The time at which the vehicle may leave the last waypoint with a fixed time, and where that was said.
-    let mut free_at = 0.0;
-    let mut said: Option<(f64, Span)> = None;
-    for (i, waypoint) in waypoints.iter().enumerate() {
-        if let (Some(time), Some(span)) = (waypoint.time, waypoint.time_span) {
-            if i == 0 && time != 0.0 {
-                fine = false;
-                let error = Diagnostic::error(CODE, span, "the mission starts at time zero");
-                let error = error.here(format!("this is {} s", number(time)));
-                let error = error.help("take the time of the first waypoint out");
-                let text = cx.sources.get(span.file).text.get(..span.start as usize).unwrap_or("");
-                cx.report(match text.trim_end().strip_suffix("time") {
-                    Some(before) => {
-                        error.fix(Span { start: before.trim_end_matches([' ', '\t']).len() as u32, ..span }, "")
-                    }
-                    None => error,
-                });
-            } else if i > 0 && time <= free_at {
-                fine = false;
-                let message = match said {
-                    Some((before, _)) if before == time => {
-                        format!("two waypoints at one time, {} s", number(time))
-                    }
-                    _ => format!(
-                        "this waypoint is due at {} s, but the one before cannot be left before {} s",
-                        number(time),
-                        number(free_at)
-                    ),
-                };
-                let mut error = Diagnostic::error(CODE, span, message).here("too early");
-                if let Some((_, before)) = said {
-                    error = error.also(before, "counted from here, holds between them included");
-                }
-                let least = number(free_at);
-                cx.report(error.help(format!("write a time after {least} s, counted from the start of the mission")));
-            }
-            free_at = time;
-            said = Some((time, span));
-        }
-        if let Some(span) = waypoint.time_span.filter(|_| fine && free_at > MAX_DURATION) {
-            cx.report(too_long(span, free_at));
-            return false;
-        }
-        free_at += waypoint.hold;
-        if fine && free_at > MAX_DURATION {
-            cx.report(too_long(waypoint.hold_span.unwrap_or(waypoint.span), free_at));
-            return false;
-        }
-    }
-    fine
-}
-
-/// The mission lasts `duration` seconds at least, which is more than [`MAX_DURATION`].
-pub(super) fn too_long(span: Span, duration: f64) -> Diagnostic {
-    Diagnostic::error(TOO_LONG, span, "a mission lasts at most 100,000 s, over a day")
-        .here(format!("it comes to {} s here", number(duration)))
-        .help("write a shorter time, or another unit")
-}
-
-/// Warns of waypoints that their successor makes idle, once a statement.
+/// Warns of waypoints that the next one makes redundant, once for each statement.
 fn warn_close(cx: &mut Context, waypoints: &[Waypoint]) {
     let mut last: Option<Span> = None;
     for pair in waypoints.windows(2) {
@@ -379,9 +312,12 @@ fn warn_close(cx: &mut Context, waypoints: &[Waypoint]) {
                 number(pair[0].within)
             );
             let warning = Diagnostic::warning("mavc::mission::close_waypoints", pair[0].span, message);
-            let warning = warning.here("one point may serve for both");
-            let warning = if pair[1].span == pair[0].span { warning } else { warning.also(pair[1].span, "the next") };
-            cx.report(warning.help("take one out, use fewer points, or lower `within`"));
+            let warning = warning.here("one waypoint may suffice");
+            let warning = match pair[1].span == pair[0].span {
+                true => warning,
+                false => warning.also(pair[1].span, "the next waypoint"),
+            };
+            cx.report(warning.help("remove one, use fewer points, or lower `within`"));
         }
     }
 }

@@ -1,18 +1,18 @@
-//! Of files that are there, the one that a path to none probably means.
+//! Suggests an existing file for a path that does not exist.
 
 use super::load::resolve;
 use crate::diagnostic::nearest;
 use crate::source::visible;
 use std::path::Path;
 
-/// What a folder holds: names of files, and of folders with a `/` behind; nothing where it is none.
+/// The contents of a folder: names of files, and names of folders followed by `/`. Empty if the path is not a folder.
 pub type List<'l> = dyn Fn(&Path) -> Vec<String> + 'l;
 
-/// Entries of a folder, and folders of one, that are looked at.
+/// How many entries, and how many subfolders, of a folder are examined.
 pub(super) const MOST_ENTRIES: usize = 1000;
 const MOST_FOLDERS: usize = 50;
 
-/// What a folder on this machine holds, in order, what is hidden aside.
+/// The contents of a folder on this machine, sorted, without hidden files.
 pub fn entries(folder: &Path) -> Vec<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let found = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_ENTRIES);
@@ -30,13 +30,13 @@ pub fn entries(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Whether a name with this character can neither be written between quotes nor be shown.
+/// Whether a name with this character cannot be written in quotes or cannot be displayed safely.
 pub(crate) fn is_unfit(c: char) -> bool {
     c == '"' || visible::is_disguise(c)
 }
 
-/// A path like `path`, written in the file `from`, to a file that is there: one of the same folder whose name is alike, or
-/// one of the same name below the folder of `from` or beside it.
+/// A path to an existing file that resembles `path`, as written in the file `from`: a similar name in the same folder, or
+/// the same name in the folder of `from`, a subfolder or the parent folder.
 pub(super) fn near_file(from: &str, path: &str, list: &List) -> Option<String> {
     let (folder, name) = path.rsplit_once('/').map_or(("", path), |(folder, name)| (&path[..folder.len() + 1], name));
     if name.is_empty() {
@@ -59,7 +59,7 @@ pub(super) fn near_file(from: &str, path: &str, list: &List) -> Option<String> {
     found.map(|other| format!("{other}{name}")).find(|path| !is_itself(from, path))
 }
 
-/// Whether a path leads back to the file it is written in.
+/// Whether a path leads to the file in which it is written.
 fn is_itself(from: &str, path: &str) -> bool {
     resolve(from, path) == resolve("", from)
 }

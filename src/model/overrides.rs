@@ -1,4 +1,4 @@
-//! `--set plan.time=20s`: one field replaced or added before the spec is understood.
+//! `--set plan.time=20s`: replaces or adds one field before the spec is elaborated.
 
 use super::elaborate::expr_of;
 use crate::diagnostic::Diagnostic;
@@ -8,38 +8,38 @@ use crate::syntax::ast::{Block, ExprKind, Field, Item, LimitRelation, Name, Spec
 use crate::syntax::parse;
 
 const CODE: &str = "mavc::name::override";
-/// The name of an override's text among the sources.
+/// The name under which the text of an override appears in the [`SourceMap`].
 pub const OVERRIDE: &str = "--set";
 
-/// Whether a place is in the text of a `--set`.
+/// Whether a span lies in the text of a `--set`.
 pub fn is_override(sources: &SourceMap, span: Span) -> bool {
     sources.iter().any(|(file, source)| file == span.file && source.name == OVERRIDE)
 }
 
-/// One `--set`: where it goes and the field to put there.
+/// One `--set`: the block and the field to set there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Override {
-    /// The blocks on the way, outermost first; empty for `gravity`, `allow` and `let`s.
+    /// The enclosing blocks, outermost first; empty for `gravity`, `allow` and `let`s.
     pub path: Vec<Name>,
     pub field: Field,
 }
 
 /// Reads `plan.time=20s`, `vehicle.mass=2 kg`, `vehicle.rotor.max_speed=700rad/s`, `plan.against=[M1]`,
 /// `simulate.rate=2kHz`, `campaign.seeds=3`,
-/// `mission.limits.tilt=20deg`, `gravity=1.62 m/s^2`, or `a=5 m` for a `let`. The text joins `sources` under the
-/// name `--set`, so that its mistakes have places.
+/// `mission.limits.tilt=20deg`, `gravity=1.62 m/s^2`, or `a=5 m` for a `let`. The text is added to `sources` under the
+/// name [`OVERRIDE`], so that diagnostics can show it.
 ///
 /// # Errors
-/// The first thing that cannot be read.
+/// A diagnostic for the first part of the text that cannot be parsed.
 #[expect(clippy::result_large_err, reason = "a few a command line")]
 pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, Diagnostic> {
     let file = sources.add(Source::new(OVERRIDE, text));
     let whole = Span::new(file, 0, text.len());
     let shape = |message: &str| {
-        Diagnostic::error(CODE, whole, message).help("write it like `plan.time=20s` or `vehicle.mass=2kg`")
+        Diagnostic::error(CODE, whole, message).help("write it as in `plan.time=20s` or `vehicle.mass=2kg`")
     };
     let Some((path, _)) = text.split_once('=').filter(|_| !text.contains(['\n', ';', '{'])) else {
-        return Err(shape("an override is a field, `=` and a value"));
+        return Err(shape("an override must be a field, `=` and a value"));
     };
     let dot = path.rfind('.').map_or(0, |dot| dot + 1);
     let mut names = Vec::new();
@@ -47,12 +47,12 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
     for word in path[..dot].split_terminator('.') {
         let name = word.trim();
         if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
-            return Err(shape("the path of an override is made of names and dots"));
+            return Err(shape("the path of an override must consist of names and dots"));
         }
         names.push(Spanned::new(name.to_string(), Span::new(file, at, at + word.len())));
         at += word.len() + 1;
     }
-    // The path is blanked out, so that the field stands where it was written.
+    // The path is replaced by blanks, so that the spans of the field are right.
     let field_alone = " ".repeat(dot) + &text[dot..];
     let checked = parse(file, &Source::new(OVERRIDE, field_alone));
     if let Some(error) = checked.diagnostics.into_iter().next() {
@@ -61,16 +61,16 @@ pub fn parse_override(text: &str, sources: &mut SourceMap) -> Result<Override, D
     match checked.value.map(|tree| tree.items) {
         Some(mut items) if items.len() == 1 => match items.remove(0) {
             Item::Field(field) => Ok(Override { path: names, field }),
-            _ => Err(shape("an override is a field, `=` and a value")),
+            _ => Err(shape("an override must be a field, `=` and a value")),
         },
-        _ => Err(shape("an override is a field, `=` and a value")),
+        _ => Err(shape("an override must be a field, `=` and a value")),
     }
 }
 
-/// Puts every override in its place; what finds none is reported.
+/// Applies every override to the trees; the diagnostics are those of overrides that fit nowhere.
 pub(super) fn apply(trees: &mut [SpecFile], overrides: &[Override]) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
-    // Those of the plan first: it says which vehicle and which mission are meant.
+    // Those of the plan first, because the plan chooses the vehicle and the mission.
     let (plan, other): (Vec<_>, Vec<_>) =
         overrides.iter().partition(|o| o.path.first().is_some_and(|name| name.value == "plan"));
     for item in plan.into_iter().chain(other) {
@@ -87,11 +87,11 @@ fn place(trees: &mut [SpecFile], item: &Override) -> Result<(), Box<Diagnostic>>
     };
     let keyword = outer.value.as_str();
     if !matches!(keyword, "plan" | "simulate" | "campaign" | "vehicle" | "mission") {
-        let message = format!("`{keyword}` is not a block that can be set");
+        let message = format!("`--set` cannot set fields of `{keyword}`");
         return Err(Box::new(
             Diagnostic::error(CODE, outer.span, message)
-                .here("unknown block")
-                .help("paths begin with `plan`, `simulate`, `campaign`, `vehicle` or `mission`"),
+                .here("not a block that `--set` knows")
+                .help("begin the path with `plan`, `simulate`, `campaign`, `vehicle` or `mission`"),
         ));
     }
     let chosen = chosen(trees, keyword);
@@ -105,7 +105,7 @@ fn place(trees: &mut [SpecFile], item: &Override) -> Result<(), Box<Diagnostic>>
     if blocks.is_empty() {
         let may_be_added = matches!(keyword, "plan" | "simulate" | "campaign");
         if !may_be_added || trees.is_empty() {
-            let message = format!("the spec has no `{keyword}` block to set a field of");
+            let message = format!("the spec has no `{keyword}` block");
             return Err(Box::new(Diagnostic::error(CODE, outer.span, message).here("nothing to set")));
         }
         let mut block = empty(outer);
@@ -134,13 +134,13 @@ fn place_top(trees: &mut [SpecFile], field: &Field) -> Result<(), Box<Diagnostic
         return Ok(());
     }
     Err(Box::new(
-        Diagnostic::error(CODE, field.name.span, format!("no `let` is called `{name}`"))
+        Diagnostic::error(CODE, field.name.span, format!("the spec has no `let` named `{name}`"))
             .here("nothing to set")
-            .help("a field of a block is set by its path, such as `plan.time=20s`"),
+            .help("to set a field of a block, write its path, as in `plan.time=20s`"),
     ))
 }
 
-/// The vehicle or mission that `plan` names.
+/// The name of the vehicle or mission that `plan` chooses.
 fn chosen(trees: &[SpecFile], keyword: &str) -> Option<String> {
     let plans = trees.iter().flat_map(|tree| &tree.items).filter_map(|item| match item {
         Item::Block(block) if block.keyword.value == "plan" => Some(block),
@@ -153,7 +153,7 @@ fn chosen(trees: &[SpecFile], keyword: &str) -> Option<String> {
     fields.find_map(|expr| if let ExprKind::Name(name) = &expr.kind { Some(name.clone()) } else { None })
 }
 
-/// Sets a field of a block, going down `path` through the blocks inside it.
+/// Sets a field of a block, or of the block inside it that `path` leads to.
 fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagnostic>> {
     if let Some((next, rest)) = path.split_first() {
         let inner = block.body.iter_mut().find_map(|statement| match statement {
@@ -175,7 +175,7 @@ fn set(block: &mut Block, path: &[Name], field: &Field) -> Result<(), Box<Diagno
             None => {
                 let message = format!("`{}` has no block `{}`", block.keyword.value, next.value);
                 let error = Diagnostic::error(CODE, next.span, message).here("unknown block");
-                Err(Box::new(error.help("blocks inside are `vehicle.rotor` and `mission.limits`")))
+                Err(Box::new(error.help("use `vehicle.rotor` or `mission.limits`, the only inner blocks")))
             }
         };
     }

@@ -11,7 +11,7 @@ use super::grid::Spacing;
 use super::legs::Timing;
 use super::mission::{MAX_DURATION, Manner, too_long};
 use super::{
-    AfterFault, DefaultUsed, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault, mend,
+    AfterFault, DefaultUsed, Mission, MissionTime, Plan, PlanModel, PlanRotors, PlannerKind, after_fault, edits,
 };
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::table::plan as table;
@@ -19,28 +19,28 @@ use crate::language::{Entry, Group};
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Block, Expr, ExprKind, Field, FieldValue, Statement};
 
-/// Most rounds of selection.
+/// The most rounds of facet selection.
 pub const MAX_ROUNDS: usize = table::ROUNDS.whole().1 as usize;
 
-/// Most intervals of one plan, so that planning takes less than 500 MB; docs/performance.md has the figures.
+/// The most intervals of one plan, so that planning takes less than 500 MB (docs/performance.md has the figures).
 pub const MAX_SAMPLES: usize = table::SAMPLES.whole().1 as usize;
 
-/// Most intervals where many plans are tried, for a time or times to be found or planners to be compared, so that this
-/// takes minutes: a search that plans a hundred times at 3,000 intervals had not ended after 500 s.
+/// The most intervals where many plans are computed, to search for times or to compare planners, so that this takes minutes:
+/// a search that plans a hundred times with 3,000 intervals had not finished after 500 s.
 pub const MAX_SAMPLES_OF_A_SEARCH: usize = 1_000;
 
 const CHOICE: &str = "mavc::plan::choice";
-/// The numbers of a fault mode that `where` looks at.
+/// The numbers of a fault mode that `where` can compare.
 pub(super) const MODE_NUMBERS: [&str; 5] = ["rpn", "severity", "occurrence", "detection", "rate"];
 
-/// A `plan` block before modes and mission are known.
+/// A `plan` block before the modes and the mission are known.
 pub(super) struct Draft<'a> {
     fields: Option<Fields<'a>>,
-    /// `against`, which may be a filter, is read by itself.
+    /// `against` is kept apart, because it may be a condition.
     against: Option<&'a Field>,
-    /// `require risk`, and whether it could be read.
+    /// The bound of `require risk`, `None` if it has an error, and its place.
     require: Option<(Option<f64>, Span)>,
-    /// Whether some statement of the block could not be read.
+    /// Whether some statement of the block could not be parsed.
     broken: bool,
     /// Whether the planner chooses waypoint times.
     chooses_times: bool,
@@ -73,9 +73,9 @@ impl<'a> Draft<'a> {
             } else if let Some(first) = draft.against {
                 let error =
                     Diagnostic::error("mavc::name::duplicate", field.name.span, "`against` is given twice in `plan`");
-                let again = mend::removal(cx.sources.get(field.span.file), field.span);
+                let again = edits::removal(cx.sources.get(field.span.file), field.span);
                 let error = error.here("given again").also(first.name.span, "first given here");
-                cx.report(error.help("take one out").fix(again, ""));
+                cx.report(error.help("remove one").fix(again, ""));
             } else {
                 draft.against = Some(field);
             }
@@ -88,18 +88,18 @@ impl<'a> Draft<'a> {
         self.fields.as_ref().and_then(|f| f.get(name))
     }
 
-    /// `value`, which is the default of a field that is not written.
+    /// Returns `value` and records it as the default of a field that is not written.
     fn default<T>(&mut self, entry: &Entry, value: T) -> T {
         self.defaults.push(DefaultUsed::of("plan", entry));
         value
     }
 
-    /// Whether `against` names its modes one by one, so that those left out are left out by oversight, maybe.
+    /// Whether `against` lists modes by name, so that a mode may have been left out by mistake.
     pub fn names_modes(&self) -> bool {
         self.against.is_some_and(|field| matches!(field.value, FieldValue::Expr(_)))
     }
 
-    /// Where `against` is a list of nothing.
+    /// The place of `against` if it is the empty list.
     pub fn empty_against(&self) -> Option<Span> {
         self.against.and_then(against::empty_list)
     }
@@ -117,7 +117,8 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// What waypoints take where they say nothing; defaults stand in for values with errors.
+    /// The values that apply to waypoints without their own, and whether they have no errors; a default replaces a value with
+    /// an error.
     pub fn manner(&mut self, cx: &mut Context<'a>) -> (Manner, bool) {
         const TOLERANCE: &str = "mavc::mission::tolerance";
         let mut fine = true;
@@ -155,13 +156,13 @@ impl<'a> Draft<'a> {
         (Manner { within, yaw_within, weight, timing, spacing }, fine)
     }
 
-    /// A field that takes one of a few words; `Some(None)` where something else stands there.
+    /// A field that takes one of a few words; `Some(None)` where its value is not one of them, which is reported.
     fn word(&self, cx: &mut Context<'a>, entry: &'static Entry) -> Option<Option<&'a str>> {
         self.fields.as_ref().and_then(|fields| fields.word(cx, CHOICE, entry))
     }
 
-    /// The plan, once modes and mission are known, `None` where it has errors; and its time where that is fixed, errors
-    /// elsewhere or not.
+    /// Checks the block against modes and mission: the plan, `None` where it has errors; its time with its place, if that is
+    /// fixed; and the defaults used.
     pub fn finish(
         mut self,
         cx: &mut Context<'a>,
@@ -308,8 +309,8 @@ impl<'a> Draft<'a> {
             && !cx.in_scope(name)
             && (["min", "shortest", "fastest"].contains(&name.as_str()) || nearest(name, ["minimum"]).is_some())
         {
-            let error = Diagnostic::error(CHOICE, expr.span, "`time` is `minimum` or a time such as `20 s`");
-            cx.report(error.here("neither").help("did you mean `minimum`?").fix(expr.span, "minimum"));
+            let error = Diagnostic::error(CHOICE, expr.span, "`time` must be `minimum` or a time such as `20 s`");
+            cx.report(error.here("neither of these").help("did you mean `minimum`?").fix(expr.span, "minimum"));
             return None;
         }
         let time = cx.quantity(&table::TIME, expr, "mavc::plan::time")?;
@@ -326,8 +327,10 @@ impl<'a> Draft<'a> {
         if reserve < 1.0 {
             return Some(reserve);
         }
-        let error = Diagnostic::error(CODE, expr.span, "a reserve of 100 % leaves nothing to fly with");
-        cx.report(error.here("nothing is left").help("write `10 %`, which is usual").fix(expr.span, "10 %"));
+        let error = Diagnostic::error(CODE, expr.span, "`reserve` must be below 100 %");
+        cx.report(
+            error.here("leaves nothing to fly with").help("write `10 %`, the usual value").fix(expr.span, "10 %"),
+        );
         None
     }
 }

@@ -1,20 +1,20 @@
-//! Sense checks: numbers that are possible and yet not those of any multirotor, such as 6 g under 126 N of thrust. Each
-//! is a warning with what was computed, the usual range and the likely slip; `allow` silences it. Where the ranges come
-//! from is written in `docs/diagnostics/sense.md`.
+//! Sense checks: values that are possible but not plausible for a multirotor, such as a mass of 6 g under 126 N of thrust.
+//! Each is a warning with the computed value, the usual range and the likely slip; `allow` suppresses it. The sources of the
+//! ranges are in `docs/diagnostics/sense.md`.
 
 mod air;
 mod estimator;
-mod flight;
 mod gains;
 mod loss;
+mod mission_scale;
 mod noise;
 mod vehicle;
 
 pub(super) use air::check as check_air;
 pub(super) use estimator::check as check_estimator;
-pub(super) use flight::{limits as check_limits, mission as check_mission, pace as check_pace};
 pub(super) use gains::check as check_gains;
 pub(super) use loss::check as check_loss;
+pub(super) use mission_scale::{limits as check_limits, mission as check_mission, pace as check_pace};
 pub(super) use noise::check as check_noise;
 pub(super) use vehicle::{Written, WrittenRotor, check as check_vehicle};
 
@@ -23,7 +23,7 @@ use crate::diagnostic::Diagnostic;
 use crate::number::significant;
 use crate::source::Span;
 
-/// The usual range of a quantity, both ends in it.
+/// The usual range of a quantity, including both ends.
 #[derive(Clone, Copy)]
 struct Usual {
     low: f64,
@@ -46,26 +46,26 @@ impl Usual {
     }
 }
 
-/// A computed number: nobody compares more than three digits with a usual range.
+/// A computed number with three digits, which suffice to compare it with a range.
 fn short(value: f64) -> String {
     significant(value, 3)
 }
 
-/// A warning whose help names the slip and the way to silence it.
+/// A warning whose help names the likely slip and the way to suppress the warning.
 fn warning(code: &'static str, span: Span, message: String, slip: &str) -> Diagnostic {
     let word = code.rsplit("::").next().unwrap_or(code);
-    let help = format!("{slip}; if it is meant, write `allow = [{word}]` outside all blocks");
+    let help = format!("{slip}; if the value is intended, write `allow = [{word}]` outside all blocks");
     Diagnostic::warning(code, span, message).help(help)
 }
 
-/// Warns of a fault that takes nothing: `share` of its thrust is left to a rotor.
+/// Warns of a fault without effect: `share` is the thrust that a rotor keeps.
 pub(super) fn effect(cx: &mut Context, share: f64, span: Span) {
     if share < 1.0 {
         return;
     }
-    let message = "a rotor is reduced to 100 %, where 0 to 99 % is usual".to_string();
-    let slip = "write the share that is left, not the one that is lost";
-    cx.report(warning("mavc::sense::effect", span, message, slip).here("this takes nothing from it"));
+    let message = "a rotor is reduced to 100 %, outside the usual range of 0 to 99 %".to_string();
+    let slip = "write the share that remains, not the share that is lost";
+    cx.report(warning("mavc::sense::effect", span, message, slip).here("has no effect"));
 }
 
 /// Acceleration of gravity, m/s^2: from small moons to heavy planets.
@@ -75,7 +75,8 @@ pub(super) fn gravity(cx: &mut Context, gravity: f64, span: Span) {
     if GRAVITY.has(gravity) {
         return;
     }
-    let message = format!("a gravity of {} m/s^2, where {} is usual", short(gravity), GRAVITY.text("m/s^2"));
+    let message =
+        format!("`gravity` is {} m/s^2, outside the usual range of {}", short(gravity), GRAVITY.text("m/s^2"));
     let warning = warning("mavc::sense::gravity", span, message, "check the number and its unit");
-    cx.report(warning.here("the Earth has 9.81 m/s^2"));
+    cx.report(warning.here("on Earth it is 9.81 m/s^2"));
 }

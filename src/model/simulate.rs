@@ -1,4 +1,4 @@
-//! The `simulate` block: how the plan is flown, and which faults strike on the way.
+//! The `simulate` block: how the plan is flown, and which faults strike during the flight.
 
 mod checks;
 mod strike;
@@ -10,7 +10,7 @@ use super::context::Context;
 use super::due::Due;
 use super::fault::family::Families;
 use super::fields::Fields;
-use super::flight::MOTOR_TIME_CONSTANT;
+use super::flight_settings::MOTOR_TIME_CONSTANT;
 use super::mission::{MAX_DURATION, too_long};
 use super::{AfterFault, Controller, DefaultUsed, FaultMode, Gains, Mission, Simulation, Vehicle, sense};
 use crate::diagnostic::Diagnostic;
@@ -24,22 +24,22 @@ const CHOICE: &str = "mavc::simulate::choice";
 const POSITIVE: &str = "mavc::simulate::not_positive";
 const NEGATIVE: &str = "mavc::simulate::negative";
 
-/// What the block is read beside.
+/// The parts of the spec against which the flight blocks are checked.
 pub(super) struct Around<'m> {
     pub modes: &'m [FaultMode],
     pub families: &'m Families,
-    /// Some mode has an error of its own: an unknown name may be its name.
+    /// Some mode has an error, so that an unknown name may be the name of that mode.
     pub incomplete: bool,
     pub vehicle: Option<&'m Vehicle>,
     pub mission: Option<&'m Mission>,
     /// The plan's time where it is fixed, s, and its place.
     pub plan_time: Option<(f64, Span)>,
-    /// The plan's place, for blocks that are not written.
+    /// The place of the plan, which stands in for blocks that are not written.
     pub fallback: Span,
 }
 
-/// The simulation, `None` where it has errors, and the defaults of a block that is written. `campaign` is the place of
-/// a `campaign` block, which flies by the same settings.
+/// Reads the block. The simulation is `None` where it has errors; defaults are listed only if the block is written.
+/// `campaign` is the place of a `campaign` block, which flies with the same settings.
 pub(super) fn elaborate<'a>(
     cx: &mut Context<'a>,
     block: Option<&'a Block>,
@@ -66,7 +66,7 @@ pub(super) fn elaborate<'a>(
     if around.vehicle.is_some_and(|v| v.rotors.iter().any(|r| r.time_constant.is_none())) {
         let (field, value) =
             ("vehicle.rotor.time_constant".to_string(), format!("{} ms", number(MOTOR_TIME_CONSTANT * 1e3)));
-        reader.defaults.push(DefaultUsed { field, value, reason: "how fast rotors follow in a simulation".into() });
+        reader.defaults.push(DefaultUsed { field, value, reason: "time constant of rotors in simulations".into() });
     }
     (simulation.filter(|_| reader.fine), reader.defaults)
 }
@@ -77,13 +77,13 @@ fn lowest(mission: Option<&Mission>) -> Option<(f64, Span)> {
     heights.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// A plain whole number that noise is drawn from.
+/// The seed of the random noise: a plain whole number.
 pub(super) fn seed<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<u64> {
     let value = cx.number(Due::of(&table::SEED), expr)?;
     if value.fract() == 0.0 && value >= 0.0 && value <= table::SEED.whole().1 as f64 {
         return Some(value as u64);
     }
-    let error = Diagnostic::error("mavc::simulate::seed", expr.span, "`seed` is a whole number from 0 to 2^53");
+    let error = Diagnostic::error("mavc::simulate::seed", expr.span, "`seed` must be a whole number from 0 to 2^53");
     cx.report(error.here(format!("this is {}", number(value))).help("write a whole number such as `1`"));
     None
 }
@@ -91,7 +91,7 @@ pub(super) fn seed<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<u64> {
 struct Reader<'a> {
     fields: Fields<'a>,
     defaults: Vec<DefaultUsed>,
-    /// Nothing in the block has an error.
+    /// Whether the block has no errors so far.
     fine: bool,
 }
 
@@ -188,7 +188,7 @@ impl<'a> Reader<'a> {
         Some(simulation)
     }
 
-    /// `value`, which is the default of a field that is not written.
+    /// Returns `value` and records it as the default of a field that is not written.
     fn default<T>(&mut self, entry: &Entry, value: T) -> T {
         self.defaults.push(DefaultUsed::of("simulate", entry));
         value
@@ -200,7 +200,7 @@ impl<'a> Reader<'a> {
         cx.quantity(entry, expr, code)
     }
 
-    /// One of `choices`, which are the meanings of the entry's words in their order; the first where none is written.
+    /// One of `choices`, the meanings of the entry's words in the same order; the first if the field is not written.
     fn choice<T: Copy>(&mut self, cx: &mut Context<'a>, entry: &'static Entry, choices: &[T]) -> Option<T> {
         match self.fields.word(cx, CHOICE, entry) {
             Some(word) => entry.words().iter().zip(choices).find(|(w, _)| Some(**w) == word).map(|(_, c)| *c),
@@ -253,7 +253,7 @@ impl<'a> Reader<'a> {
         let error = Diagnostic::error(
             "mavc::simulate::forgetting",
             expr.span,
-            "`forgetting` lies between 0 and 1, both left out",
+            "`forgetting` must be greater than 0 and less than 1",
         );
         cx.report(error.here(format!("this is {}", number(value))).help("write a number such as `0.95`"));
         None
@@ -277,7 +277,7 @@ impl<'a> Reader<'a> {
         let ground = cx.quantity(&table::GROUND, expr, POSITIVE)?;
         match lowest.filter(|(z, _)| *z <= ground) {
             Some((z, span)) => {
-                let message = format!("the ground at {} m is not below every waypoint", number(ground));
+                let message = format!("`ground` must be below every waypoint, not at {} m", number(ground));
                 let error = Diagnostic::error("mavc::simulate::ground", expr.span, message).here("too high");
                 cx.report(error.also(span, format!("the lowest waypoint is at {} m", number(z))).help(format!(
                     "write a height below {} m, such as `{} m`",
@@ -290,7 +290,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Warns of wind that moves nothing.
+    /// Warns of wind or gusts without drag, which have no effect.
     fn warn_no_drag(&self, cx: &mut Context<'a>, drag: f64, wind: [f64; 3], gusts: f64) {
         let given = [("wind", wind != [0.0; 3]), ("gusts", gusts > 0.0)];
         let Some((name, expr)) = given.iter().find(|g| g.1).and_then(|(name, _)| Some((name, self.fields.get(name)?)))
@@ -303,15 +303,15 @@ impl<'a> Reader<'a> {
         let warning = Diagnostic::warning(
             "mavc::simulate::no_drag",
             expr.span,
-            format!("`{name}` moves nothing, for `drag` is 0 N*s/m"),
+            format!("`{name}` has no effect, because `drag` is 0 N*s/m"),
         );
-        let warning = warning.here("acts through drag alone");
+        let warning = warning.here("acts only through drag");
         let warning = match self.fields.get("drag") {
             Some(drag) => warning.also(drag.span, "no drag"),
             None => warning,
         };
         let example = "drag = 0.3 N*s/m";
-        let warning = warning.help(format!("add a `drag` above zero, such as `{example}`"));
+        let warning = warning.help(format!("give a `drag` above zero, such as `{example}`"));
         cx.report(match self.fields.get("drag") {
             Some(drag) => warning.fix(drag.span, "0.3 N*s/m"),
             None => self.fields.add(cx, warning, example),

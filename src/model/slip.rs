@@ -1,4 +1,4 @@
-//! A quantity of another dimension than the one due: what its author probably meant, and what to write for it.
+//! A quantity of the wrong dimension: guesses what its author meant, and what to write instead.
 
 use super::context::Context;
 use super::due::{Due, called, joined_unit};
@@ -7,13 +7,13 @@ use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, UnitText};
 use crate::unit::{Base, Dimension, Quantity, mismatch, parse_unit};
 
-/// Units of mass, and of the force that weighs so much.
+/// Units of mass, each with the unit of force of the same weight.
 const WEIGHTS: [(&str, &str); 3] = [("g", "gf"), ("kg", "kgf"), ("lb", "lbf")];
 
-/// Turns a second or a minute, as they are counted and as they turn.
+/// Units of frequency, each with the unit of turning rate for one turn per period, and the period.
 const TURNS: [(&str, &str, &str); 2] = [("Hz", "rev/s", "second"), ("1/min", "rpm", "minute")];
 
-/// Fields that stand beside each other and measure different things, with a unit of each.
+/// Related fields of different dimensions, each with its unit: a value of one may have been written for another.
 const FAMILIES: [&[(&str, &str)]; 5] = [
     &[
         ("speed", "m/s"),
@@ -31,36 +31,36 @@ const FAMILIES: [&[(&str, &str)]; 5] = [
 
 /// What to write in place of a value.
 struct Remedy {
-    /// Goes before what is to be written: `for the weight of 666 g`; may be empty.
+    /// Text before the new value: `for the weight of 666 g`; may be empty.
     purpose: String,
     /// The new value.
     text: String,
-    /// Goes behind; may be empty.
+    /// Text after the new value; may be empty.
     besides: String,
-    /// Nothing else can have been meant.
+    /// Whether nothing else can have been meant, so that the new value becomes a fix.
     is_certain: bool,
 }
 
 impl<'a> Context<'a> {
-    /// `expr` has the value `q`, of another dimension than the one due.
+    /// The error for `expr`, whose value `q` does not have the expected dimension.
     pub(super) fn unit_differs(&self, due: Due, q: Quantity, expr: &Expr) -> Diagnostic {
         let expected = due.dimension();
         let takes = if expected.is_plain() { "a plain number".into() } else { expected.describe() };
         let found = q.dimension.describe();
-        let told = mismatch(expected, q.dimension);
+        let difference = mismatch(expected, q.dimension);
         let error = Diagnostic::error(
             "mavc::unit::mismatch",
             expr.span,
             format!("{} takes {takes}, not {found}", called(due.what)),
         )
         .here(format!("this is {found}"));
-        let with = |action: &str| format!("{}\n{action}", told.table);
+        let with = |action: &str| format!("{}\n{action}", difference.table);
         let behind = self.let_behind(expr);
         let written = behind.map_or(expr, |(_, value)| value);
         if let Some(slip) = self.likely_slip(expected, written) {
             return error.help(with(&slip));
         }
-        if let Some(remedy) = self.remedy(due, q, written, told.action.as_deref()) {
+        if let Some(remedy) = self.remedy(due, q, written, difference.action.as_deref()) {
             let Remedy { purpose, text, besides, is_certain } = remedy;
             let order = match behind {
                 Some((name, _)) => format!("write `let {name} = {text}`"),
@@ -68,17 +68,17 @@ impl<'a> Context<'a> {
             };
             let purpose = if purpose.is_empty() { purpose } else { purpose + ", " };
             let error = error.help(with(&format!("{purpose}{order}{besides}")));
-            // Other uses of a `let` may be right as they are.
+            // A `let` is not changed by a fix, because its other uses may be right.
             return if is_certain && behind.is_none() { error.fix(expr.span, text) } else { error };
         }
-        let action = match told.action {
+        let action = match difference.action {
             Some(action) => action,
             None => format!("write {}, as in `2 {}`", kind(expected), due.unit),
         };
         error.help(with(&action))
     }
 
-    /// What to write for a value that is a number or a list with one unit behind it.
+    /// What to write for a value that is a number or a list followed by one unit.
     fn remedy(&self, due: Due, q: Quantity, written: &Expr, action: Option<&str>) -> Option<Remedy> {
         let (value, unit) = self.value_and_unit(written)?;
         let (expected, found) = (due.dimension(), q.dimension);
@@ -111,9 +111,9 @@ impl<'a> Context<'a> {
         if expected == turning && found == rate {
             if let Some((_, turns, time)) = TURNS.iter().find(|pair| pair.0 == unit) {
                 let text = format!("{value} {turns}");
-                // Rotors are told by their turns, headings rarely.
+                // The speed of a rotor is often given in turns, that of a heading rarely.
                 return match due.unit {
-                    "rad/s" => certain(format!("for {value} turns a {time}"), text),
+                    "rad/s" => certain(format!("for {value} turns per {time}"), text),
                     _ => guess(format!("{value} {}", due.unit), format!(", or `{text}` for turns")),
                 };
             }
@@ -123,7 +123,7 @@ impl<'a> Context<'a> {
         if expected == rate && found == turning {
             return match TURNS.iter().find(|pair| pair.1 == unit) {
                 Some((counted, _, time)) => {
-                    certain(format!("for {value} times a {time}"), format!("{value} {counted}"))
+                    certain(format!("for {value} times per {time}"), format!("{value} {counted}"))
                 }
                 None => guess(format!("{value} {}", due.unit), ", without the angle".into()),
             };
@@ -138,15 +138,15 @@ impl<'a> Context<'a> {
             }
         }
         let sibling = match sibling(due.what, found) {
-            Some(other) => format!("; {} is said with `{other}`", kind(found)),
+            Some(other) => format!("; {} is given by `{other}`", kind(found)),
             None => String::new(),
         };
         if expected.is_plain() {
-            return guess(value.to_string(), format!(", a number alone, or a share such as `10 %`{sibling}"));
+            return guess(value.to_string(), format!(" without a unit, or a share such as `10 %`{sibling}"));
         }
         let purpose = expected.named().map_or(String::new(), |(name, _)| format!(" for {name}"));
         if let Some(unit) = self.nearly(unit, expected) {
-            // A power that was forgotten; the other units one factor away measure what people mix up.
+            // A forgotten power is certain; other units one factor away are quantities that people confuse.
             let is_power = expected.exponent(Base::Time).is_zero() && found.exponent(Base::Time).is_zero();
             let text = format!("{value} {unit}");
             return match is_power {
@@ -160,7 +160,7 @@ impl<'a> Context<'a> {
         guess(format!("{value} {}", due.unit), format!("{purpose}{sibling}"))
     }
 
-    /// A number or a list as written, and the one unit behind it.
+    /// A number or a list as written, and the unit that follows it.
     fn value_and_unit(&self, expr: &Expr) -> Option<(&'a str, &'a str)> {
         fn unit_of(expr: &Expr) -> Option<&UnitText> {
             match &expr.kind {
@@ -176,7 +176,7 @@ impl<'a> Context<'a> {
         (value.len() <= 48 && !value.contains('\n')).then(|| (value, self.sources.snippet(unit.span)))
     }
 
-    /// One over a quantity, in the unit due where that is a short number.
+    /// The reciprocal of a quantity, in the expected unit where that is a short number.
     fn reciprocal(&self, due: Due, q: Quantity, value: &str, unit: &str) -> String {
         let scale = parse_unit(due.unit, self.gravity).map_or(1.0, |unit| unit.numerator / unit.denominator);
         let number = (1.0 / q.value / scale).to_string();
@@ -188,7 +188,7 @@ impl<'a> Context<'a> {
         if number.len() <= 8 { format!("{number} {}", due.unit) } else { format!("(1/{value}) {inverse}") }
     }
 
-    /// A unit of the dimension due that is one factor away from `unit` as it is written.
+    /// A unit of the expected dimension that differs from `unit`, as written, by one factor.
     fn nearly(&self, unit: &str, expected: Dimension) -> Option<String> {
         let (stem, power) = match unit.rsplit_once('^') {
             Some((stem, power)) => (stem, power.parse::<i32>().ok()?),
@@ -198,7 +198,7 @@ impl<'a> Context<'a> {
         let without = stem.rsplit_once(['/', '*']).filter(|_| power == 1).map(|(rest, _)| rest.to_string());
         let fewer = without.or((power > 1).then(|| raised(power - 1)));
         let more = [Some(raised(power + 1)), Some(format!("{unit}/s")), Some(format!("{unit}*m"))];
-        // Nobody counts in squares of hours, or in hours and seconds.
+        // Nobody writes squares of hours, or mixes hours and seconds.
         let fits = |text: &String| {
             !text.contains("h^")
                 && !text.contains("/h/")
@@ -207,34 +207,34 @@ impl<'a> Context<'a> {
         [fewer].into_iter().chain(more).flatten().find(fits)
     }
 
-    /// A well-known slip behind a mismatch: `2 g` for twice gravity, `2 s` for twice the parameter `s`.
+    /// The help for a common cause of a mismatch: `2 g` for twice gravity, `2 s` for twice the parameter `s`.
     pub(super) fn likely_slip(&self, expected: Dimension, expr: &Expr) -> Option<String> {
         let mut units = Vec::new();
         collect_units(expr, &mut units);
         let acceleration = Due::new("", "m/s^2").dimension();
         if expected == acceleration && units.contains(&"g") {
-            return Some("`g` is the gram; for gravity write `2*g0`".into());
+            return Some("`g` is the gram: for gravity, write `2*g0`".into());
         }
         if let ExprKind::Binary { operator, left, right } = &expr.kind
             && let Some((value, unit)) = joined_unit(operator.value, left, right, &|_| true)
             && parse_unit(&unit, self.gravity).is_ok_and(|unit| unit.dimension == expected)
         {
             let (name, number) = (self.sources.snippet(right.span), self.without_unit(value));
-            return Some(format!("`{name}` is a name here; with the unit `{name}`, write `{number} {unit}`"));
+            return Some(format!("`{name}` is a name here: for the unit `{name}`, write `{number} {unit}`"));
         }
         let name = units.into_iter().find(|unit| self.in_scope(unit))?;
-        Some(format!("`{name}` after a number is the unit; to multiply by the name `{name}`, write `2*{name}`"))
+        Some(format!("`{name}` after a number is the unit: to multiply by the name `{name}`, write `2*{name}`"))
     }
 }
 
-/// The field beside `what` that takes a quantity of this dimension.
+/// The field related to `what` that takes a quantity of this dimension.
 fn sibling(what: &str, found: Dimension) -> Option<&'static str> {
     let family = FAMILIES.iter().find(|family| family.iter().any(|(name, _)| *name == what))?;
     let takes = |unit: &str| parse_unit(unit, 1.0).is_ok_and(|unit| unit.dimension == found);
     family.iter().find(|(_, unit)| takes(unit)).map(|(name, _)| *name)
 }
 
-/// What people call a dimension, without a unit.
+/// The usual name of a dimension, without a unit.
 fn kind(dimension: Dimension) -> &'static str {
     dimension.named().map_or("a quantity", |(name, _)| name)
 }

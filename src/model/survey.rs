@@ -1,8 +1,8 @@
-//! `waypoints from "survey.csv"`: a table with one waypoint a row.
+//! `waypoints from "survey.csv"`: a table with one waypoint per row.
 //!
-//! The header names the columns and their units: `x_m,y_m,z_m`, and where wanted `yaw_deg`, `within_cm`,
-//! `yaw_within_deg`, `weight`, `time_s`, `name`. Any unit of the right dimension will do. An empty cell of an optional
-//! column says nothing. Lines that begin with `#` are comments.
+//! The header names the columns and their units: `x_m,y_m,z_m`, and optionally `yaw_deg`, `within_cm`, `yaw_within_deg`,
+//! `weight`, `time_s`, `name`. Any unit of the right dimension is accepted. An empty cell of an optional column counts as
+//! not given. Lines that begin with `#` are comments.
 
 use super::context::{Context, duplicate, listed};
 use super::due::Due;
@@ -15,10 +15,11 @@ use crate::unit::{Quantity, Unit, parse_unit};
 use std::collections::BTreeMap;
 
 const CODE: &str = "mavc::file::table";
-/// Errors told of one table.
+/// How many errors are reported for one table.
 const MAX_ERRORS: usize = 20;
 
-/// Name, unit one would write (empty for text), whether every row has it. Longer names first where one begins another.
+/// Name, usual unit (empty for text), and whether every row must give it. Where one name begins another, the longer comes
+/// first.
 const COLUMNS: [(&str, &str, bool); 9] = [
     ("x", "m", true),
     ("y", "m", true),
@@ -31,17 +32,17 @@ const COLUMNS: [(&str, &str, bool); 9] = [
     ("name", "", false),
 ];
 
-/// A column of the table: which of [`COLUMNS`] it is, and its unit.
+/// A column of the table: its index in [`COLUMNS`] and its unit.
 struct Column {
     kind: usize,
     unit: Option<Unit>,
 }
 
-/// One line of the table: its text and where that stands.
+/// One line of the table with its place.
 struct Row {
     record: csv::StringRecord,
     span: Span,
-    /// Of every cell, without the blanks around it.
+    /// The span of every cell, without surrounding blanks.
     cells: Vec<Span>,
 }
 
@@ -61,7 +62,7 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
             (_, Err(error)) => {
                 let error =
                     Diagnostic::error(CODE, place(table, error.position()), broken_row(&error)).here("this row");
-                Err(Box::new(error.help("commas separate cells, and numbers have a decimal point, no comma")))
+                Err(Box::new(error.help("separate cells by commas, and write numbers with a decimal point")))
             }
             (None, Ok(record)) => header(cx, &Row::new(table, record)).map(|found| columns = Some(found)),
             (Some(columns), Ok(record)) => {
@@ -85,7 +86,7 @@ pub(super) fn read(cx: &mut Context, table: &Table, manner: Manner, route: &mut 
     if columns.is_none() {
         let span = Span::new(table.file, 0, 0);
         let error = Diagnostic::error(CODE, span, format!("`{}` is empty", table.name));
-        cx.report(error.here("a header is due").help("begin with a line such as `x_m,y_m,z_m,yaw_deg`"));
+        cx.report(error.here("expected a header").help("begin with a line such as `x_m,y_m,z_m,yaw_deg`"));
         route.broken = true;
     }
 }
@@ -97,7 +98,7 @@ fn place(table: &Table, position: Option<&csv::Position>) -> Span {
     trimmed(table, start, end)
 }
 
-/// Where a line begins: its position counts the empty lines and comments before it.
+/// Where a line begins: the reader's position includes the empty lines and comments before it.
 fn start(table: &Table, position: Option<&csv::Position>) -> usize {
     let mut start = position.map_or(0, |p| p.byte() as usize).min(table.bytes.len());
     loop {
@@ -109,7 +110,7 @@ fn start(table: &Table, position: Option<&csv::Position>) -> usize {
     }
 }
 
-/// Where the cell ends that begins at `from`: at a comma or the end of the line, but for those in quotes.
+/// The end of the cell that begins at `from`: the next comma or end of line outside quotes.
 fn cell_end(bytes: &[u8], from: usize) -> usize {
     let quoted = bytes[from..].starts_with(b"\"");
     let mut inside = false;
@@ -120,7 +121,7 @@ fn cell_end(bytes: &[u8], from: usize) -> usize {
     bytes[from..].iter().position(ends).map_or(bytes.len(), |length| from + length)
 }
 
-/// Bytes of the table without the blanks around them.
+/// A span of the table without surrounding blanks.
 fn trimmed(table: &Table, start: usize, end: usize) -> Span {
     let blanks = |text: &[u8], rest: &[u8]| text.len() - rest.len();
     let text = &table.bytes[start..end];
@@ -134,7 +135,7 @@ fn trimmed(table: &Table, start: usize, end: usize) -> Span {
 fn broken_row(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            format!("this row has {}, the header {expected_len}", plural(*len as usize, "cell"))
+            format!("this row has {}, but the header has {expected_len}", plural(*len as usize, "cell"))
         }
         _ => "this row cannot be read".into(),
     }
@@ -153,7 +154,10 @@ impl Row {
         Row { span: place(table, record.position()), record, cells }
     }
 
-    /// Takes the row's name into `names`, which says where each was first given.
+    /// Adds the row's name to `names`, which maps each name to its first place.
+    ///
+    /// # Errors
+    /// The name is taken.
     fn second_of_its_name(
         &self,
         columns: &[Column],
@@ -186,16 +190,16 @@ impl Row {
             if cell.is_empty() {
                 if due {
                     let error = fail(format!("`{title}` is empty"));
-                    return Err(Box::new(error.help("every row says where its waypoint lies: write a number")));
+                    return Err(Box::new(error.help("write a number: every row needs a position")));
                 }
                 continue;
             }
             let number = cell.parse::<f64>().ok().filter(|x| x.is_finite());
             let value = number.map(|x| column.unit.map_or(x, |unit| Quantity::with_unit(x, unit).value));
             let Some(value) = value.filter(|x| x.is_finite()) else {
-                let error = fail(format!("`{cell}` is no number for `{title}`"));
+                let error = fail(format!("`{cell}` in column `{title}` is not a number"));
                 return Err(Box::new(error.help(match column.unit {
-                    Some(_) => "write a number such as `1.5`; its unit stands in the header",
+                    Some(_) => "write a number such as `1.5`; its unit belongs in the header",
                     None => "write a number such as `1.5`",
                 })));
             };
@@ -209,7 +213,7 @@ impl Row {
         };
         for title in ["within", "yaw_within"] {
             if value(title).is_some_and(|v| v <= 0.0) {
-                return Err(wrong("mavc::mission::tolerance", title, "has to be greater than zero"));
+                return Err(wrong("mavc::mission::tolerance", title, "must be greater than zero"));
             }
         }
         if value("weight").is_some_and(|v| v < 0.0) {
@@ -232,7 +236,7 @@ fn header(cx: &Context, row: &Row) -> Result<Vec<Column>, Box<Diagnostic>> {
     let Row { record, span, cells } = row;
     let fail_whole = |message: String| Diagnostic::error(CODE, *span, message).here("the header");
     if record.len() == 1 && record[0].contains([';', '\t']) {
-        let error = fail_whole("the cells of a table are separated by commas".into());
+        let error = fail_whole("the cells of a table must be separated by commas".into());
         return Err(Box::new(error.help("save it as `CSV, comma delimited`, with decimal points")));
     }
     let mut columns: Vec<Column> = Vec::new();
@@ -241,15 +245,15 @@ fn header(cx: &Context, row: &Row) -> Result<Vec<Column>, Box<Diagnostic>> {
         let matching = |(name, ..): &(&str, &str, bool)| cell == *name || cell.starts_with(&format!("{name}_"));
         let Some(kind) = COLUMNS.iter().position(matching) else {
             if cell.parse::<f64>().is_ok() {
-                let error = fail_whole("the first line of a table names its columns".into());
+                let error = fail_whole("the first line of a table must name its columns".into());
                 return Err(Box::new(error.help("put a line such as `x_m,y_m,z_m,yaw_deg` above it")));
             }
             let names = COLUMNS.map(|c| c.0);
             let lower = cell.to_lowercase();
-            let error = fail(format!("the table has an unknown column `{cell}`"));
+            let error = fail(format!("unknown column `{cell}`"));
             return Err(Box::new(match names.iter().any(|name| lower.starts_with(&format!("{name}_"))) {
-                true => error.help(format!("names of columns are small letters: write `{lower}`")),
-                false => error.help(format!("columns are {}, with their units, as in `x_m`", listed(&names))),
+                true => error.help(format!("write `{lower}`: column names are lower case")),
+                false => error.help(format!("use the columns {}, with units, as in `x_m`", listed(&names))),
             }));
         };
         let (name, unit, _) = COLUMNS[kind];
@@ -257,24 +261,24 @@ fn header(cx: &Context, row: &Row) -> Result<Vec<Column>, Box<Diagnostic>> {
         let unit = match (unit, written) {
             ("" | "1", None) => None,
             ("" | "1", Some(_)) => {
-                return Err(Box::new(fail(format!("column `{name}` has no unit")).help(format!("write `{name}`"))));
+                return Err(Box::new(fail(format!("column `{name}` takes no unit")).help(format!("write `{name}`"))));
             }
             (due, None) => {
                 return Err(Box::new(
-                    fail(format!("column `{name}` needs its unit")).help(format!("write `{name}_{due}`")),
+                    fail(format!("column `{name}` needs a unit")).help(format!("write `{name}_{due}`")),
                 ));
             }
             (due, Some(text)) => match parse_unit(text, cx.gravity) {
                 Ok(unit) if unit.dimension == Due::new(name, due).dimension() => Some(unit),
                 _ => {
-                    let message = format!("`{text}` is no unit for column `{name}`");
+                    let message = format!("`{text}` is not a unit for column `{name}`");
                     return Err(Box::new(fail(message).help(format!("write `{name}_{due}`"))));
                 }
             },
         };
         if let Some(first) = columns.iter().position(|c| c.kind == kind) {
-            let error = fail(format!("the table has two columns `{name}`")).also(cells[first], "the first");
-            return Err(Box::new(error.help("take one of them out")));
+            let error = fail(format!("the table has two columns `{name}`")).also(cells[first], "first column");
+            return Err(Box::new(error.help("remove one of them")));
         }
         columns.push(Column { kind, unit });
     }

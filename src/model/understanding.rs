@@ -1,4 +1,4 @@
-//! What was understood of a spec on the way to its model, for editors: kept where the model is not, because of errors.
+//! What elaboration understood of a spec, for editors: available even where errors prevent a model.
 
 use super::context::Context;
 use super::expression::Value;
@@ -7,34 +7,34 @@ use crate::diagnostic::Checked;
 use crate::source::Span;
 use crate::unit::{Dimension, parse_unit};
 
-/// A value that was read: where it stands, and what it is in SI.
+/// A value that was read from an expression.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
-    /// Of the expression.
+    /// The place of the expression.
     pub span: Span,
-    /// One number, the elements of a list, or the two ends of a range.
+    /// One number, the elements of a list, or the two ends of a range, in SI units.
     pub values: Vec<f64>,
-    /// The SI unit of them all, such as `rad/s`; empty for plain numbers.
+    /// The SI unit of all values, such as `rad/s`; empty for plain numbers.
     pub unit: String,
 }
 
 /// A spec as far as it could be understood.
 #[derive(Debug, Clone)]
 pub struct Understanding {
-    /// What [`super::elaborate()`] says.
+    /// The result of [`super::elaborate()`].
     pub checked: Checked<Model>,
-    /// m/s^2
+    /// Acceleration of gravity, m/s^2.
     pub gravity: f64,
     /// Every vehicle without errors of its own.
     pub vehicles: Vec<Vehicle>,
     /// Every fault mode without errors of its own, in the order written.
     pub modes: Vec<FaultMode>,
-    /// In the order read; a curve's coordinates, which have a value a point, are not among them.
+    /// In the order read. Coordinates of curves, which have one value per point, are not included.
     pub readings: Vec<Reading>,
 }
 
 impl Context<'_> {
-    /// Notes what was read at `span`: values in SI, due in a unit of the dimension of `unit`.
+    /// Records what was read at `span`: values in SI units, of the dimension of `unit`.
     pub(super) fn note(&mut self, span: Span, values: &[f64], unit: &str) {
         if self.parameter.is_none() {
             let unit = match parse_unit(unit, 1.0) {
@@ -46,7 +46,7 @@ impl Context<'_> {
         }
     }
 
-    /// Notes the value of a `let`; a text and a list of several dimensions have no number to show.
+    /// Records the value of a `let`. Text, and lists of several dimensions, are not recorded.
     pub(super) fn note_value(&mut self, span: Span, value: &Value) {
         let quantities = match value {
             Value::Quantity(q) => vec![*q],
@@ -62,7 +62,7 @@ impl Context<'_> {
     }
 }
 
-/// The unit of a dimension that people write, where it is SI; base units otherwise, nothing for plain numbers.
+/// The usual SI unit of a dimension; a product of base units where there is none, and nothing for plain numbers.
 pub fn si_unit(dimension: Dimension) -> String {
     match dimension.named() {
         Some((_, unit)) => unit.to_string(),

@@ -1,4 +1,4 @@
-//! `vehicle` blocks: rings and rotors one by one.
+//! `vehicle` blocks: rings of rotors, and rotors placed one by one.
 
 mod rotor;
 mod whole;
@@ -17,21 +17,21 @@ use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 
-/// Fewest and most rotors.
+/// The allowed numbers of rotors.
 pub const ROTORS: std::ops::RangeInclusive<usize> = 4..=32;
 
 const POSITIVE: &str = "mavc::vehicle::not_positive";
 const ALLOCATIONS: [Allocation; 2] = [Allocation::Bounded, Allocation::PseudoInverse];
 
-/// What can be said of a vehicle even where it has errors.
+/// What is known of a vehicle, errors or not.
 pub(super) struct Outline {
     pub name: String,
     pub span: Span,
-    /// The number of rotors, where it can be known.
+    /// The number of rotors, if it is known.
     pub rotors: Option<usize>,
-    /// The vehicle, where it has no errors.
+    /// The vehicle, if it has no errors.
     pub vehicle: Option<Vehicle>,
-    /// What filled in for fields that are not written.
+    /// The defaults used for fields that are not written.
     pub defaults: Vec<DefaultUsed>,
 }
 
@@ -55,9 +55,9 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
                     let message = format!("`{field}` describes a ring, but {owner} places its rotors one by one");
                     cx.report(
                         Diagnostic::error("mavc::vehicle::conflict", at, message)
-                            .here("has no meaning beside `rotors`")
+                            .here("not allowed together with `rotors`")
                             .also(placed.keyword.span, "rotors are placed here")
-                            .help("keep one of the two forms"),
+                            .help("remove one of the two"),
                     );
                 }
             }
@@ -68,10 +68,10 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let base = rotor_fields.as_ref().map(|fields| rotor::Traits::read(cx, fields));
     if base.is_none() && placed.is_none() && !fields.may_have("rotor") {
         let example = "rotor { max_thrust = 9 N; torque_per_thrust = 16 mm; max_speed = 8500 rpm }";
-        fields.missing(cx, "`rotor` block", example);
+        fields.missing(cx, "a `rotor` block", example);
     }
     let written = places.as_ref().map(|places| rotor::written(places, &fields, rotor_fields.as_ref()));
-    // Which of two blocks is meant is not known, nor what they say together.
+    // With a duplicate block the rotors are unknown.
     let rotors = places.filter(|_| !twice).and_then(|places| rotor::give_all(cx, places, rotor_fields.as_ref(), base));
     let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
@@ -106,12 +106,12 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     let mut vehicle_fits = true;
     if let Some(vehicle) = &vehicle {
         if vehicle.allocation == Allocation::PseudoInverse && vehicle.has_uncertain_rotors() {
-            let message = "the pseudo-inverse goes by coefficients and speeds that are known, not by intervals";
+            let message = "`allocation = pseudo_inverse` cannot be combined with intervals on rotors";
             let at = fields.span_of("allocation").unwrap_or(span);
             cx.report(
                 Diagnostic::error("mavc::vehicle::conflict", at, message)
-                    .here("does not go with intervals on rotors")
-                    .help("write `allocation = bounded`, or take the intervals out of the rotors; `mass` may have one"),
+                    .here("needs exact coefficients and speeds")
+                    .help("write `allocation = bounded`, or remove the intervals from the rotors; `mass` may keep one"),
             );
         }
         whole::check(cx, vehicle);
@@ -129,7 +129,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     Outline { name, span, rotors: count, vehicle, defaults }
 }
 
-/// The `rotor` and `rotors` blocks, and whether one of them stands twice, which is an error.
+/// The `rotor` and `rotors` blocks, and whether one of them occurs twice, which is reported.
 fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Option<&'a Block>, bool) {
     let mut twice = false;
     let (mut shared, mut placed): (Option<&Block>, Option<&Block>) = (None, None);
@@ -140,9 +140,10 @@ fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Opt
         let slot = if inner.keyword.value == "rotors" { &mut placed } else { &mut shared };
         match slot {
             Some(first) => {
-                let message = format!("a vehicle has one `{}` block", inner.keyword.value);
+                let message = format!("a vehicle may have only one `{}` block", inner.keyword.value);
                 let error = Diagnostic::error("mavc::name::duplicate", inner.keyword.span, message);
-                cx.report(cx.joined(error.here("a second one").also(first.keyword.span, "the first"), first, inner));
+                let error = error.here("second block").also(first.keyword.span, "first block");
+                cx.report(cx.joined(error, first, inner));
                 twice = true;
             }
             None => *slot = Some(inner),
@@ -154,14 +155,14 @@ fn blocks<'a>(cx: &mut Context<'a>, block: &'a Block) -> (Option<&'a Block>, Opt
 fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
     let [x, y, z] = cx.triple(Due::of(&table::INERTIA), expr)?;
     if let Some(bad) = [x, y, z].into_iter().find(|i| *i <= 0.0) {
-        let error = Diagnostic::error(POSITIVE, expr.span, "`inertia` has to be greater than zero about every axis");
-        cx.report(error.here(format!("{} kg*m^2 is among them", number(bad))).help("write three values above zero"));
+        let error = Diagnostic::error(POSITIVE, expr.span, "`inertia` must be greater than zero about every axis");
+        cx.report(error.here(format!("contains {} kg*m^2", number(bad))).help("write three values above zero"));
         return None;
     }
-    // Bodies of no thickness reach equality; a hair is left for rounding.
+    // Flat bodies reach equality; the factor allows for rounding.
     let (largest, sum) = (x.max(y).max(z), x + y + z);
     if largest > (sum - largest) * (1.0 + 1e-9) {
-        let message = "no body has this inertia: one axis exceeds the sum of the other two";
+        let message = "no body has this inertia: the value of one axis exceeds the sum of the other two";
         cx.report(
             Diagnostic::error("mavc::vehicle::inertia", expr.span, message)
                 .here(format!("{} > {}", number(largest), number(sum - largest)))
@@ -172,7 +173,7 @@ fn inertia<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<[f64; 3]> {
     Some([x, y, z])
 }
 
-/// Where one rotor stands, which way it turns, and what it says of itself.
+/// The position and spin of one rotor, and its own clauses.
 struct Place<'a> {
     position: [f64; 3],
     spin: Spin,
@@ -182,7 +183,7 @@ struct Place<'a> {
 /// Rotors on a circle: rotor k at the angle `first + 2 pi (k-1)/n`, clockwise from +y.
 fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>>, Option<usize>) {
     if !fields.may_have("layout") {
-        // A ring has an arm too, which is not asked for where no ring may be meant.
+        // A ring needs an arm too; the example adds one, but its absence is reported only where a ring is certain.
         let arm = if fields.may_have("arm") { "" } else { "; arm = 0.2 m" };
         let (example, one_by_one) =
             (format!("layout = \"PPNNPPNN\"{arm}"), "rotors { rotor at [0.2, 0.2, 0] m spin P ... }");
@@ -190,7 +191,7 @@ fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>
     }
     let layout = fields.get("layout").and_then(|e| spins(cx, e));
     let count = layout.as_ref().map(Vec::len);
-    // A `layout` that is itself missing has said that a ring may not be meant.
+    // Without a `layout` the vehicle may not be meant as a ring, so that no missing `arm` is reported.
     let arm = match fields.get("layout") {
         Some(_) => fields.demand(cx, "arm", "arm = 0.2 m"),
         None => fields.get("arm"),
@@ -227,12 +228,13 @@ fn exact_sin_cos(angle: f64) -> (f64, f64) {
 
 fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     let ExprKind::Text(text) = &expr.kind else {
-        let error = Diagnostic::error("mavc::vehicle::layout", expr.span, "`layout` is a text of the letters P and N");
-        let error = error.here("not a text");
+        let error =
+            Diagnostic::error("mavc::vehicle::layout", expr.span, "`layout` must be text of the letters P and N");
+        let error = error.here("not text in quotes");
         cx.report(match &expr.kind {
             ExprKind::Name(name) if name.chars().all(|c| matches!(c.to_ascii_uppercase(), 'P' | 'N')) => {
-                let mended = format!("\"{}\"", name.to_ascii_uppercase());
-                error.help(format!("write `{mended}`")).fix(expr.span, mended)
+                let corrected = format!("\"{}\"", name.to_ascii_uppercase());
+                error.help(format!("write `{corrected}`")).fix(expr.span, corrected)
             }
             _ => error.help("write `layout = \"PNPN\"`"),
         });
@@ -241,13 +243,13 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     if let Some((at, letter)) = text.char_indices().find(|(_, c)| !matches!(c, 'P' | 'N')) {
         let start = expr.span.start as usize + 1 + at;
         let span = Span::new(expr.span.file, start, start + letter.len_utf8());
-        let message = format!("a layout is made of P and N, not `{letter}`");
+        let message = format!("a layout may contain only P and N, not `{letter}`");
         let mut error = Diagnostic::error("mavc::vehicle::layout", span, message).here("neither P nor N");
         let capitals = text.to_ascii_uppercase();
         error = match letter.to_ascii_uppercase() {
             _ if capitals.chars().all(|c| matches!(c, 'P' | 'N')) => {
-                let mended = format!("\"{capitals}\"");
-                error.help(format!("write `{mended}`")).fix(expr.span, mended)
+                let corrected = format!("\"{capitals}\"");
+                error.help(format!("write `{corrected}`")).fix(expr.span, corrected)
             }
             upper @ ('P' | 'N') => error.help(format!("write `{upper}`")).fix(span, upper.to_string()),
             _ => error.help("write `P` (counter-clockwise seen from above) or `N` (clockwise)"),
@@ -256,16 +258,16 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
         return None;
     }
     if !text.len().is_multiple_of(2) || !ROTORS.contains(&text.len()) {
-        let message = format!("a ring has an even number of rotors from 4 to 32, not {}", text.len());
+        let message = format!("a ring must have an even number of rotors from 4 to 32, not {}", text.len());
         let error = Diagnostic::error("mavc::vehicle::rotor_count", expr.span, message);
         let letters = if text.len() == 1 { "1 letter".to_string() } else { format!("{} letters", text.len()) };
-        cx.report(error.here(format!("{letters}, one a rotor")).help(match text.len() {
+        cx.report(error.here(format!("{letters}, one per rotor")).help(match text.len() {
             few if few < *ROTORS.start() => {
                 "write a letter for each rotor: a quadcopter is \"PNPN\", a hexacopter \"PNPNPN\"".to_string()
             }
-            many if many > *ROTORS.end() => format!("take letters out until there are {}", ROTORS.end()),
+            many if many > *ROTORS.end() => format!("remove letters until {} are left", ROTORS.end()),
             odd => format!(
-                "write {} letters or {}; a vehicle of {odd} rotors places them one by one: \
+                "write {} or {} letters, or place the {odd} rotors one by one: \
                  `rotors {{ rotor at [0.2, 0.15, 0] m  spin P; .. }}`",
                 odd - 1,
                 odd + 1
@@ -276,7 +278,7 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     Some(text.chars().map(|c| if c == 'P' { Spin::P } else { Spin::N }).collect())
 }
 
-/// Rotors placed one by one; the second value is their number, errors or not.
+/// Rotors placed one by one, and their number, errors or not.
 fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Option<Vec<Place<'a>>>, Option<usize>) {
     let rotors: Vec<&'a Clauses> =
         block.body.iter().filter_map(|s| if let Statement::Rotor(r) = s { Some(r) } else { None }).collect();
@@ -284,20 +286,20 @@ fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Optio
     for statement in &block.body {
         if let Statement::Field(field) = statement {
             let message = format!("`rotors` of {owner} has no field `{}`", field.name.value);
-            let error = Diagnostic::error("mavc::name::unknown_field", field.name.span, message).here("unknown here");
-            cx.report(error.help("what all rotors share stands in a `rotor { ... }` block beside it"));
+            let error = Diagnostic::error("mavc::name::unknown_field", field.name.span, message).here("unknown field");
+            cx.report(error.help("write what all rotors share in a `rotor { ... }` block beside it"));
         }
     }
     if !broken && !ROTORS.contains(&rotors.len()) {
-        let message = format!("a vehicle has 4 to 32 rotors, not {}", rotors.len());
+        let message = format!("a vehicle must have 4 to 32 rotors, not {}", rotors.len());
         let error = Diagnostic::error("mavc::vehicle::rotor_count", block.keyword.span, message);
-        let help = if rotors.len() < *ROTORS.start() { "add `rotor at` statements" } else { "take some out" };
+        let help = if rotors.len() < *ROTORS.start() { "add `rotor at` statements" } else { "remove some rotors" };
         let follow =
             if rotors.len() == 1 { "1 rotor follows".to_string() } else { format!("{} rotors follow", rotors.len()) };
         cx.report(error.here(follow).help(help));
         return (None, None);
     }
-    // With a rotor that could not be read, nothing can be said of the whole.
+    // With a rotor that could not be parsed, the whole is unknown.
     let mut places = (!broken).then(Vec::new);
     for (k, rotor) in rotors.iter().enumerate() {
         let place = placed(cx, rotor, k + 1);
@@ -316,7 +318,8 @@ fn placed<'a>(cx: &mut Context<'a>, rotor: &'a Clauses, k: usize) -> Option<Plac
         ExprKind::Name(name) if name == "P" => Some(Spin::P),
         ExprKind::Name(name) if name == "N" => Some(Spin::N),
         _ => {
-            let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` is P or N").here("neither");
+            let error = Diagnostic::error("mavc::vehicle::spin", e.span, "`spin` must be `P` or `N`");
+            let error = error.here("neither of these");
             let word = cx.sources.snippet(e.span).trim_matches('"').to_ascii_lowercase();
             cx.report(match word.as_str() {
                 "p" | "ccw" | "counterclockwise" | "positive" | "left" => {

@@ -1,11 +1,10 @@
-//! The words that the compiler knows, for whoever offers or explains them: those of the table of the language, warnings
-//! and functions.
+//! The words that the compiler knows, for completion and hover: those of the language table, warnings and functions.
 
 use super::context::{CONSTANTS, FUNCTIONS};
 use super::{allow, fault, plan};
 use crate::language::{Entry, Group, Place};
 
-/// The fields of a block, or the limits of a `limits` block; nothing where no field stands.
+/// The fields of a block, or the limits of a `limits` block; empty where no fields are allowed.
 pub fn fields(place: Place) -> Vec<&'static str> {
     Group::of_block(place).names().collect()
 }
@@ -16,7 +15,7 @@ pub fn clauses(place: Place, opener: &str) -> Vec<&'static str> {
     Group::of_statement(place, opener).names().collect()
 }
 
-/// The words that a field or clause takes in place of a value, or beside one.
+/// The words that a field or clause accepts instead of a quantity, or in addition to one.
 pub fn words(place: Place, field: &str) -> &'static [&'static str] {
     match (place, field) {
         (Place::Top, "allow") => allow::words(),
@@ -29,7 +28,7 @@ pub fn allowed(word: &str) -> Option<&'static str> {
     allow::meant(word)
 }
 
-/// The numbers of a fault mode that `against = where` looks at.
+/// The numbers of a fault mode that `against = where` can compare.
 pub fn mode_numbers() -> &'static [&'static str] {
     &plan::MODE_NUMBERS
 }

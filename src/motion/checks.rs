@@ -1,42 +1,43 @@
-//! What holds between the nodes: limits on the polynomials themselves, and where the linear model is pushed past
-//! its range.
+//! Checks of the polynomials between nodes: violations of limits, and whether the trajectory stays in the range of the
+//! linear model.
 
 use super::{Trajectory, tilt};
 use crate::model::grid::{fewest_pieces, is_coarser};
 use crate::model::{Limit, LimitKind, Mission, Model};
 use crate::motion::{NodeState, X, Y, YAW, Z};
 
-/// Points per interval at which the polynomials are looked at before refinement.
-const LOOKS: usize = 10;
+/// Steps per interval in which a quantity is sampled before its largest value is refined.
+const STEPS: usize = 10;
 
-/// The largest value of a quantity along the flight.
+/// The largest value of a quantity along a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
+    /// The value, in the unit of the quantity.
     pub value: f64,
-    /// s
+    /// The instant at which it is attained, s.
     pub at: f64,
 }
 
-/// A limit passed between nodes.
+/// A limit of the mission that the polynomials violate.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Excess {
+pub struct LimitViolation {
     /// Index into the mission's limits.
     pub limit: usize,
-    /// How far past the limit, in its SI unit.
+    /// The largest violation, in the limit's SI unit.
     pub by: f64,
-    /// s
+    /// The instant of the largest violation, s.
     pub at: f64,
 }
 
-/// Largest value of `quantity` over the flight: looked at ten times an interval, then refined by golden section
-/// around the best look.
+/// The largest value of `quantity` over the trajectory: sampled in ten steps an interval, then refined by
+/// golden-section search around the largest sample (`docs/method.md`, section 11, "Between nodes").
 pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Peak {
     let mut best = Peak { value: f64::NEG_INFINITY, at: 0.0 };
     let mut best_interval = 0;
     for k in 0..trajectory.intervals() {
         let h = trajectory.times[k + 1] - trajectory.times[k];
-        for i in 0..=LOOKS {
-            let t = h * i as f64 / LOOKS as f64;
+        for i in 0..=STEPS {
+            let t = h * i as f64 / STEPS as f64;
             let value = quantity(&trajectory.within(k, t));
             if value > best.value {
                 best = Peak { value, at: trajectory.times[k] + t };
@@ -46,8 +47,8 @@ pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Pe
     }
     let begin = trajectory.times[best_interval];
     let h = trajectory.times[best_interval + 1] - begin;
-    let look = h / LOOKS as f64;
-    let (mut low, mut high) = ((best.at - begin - look).max(0.0), (best.at - begin + look).min(h));
+    let step = h / STEPS as f64;
+    let (mut low, mut high) = ((best.at - begin - step).max(0.0), (best.at - begin + step).min(h));
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     for _ in 0..40 {
         let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
@@ -59,7 +60,7 @@ pub fn peak(trajectory: &Trajectory, quantity: impl Fn(&NodeState) -> f64) -> Pe
     if value > best.value { Peak { value, at: begin + t } } else { best }
 }
 
-/// How far `state` is past a limit, in the limit's SI unit; negative inside.
+/// By how much `state` violates a limit, in the limit's SI unit; negative if the limit holds. `gravity` is in m/s^2.
 pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
     let norm = |axes: &[usize], order: usize| axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt();
     let value = match limit.kind {
@@ -83,9 +84,9 @@ pub fn past(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
     over.max(under)
 }
 
-/// How far `state` is past a limit as the checker of plans measures it, which differs for tilt alone: by how much the
-/// acceleration leaves its cone, over gravity.
-pub fn past_as_checked(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
+/// Like [`past`], but as the checker of plans measures it. Only tilt differs: its violation is the distance of the
+/// acceleration from the tilt cone divided by gravity.
+pub(crate) fn past_as_checked(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
     match (limit.kind, limit.upper) {
         (LimitKind::Tilt, Some(upper)) => {
             let out = state[X][2].hypot(state[Y][2]) * upper.cos() - (state[Z][2] + gravity) * upper.sin();
@@ -95,19 +96,20 @@ pub fn past_as_checked(limit: &Limit, state: &NodeState, gravity: f64) -> f64 {
     }
 }
 
-/// The limits that the polynomials pass by more than `tolerance` (in the limit's SI unit), with the worst instant.
-pub fn limit_excesses(trajectory: &Trajectory, model: &Model, tolerance: f64) -> Vec<Excess> {
+/// The limits of the mission that the polynomials violate by more than `tolerance` (in the limit's SI unit).
+pub fn limit_violations(trajectory: &Trajectory, model: &Model, tolerance: f64) -> Vec<LimitViolation> {
     let limits = model.mission.iter().flat_map(|m| &m.limits).enumerate();
     limits
         .filter_map(|(limit, l)| {
             let worst = peak(trajectory, |s| past(l, s, model.gravity));
-            (worst.value > tolerance).then_some(Excess { limit, by: worst.value, at: worst.at })
+            (worst.value > tolerance).then_some(LimitViolation { limit, by: worst.value, at: worst.at })
         })
         .collect()
 }
 
-/// Legs with longer pieces than `samples` make for the legs' durations ([`is_coarser`]).
-pub fn coarser_legs(trajectory: &Trajectory, mission: &Mission, samples: usize) -> usize {
+/// The number of legs whose pieces are longer than those that `samples` give for the durations of the legs
+/// ([`is_coarser`]).
+pub(crate) fn coarser_legs(trajectory: &Trajectory, mission: &Mission, samples: usize) -> usize {
     let (times, nodes) = (&trajectory.times, &trajectory.waypoint_nodes);
     let legs = nodes.windows(2).zip(&mission.waypoints).map(|(ends, from)| {
         // A hold is one piece.
@@ -120,33 +122,35 @@ pub fn coarser_legs(trajectory: &Trajectory, mission: &Mission, samples: usize) 
     legs.iter().zip(fewest).filter(|(nodes, fewest)| is_coarser(mission, nodes, *fewest)).count()
 }
 
-/// How far the plan stretches the linear model.
+/// The quantities that show whether a trajectory stays in the range of the linear model about hover.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stretch {
+pub struct LinearRange {
     /// Largest tilt, rad.
     pub tilt: Peak,
-    /// Smallest thrust, N.
+    /// Smallest thrust of the linear model, `m (g + z'')`, N.
     pub least_thrust: Peak,
-    /// Full thrust, N.
+    /// Sum of the rotors' full thrusts, N.
     pub full_thrust: f64,
 }
 
-impl Stretch {
-    /// Tilt over 20 degrees: small angles no longer hold.
-    pub fn tilts_too_far(&self) -> bool {
+impl LinearRange {
+    /// Whether the tilt exceeds 20 degrees, beyond which the small-angle approximation is poor.
+    pub(crate) fn tilts_too_far(&self) -> bool {
         self.tilt.value > 20f64.to_radians()
     }
 
-    /// Thrust within 2 % of zero: the direction of a vanishing thrust says nothing.
-    pub fn nearly_falls(&self) -> bool {
+    /// Whether the thrust falls below 2 % of full thrust, where its direction, and so the attitude, becomes
+    /// meaningless.
+    pub(crate) fn nearly_falls(&self) -> bool {
         self.least_thrust.value < 0.02 * self.full_thrust
     }
 }
 
-pub fn stretch(trajectory: &Trajectory, model: &Model) -> Stretch {
+/// The largest tilt and the smallest thrust of a trajectory (`docs/method.md`, section 11).
+pub fn linear_range(trajectory: &Trajectory, model: &Model) -> LinearRange {
     let thrust = |s: &NodeState| model.vehicle.mass * (model.gravity + s[Z][2]);
     let least = peak(trajectory, |s| -thrust(s));
-    Stretch {
+    LinearRange {
         tilt: peak(trajectory, |s| tilt(s, model.gravity)),
         least_thrust: Peak { value: -least.value, at: least.at },
         full_thrust: model.vehicle.rotors.iter().map(super::super::model::Rotor::max_thrust).sum(),

@@ -1,40 +1,44 @@
-//! The paper's linear wrench map about hover, (19), (20) and (22), for a given yaw motion.
+//! The paper's linear wrench map about hover, (19), (20) and (22), for a given yaw motion: `docs/method.md`, section 4.
 
 use super::{X, Y, YAW, Z};
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
 
-/// x and y are quadruple integrators (45), z and yaw double ones (44): the order is the input's derivative.
+/// The order of the derivative that is the input of each axis: x and y are quadruple integrators (45), z and yaw double
+/// ones (44).
 pub const ORDER: [usize; 4] = [4, 4, 2, 2];
 
-/// psi, psi', psi'' at an instant: rad, rad/s, rad/s^2.
+/// The yaw motion at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct YawState {
+    /// psi, rad.
     pub psi: f64,
+    /// psi', rad/s.
     pub rate: f64,
+    /// psi'', rad/s^2.
     pub acceleration: f64,
 }
 
-/// The wrench as an affine function of position derivatives:
-/// `constant + sum of coefficient * (derivative of axis)`.
+/// The wrench as an affine function of the derivatives of the axes: `constant + sum of coefficient * derivative`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WrenchMap {
+    /// The wrench with all derivatives zero, N and N m.
     pub constant: Wrench,
-    /// (axis, derivative, coefficient)
+    /// (axis, order of the derivative, coefficient).
     pub terms: Vec<(usize, usize, Wrench)>,
 }
 
 impl WrenchMap {
-    /// With c, s the cosine and sine of psi:
+    /// The map for a given yaw motion. With c, s the cosine and sine of psi:
     ///
-    /// T = m (g + z''),
-    /// tau_x = Ixx phi'',  phi = (s x'' - c y'') / g,
-    /// tau_y = Iyy theta'', theta = (c x'' + s y'') / g,
-    /// tau_z = Izz psi''.
-    ///
-    /// Differentiating with psi(t):
-    /// phi'' g = s x'''' - c y'''' + 2 psi' (c x''' + s y''') + psi'' (c x'' + s y'') - psi'^2 (s x'' - c y''),
-    /// theta'' g = c x'''' + s y'''' - 2 psi' (s x''' - c y''') - psi'' (s x'' - c y'') - psi'^2 (c x'' + s y'').
+    /// ```text
+    /// T     = m (g + z'')
+    /// tau_x = Ixx phi''       phi   = (s x'' - c y'') / g
+    /// tau_y = Iyy theta''     theta = (c x'' + s y'') / g
+    /// tau_z = Izz psi''
+    /// g phi''   = s x'''' - c y'''' + 2 psi' (c x''' + s y''') + psi'' (c x'' + s y'') - psi'^2 (s x'' - c y'')
+    /// g theta'' = c x'''' + s y'''' - 2 psi' (s x''' - c y''') - psi'' (s x'' - c y'') - psi'^2 (c x'' + s y'')
+    /// ```
     pub fn new(vehicle: &Vehicle, gravity: f64, yaw: YawState) -> Self {
         let (s, c) = yaw.psi.sin_cos();
         let YawState { rate, acceleration, .. } = yaw;
@@ -53,27 +57,31 @@ impl WrenchMap {
         WrenchMap { constant, terms }
     }
 
-    /// The map for a yaw that is itself a variable, linearised at a constant psi: tau_z = Izz psi''.
+    /// The map with yaw as a variable, linearised at a constant psi (rad): tau_z = Izz psi'' ("One yaw throughout").
     pub fn with_free_yaw(vehicle: &Vehicle, gravity: f64, psi: f64) -> Self {
         let mut map = Self::new(vehicle, gravity, YawState { psi, ..YawState::default() });
         map.terms.push((YAW, 2, Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2])));
         map
     }
 
-    /// The wrench for `derivatives[axis][order]`.
+    /// The wrench (N and N m) for `derivatives[axis][order]`, a [`NodeState`](super::NodeState) or
+    /// [`CommandState`](super::CommandState).
     pub fn at<const N: usize>(&self, derivatives: &[[f64; N]; 4]) -> Wrench {
         self.terms.iter().fold(self.constant, |w, &(axis, order, c)| w + c * derivatives[axis][order])
     }
 }
 
-/// For rotors that lag: the lead wrench c = w + tau w' (docs/method.md, section 14).
+/// The commanded wrench c = w + tau w' of rotors with a first-order lag of `tau` s (`docs/method.md`, section 14).
 impl WrenchMap {
-    /// The lead wrench c = w + tau w' of the hover model, for a yaw motion with psi''' = `jerk`, rad/s^3.
+    /// The commanded wrench of the hover model for a yaw motion with psi''' = `jerk` (rad/s^3), by (83):
     ///
-    /// g phi = s x'' - c y'', so by Leibniz g phi'' = sum over i of C(2, i) (s^(2-i) x^(2+i) - c^(2-i) y^(2+i)), and g
-    /// phi''' alike with C(3, i) and 3 - i, where s^(k), c^(k) are the k-th time derivatives of sin psi and cos psi; g theta
-    /// has c and s in their places, both with a plus.
-    pub fn leading(vehicle: &Vehicle, gravity: f64, yaw: YawState, jerk: f64, tau: f64) -> Self {
+    /// ```text
+    /// g phi''  = sum_i C(2,i) (s^(2-i) x^(2+i) - c^(2-i) y^(2+i))
+    /// g phi''' = sum_i C(3,i) (s^(3-i) x^(2+i) - c^(3-i) y^(2+i))
+    /// ```
+    ///
+    /// where s^(k) and c^(k) are the k-th time derivatives of sin psi and cos psi. theta has c for s and s for -c.
+    pub fn commanded(vehicle: &Vehicle, gravity: f64, yaw: YawState, jerk: f64, tau: f64) -> Self {
         let (s, c) = yaw.psi.sin_cos();
         let YawState { rate, acceleration, .. } = yaw;
         let square = rate * rate;
@@ -102,9 +110,9 @@ impl WrenchMap {
         WrenchMap { constant, terms }
     }
 
-    /// The same for a yaw that is itself a variable, linearised at a constant psi.
-    pub fn leading_with_free_yaw(vehicle: &Vehicle, gravity: f64, psi: f64, tau: f64) -> Self {
-        let mut map = Self::leading(vehicle, gravity, YawState { psi, ..YawState::default() }, 0.0, tau);
+    /// The commanded wrench with yaw as a variable, linearised at a constant psi (rad).
+    pub fn commanded_with_free_yaw(vehicle: &Vehicle, gravity: f64, psi: f64, tau: f64) -> Self {
+        let mut map = Self::commanded(vehicle, gravity, YawState { psi, ..YawState::default() }, 0.0, tau);
         let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
         map.terms.extend([(YAW, 2, turn), (YAW, 3, tau * turn)]);
         map

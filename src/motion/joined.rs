@@ -1,22 +1,26 @@
-//! Pieces that join. Programs hold the dynamics to the solver's tolerance, and on fine grids over long flights the gaps that
-//! this leaves carry the motion away from its nodes when it is integrated from the start. Here inputs are changed by as little
-//! as makes the pieces meet.
+//! Closing the gaps between the pieces of a trajectory.
+//!
+//! Programs satisfy the dynamics only to the solver's tolerance. On fine grids over long flights the remaining gaps add
+//! up, and a motion that is integrated from the start drifts away from its nodes. This module changes the inputs
+//! slightly so that the pieces meet.
 
 use super::Trajectory;
 use crate::motion::NodeState;
 use nalgebra::{DMatrix, DVector};
 
-/// What the gaps of a trajectory may move its end by, m and rad, before it is mended: a tenth of what the checker lets be
+/// The drift at the end, m and rad, above which gaps are closed: a tenth of what the checker accepts
 /// (`verify::joints`).
-const MOVED: f64 = 1e-4;
+const MOST_DRIFT: f64 = 1e-4;
 
-/// Pieces that are mended together: enough for a small change of the inputs, few enough for a well-conditioned system.
+/// Number of pieces whose gaps are closed together: enough for a small change of the inputs, few enough for a
+/// well-conditioned system.
 const PIECES: usize = 64;
 
-/// Fewer pieces leave the inputs no room.
+/// Parts with fewer pieces are left as they are, because their inputs would have to change too much.
 const FEWEST: usize = 8;
 
-/// The state of a chain of `N` integrators (derivatives 0 to N - 1) after `h` seconds, its input linear from `u` to `v`.
+/// The state of a chain of integrators (derivatives 0 to n - 1) after `h` seconds with an input that is linear from `u`
+/// to `v`.
 fn after(state: &[f64], [u, v]: [f64; 2], h: f64) -> Vec<f64> {
     let order = state.len();
     let mut all = state.to_vec();
@@ -26,55 +30,58 @@ fn after(state: &[f64], [u, v]: [f64; 2], h: f64) -> Vec<f64> {
 }
 
 impl Trajectory {
-    /// The trajectory with pieces that join, or itself where they do well enough.
+    /// The trajectory with its gaps closed on every axis whose drift exceeds 1e-4 m or rad.
     pub fn joined(self) -> Self {
         let orders = self.model.orders();
-        let mut mended = self;
+        let mut joined = self;
         for (axis, &order) in orders.iter().enumerate() {
-            if mended.moved(axis, order) > MOVED {
-                mended.mend(axis, order);
+            if joined.drift(axis, order) > MOST_DRIFT {
+                joined.close_gaps(axis, order);
             }
         }
-        mended
+        joined
     }
 
-    /// What the gaps of an axis together may move its value by at the end: `verify::joints`, in plain arithmetic.
-    fn moved(&self, axis: usize, order: usize) -> f64 {
-        let mut moved = vec![0.0; order];
+    /// A bound on how far all gaps of an axis together move its value at the end: `verify::joints` in floating-point
+    /// arithmetic.
+    fn drift(&self, axis: usize, order: usize) -> f64 {
+        let mut drift = vec![0.0; order];
         for k in 0..self.intervals() {
             let h = self.times[k + 1] - self.times[k];
             let end = after(&self.nodes[k][axis][..order], self.inputs(k, axis, order), h);
-            moved = after_gap(&moved, h);
-            for (i, sum) in moved.iter_mut().enumerate() {
+            drift = after(&drift, [0.0; 2], h);
+            for (i, sum) in drift.iter_mut().enumerate() {
                 *sum += (end[i] - self.nodes[k + 1][axis][i]).abs();
             }
         }
-        moved[0]
+        drift[0]
     }
 
+    /// The input of an axis at both ends of interval `k`.
     fn inputs(&self, k: usize, axis: usize, order: usize) -> [f64; 2] {
         [self.nodes[k][axis][order], self.nodes[k + 1][axis][order]]
     }
 
-    fn mend(&mut self, axis: usize, order: usize) {
+    /// Closes the gaps of an axis part by part, between waypoints, rests and every [`PIECES`] pieces.
+    fn close_gaps(&mut self, axis: usize, order: usize) {
         let mut first = 0;
         while first < self.intervals() {
-            // A hold ends at a node that is not a waypoint's, and rests as well.
+            // The end of a hold is not the node of a waypoint, but the vehicle rests there too.
             let rests = |n: usize| self.nodes[n][axis][1..=order].iter().all(|&d| d == 0.0);
             let ends_here = |&n: &usize| self.waypoint_nodes.contains(&n) || rests(n);
             let next = (first + 1..self.intervals()).find(ends_here).unwrap_or(self.intervals());
-            // Parts of one size, so that none is too short.
+            // Parts of similar size, so that none is too short.
             let parts = (next - first).div_ceil(PIECES);
             let last = first + (next - first).div_ceil(parts);
             if last - first >= FEWEST {
-                self.mend_part(axis, order, first, last);
+                self.close_gaps_between(axis, order, first, last);
             }
             first = last;
         }
     }
 
-    /// Makes the pieces from node `first` to node `last` meet, whose states stay.
-    fn mend_part(&mut self, axis: usize, order: usize, first: usize, last: usize) {
+    /// Makes the pieces from node `first` to node `last` meet. The states of these two nodes do not change.
+    fn close_gaps_between(&mut self, axis: usize, order: usize, first: usize, last: usize) {
         let states: Vec<NodeState> = self.nodes[first..=last].to_vec();
         let times: Vec<f64> = self.times[first..=last].to_vec();
         let carried: Vec<f64> = states.iter().map(|s| s[axis][order]).collect();
@@ -82,7 +89,7 @@ impl Trajectory {
             return;
         }
         let whole = times[times.len() - 1] - times[0];
-        // Changes that vanish at both ends: s (1 - s) s^n.
+        // The inputs change by a combination of s (1 - s) s^n, n < order, which vanish at both ends.
         let change = |n: usize, k: usize| {
             let s = (times[k] - times[0]) / whole;
             s * (1.0 - s) * s.powi(n as i32)
@@ -95,7 +102,7 @@ impl Trajectory {
             chain
         };
         let start = states[0][axis][..order].to_vec();
-        // Derivative i in units of whole^-i, so that all equations are of one size.
+        // Derivative i is scaled by whole^i, so that all equations are of similar size.
         let scale = |i: usize| whole.powi(i as i32);
         let rest = vec![0.0; order];
         let response = DMatrix::from_fn(order, order, |i, n| {
@@ -103,7 +110,7 @@ impl Trajectory {
         });
         let Some(inverse) = response.lu().try_inverse() else { return };
         let mut weights = DVector::zeros(order);
-        // The second time takes what rounding left of the first.
+        // The second iteration removes the rounding error of the first.
         for _ in 0..2 {
             let changed = |k: usize| carried[k] + (0..order).map(|n| weights[n] * change(n, k)).sum::<f64>();
             let chain = run(&start, &changed);
@@ -123,9 +130,4 @@ impl Trajectory {
             }
         }
     }
-}
-
-/// What gaps have grown into after another `h` seconds.
-fn after_gap(moved: &[f64], h: f64) -> Vec<f64> {
-    after(moved, [0.0; 2], h)
 }

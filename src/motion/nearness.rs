@@ -1,12 +1,13 @@
-//! How near the planned wrench comes to the edge of a set, over the flight.
+//! How near the planned wrench comes to the boundary of a set over the course of a trajectory.
 
 use super::Trajectory;
 use super::outside::PARTS;
 use crate::admissible::row::SetRow;
 use crate::model::Vehicle;
 
-/// The smallest margin, in widths of the healthy set (negative outside), in each of `columns` equal parts of the
-/// flight: at the nodes, at [`PARTS`] points an interval, and at the parts' ends.
+/// The smallest margin in each of `columns` equal parts of the trajectory's duration, in widths of the healthy set;
+/// negative outside. The wrench is evaluated at the nodes, at [`PARTS`] points an interval, and at the ends of the
+/// parts.
 pub fn nearness(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], columns: usize) -> Vec<f64> {
     let step = trajectory.duration() / columns as f64;
     let mut smallest = vec![f64::INFINITY; columns];
@@ -23,7 +24,7 @@ pub fn nearness(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: 
         let (begin, end) = (trajectory.times[k], trajectory.times[k + 1]);
         for p in 0..=PARTS {
             let t = (end - begin) * p as f64 / PARTS as f64;
-            // The last instant belongs to the last part.
+            // The end of the trajectory belongs to the last part.
             note((((begin + t) / step) as usize).min(columns - 1), margin(k, t));
         }
     }

@@ -1,4 +1,4 @@
-//! When the planned wrench leaves a set, to the instant.
+//! When the planned wrench is outside a set, to the instant: `docs/method.md`, section 8, "Violation" and "Outside".
 
 use super::Trajectory;
 use crate::actuation::Wrench;
@@ -6,33 +6,36 @@ use crate::admissible::row::{SetRow, VIOLATED};
 use crate::model::Vehicle;
 use crate::motion::wrench_model::WrenchModel;
 
-/// How a trajectory stands to one set.
+/// The violations of one set by a trajectory. A row is violated where its violation exceeds [`VIOLATED`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outside {
-    /// Indices of rows violated at some node.
+    /// Indices of the rows violated at some node, ascending.
     pub facets: Vec<usize>,
-    /// Indices of rows violated at some instant: these, and those passed only between nodes.
-    pub passed: Vec<usize>,
-    /// (row, node) pairs violated.
+    /// Indices of the rows violated at some instant, ascending: `facets`, and the rows violated only between nodes.
+    pub violated: Vec<usize>,
+    /// Number of pairs (row, node) with a violation.
     pub rows: usize,
-    /// Nodes with a violated row.
+    /// Number of nodes with a violated row.
     pub positions: usize,
-    /// Largest excess over all rows, in widths of the healthy set: at the nodes and, where the wrench bends between
-    /// them, about the largest of sixteen points an interval; negative where all stays inside.
+    /// The largest violation of all rows, in widths of the healthy set; negative if every row holds. If the wrench is
+    /// not linear between nodes, the violation is also evaluated at 16 points an interval and refined around the
+    /// largest.
     pub max_violation: f64,
-    /// Seconds outside.
+    /// How long at least one row is violated, s.
     pub seconds: f64,
-    /// The last instant outside, s; `None` where there is none.
+    /// The end of the last violation, s; `None` without one.
     pub last: Option<f64>,
 }
 
-/// Intervals over which the wrench bends are cut into this many parts when looking for crossings.
+/// If the wrench is not linear between nodes, each interval is divided into this many parts to find where a violation
+/// begins and ends.
 pub const PARTS: usize = 16;
 
-/// Holds the trajectory against rows. A row is violated where its excess is over [`VIOLATED`].
+/// The violations of `rows` by a trajectory. `gravity` is in m/s^2.
 ///
-/// With yaw linearised the wrench is linear over each interval, so crossing times follow in closed form; where
-/// the model follows the yaw they are bisected to rounding.
+/// With one yaw throughout the wrench is linear on each interval, and the instants at which a violation begins and ends
+/// follow in closed form. Otherwise they are bisected on each of [`PARTS`] parts of an interval, so that a violation
+/// within one part may be missed.
 pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow]) -> Outside {
     let wrenches = trajectory.node_wrenches(vehicle, gravity);
     let mut found = Outside { max_violation: f64::NEG_INFINITY, ..Outside::default() };
@@ -40,9 +43,9 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
     for w in &wrenches {
         let mut any = false;
         for (i, row) in rows.iter().enumerate() {
-            let excess = row.violation(w);
-            found.max_violation = found.max_violation.max(excess);
-            if excess > VIOLATED {
+            let violation = row.violation(w);
+            found.max_violation = found.max_violation.max(violation);
+            if violation > VIOLATED {
                 any = true;
                 violated[i] = true;
                 found.rows += 1;
@@ -51,47 +54,50 @@ pub fn outside(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &
         found.positions += usize::from(any);
     }
     found.facets = (0..rows.len()).filter(|&i| violated[i]).collect();
-    let mut highest: Option<Seen> = None;
+    let mut highest: Option<Sample> = None;
     for k in 0..trajectory.intervals() {
-        let (stretches, worst) = stretches(trajectory, vehicle, gravity, rows, k);
-        highest = highest.into_iter().chain(worst).max_by(|a, b| a.excess.total_cmp(&b.excess));
-        stretches.iter().for_each(|stretch| violated[stretch.row] = true);
-        for (a, b) in merged(stretches.into_iter().map(|s| (s.from, s.to)).collect()) {
+        let (intervals, worst) = violation_intervals(trajectory, vehicle, gravity, rows, k);
+        highest = highest.into_iter().chain(worst).max_by(|a, b| a.violation.total_cmp(&b.violation));
+        intervals.iter().for_each(|interval| violated[interval.row] = true);
+        for (a, b) in merged(intervals.into_iter().map(|s| (s.from, s.to)).collect()) {
             found.seconds += b - a;
             found.last = Some(b);
         }
     }
-    if let Some(seen) = highest {
-        found.max_violation = found.max_violation.max(refined(trajectory, vehicle, gravity, rows, seen));
+    if let Some(sample) = highest {
+        found.max_violation = found.max_violation.max(refined(trajectory, vehicle, gravity, rows, sample));
     }
-    found.passed = (0..rows.len()).filter(|&i| violated[i]).collect();
+    found.violated = (0..rows.len()).filter(|&i| violated[i]).collect();
     found
 }
 
-/// The excess over a row at an instant.
+/// The violation of a row at a sampled instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seen {
-    pub row: usize,
-    pub excess: f64,
-    /// s since the start
-    pub at: f64,
-    /// How far apart the instants looked at are, s.
-    pub apart: f64,
+pub(crate) struct Sample {
+    /// Index of the row.
+    pub(crate) row: usize,
+    /// In widths of the healthy set.
+    pub(crate) violation: f64,
+    /// s since the start.
+    pub(crate) at: f64,
+    /// Distance of neighbouring samples, s.
+    pub(crate) apart: f64,
 }
 
-/// Golden-section steps by which the peak about a sample is found: to 1e-6 of the distance of samples.
+/// Golden-section steps by which the peak near a sample is found, to 1e-6 of the distance of samples.
 const REFINEMENTS: usize = 30;
 
-/// The largest excess over a row about the sample at which it is largest.
-fn refined(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], seen: Seen) -> f64 {
+/// The largest violation of the sample's row between the neighbouring samples.
+fn refined(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[SetRow], sample: Sample) -> f64 {
     if matches!(trajectory.model, WrenchModel::HoverAt(_)) {
-        // Linear between samples.
-        return seen.excess;
+        // The wrench is linear between samples.
+        return sample.violation;
     }
-    let at = |t: f64| rows[seen.row].violation(&trajectory.wrench(vehicle, gravity, &trajectory.at(t)));
-    let (mut low, mut high) = ((seen.at - seen.apart).max(0.0), (seen.at + seen.apart).min(trajectory.duration()));
+    let at = |t: f64| rows[sample.row].violation(&trajectory.wrench(vehicle, gravity, &trajectory.at(t)));
+    let (mut low, mut high) =
+        ((sample.at - sample.apart).max(0.0), (sample.at + sample.apart).min(trajectory.duration()));
     let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let mut best = seen.excess;
+    let mut best = sample.violation;
     for _ in 0..REFINEMENTS {
         let (a, b) = (high - golden * (high - low), low + golden * (high - low));
         let (left, right) = (at(a), at(b));
@@ -101,23 +107,28 @@ fn refined(trajectory: &Trajectory, vehicle: &Vehicle, gravity: f64, rows: &[Set
     best
 }
 
-/// A time during which a row is violated within one interval.
+/// A time during which a row is violated, within one interval between nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stretch {
-    pub row: usize,
-    /// s since the start
-    pub from: f64,
-    pub to: f64,
+pub(crate) struct ViolationInterval {
+    /// Index of the row.
+    pub(crate) row: usize,
+    /// Beginning of the violation, s since the start.
+    pub(crate) from: f64,
+    /// End of the violation, s since the start.
+    pub(crate) to: f64,
 }
 
-/// What is violated in interval `k`, and the largest excess seen there; see [`outside`].
-pub fn stretches(
+/// The violations within interval `k` between nodes, and the sample with the largest violation; see [`outside`].
+///
+/// # Panics
+/// If there is no interval `k`.
+pub(crate) fn violation_intervals(
     trajectory: &Trajectory,
     vehicle: &Vehicle,
     gravity: f64,
     rows: &[SetRow],
     k: usize,
-) -> (Vec<Stretch>, Option<Seen>) {
+) -> (Vec<ViolationInterval>, Option<Sample>) {
     let begin = trajectory.times[k];
     let h = trajectory.times[k + 1] - begin;
     let curved = !matches!(trajectory.model, WrenchModel::HoverAt(_));
@@ -125,24 +136,24 @@ pub fn stretches(
     let at = |t: f64| trajectory.wrench(vehicle, gravity, &trajectory.within(k, t));
     let at_node = |node: usize| trajectory.wrench(vehicle, gravity, &trajectory.nodes[node]);
     let mut found = Vec::new();
-    let mut worst: Option<Seen> = None;
+    let mut worst: Option<Sample> = None;
     let apart = h / parts as f64;
     let mut left = (0.0, at_node(k));
     for p in 1..=parts {
         let t = h * p as f64 / parts as f64;
         let right = (t, if p == parts { at_node(k + 1) } else { at(t) });
         for (i, row) in rows.iter().enumerate() {
-            let excess = row.violation(&right.1);
-            if worst.is_none_or(|seen| excess > seen.excess) {
-                worst = Some(Seen { row: i, excess, at: begin + t, apart });
+            let violation = row.violation(&right.1);
+            if worst.is_none_or(|sample| violation > sample.violation) {
+                worst = Some(Sample { row: i, violation, at: begin + t, apart });
             }
             let at = curved.then_some(&at as &dyn Fn(f64) -> Wrench);
-            // A plane can be left on either side.
+            // The plane of an equality can be left on either side.
             let sides: &[f64] = if row.equality { &[1.0, -1.0] } else { &[1.0] };
             let spans_of = |&side| {
                 let over = |w: &Wrench| side * (row.normal.dot(w) - row.offset) - VIOLATED;
                 let (from, to) = span_outside(over, left, right, at)?;
-                Some(Stretch { row: i, from: begin + from, to: begin + to })
+                Some(ViolationInterval { row: i, from: begin + from, to: begin + to })
             };
             found.extend(sides.iter().filter_map(spans_of));
         }
@@ -151,7 +162,8 @@ pub fn stretches(
     (found, worst)
 }
 
-/// The part of [left, right] in which `over` is positive; at most one crossing is looked for.
+/// The part of [left, right] in which `over` is positive, assuming at most one change of sign. `curved` evaluates the
+/// wrench if it is not linear in between.
 fn span_outside(
     over: impl Fn(&Wrench) -> f64,
     left: (f64, Wrench),
@@ -172,7 +184,7 @@ fn span_outside(
     }
 }
 
-/// The point where `holds` turns from true to false.
+/// The point at which `holds` changes from true to false, by bisection.
 fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -185,7 +197,7 @@ fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     0.5 * (low + high)
 }
 
-/// Union of intervals, ascending.
+/// The union of intervals, ascending.
 fn merged(mut spans: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut union: Vec<(f64, f64)> = Vec::new();

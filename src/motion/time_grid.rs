@@ -1,29 +1,35 @@
-//! When each waypoint is reached, and which node that is.
+//! The time grid: node times, and the node at which each waypoint is reached (`docs/method.md`, section 5, "Waypoint
+//! times").
 
 use crate::model::Mission;
 use crate::model::grid::{Spacing, leg_durations, pieces};
 
-/// A leg, or a hold at a waypoint.
+/// A leg between two waypoints, or a hold at a waypoint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
-    /// The waypoint it starts from; for a hold also the one it ends at.
+    /// Index of the waypoint at which the segment starts; a hold also ends there.
     pub from: usize,
+    /// Whether the segment is a hold.
     pub hold: bool,
+    /// Index of its first node.
     pub first_node: usize,
+    /// Number of intervals; 1 for a hold.
     pub intervals: usize,
-    /// s
+    /// Duration, s.
     pub duration: f64,
+    /// How the nodes are spaced.
     pub spacing: Spacing,
-    /// The duration for which the nodes were spaced, s. Where the duration changes the nodes keep their shares of it.
+    /// The duration for which the nodes were spaced, s. If the duration changes, the nodes keep their shares of it.
     pub spaced_for: f64,
 }
 
 impl Segment {
-    pub fn leg_grid(&self) -> LegGrid {
+    /// The grid of this segment as a leg.
+    pub(crate) fn leg_grid(&self) -> LegGrid {
         LegGrid { duration: self.duration, intervals: self.intervals, spaced_for: self.spaced_for }
     }
 
-    /// The start of an interval, s after the start of the segment.
+    /// The start of interval `nth`, s after the start of the segment.
     fn start_of(&self, nth: usize) -> f64 {
         match self.spacing {
             Spacing::Even => Spacing::Even.start_of(self.duration, nth, self.intervals),
@@ -33,7 +39,7 @@ impl Segment {
         }
     }
 
-    /// Length of each interval, s.
+    /// The length of each interval, s.
     fn steps(&self) -> impl Iterator<Item = f64> {
         (0..self.intervals).map(|i| match self.spacing {
             Spacing::Even => self.duration / self.intervals as f64,
@@ -42,50 +48,55 @@ impl Segment {
     }
 }
 
-/// How one leg is cut into pieces.
+/// How one leg is divided into intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LegGrid {
-    /// s
+    /// Duration of the leg, s.
     pub duration: f64,
+    /// Number of intervals.
     pub intervals: usize,
-    /// [`Segment::spaced_for`], s
+    /// [`Segment::spaced_for`], s.
     pub spaced_for: f64,
 }
 
 impl LegGrid {
+    /// The grid of a leg with nodes spaced for its duration (s).
     pub fn new(duration: f64, intervals: usize) -> Self {
         LegGrid { duration, intervals, spaced_for: duration }
     }
 }
 
-/// Times of nodes and waypoints for one mission time.
+/// The times of nodes and waypoints for one mission time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimeGrid {
     /// Mission time, s.
     pub total: f64,
+    /// Legs and holds, in their order in time.
     pub segments: Vec<Segment>,
-    /// s; one more than there are intervals.
+    /// Times of the nodes, s, ascending; one more than there are intervals.
     pub node_times: Vec<f64>,
-    /// Node at which each waypoint is reached.
+    /// The node at which each waypoint is reached.
     pub waypoint_nodes: Vec<usize>,
 }
 
 impl TimeGrid {
+    /// The number of nodes.
     pub fn nodes(&self) -> usize {
         self.node_times.len()
     }
 
+    /// The number of intervals.
     pub fn intervals(&self) -> usize {
         self.node_times.len() - 1
     }
 
-    /// Length of each interval, s.
+    /// The length of each interval, s.
     pub fn steps(&self) -> impl Iterator<Item = f64> {
         self.segments.iter().flat_map(Segment::steps)
     }
 
-    /// The same mission without its holds: each shrinks to one node, at which all derivatives vanish. Nothing changes in
-    /// a hold, so programs leave them out.
+    /// The grid without its holds: each is reduced to one node, at which all derivatives vanish. Programs leave holds
+    /// out because nothing changes in them.
     pub fn flown(&self) -> TimeGrid {
         let mut segments: Vec<Segment> = self.segments.iter().filter(|s| !s.hold).copied().collect();
         for s in &mut segments {
@@ -102,18 +113,19 @@ impl TimeGrid {
         TimeGrid { total: node_times[node_times.len() - 1], segments, node_times, waypoint_nodes }
     }
 
-    /// What is said of the nodes of [`TimeGrid::flown`], for all nodes: both ends of a hold are alike.
-    pub fn with_holds<T: Clone>(&self, of_flown: &[T]) -> Vec<T> {
+    /// Extends values at the nodes of [`TimeGrid::flown`] to all nodes; both ends of a hold have the same value.
+    pub(crate) fn with_holds<T: Clone>(&self, of_flown: &[T]) -> Vec<T> {
         (0..self.nodes()).map(|node| of_flown[node - self.holds_before(node)].clone()).collect()
     }
 
-    /// What is said of all nodes, for those of [`TimeGrid::flown`].
+    /// Restricts values at all nodes to the nodes of [`TimeGrid::flown`].
     pub fn without_holds<T: Clone>(&self, of_all: &[T]) -> Vec<T> {
         (0..self.nodes()).filter(|&node| !self.ends_a_hold(node)).map(|node| of_all[node].clone()).collect()
     }
 
-    /// The same nodes with the duration of each leg (by the waypoint it starts from) times a factor; holds stay as they are.
-    pub fn with_durations_times(&self, factor: impl Fn(usize) -> f64) -> TimeGrid {
+    /// The grid with the duration of each leg multiplied by a factor. `factor` takes the index of the waypoint at which
+    /// the leg starts. Holds keep their durations.
+    pub(crate) fn with_durations_times(&self, factor: impl Fn(usize) -> f64) -> TimeGrid {
         let mut changed = self.clone();
         for (old, s) in self.segments.iter().zip(&mut changed.segments) {
             if !s.hold {
@@ -128,7 +140,7 @@ impl TimeGrid {
         changed
     }
 
-    /// Holds that end at or before a node.
+    /// The number of holds that end at or before a node.
     fn holds_before(&self, node: usize) -> usize {
         self.segments.iter().filter(|s| s.hold && s.first_node < node).count()
     }
@@ -139,9 +151,9 @@ impl TimeGrid {
 }
 
 impl TimeGrid {
-    /// The mission with the grids of its legs, in order, and the mission's holds; `total` is the sum of durations, s, to the
-    /// last digit.
-    pub fn with_legs(mission: &Mission, legs: &[LegGrid], total: f64) -> TimeGrid {
+    /// The grid of a mission from the grids of its legs, in order, and the mission's holds. `total` is the mission time
+    /// (s); the last node is placed there exactly.
+    pub(crate) fn with_legs(mission: &Mission, legs: &[LegGrid], total: f64) -> TimeGrid {
         let mut segments = Vec::new();
         let spacing = mission.spacing;
         for (i, w) in mission.waypoints.iter().enumerate() {
@@ -172,7 +184,7 @@ impl TimeGrid {
         TimeGrid::of_segments(mission, segments, total)
     }
 
-    /// Times of nodes and waypoints; `first_node` is filled in.
+    /// The grid of these segments, whose `first_node` is computed here.
     fn of_segments(mission: &Mission, mut segments: Vec<Segment>, total: f64) -> TimeGrid {
         let mut node_times = vec![0.0];
         let mut waypoint_nodes = vec![0];
@@ -182,7 +194,7 @@ impl TimeGrid {
             node_times.extend((1..=s.intervals).map(|i| begin + s.start_of(i)));
             begin += s.duration;
             if !s.hold {
-                // A time that the spec fixes is met to the last digit.
+                // A time that the spec fixes is met exactly.
                 begin = mission.waypoints[s.from + 1].time.unwrap_or(begin);
                 waypoint_nodes.push(node_times.len() - 1);
             }
@@ -195,13 +207,13 @@ impl TimeGrid {
     }
 }
 
-/// The mission time that fixed times and holds determine, where they do.
+/// The mission time (s) if the spec determines it, that is, if the time of the last waypoint is fixed.
 pub fn determined(mission: &Mission) -> Option<f64> {
     let last = mission.waypoints.last()?;
     last.time.map(|t| t + last.hold)
 }
 
-/// Every mission time must exceed this: fixed times and holds up to the last of them, s.
+/// The lower bound (s) that every mission time must exceed: the last fixed time and all holds after it.
 pub fn earliest(mission: &Mission) -> f64 {
     let mut at = 0.0;
     for w in &mission.waypoints {
@@ -210,16 +222,16 @@ pub fn earliest(mission: &Mission) -> f64 {
     at
 }
 
-/// Whether the spec says when some waypoint after the first is reached.
-pub fn has_fixed_times(mission: &Mission) -> bool {
+/// Whether the spec fixes the time of some waypoint after the first.
+pub(crate) fn has_fixed_times(mission: &Mission) -> bool {
     mission.waypoints.iter().skip(1).any(|w| w.time.is_some())
 }
 
-/// Lays out the mission over `total` seconds with `samples` intervals: one for each hold, at least one for each leg
-/// ([`Mission::least_intervals`] where there are enough).
+/// The grid of a mission over `total` seconds with `samples` intervals: one for each hold and at least one for each leg
+/// ([`Mission::least_intervals`] if there are enough).
 ///
-/// Between fixed times, what holds leave is shared among the legs in proportion to [`crate::model::Leg::share`].
-/// `None` where some leg would get no time.
+/// Between fixed times the time without holds is shared among the legs in proportion to [`crate::model::Leg::share`].
+/// `None` if some leg would get no time.
 pub fn time_grid(mission: &Mission, total: f64, samples: usize) -> Option<TimeGrid> {
     let durations = leg_durations(mission, total)?;
     let intervals = pieces(mission, &durations, samples);

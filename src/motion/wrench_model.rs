@@ -1,30 +1,32 @@
-//! Which wrench a motion asks for: by the paper's model about hover, or exactly.
+//! The wrench that a motion needs: by the paper's linear model about hover, or exactly.
 
 use super::hover_map::{self, WrenchMap, YawState};
 use super::{CommandState, NodeState, X, Y, YAW, Z};
 use crate::actuation::Wrench;
-use crate::flatness::{self, FlatState, INPUTS, LEAD_INPUTS, LeadFlatState};
+use crate::flatness::{self, COMMAND_INPUTS, CommandFlatState, FlatState, INPUTS};
 use crate::model::Vehicle;
 use nalgebra::{DMatrix, DVector};
 
-/// The model that a plan is made in.
+/// The model by which the wrench follows from a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WrenchModel {
-    /// Linear about hover at one yaw psi (rad), which is planned with the rest.
+    /// Linear about hover at one yaw psi (rad); yaw is planned together with position (`docs/method.md`, section 4,
+    /// "One yaw throughout").
     HoverAt(f64),
-    /// Linear in the derivatives of x, y and z, about hover at the planned yaw of each instant.
+    /// Linear about hover in the derivatives of x, y and z, at the planned yaw of each instant (section 4, "Changing
+    /// yaw").
     HoverFollowing,
-    /// Differential flatness of (3) to (9): no small angles.
+    /// The exact wrench by differential flatness of (3) to (9), without small angles (section 12).
     Exact,
 }
 
-/// Axis and derivative of each entry of a flat state.
+/// Axis and order of the derivative in each entry of a [`FlatState`].
 const FLAT: [(usize, usize); INPUTS] =
     [(X, 2), (Y, 2), (Z, 2), (X, 3), (Y, 3), (Z, 3), (X, 4), (Y, 4), (Z, 4), (YAW, 0), (YAW, 1), (YAW, 2)];
 
-/// Axis and derivative of each entry of a flat state with the slopes of the inputs.
-pub const LEAD_FLAT: [(usize, usize); LEAD_INPUTS] = {
-    let mut all = [(YAW, 3); LEAD_INPUTS];
+/// Axis and order of the derivative in each entry of a [`CommandFlatState`].
+pub const COMMAND_DERIVATIVES: [(usize, usize); COMMAND_INPUTS] = {
+    let mut all = [(YAW, 3); COMMAND_INPUTS];
     let mut i = 0;
     while i < INPUTS {
         all[i] = FLAT[i];
@@ -34,11 +36,11 @@ pub const LEAD_FLAT: [(usize, usize); LEAD_INPUTS] = {
     all
 };
 
-fn lead_flat(state: &CommandState) -> LeadFlatState {
-    LeadFlatState::from_fn(|i, _| state[LEAD_FLAT[i].0][LEAD_FLAT[i].1])
+fn command_flat(state: &CommandState) -> CommandFlatState {
+    CommandFlatState::from_fn(|i, _| state[COMMAND_DERIVATIVES[i].0][COMMAND_DERIVATIVES[i].1])
 }
 
-/// Axis and derivative of each direction in which the wrench may curve.
+/// Axis and order of the derivative in each entry of the vectors that [`WrenchModel::curvature`] returns.
 pub const DIRECTIONS: [(usize, usize); INPUTS] = FLAT;
 
 fn flat(state: &NodeState) -> FlatState {
@@ -46,8 +48,10 @@ fn flat(state: &NodeState) -> FlatState {
 }
 
 impl WrenchModel {
-    /// The derivative of each axis that is its input, piecewise linear in time: where torques follow exactly from
-    /// z as well, thrust must be twice differentiable, and z is a quadruple integrator like x and y.
+    /// The order of the derivative that is the input of each axis, linear between nodes.
+    ///
+    /// In the exact model the torques depend on z as well, so the thrust must be twice differentiable, and z is a
+    /// quadruple integrator like x and y.
     pub fn orders(self) -> [usize; 4] {
         match self {
             WrenchModel::Exact => [4, 4, 4, 2],
@@ -55,7 +59,7 @@ impl WrenchModel {
         }
     }
 
-    /// The wrench that a motion asks for at an instant, N and N m.
+    /// The wrench that a motion needs at an instant, N and N m. `gravity` is in m/s^2.
     pub fn wrench(self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> Wrench {
         match self {
             WrenchModel::HoverAt(psi) => WrenchMap::with_free_yaw(vehicle, gravity, psi).at(state),
@@ -67,9 +71,10 @@ impl WrenchModel {
         }
     }
 
-    /// The wrench about a state, to first order: w(s) + dw/ds (s' - s).
+    /// The linearisation of the wrench at a state s, as an affine function of a state s~: `w(s) + (dw/ds) (s~ - s)`.
     ///
-    /// Where the hover model follows yaw, psi and its derivatives are taken as they are in `state`.
+    /// With [`WrenchModel::HoverFollowing`] psi, psi' and psi'' are fixed at their values in `state`; only
+    /// `tau_z = Izz psi''` depends on the yaw of s~.
     pub fn linearised(self, vehicle: &Vehicle, gravity: f64, state: &NodeState) -> WrenchMap {
         match self {
             WrenchModel::HoverAt(psi) => WrenchMap::with_free_yaw(vehicle, gravity, psi),
@@ -90,8 +95,12 @@ impl WrenchModel {
         }
     }
 
-    /// The part of n.w that curves upwards about a state, as squares: sum of |factor . (s' - s)|^2 / 2 over the factors, each
-    /// over [`DIRECTIONS`]. Eigenvectors are taken with accelerations in units of g and time in units of `tau`, s.
+    /// The convex part of the curvature of n.w at a state s, as a sum of squares: `sum over factors of (factor.(s~ -
+    /// s))^2 / 2`. The entries of a factor are in the order of [`DIRECTIONS`]. Empty for the models about hover, which
+    /// are linear.
+    ///
+    /// Eigenvectors of the Hessian are taken with accelerations in units of g and time in units of `tau` (s);
+    /// eigenvalues at or below 1e-3 of the largest are dropped (`docs/method.md`, (73)).
     pub fn curvature(self, vehicle: &Vehicle, gravity: f64, state: &NodeState, n: &Wrench, tau: f64) -> Vec<FlatState> {
         if self != WrenchModel::Exact {
             return Vec::new();
@@ -101,38 +110,40 @@ impl WrenchModel {
         factors.into_iter().map(|f| FlatState::from_column_slice(f.as_slice())).collect()
     }
 
-    /// The lead wrench c = w + lag w' of rotors that lag by `lag` s, N and N m.
-    pub fn lead(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> Wrench {
+    /// The commanded wrench `c = w + lag w'` (N and N m) for rotors with a first-order lag of time constant `lag` (s):
+    /// (83) and (84).
+    pub fn commanded(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> Wrench {
         match self {
-            WrenchModel::Exact => flatness::lead(vehicle, gravity, lag, &lead_flat(state)),
-            _ => self.lead_linearised(vehicle, gravity, lag, state).at(state),
+            WrenchModel::Exact => flatness::commanded(vehicle, gravity, lag, &command_flat(state)),
+            _ => self.commanded_linearised(vehicle, gravity, lag, state).at(state),
         }
     }
 
-    /// The lead wrench about a state, to first order, as in [`Self::linearised`].
-    pub fn lead_linearised(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> WrenchMap {
+    /// The linearisation of the commanded wrench at a state, as in [`Self::linearised`].
+    pub fn commanded_linearised(self, vehicle: &Vehicle, gravity: f64, lag: f64, state: &CommandState) -> WrenchMap {
         match self {
-            WrenchModel::HoverAt(psi) => WrenchMap::leading_with_free_yaw(vehicle, gravity, psi, lag),
+            WrenchModel::HoverAt(psi) => WrenchMap::commanded_with_free_yaw(vehicle, gravity, psi, lag),
             WrenchModel::HoverFollowing => {
                 let [psi, rate, acceleration, jerk, ..] = state[YAW];
-                let mut map = WrenchMap::leading(vehicle, gravity, YawState { psi, rate, acceleration }, jerk, lag);
+                let mut map = WrenchMap::commanded(vehicle, gravity, YawState { psi, rate, acceleration }, jerk, lag);
                 map.constant[3] = 0.0;
                 let turn = Wrench::new(0.0, 0.0, 0.0, vehicle.inertia[2]);
                 map.terms.extend([(YAW, 2, turn), (YAW, 3, lag * turn)]);
                 map
             }
             WrenchModel::Exact => {
-                let at = lead_flat(state);
-                let (lead, slope) = flatness::lead_and_jacobian(vehicle, gravity, lag, &at);
-                let columns = LEAD_FLAT.iter().zip(slope.column_iter());
+                let at = command_flat(state);
+                let (commanded, slope) = flatness::commanded_and_jacobian(vehicle, gravity, lag, &at);
+                let columns = COMMAND_DERIVATIVES.iter().zip(slope.column_iter());
                 let terms = columns.map(|(&(axis, order), c)| (axis, order, c.into_owned())).collect();
-                WrenchMap { constant: lead - slope * at, terms }
+                WrenchMap { constant: commanded - slope * at, terms }
             }
         }
     }
 
-    /// [`Self::curvature`] of n.c, over [`LEAD_FLAT`].
-    pub fn lead_curvature(
+    /// The convex part of the curvature of n.c, as in [`Self::curvature`]. The entries of a factor are in the order of
+    /// [`COMMAND_DERIVATIVES`].
+    pub fn commanded_curvature(
         self,
         vehicle: &Vehicle,
         gravity: f64,
@@ -140,19 +151,20 @@ impl WrenchModel {
         state: &CommandState,
         n: &Wrench,
         tau: f64,
-    ) -> Vec<LeadFlatState> {
+    ) -> Vec<CommandFlatState> {
         if self != WrenchModel::Exact {
             return Vec::new();
         }
-        let hessian = flatness::lead_curvature(vehicle, gravity, lag, &lead_flat(state), n);
-        let hessian = DMatrix::from_column_slice(LEAD_INPUTS, LEAD_INPUTS, hessian.as_slice());
-        let factors = upward(&LEAD_FLAT, hessian, gravity, tau);
-        factors.into_iter().map(|f| LeadFlatState::from_column_slice(f.as_slice())).collect()
+        let hessian = flatness::commanded_curvature(vehicle, gravity, lag, &command_flat(state), n);
+        let hessian = DMatrix::from_column_slice(COMMAND_INPUTS, COMMAND_INPUTS, hessian.as_slice());
+        let factors = upward(&COMMAND_DERIVATIVES, hessian, gravity, tau);
+        factors.into_iter().map(|f| CommandFlatState::from_column_slice(f.as_slice())).collect()
     }
 }
 
-/// The positive part of a Hessian over derivatives (axis, order) as squares: eigenvectors times the roots of their
-/// eigenvalues, taken with accelerations in units of g and time in units of `tau`, s.
+/// The positive part of a Hessian as factors: eigenvectors times the square roots of their eigenvalues. `inputs` gives
+/// axis and order of each row. Eigenvectors are taken with accelerations in units of g and time in units of `tau` (s).
+/// Empty if the Hessian is not finite.
 fn upward(inputs: &[(usize, usize)], hessian: DMatrix<f64>, gravity: f64, tau: f64) -> Vec<DVector<f64>> {
     let unit = |&(axis, order): &(usize, usize)| match axis {
         YAW => tau.powi(-(order as i32)),

@@ -20,7 +20,7 @@ impl Task<'_> {
         record.conflict = explained.conflict.as_ref().map(|why| ConflictRecord::new(why, model, mission, sources));
         record.found_at_s = explained.nearby.times().collect();
         if let Some(planner) = record.planners.last_mut() {
-            planner.between = between;
+            planner.between_nodes = between;
         }
         record
     }

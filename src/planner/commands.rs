@@ -1,7 +1,7 @@
-//! Rotors that lag behind their commands: rows on the lead wrench.
+//! Rotors that lag behind their commands: rows on the commanded wrench.
 //!
-//! Where every thrust follows its command with f_c = f + tau f', a path w(t) of the wrench can be flown exactly where its
-//! lead wrench c = w + tau w' stays admissible as w does (docs/method.md, section 14). So each facet stands for c too.
+//! If every thrust follows its command with f_c = f + tau f', a wrench w(t) can be flown exactly where its commanded wrench
+//! c = w + tau w' is admissible as w is (docs/method.md, section 14). So each facet is imposed on c too.
 
 use crate::actuation::Wrench;
 use crate::model::Vehicle;
@@ -13,19 +13,19 @@ use crate::planner::yaw::YawPlan;
 use crate::qp::build::Affine;
 use std::collections::BTreeMap;
 
-/// At a node the inputs bend, and w' jumps: which slope of theirs is meant.
+/// The slope of the inputs to use at a node, where that slope, and with it w', jumps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Slope {
-    /// That of the interval which ends there.
+    /// That of the interval that ends there.
     Before,
-    /// That of the interval which begins there; between nodes the only one.
+    /// That of the interval that begins there; between nodes the only one.
     After,
 }
 
-/// An instant (see `Transcription::parts`) and the slope meant there.
+/// An instant (see `Transcription::parts`) and the slope to use there.
 pub type CommandAt = (usize, Slope);
 
-/// The interval whose slope is meant; `None` before the first and after the last.
+/// The interval whose slope is used; `None` before the first and after the last.
 pub(super) fn interval_of((instant, slope): CommandAt, parts: usize, intervals: usize) -> Option<usize> {
     let (interval, part) = (instant / parts, instant % parts);
     match slope {
@@ -35,15 +35,15 @@ pub(super) fn interval_of((instant, slope): CommandAt, parts: usize, intervals: 
     }
 }
 
-/// The lead wrench where rows on it can stand.
+/// The map of the commanded wrench at each place where rows on it can be imposed.
 pub type CommandMaps = BTreeMap<CommandAt, WrenchMap>;
 
 impl YawPlan {
-    /// The lead wrench of the hover model at both ends of every interval.
+    /// The commanded wrench of the hover model at both ends of every interval. `tau` is the time constant of the rotors, s.
     pub fn commands(&self, vehicle: &Vehicle, gravity: f64, grid: &TimeGrid, tau: f64) -> CommandMaps {
         let map = |node: usize, jerk: f64| match self {
-            YawPlan::Free { psi } => WrenchMap::leading_with_free_yaw(vehicle, gravity, *psi, tau),
-            YawPlan::Frozen(states) => WrenchMap::leading(vehicle, gravity, states[node], jerk, tau),
+            YawPlan::Free { psi } => WrenchMap::commanded_with_free_yaw(vehicle, gravity, *psi, tau),
+            YawPlan::Frozen(states) => WrenchMap::commanded(vehicle, gravity, states[node], jerk, tau),
         };
         let ends = |(interval, step): (usize, f64)| {
             let jerk = match self {
@@ -57,8 +57,8 @@ impl YawPlan {
 }
 
 impl Transcription<'_> {
-    /// A derivative, or the slope of an input, where a lead wrench is taken; `bend` is what derivatives (node, axis, order)
-    /// have more on the later side of their node. `None` where there is no such interval.
+    /// A derivative, or the slope of an input, at the place of a commanded wrench; `jump` gives the difference of the derivative
+    /// (node, axis, order) between the later and the earlier side of a node. `None` if there is no such interval.
     pub(super) fn command_derivative(
         &self,
         at: CommandAt,
@@ -82,7 +82,7 @@ impl Transcription<'_> {
         Some(rise.times(1.0 / h))
     }
 
-    /// The lead wrench of states at a node, by the maps of [`Self::commands`]; `None` without them or without such an
+    /// The commanded wrench of states at a node, by the maps of [`Self::commands`]; `None` without them or without such an
     /// interval.
     pub(super) fn command_wrench(&self, states: &[NodeState], at: CommandAt) -> Option<Wrench> {
         let map = self.commands?.get(&at)?;

@@ -75,11 +75,11 @@ impl Transcription<'_> {
         sum
     }
 
-    /// Where an end is free, squared accelerations over time, to go beside (48) in the search for a motion to begin from.
+    /// Adds a weight on squared accelerations to (48) if an end is free, for the minimum-snap initial guess.
     ///
-    /// (48) says little there: cubics of time cost nothing in x and y, and many of them meet a few waypoints. `w_s / tau^4`
-    /// times the integral of `x''^2 + y''^2`, tau the mean duration of a leg, weighs an acceleration like the snap that
-    /// builds it up within such a time, and prefers one.
+    /// There (48) alone has many minimisers: cubics of time cost nothing in x and y, and many of them meet a few waypoints. The term
+    /// is `w_s / tau^4` times the integral of `x''^2 + y''^2`, tau the mean duration of a leg, which weighs an acceleration like
+    /// the snap that builds it up within such a time, and prefers one of them.
     pub(super) fn gentleness(&self, builder: &mut Builder) {
         if self.free_ends().next().is_none() {
             return;
@@ -96,7 +96,7 @@ impl Transcription<'_> {
         }
     }
 
-    /// The first and the last node, where the mission does not rest there; of a stop after a fault neither.
+    /// The first and the last node, each if the mission does not rest there; none for a stop after a fault.
     pub(super) fn free_ends(&self) -> impl Iterator<Item = usize> {
         let Mission { waypoints, start_at_rest, end_at_rest, .. } = self.mission;
         let holds = |w: Option<&Waypoint>| w.is_some_and(|w| w.hold > 0.0);

@@ -44,39 +44,41 @@ fn bounded(kind: LimitKind) -> Bounded {
     }
 }
 
-/// Whether a limit bounds where the vehicle is, whatever the time it takes.
+/// Whether a limit bounds a place (x, y, z or yaw), and so does not depend on time.
 pub(super) fn place(kind: LimitKind) -> bool {
     matches!(kind, LimitKind::X | LimitKind::Y | LimitKind::Z | LimitKind::Yaw)
 }
 
-/// By how much bounds give way in a program.
+/// By how much bounds are widened in a program.
 pub(super) struct Widening {
-    /// Each bound is wider by this share of itself; positions stand.
+    /// Each bound is wider by this share of itself, except bounds on positions.
     share: Affine,
-    /// The relative change of the time flown: derivatives of order m then shrink by (1 + stretch)^m, and bounds on them, in
-    /// the old time, grow by at least m times it.
-    stretch: Affine,
+    /// The relative change delta of the duration: derivatives of order m then shrink by (1 + delta)^m, so that bounds on them, in
+    /// the old time, grow by at least m delta.
+    duration_change: Affine,
 }
 
 impl Widening {
+    /// Each bound wider by this share of itself, the duration unchanged.
     pub fn by(share: &Affine) -> Self {
-        Widening { share: share.clone(), stretch: Affine::default() }
+        Widening { share: share.clone(), duration_change: Affine::default() }
     }
 
-    pub fn with_stretch(self, stretch: &Affine) -> Self {
-        Widening { stretch: stretch.clone(), ..self }
+    /// The same with a relative change of the duration.
+    pub fn with_duration_change(self, change: &Affine) -> Self {
+        Widening { duration_change: change.clone(), ..self }
     }
 
     /// A bound on a derivative of the given order; `side` is 1 for upper bounds, -1 for lower ones.
     fn bound(&self, bound: f64, order: usize, side: f64) -> Affine {
         let mut wider = Affine::constant(bound);
         wider.add(&self.share, side * widens(order, bound));
-        wider.add(&self.stretch, bound * order as f64);
+        wider.add(&self.duration_change, bound * order as f64);
         wider
     }
 }
 
-/// How much wider a bound becomes per unit of share: itself, but positions stand.
+/// How much wider a bound becomes per unit of share: by itself, or not at all if it bounds a position.
 fn widens(order: usize, bound: f64) -> f64 {
     if order > 0 { bound.abs() } else { 0.0 }
 }
@@ -123,19 +125,19 @@ impl Transcription<'_> {
         }
     }
 
-    /// z'' + g >= [`UPRIGHT`] g.
+    /// The row (68): z'' + g >= [`UPRIGHT`] g.
     pub(super) fn upright(&self, builder: &mut Builder, instant: usize, widening: &Widening) {
         let mut row = self.derivative(instant, Z, 2);
         row.add(&widening.bound(self.model.gravity, 2, 1.0), 1.0 - UPRIGHT);
         builder.nonnegative(row, RowOrigin::Upright { node: instant / self.parts });
     }
 
-    /// How far a state is from upright, as a share of gravity; negative inside.
+    /// The violation of (68) by a state, as a share of gravity; negative inside.
     pub(super) fn violation_upright(&self, state: &NodeState) -> f64 {
         UPRIGHT - 1.0 - state[Z][2] / self.model.gravity
     }
 
-    /// What a limit bounds, given the integrators: a jerk along z is a state of its own or the slope of the input.
+    /// What a limit bounds, given the integrators: the jerk along z is a state or the slope of the input.
     fn bounded(&self, kind: LimitKind) -> Bounded {
         match bounded(kind) {
             Bounded::Jerk if self.orders[Z] > 2 => Bounded::Norm { axes: &[X, Y, Z], order: 3 },
@@ -143,8 +145,8 @@ impl Transcription<'_> {
         }
     }
 
-    /// How far states pass a limit at a node when it is widened by `sigma`, as a share of the limit (m or rad for
-    /// positions and yaw); negative inside.
+    /// The violation of a limit widened by `sigma` by the states at a node, as a share of the limit (m or rad for positions and
+    /// yaw); negative inside.
     pub(super) fn limit_violation(&self, limit: &Limit, states: &[NodeState], node: usize, sigma: f64) -> f64 {
         let mut state = states[node];
         if let Bounded::Jerk = self.bounded(limit.kind) {

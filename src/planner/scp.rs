@@ -1,28 +1,36 @@
-//! Plans under a wrench that is not linear in the motion, by successive convexification.
+//! Plans under a wrench that is not linear in the motion, by sequential convex programming.
 //!
-//! Each step solves a convex program with the wrench linear about the last iterate, its curvature weighed by the last
-//! multipliers (sequential quadratic programming with the convex part of the Lagrangian's Hessian: Nocedal and Wright,
-//! *Numerical Optimization*, chapter 18; for trajectories Mao, Szmuk and Acikmese, CDC 2016). Steps restore feasibility
-//! at one mission time, then lower the cost there; shorter times are tried from the smooth plan of the last.
+//! Each step solves a convex subproblem (`subproblem`) with the wrench linear about the last iterate and the convex part of the
+//! Lagrangian's Hessian by the last multipliers (Nocedal and Wright, *Numerical Optimization*, chapter 18; for trajectories Mao,
+//! Szmuk and Acikmese, CDC 2016). At one mission time a feasibility phase is followed by a cost phase and constraint tightening; shorter
+//! times are reached by `continuation` and by steps with the durations of legs as variables
+//! (`durations`, `fixed_times`). Section 12 of `docs/method.md` lists these algorithms; [`settings`] holds their parameters.
 
 mod commands;
+mod continuation;
+mod cost_phase;
 mod durations;
+mod exact;
+mod feasibility_phase;
 mod fixed_times;
 mod given_time;
 mod initial_guess;
 mod iterate;
 mod minimum_snap;
-mod phases;
 mod relaxation;
 pub mod sensitivity;
+pub mod settings;
 mod shortest_time;
 mod stopping;
 mod subproblem;
+mod tightening;
 mod violation;
 
+pub use exact::ExactPlanner;
 pub use given_time::NOT_FOUND;
 pub use iterate::Iterate;
 pub use relaxation::{MostThrust, Relaxed};
+pub use settings::ScpSettings;
 
 use crate::actuation::Wrench;
 use crate::flatness::FlatState;
@@ -36,73 +44,61 @@ use crate::planner::limits::place;
 use crate::planner::selection::PlanningSet;
 use crate::planner::spline::NodeSpline;
 use crate::planner::transcription::{Row, RowAt, Transcription, splines};
-use crate::solve::{Approach, Outcome, Solution, approach, solve_graded};
+use crate::solve::{Outcome, Solution, StepSolution, solve_graded, solve_step};
 use commands::Lag;
+use settings::ProximalSettings;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 use subproblem::{Objective, Step, change};
 
-/// Share of a facet's width that steps keep free, so that what the last one leaves curved ends inside.
-pub const TIGHTENING: f64 = 1e-4;
-
-/// Instants per interval at which a plan is checked, and at which rows can stand: those at which reports look.
+/// Instants per interval at which a plan is checked and rows can be imposed: those at which reports look.
 pub use crate::motion::outside::PARTS;
-
-/// Rows of the last iterate with less slack than this stand in the next step from its beginning.
-const NEAR: f64 = 0.1;
-
-/// Where [`Transcription::stiffness`] is larger than this times the iterate's cost, steps use stage variables. (Measured on five
-/// missions at 100 to 400 samples: 102 s in all instead of 110 s with 1e8, with the same times to 0.2 % or shorter ones.)
-const MOST_STIFFNESS: f64 = 1e10;
-
-/// Multipliers below this do not count.
-const NEGLIGIBLE: f64 = 1e-4;
 
 const ALL_AXES: [usize; 4] = [X, Y, Z, YAW];
 
-/// How far a step may go: where the last one told the truth the next may go further.
+/// The weight of the proximal term, which keeps a step where the linear model holds; see [`Step::proximal_weight`]. It adapts
+/// to the ratio of actual to predicted gain, as the radius of a trust region does.
 #[derive(Debug, Clone, Copy)]
 struct ProximalWeight {
-    /// Weight of changed accelerations; see [`Step::proximal_weight`].
     weight: f64,
 }
 
 impl ProximalWeight {
-    const MOST: f64 = 1e5;
-    const LEAST: f64 = 1e-6;
-
-    /// After a step that gained `gained` where the program promised `expected`.
-    fn after(self, gained: f64, expected: f64) -> ProximalWeight {
+    /// After a full step that gained `gained` where the linear model predicted `expected`.
+    fn after(self, gained: f64, expected: f64, settings: &ProximalSettings) -> ProximalWeight {
         match gained / expected {
-            r if r > 0.7 => ProximalWeight { weight: (0.25 * self.weight).max(Self::LEAST) },
-            r if r < 0.3 => self.less(),
+            r if r > settings.good_ratio => {
+                ProximalWeight { weight: (settings.decrease * self.weight).max(settings.min_weight) }
+            }
+            r if r < settings.poor_ratio => self.increased(settings),
             _ => self,
         }
     }
 
-    /// After a step of which only a share was taken.
-    fn shared(self, share: f64) -> ProximalWeight {
-        ProximalWeight { weight: self.weight * (1.0 / share).clamp(2.0, 16.0) }
+    /// After a step of which the line search took only a share.
+    fn after_share(self, share: f64, settings: &ProximalSettings) -> ProximalWeight {
+        let (least, most) = settings.increase_after_share;
+        ProximalWeight { weight: self.weight * (1.0 / share).clamp(least, most) }
     }
 
-    fn less(self) -> ProximalWeight {
-        ProximalWeight { weight: 4.0 * self.weight }
+    fn increased(self, settings: &ProximalSettings) -> ProximalWeight {
+        ProximalWeight { weight: settings.increase * self.weight }
     }
 
-    fn exhausted(self) -> bool {
-        self.weight > Self::MOST
+    fn is_exhausted(self, settings: &ProximalSettings) -> bool {
+        self.weight > settings.max_weight
     }
 }
 
-/// What a step weighs against each other.
+/// The weights of a subproblem's objective (73).
 #[derive(Debug, Clone, Copy)]
 struct Weights {
     objective: Objective,
     /// See [`Step::penalty`].
     penalty: f64,
-    /// See [`Step::smoothing`].
-    smoothing: f64,
+    /// See [`Step::cost_weight`].
+    cost_weight: f64,
     /// See [`Step::input_weight`].
     input_weight: f64,
 }
@@ -110,45 +106,49 @@ struct Weights {
 /// How durations may change in a step.
 #[derive(Debug, Clone)]
 struct Durations {
-    /// Per leg: which change is its own; `None` where its duration stands.
+    /// Per leg the index of its variable; `None` where its duration is fixed.
     legs: Vec<Option<usize>>,
     /// Least and largest relative change of a duration.
     range: (f64, f64),
-    /// Legs between fixed times: they may share what is between these anew, but keep the sum of their durations.
+    /// Legs between two fixed times: their durations may change, but not the sum of them.
     spans: Vec<Range<usize>>,
 }
 
-/// Plans one mission against one set.
+/// Plans one mission against one set by sequential convex programming.
 pub struct ScpPlanner<'e, 'a> {
+    /// The mission, its progress report and the solver's effort; time grids are laid out by it.
     pub hover: &'e mut HoverPlanner<'a>,
+    /// The wrench of a trajectory: exact, or one of the models about hover.
     pub wrench: WrenchModel,
     pub set: &'e PlanningSet,
-    /// What each row of the set keeps free, in widths of the healthy set.
+    pub settings: ScpSettings,
+    /// The tightening of each row of the set, in widths of the healthy set.
     tightening: Vec<f64>,
-    /// What rows keep free beyond that, by instant and place ([`Self::row`]): about there the wrench bends between instants.
+    /// Further tightening by instant and place ([`Self::row`]), where rows are violated between the instants.
     local_tightening: BTreeMap<usize, BTreeMap<usize, f64>>,
-    /// Of the last program: the sum of multiplier times normal of the facets at each instant.
+    /// Of the last subproblem: the sum of multiplier times normal of the facets at each instant.
     multipliers: BTreeMap<usize, Wrench>,
-    /// Proximity at which the next steps towards the least cost begin.
+    /// Proximal weight with which the next cost phase starts.
     proximal_weight_of_cost_phase: f64,
-    /// [`Step::input_weight`] of motions that nearly fit; 0 once it has kept one from fitting.
+    /// [`Step::input_weight`] of nearly feasible iterates; 0 after it has made one feasibility phase fail.
     input_weight: f64,
     /// Where rotors lag.
     lag: Option<Lag>,
-    /// Of the last step, with the times of the nodes.
+    /// Of the last step, with the times of the nodes, s.
     splines: Option<(Vec<f64>, Arc<[NodeSpline; 2]>)>,
 }
 
-/// What one program gave.
+/// The solution of one subproblem.
 struct Stepped {
-    /// In the old time.
+    /// The derivatives at the nodes as if no duration changed.
     states: Vec<NodeState>,
+    /// The violation that the linear model predicts, with the tightening.
     sigma: f64,
     /// Relative change of each leg's duration.
     changes: Vec<f64>,
 }
 
-/// The wrench about an iterate, at the instants that have rows.
+/// The wrench linearised about an iterate, at the instants that have rows.
 struct Linearisation {
     maps: Vec<WrenchMap>,
     wrenches: Vec<Wrench>,
@@ -157,25 +157,38 @@ struct Linearisation {
 }
 
 impl<'e, 'a> ScpPlanner<'e, 'a> {
-    pub fn new(engine: &'e mut HoverPlanner<'a>, wrench: WrenchModel, set: &'e PlanningSet) -> Self {
-        let model = engine.model;
-        let hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
-        // What hover itself keeps free is all that can be kept free.
+    /// With [`ScpSettings::DEFAULT`].
+    pub fn new(hover: &'e mut HoverPlanner<'a>, wrench: WrenchModel, set: &'e PlanningSet) -> Self {
+        ScpPlanner::with_settings(hover, wrench, set, ScpSettings::DEFAULT)
+    }
+
+    /// `hover` belongs to the mission to plan; `set` is imposed on the wrench.
+    pub fn with_settings(
+        hover: &'e mut HoverPlanner<'a>,
+        wrench: WrenchModel,
+        set: &'e PlanningSet,
+        settings: ScpSettings,
+    ) -> Self {
+        let model = hover.model;
+        let at_hover = Wrench::new(model.vehicle.mass * model.gravity, 0.0, 0.0, 0.0);
+        let margin = settings.tightening.margin;
+        // No more can be kept free than hover itself does.
         let tightening = set.rows.iter().map(|row| match row.equality {
-            true => -TIGHTENING,
-            false => TIGHTENING.min(-0.5 * row.violation(&hover)).max(0.0),
+            true => -margin,
+            false => margin.min(-0.5 * row.violation(&at_hover)).max(0.0),
         });
         let lag = model.thrust_lag().map(|tau| Lag::new(tau, set));
         let local_tightening = BTreeMap::new();
         ScpPlanner {
             tightening: tightening.collect(),
             local_tightening,
-            hover: engine,
+            hover,
             wrench,
             set,
+            settings,
             multipliers: BTreeMap::new(),
-            proximal_weight_of_cost_phase: phases::COST_PHASE_WEIGHT,
-            input_weight: phases::INPUT_WEIGHT,
+            proximal_weight_of_cost_phase: settings.cost.proximal_weight,
+            input_weight: settings.proximal.input_weight,
             lag,
             splines: None,
         }
@@ -191,7 +204,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         form.with_orders(self.wrench.orders(), PARTS).stopping_from(self.hover.struck)
     }
 
-    /// The wrench about an iterate, at the instants of `working_set` and, where the set is flat, at the nodes.
+    /// The wrench linearised about an iterate (70), at the instants of `working_set` and, where the set is flat, at the nodes.
     fn linearise(&self, iterate: &Iterate, working_set: &BTreeSet<RowAt>) -> Linearisation {
         let instants = iterate.grid.intervals() * PARTS + 1;
         let mut linear = Linearisation {
@@ -216,7 +229,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         linear
     }
 
-    /// The convex part of the Lagrangian's curvature about an iterate, by the last multipliers.
+    /// The convex part of the Lagrangian's Hessian about an iterate, by the last multipliers: the last line of (73).
     fn curvature(&self, iterate: &Iterate) -> Vec<(usize, NodeState, Vec<FlatState>)> {
         let tau = self.transcription(&iterate.grid, &[]).mean_tau();
         let at = |(&instant, n): (&usize, &Wrench)| {
@@ -224,11 +237,11 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             let (vehicle, gravity) = (&self.hover.model.vehicle, self.hover.model.gravity);
             (instant, state, self.wrench.curvature(vehicle, gravity, &state, n, tau))
         };
-        // Where the wrench does not curve there is nothing to weigh, nor need its directions exist.
+        // Without curvature there is nothing to add, and its directions need not exist.
         self.multipliers.iter().map(at).filter(|(_, _, factors)| !factors.is_empty()).collect()
     }
 
-    /// The splines of a profile: those of the last step where it had the same nodes.
+    /// The splines over a time grid: those of the last step if it had the same nodes.
     fn splines(&mut self, grid: &TimeGrid) -> Arc<[NodeSpline; 2]> {
         match &self.splines {
             Some((times, known)) if *times == grid.node_times => known.clone(),
@@ -240,13 +253,19 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         }
     }
 
+    /// The durations of a step that changes none.
+    fn fixed_durations(&self) -> Durations {
+        Durations { legs: vec![None; self.hover.mission.legs.len()], range: (0.0, 0.0), spans: Vec::new() }
+    }
+
     fn forget_multipliers(&mut self) {
         self.multipliers.clear();
         self.lag.iter_mut().for_each(|lag| lag.multipliers.clear());
     }
 
-    /// Solves one step about an iterate. Rows that it passes are found afterwards, and stand in the next one: solving the same
-    /// lines again with them takes more programs in all (measured).
+    /// Solves one subproblem about an iterate. Rows that its solution violates are found afterwards and are in the next one:
+    /// solving the same linearisation again with them takes more programs in all (measured). `None` if the solver reaches no
+    /// point in which the rows hold.
     fn step(
         &mut self,
         iterate: &Iterate,
@@ -255,17 +274,19 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         weights: Weights,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Stepped> {
-        working_set.extend(self.rows_at_nodes(iterate, -NEAR));
+        let settings = self.settings;
+        working_set.extend(self.rows_at_nodes(iterate, -settings.subproblem.slack_of_working_set));
         working_set.extend(self.rows_everywhere(&iterate.grid));
-        // Splines cannot bend where legs change by different shares, and stiff ones leave the solver no digits.
+        // Splines cannot have the jumps (72) that legs with different changes need, and stiff ones leave the solver no digits.
         let together = legs.iter().all(|leg| *leg == legs[0]);
         let known = together.then(|| self.splines(&iterate.grid));
         let linear = self.linearise(iterate, working_set);
         let curvature = self.curvature(iterate);
         let chosen: Vec<RowAt> = working_set.iter().copied().collect();
-        let local_tightening: Vec<f64> = chosen.iter().map(|r| self.bend(r)).collect();
-        let commands = self.command_lines(iterate, working_set);
+        let local_tightening: Vec<f64> = chosen.iter().map(|r| self.local_tightening_of(r)).collect();
+        let commands = self.linearise_commands(iterate, working_set);
         let step = Step {
+            settings: &settings,
             from: &iterate.states,
             wrenches: &linear.wrenches,
             time_sensitivities: &linear.time_sensitivities,
@@ -274,7 +295,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             proximal_weight: proximal.weight,
             objective: weights.objective,
             penalty: weights.penalty,
-            smoothing: weights.smoothing,
+            cost_weight: weights.cost_weight,
             input_weight: weights.input_weight,
             range: *range,
             spans,
@@ -284,37 +305,38 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         };
         let stages = self.transcription(&iterate.grid, &linear.maps);
         let splines = known.map(|known| self.transcription(&iterate.grid, &linear.maps).in_these(known));
-        let most = MOST_STIFFNESS * self.cost(iterate);
+        let most = settings.subproblem.max_stiffness * self.cost(iterate);
         let splines = splines.filter(|form| form.stiffness() <= most);
-        // Asked in turn until one is solved: splines as the solver scales them, stages first as they are.
+        // Tried in turn until one is solved: splines with the solver's scaling, stage variables without it and then with it.
         let of_splines = splines.iter().map(|form| (form, true));
         let ways = of_splines.chain([(&stages, false), (&stages, true)]);
         let mut found = None;
         for (form, scaled) in ways {
             let (program, places) = form.step_program(&step, &chosen);
-            let (approached, effort) = approach(&program, scaled);
+            let (approached, effort) = solve_step(&program, scaled);
             self.hover.effort += effort;
-            let Some(Approach { solution: Solution { x, z, .. }, is_least }) = approached else { continue };
-            if is_least || found.is_none() {
+            let Some(StepSolution { solution: Solution { x, z, .. }, is_optimal }) = approached else { continue };
+            if is_optimal || found.is_none() {
                 found = Some((form, x, z, places));
             }
-            if is_least {
+            if is_optimal {
                 break;
             }
         }
         let (form, x, z, places) = found?;
         let variables = form.variables();
         let of_leg = |leg: &Option<usize>| leg.map_or(0.0, |i| change(x[variables + 1 + i]).clamp(range.0, range.1));
+        let negligible = settings.subproblem.negligible_multiplier;
         self.forget_multipliers();
         for (&RowAt { row, instant }, place) in chosen.iter().zip(&places) {
             if let (Row::Facet(facet), Some(place)) = (row, place)
-                && z[*place] > NEGLIGIBLE
+                && z[*place] > negligible
             {
                 let normal = self.set.rows[facet].normal;
                 *self.multipliers.entry(instant).or_insert_with(Wrench::zeros) += normal * z[*place];
             }
             if let (Row::Command { facet, slope }, Some(place), Some(lag)) = (row, place, &mut self.lag)
-                && z[*place] > NEGLIGIBLE
+                && z[*place] > negligible
             {
                 let normal = self.set.rows[facet].normal;
                 *lag.multipliers.entry((instant, slope)).or_insert_with(Wrench::zeros) += normal * z[*place];

@@ -7,7 +7,7 @@ use crate::admissible::row::{SetRow, row};
 use crate::admissible::{AdmissibleSet, intersection};
 use std::fmt;
 
-/// What a planner imposes on the wrench at every node.
+/// The rows that a planner imposes on the wrench at every node, in widths of the healthy set.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlanningSet {
     pub rows: Vec<SetRow>,
@@ -44,8 +44,8 @@ impl PlanningSet {
     }
 }
 
-/// One row a line, in widths of the healthy set: coefficients of [T, tau_x, tau_y, tau_z], the bound, and the
-/// facets it stands for as `mode.facet` (mode 0 is healthy, the others in the order declared).
+/// One row per line, in widths of the healthy set: coefficients of [T, tau_x, tau_y, tau_z], the bound, and the facets that it
+/// comes from as `mode.facet` (mode 0 is healthy, the others in the order declared).
 impl fmt::Display for PlanningSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let n = self.rows.len();

@@ -1,11 +1,11 @@
-//! B-splines with knots at the nodes: the motions whose inputs are continuous and piecewise linear.
+//! B-splines with knots at the nodes: all motions whose inputs are continuous and piecewise linear.
 //!
 //! A chain of r integrators under first-order hold moves along a polynomial of degree r + 1 on each interval, with
 //! all derivatives up to the input continuous: exactly the splines of degree r + 1 with simple knots at the nodes
 //! (de Boor, *A Practical Guide to Splines*). Their coefficients need no equality rows, while stage variables need
 //! r per interval and axis.
 
-/// What a derivative at a node is made of: `(coefficient, weight)` pairs.
+/// A derivative at a node as a combination of coefficients: `(coefficient, weight)` pairs.
 pub type Weights = Vec<(usize, f64)>;
 
 /// Values at the nodes of all derivatives up to the input's.
@@ -32,11 +32,12 @@ impl NodeSpline {
         NodeSpline { weights, coefficients: intervals + degree }
     }
 
+    /// The number of coefficients of one axis.
     pub fn coefficients(&self) -> usize {
         self.coefficients
     }
 
-    /// The largest weight of a coefficient in the input at some node; it grows with the shortest step to the minus
+    /// The largest weight of a coefficient in the input at any node; it is proportional to the shortest step to the power minus
     /// `order`.
     pub fn steepest(&self) -> f64 {
         let inputs = self.weights.iter().filter_map(|orders| orders.last()).flatten();

@@ -1,10 +1,9 @@
-//! Whether the vehicle can still come to rest when a fault strikes: motions from a plan's state to rest, inside what the
-//! fault leaves and within the mission's limits.
+//! Stops after a fault: motions from a plan's state to rest, inside the admissible set of the fault mode and within the mission's
+//! limits.
 //!
-//! A fault leaves position, velocity, attitude, body rates, yaw and its rate as they are; thrust and torques may jump. A
-//! stop ends level, without velocity and body rates, wherever it likes: from there the vehicle hovers. How long it takes is
-//! free, so some durations are tried; a stop that is found is one, checked by plain evaluation, while one that is not found
-//! may exist.
+//! When a fault strikes, position, velocity, attitude, body rates, yaw and its rate do not change; thrust and torques may jump.
+//! A stop ends level, without velocity and body rates, at any place: from there the vehicle hovers. Its duration is free, so
+//! several are tried. A stop that is found is checked by plain evaluation; if none is found, one may still exist.
 
 mod ends;
 
@@ -21,38 +20,41 @@ use crate::planner::selection::PlanningSet;
 use crate::planner::transcription::UNBOUNDED;
 use crate::solve::Effort;
 
-/// A stop is cut into parts of these shares, each with so many intervals: rates are caught at its beginning and the
-/// vehicle is levelled at its end, which takes shorter steps than to brake in between.
+/// A stop is divided into parts of these shares of its duration, each with this many intervals. Body rates are stopped at its
+/// beginning and the vehicle is levelled at its end, which needs shorter steps than braking in between.
 const SHARES: [f64; 5] = [1.0, 2.0, 3.0, 2.0, 1.0];
 const INTERVALS: usize = 5;
 
-/// Durations tried: the shortest, s, or what 2 g take to brake if that is longer; by what factor each is longer than the one
-/// before; how many; and which is the first where no stop is known yet.
+/// The shortest duration tried, s, unless braking with 2 g takes longer.
 const SHORTEST: f64 = 0.4;
+/// Ratio of consecutive durations tried.
 const LONGER: f64 = 1.6;
+/// How many durations are tried.
 const TRIES: i32 = 9;
+/// The index of the duration tried first, while no stop is known.
 const MIDDLE: i32 = 3;
 
-/// Limits may be passed by this share of themselves, places by this much (m or rad): plans hold them to tolerances, and
-/// may be struck at a limit.
+/// Limits are widened by this share of themselves, places by this much (m or rad): a plan holds them to tolerances only, and a fault
+/// may strike at a limit.
 const LEEWAY: f64 = 1e-4;
 
 /// Looks for stops along one plan, after one fault.
 pub struct Stops<'a> {
     model: &'a Model,
-    /// Its limits hold for stops too.
+    /// The plan's mission, whose limits hold for stops too.
     mission: &'a Mission,
     healthy: &'a AdmissibleSet,
-    /// What the fault leaves.
+    /// The admissible set of the fault mode.
     set: &'a PlanningSet,
-    /// Of the plan, and of stops.
+    /// The wrench model of the plan, and of stops.
     wrench: WrenchModel,
-    /// The last stop found: the next is sought about it first.
+    /// The last stop found, the first initial guess for the next.
     last: Option<Iterate>,
     pub effort: Effort,
 }
 
 impl<'a> Stops<'a> {
+    /// `set` is the admissible set of the fault mode, `wrench` the model that the plan was made with.
     pub fn new(
         model: &'a Model,
         mission: &'a Mission,
@@ -63,26 +65,25 @@ impl<'a> Stops<'a> {
         Stops { model, mission, healthy, set, wrench, last: None, effort: Effort::default() }
     }
 
-    /// A stop from the state of a plan in which the fault strikes; `None` where none of the durations tried has one, or where
-    /// the steps of the exact model find none.
+    /// A stop from the state of a plan in which the fault strikes; `None` if none is found at any of the durations tried.
     pub fn find(&mut self, struck: &NodeState) -> Option<Iterate> {
         let mission = stop_mission(self.mission, struck);
-        let mut engine = HoverPlanner::new(self.model, &mission, self.healthy);
-        engine.struck = Some(*struck);
-        let mut steps = ScpPlanner::new(&mut engine, self.wrench, self.set);
+        let mut hover = HoverPlanner::new(self.model, &mission, self.healthy);
+        hover.struck = Some(*struck);
+        let mut steps = ScpPlanner::new(&mut hover, self.wrench, self.set);
         let near = self.last.as_ref().map(|last| last.grid.total);
         let about = self.last.as_ref().and_then(|last| steps.stop_about(last.clone()));
         let found = about.or_else(|| {
             let mut tried = durations(struck, self.model.gravity, near).into_iter();
             tried.find_map(|duration| steps.stop(&grid(&mission, duration)))
         });
-        self.effort += engine.effort;
+        self.effort += hover.effort;
         self.last = found.clone();
         found
     }
 }
 
-/// Nearest to `near` first, in ratio.
+/// The durations to try, s, those with the ratio to `near` closest to 1 first.
 fn durations(struck: &NodeState, gravity: f64, near: Option<f64>) -> Vec<f64> {
     let speed = [X, Y, Z].map(|axis| struck[axis][1].powi(2)).iter().sum::<f64>().sqrt();
     let shortest = SHORTEST.max(0.5 * speed / gravity);
@@ -98,7 +99,7 @@ fn grid(mission: &Mission, duration: f64) -> TimeGrid {
     TimeGrid::with_legs(mission, &legs, duration)
 }
 
-/// A stop as a mission: its waypoints only part it, and bind nothing.
+/// A stop as a mission, whose waypoints only divide its duration and constrain nothing.
 fn stop_mission(flown: &Mission, struck: &NodeState) -> Mission {
     let waypoint = Waypoint {
         name: None,

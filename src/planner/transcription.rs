@@ -1,4 +1,4 @@
-//! From a mission, a profile and a planning set to a quadratic program.
+//! From a mission, a time grid and a planning set to a quadratic program.
 //!
 //! Two forms of one program. With stage variables each node holds every derivative of every axis up to the input
 //! (4 for x and y, 2 for z and yaw), and rows join the nodes; inputs are piecewise linear between nodes, so a step is
@@ -24,7 +24,7 @@ use crate::qp::{QuadraticProgram, RowOrigin};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What the program is to find.
+/// The objective of a program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Purpose {
     /// (48): least weighted squared inputs and waypoint distances, every tolerance (widened by `slack`, m and
@@ -34,11 +34,11 @@ pub enum Purpose {
     /// is the cost (48).
     Overshoot { epsilon: f64 },
     /// The smallest sigma + epsilon J, where facet rows are widened by sigma (a share of the healthy set's width),
-    /// limits by sigma times themselves, and sigma is at least `least`. Tolerances and positions stand.
+    /// limits by sigma times themselves, and sigma is at least `least`. Tolerances and positions are not widened.
     Violation { epsilon: f64, least: f64 },
 }
 
-/// A row that a program may do without: an inequality of the set or a limit, at one instant.
+/// A row that row generation may leave out: an inequality of the set or a limit, at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RowAt {
     pub row: Row,
@@ -49,21 +49,21 @@ pub struct RowAt {
 /// Which row; see [`RowAt`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Row {
-    /// Of the planning set, by place.
+    /// A row of the planning set, by index.
     Facet(usize),
-    /// Of the mission, by place.
+    /// A limit of the mission, by index.
     Limit(usize),
-    /// The thrust's vertical part is at least [`UPRIGHT`] times the weight.
+    /// (68): the thrust's vertical part is at least [`UPRIGHT`] times the weight.
     Upright,
-    /// Of the planning set, by place, for the lead wrench of rotors that lag.
+    /// A row of the planning set, by index, on the commanded wrench of rotors that lag.
     Command { facet: usize, slope: Slope },
 }
 
-/// Share of the weight that the vertical part of the thrust never falls below in the exact model. Nearer to free fall,
-/// and upside down, ZYX angles jump and the direction of a vanishing thrust says nothing.
+/// In the exact model the vertical part of the thrust is at least this share of the weight (68). Closer to free fall, and upside
+/// down, ZYX angles jump, and the direction of a vanishing thrust is undefined.
 pub const UPRIGHT: f64 = 0.1;
 
-/// All that a program is made of but the choice of rows.
+/// All that a program depends on, except its objective and the choice of rows.
 pub struct Transcription<'a> {
     pub model: &'a Model,
     pub mission: &'a Mission,
@@ -72,15 +72,15 @@ pub struct Transcription<'a> {
     pub set: &'a PlanningSet,
     /// One wrench map per instant; those without a row may be empty.
     pub maps: &'a [WrenchMap],
-    /// The lead wrench at both ends of every interval, where rotors lag and rows are those of [`Self::program`].
+    /// The commanded wrench at both ends of every interval, if rotors lag and rows are those of [`Self::program`].
     pub commands: Option<&'a CommandMaps>,
     /// The axes planned here: all four, or only x, y, z where yaw was planned first.
     pub axes: &'a [usize],
     /// The derivative of each axis that is its input; see `WrenchModel::orders`.
     pub orders: [usize; 4],
-    /// Instants per interval at which rows can stand; 1 where they stand at nodes only.
+    /// Instants per interval at which rows can be imposed; 1 if they are imposed at nodes only.
     pub parts: usize,
-    /// Of a motion that stops: the state in which a fault meets it. See [`crate::planner::stop`].
+    /// Of a stop: the state in which the fault strikes. See [`crate::planner::stop`].
     pub struck: Option<NodeState>,
     /// Unit of time of the scaled variables at each node, s.
     taus: Vec<f64>,
@@ -95,7 +95,7 @@ enum Form {
     Splines(Arc<[NodeSpline; 2]>),
 }
 
-/// The splines of quadruple and of double integrators over a profile.
+/// The splines of quadruple and of double integrators over a time grid.
 pub(super) fn splines(grid: &TimeGrid) -> Arc<[NodeSpline; 2]> {
     Arc::new([4, 2].map(|order| NodeSpline::new(&grid.node_times, order)))
 }
@@ -126,7 +126,7 @@ impl<'a> Transcription<'a> {
         }
     }
 
-    /// The same with rows on the lead wrench, where rotors lag.
+    /// The same with rows on the commanded wrench, if rotors lag.
     pub fn with_commands(self, commands: Option<&'a CommandMaps>) -> Self {
         Transcription { commands, ..self }
     }
@@ -141,7 +141,7 @@ impl<'a> Transcription<'a> {
         Transcription { struck, ..self }
     }
 
-    /// The same program of other statements: limits and tolerances of `mission`, planes of `set`, each as many as before.
+    /// The same program for other bounds: limits and tolerances of `mission`, rows of `set`, each as many as before.
     pub(super) fn of_statements(self, mission: &'a Mission, set: &'a PlanningSet) -> Self {
         Transcription { mission, set, ..self }
     }
@@ -152,13 +152,13 @@ impl<'a> Transcription<'a> {
         self.in_these(splines)
     }
 
-    /// The same program in the coefficients of splines made before ([`splines`]), of this profile.
+    /// The same program in the coefficients of splines made before ([`splines`]), of this time grid.
     pub(super) fn in_these(self, splines: Arc<[NodeSpline; 2]>) -> Self {
         Transcription { form: Form::Splines(splines), ..self }
     }
 
-    /// The largest entry of the cost's matrix in spline coefficients, about: snap weights of coefficients that lie a
-    /// few steps apart cancel, so a solver can only be as exact as this is small. Zero with stage variables.
+    /// An estimate of the largest entry of the cost's matrix in spline coefficients: the contributions of coefficients a few steps
+    /// apart cancel, so the solver loses digits where this is large. Zero with stage variables.
     pub(super) fn stiffness(&self) -> f64 {
         let Form::Splines(splines) = &self.form else { return 0.0 };
         let [quadruple, _] = &**splines;
@@ -179,11 +179,12 @@ impl<'a> Transcription<'a> {
         self.grid.nodes()
     }
 
-    /// Instants at which rows can stand: the nodes, and those between them.
+    /// The number of instants at which rows can be imposed: the nodes, and those between them.
     pub fn instants(&self) -> usize {
         self.grid.intervals() * self.parts + 1
     }
 
+    /// The number of variables without sigma and epsilons.
     pub fn variables(&self) -> usize {
         match &self.form {
             Form::Stages => self.nodes() * self.per_node(),
@@ -253,7 +254,7 @@ impl<'a> Transcription<'a> {
         self.axes.contains(&axis)
     }
 
-    /// Every row that a program may do without.
+    /// Every row that row generation may leave out.
     pub fn every_row(&self) -> Vec<RowAt> {
         let facets = (0..self.set.rows.len()).filter(|&f| !self.set.rows[f].equality).map(Row::Facet);
         let rows = facets.chain((0..self.mission.limits.len()).map(Row::Limit));
@@ -271,7 +272,7 @@ impl<'a> Transcription<'a> {
         self.program(purpose, &self.every_row())
     }
 
-    /// The program with facets and limits only as `chosen`; equality rows of the set always stand.
+    /// The program with the facets and limits in `chosen`, and all equality rows of the set.
     pub fn program(&self, purpose: Purpose, chosen: &[RowAt]) -> QuadraticProgram {
         self.program_with(purpose, chosen, None)
     }
@@ -318,7 +319,7 @@ impl<'a> Transcription<'a> {
                     let map = self.commands.and_then(|commands| commands.get(&at));
                     let straight = |_, _, _| Affine::default();
                     let lead = commands.entry(at).or_insert_with(|| self.command_expression(map?, at, &straight));
-                    // Rows that come from another grid may stand where no interval is.
+                    // Rows that come from another grid may lie outside all intervals.
                     let Some(lead) = lead else { continue };
                     let mut expression = lead.along(&-row.normal).plus_constant(row.offset);
                     expression.add(&widening, 1.0);
@@ -367,7 +368,7 @@ impl<'a> Transcription<'a> {
                 }
             }
         }
-        // What the rows make zero is zero, without the solver's dust.
+        // Derivatives that rows make zero are zero exactly, without the solver's residual.
         for (node, axis, order) in self.at_rest() {
             states[node][axis][order] = 0.0;
         }
@@ -375,6 +376,6 @@ impl<'a> Transcription<'a> {
     }
 }
 
-/// A tolerance this wide binds nothing and gets no row, m or rad: the widest that a spec may say, a thousand times
-/// further than a waypoint may lie from the origin.
+/// A tolerance this wide constrains nothing and gets no row, m or rad: the widest that a spec may have, a thousand times further
+/// than a waypoint may lie from the origin.
 pub const UNBOUNDED: f64 = 1e9;

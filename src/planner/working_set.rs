@@ -1,12 +1,12 @@
-//! Rows that bound in earlier programs.
+//! The working set: rows that were active in earlier programs.
 
 use crate::admissible::row::SetRow;
 use crate::planner::selection::PlanningSet;
 use crate::planner::transcription::{Row, RowAt};
 use std::collections::BTreeSet;
 
-/// Rows of one planning set and of the mission's limits found binding so far. They carry over to other mission times and grids, and to
-/// sets that begin with the same rows.
+/// Rows of one planning set and of the mission's limits that were active so far. They carry over to other mission times and grids, and
+/// to sets that start with the same rows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct WorkingSet {
     pub(super) rows: BTreeSet<RowAt>,
@@ -17,20 +17,20 @@ impl WorkingSet {
     /// Moves the rows to a grid with `nodes` nodes, by their share of the mission.
     pub(super) fn fit(&mut self, nodes: usize) {
         if self.nodes != nodes {
-            // A row stands for the stretch of mission about its node.
+            // A row is imposed on the part of the mission around its node.
             let (from, to) = (self.nodes.max(2) - 1, nodes - 1);
             let nearest = |half_steps: usize| (half_steps * to + from) / (2 * from);
-            let stretch = |r: &RowAt| {
+            let around = |r: &RowAt| {
                 let row = r.row;
                 let (first, last) = (nearest((2 * r.instant).saturating_sub(1)), nearest(2 * r.instant + 1).min(to));
                 (first..=last).map(move |instant| RowAt { row, instant })
             };
-            self.rows = self.rows.iter().flat_map(stretch).collect();
+            self.rows = self.rows.iter().flat_map(around).collect();
             self.nodes = nodes;
         }
     }
 
-    /// The rows of another set with the same normals, and all of limits.
+    /// The rows with the same normals in another set, and all rows of limits.
     pub fn translated(&self, from: &PlanningSet, to: &PlanningSet) -> WorkingSet {
         let same = |a: &SetRow, b: &SetRow| (a.normal - b.normal).amax() <= 1e-9 * a.normal.amax();
         let image: Vec<Option<usize>> =

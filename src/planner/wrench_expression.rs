@@ -1,4 +1,4 @@
-//! The wrench at an instant in a program's variables: made once, for many facets stand there.
+//! The wrench at an instant in a program's variables, built once for all facets there.
 
 use crate::actuation::Wrench;
 use crate::motion::hover_map::WrenchMap;
@@ -43,7 +43,7 @@ impl Transcription<'_> {
         WrenchExpression::of(map.constant, parts)
     }
 
-    /// The lead wrench by its map; `bend` as in [`Self::command_derivative`]. `None` where there is no such interval.
+    /// The commanded wrench by its map; `jump` as in [`Self::command_derivative`]. `None` if there is no such interval.
     pub(super) fn command_expression(
         &self,
         map: &WrenchMap,

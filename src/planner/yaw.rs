@@ -1,4 +1,4 @@
-//! Yaw, planned first where it changes: the terms of (48) that hold psi, least within the yaw tolerances.
+//! The yaw of the hover model, planned first if it changes: minimises the terms of (48) in psi within the yaw tolerances.
 
 use crate::model::{Mission, Model};
 use crate::motion::hover_map::{WrenchMap, YawState};
@@ -12,7 +12,7 @@ use crate::solve::{Effort, Outcome, solve};
 /// How yaw enters the plan of x, y and z.
 #[derive(Debug, Clone, PartialEq)]
 pub enum YawPlan {
-    /// All waypoints ask for one yaw: psi is a variable like the others, and the wrench map is linearised there.
+    /// All waypoints have one yaw: psi is a variable like the others, and the wrench map is linearised there. rad.
     Free { psi: f64 },
     /// psi, psi', psi'' at every node, fixed before x, y and z are planned.
     Frozen(Vec<YawState>),
@@ -33,7 +33,7 @@ impl YawPlan {
         }
     }
 
-    /// What the plan takes for the wrench of its motion.
+    /// The wrench model of the plan.
     pub fn model(&self) -> WrenchModel {
         match self {
             YawPlan::Free { psi } => WrenchModel::HoverAt(*psi),
@@ -59,7 +59,10 @@ impl YawPlan {
     }
 }
 
-/// Plans yaw for one profile, or says what the solver said.
+/// Plans yaw on one time grid.
+///
+/// # Errors
+/// The solver's outcome, if it is not a solution.
 pub fn plan_yaw(model: &Model, mission: &Mission, grid: &TimeGrid, effort: &mut Effort) -> Result<YawPlan, Outcome> {
     if mission.has_one_yaw() {
         return Ok(YawPlan::Free { psi: mission.waypoints[0].yaw });

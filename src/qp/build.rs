@@ -1,41 +1,48 @@
-//! Collects rows in any order and sorts them by cone.
+//! A builder of programs, which takes rows in any order and sorts them by cone.
 
 use super::{Cone, QuadraticProgram, RowOrigin, Sparse};
 
-/// `sum of coefficient x_variable + constant`
+/// The affine expression `sum of coefficient x_variable + constant`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Affine {
+    /// (variable, coefficient). A variable may occur more than once.
     pub terms: Vec<(usize, f64)>,
+    /// The constant term.
     pub constant: f64,
 }
 
 impl Affine {
+    /// An expression without variables.
     pub fn constant(constant: f64) -> Self {
         Affine { terms: Vec::new(), constant }
     }
 
+    /// `coefficient x_variable`.
     pub fn term(variable: usize, coefficient: f64) -> Self {
         Affine { terms: vec![(variable, coefficient)], constant: 0.0 }
     }
 
+    /// The expression plus `coefficient x_variable`.
     pub fn plus(mut self, variable: usize, coefficient: f64) -> Self {
         self.terms.push((variable, coefficient));
         self
     }
 
+    /// The expression plus a constant.
     pub fn plus_constant(mut self, constant: f64) -> Self {
         self.constant += constant;
         self
     }
 
-    /// Adds `factor` times another expression.
+    /// Adds `factor` times another expression, by appending its terms.
     pub fn add(&mut self, other: &Affine, factor: f64) {
         self.terms.extend(other.terms.iter().map(|&(v, c)| (v, c * factor)));
         self.constant += factor * other.constant;
     }
 
-    /// The same, keeping each variable once; for expressions of a few variables.
-    pub fn gather(&mut self, other: &Affine, factor: f64) {
+    /// Adds `factor` times another expression and merges terms of the same variable. For expressions with few variables
+    /// only, because it searches them linearly.
+    pub(crate) fn gather(&mut self, other: &Affine, factor: f64) {
         for &(variable, coefficient) in &other.terms {
             match self.terms.iter_mut().find(|t| t.0 == variable) {
                 Some(term) => term.1 += factor * coefficient,
@@ -54,7 +61,7 @@ impl Affine {
         self
     }
 
-    /// Its value at x.
+    /// The value at x.
     pub fn at(&self, x: &[f64]) -> f64 {
         self.constant + self.terms.iter().map(|&(v, c)| c * x[v]).sum::<f64>()
     }
@@ -73,8 +80,9 @@ pub struct Builder {
 }
 
 impl Builder {
+    /// An empty program with this number of variables.
     pub fn new(variables: usize) -> Self {
-        // Costs and curvature couple each variable with some dozens of others.
+        // The objective couples each variable with several dozen others.
         Builder {
             variables,
             hessian: Vec::with_capacity(64 * variables),
@@ -83,22 +91,22 @@ impl Builder {
         }
     }
 
-    /// expression = 0
+    /// Adds the row `expression = 0`.
     pub fn zero(&mut self, expression: Affine, origin: RowOrigin) {
         self.equal.push((expression, origin));
     }
 
-    /// expression >= 0
+    /// Adds the row `expression >= 0`.
     pub fn nonnegative(&mut self, expression: Affine, origin: RowOrigin) {
         self.nonnegative.push((expression, origin));
     }
 
-    /// How many rows `expression >= 0` there are; the next one has this place among them.
+    /// The number of rows `expression >= 0` so far, which is the index of the next one among them.
     pub fn inequalities(&self) -> usize {
         self.nonnegative.len()
     }
 
-    /// first >= |(rest)|
+    /// Adds the second-order cone `expressions[0] >= |(expressions[1], ..)|`.
     pub fn cone(&mut self, expressions: Vec<Affine>, origin: RowOrigin) {
         self.cones.push((expressions, origin));
     }
@@ -115,10 +123,10 @@ impl Builder {
     }
 
     /// Adds `factor a b` to the objective.
-    pub fn inner_product(&mut self, a: &Affine, b: &Affine, factor: f64) {
+    pub(crate) fn inner_product(&mut self, a: &Affine, b: &Affine, factor: f64) {
         for &(i, ci) in &a.terms {
             for &(j, cj) in &b.terms {
-                // x_i x_j and x_j x_i meet in one entry of the upper triangle.
+                // x_i x_j and x_j x_i are added up in one entry of the upper triangle.
                 self.product(i, j, factor * ci * cj);
             }
         }
@@ -132,8 +140,8 @@ impl Builder {
         self.constant += factor * a.constant * b.constant;
     }
 
-    /// Adds `factor` times the sum of the squares of some expressions to the objective: each pair of variables once,
-    /// however many expressions share it.
+    /// Adds `factor` times the sum of the squares of some expressions to the objective. Each pair of variables gives
+    /// one entry, however many expressions contain it.
     pub fn squares(&mut self, expressions: &[Affine], factor: f64) {
         let mut variables: Vec<usize> = expressions.iter().flat_map(|e| e.terms.iter().map(|t| t.0)).collect();
         variables.sort_unstable();
@@ -161,6 +169,8 @@ impl Builder {
         self.constant += factor * expressions.iter().map(|e| e.constant.powi(2)).sum::<f64>();
     }
 
+    /// The program: equalities first, then inequalities, then second-order cones, each in the order in which they were
+    /// added.
     pub fn finish(self) -> QuadraticProgram {
         let grouped_rows: usize = self.cones.iter().map(|c| c.0.len()).sum();
         let rows = self.equal.len() + self.nonnegative.len() + grouped_rows;

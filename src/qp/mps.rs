@@ -3,10 +3,11 @@
 use super::{Cone, QuadraticProgram};
 use std::fmt::Write;
 
-/// The program as text, or `None` where it holds a second-order cone, which MPS cannot say.
+/// The program in free MPS format; `None` if it has a second-order cone, which MPS cannot represent.
 ///
-/// Rows are `A x = b` and `A x <= b`; all variables are free. QUADOBJ gives the upper triangle of P, the
-/// objective being q'x + 1/2 x'P x (its constant as a negative right-hand side, as the format has it).
+/// Rows are `A x = b` and `A x <= b`, and all variables are free. QUADOBJ lists the upper triangle of P for the
+/// objective `q'x + 1/2 x'P x`. The constant is written as a negative right-hand side of the objective, as the format
+/// requires.
 pub fn render(program: &QuadraticProgram, name: &str) -> Option<String> {
     let mut kinds = Vec::with_capacity(program.b.len());
     for cone in &program.cones {
@@ -22,7 +23,7 @@ pub fn render(program: &QuadraticProgram, name: &str) -> Option<String> {
     }
     out.push_str("COLUMNS\n");
     for (c, q) in program.q.iter().enumerate() {
-        // A column must be named even where it stands in no row.
+        // A column must be named even if it occurs in no row.
         let _ = writeln!(out, " x{c} cost {q:e}");
         for i in program.a.colptr[c]..program.a.colptr[c + 1] {
             let _ = writeln!(out, " x{c} r{} {:e}", program.a.rowval[i], program.a.nzval[i]);

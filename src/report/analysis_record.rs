@@ -4,10 +4,10 @@ use crate::admissible::verdict::ModeAnalysis;
 use crate::model::Model;
 use serde::Serialize;
 
-/// Of this form; raised where a field or its values change.
+/// Version of this record; raised when a field or the meaning of its values changes.
 const SCHEMA: u32 = 2;
 
-/// `F` is a flip of a sweep.
+/// `F` is the record of one flip: the value of a swept field at which a verdict changes.
 #[derive(Serialize)]
 pub struct AnalysisRecord<'a, F> {
     schema: u32,

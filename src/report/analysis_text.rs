@@ -1,4 +1,4 @@
-//! What `mavc analyze` says to people.
+//! Terminal output of `mavc analyze`.
 
 use super::table::Table;
 use super::terminal::vehicle_line;
@@ -9,17 +9,18 @@ use crate::admissible::verdict::{ModeAnalysis, Verdict};
 use crate::model::{Allocation, Model};
 use crate::number::{down, significant};
 
-/// What the columns after the verdict mean.
+/// Meaning of the columns after the verdict.
 const LEGEND: &str = "
-yaw free  what counts once yaw is given up: the vehicle may spin
-margin    from hover to the nearest facet [N, N m]; outside, below 0, to the one passed most; flat: no volume
-heaviest  the largest mass that hovers
-facets    the inequalities that bound what the mode can do
-rank      its dimension: 4 where thrust and each torque can be moved by themselves
-|e_p|     from hover to the nearest thrust and torques that the mode can give [N, N m]
+yaw free  without yaw control: the vehicle may spin
+margin    distance from hover to the nearest facet [N, N m]; below 0: minus the largest violation; flat: no volume
+heaviest  the largest mass that can hover
+facets    inequalities of the mode's admissible set
+rank      dimension of the set: 4 if thrust and all three torques can be varied independently
+|e_p|     distance from hover to the nearest wrench that the mode can produce [N, N m]
 ";
 
-/// The table of `mavc analyze`.
+/// The whole output of `mavc analyze`: vehicle, table of modes with its legend, and headroom. `modes` are those of
+/// [`crate::admissible::verdict`], the healthy vehicle first.
 pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     let mut out = format!("{}\n\n", vehicle_line(model));
     let mut headings = vec![
@@ -35,9 +36,9 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         "|e_p|",
         "yaw-free |e_p|",
     ];
-    let gives_away = model.vehicle.allocation == Allocation::PseudoInverse;
-    if gives_away {
-        headings.push("given away");
+    let is_restricted = model.vehicle.allocation == Allocation::PseudoInverse;
+    if is_restricted {
+        headings.push("unreached");
     }
     let mut table = Table::new(&headings);
     let optional = |x: Option<f64>, digits: usize| x.map_or("flat".into(), |v| significant(v, digits));
@@ -56,7 +57,7 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             norm(&m.residual4),
             norm(&m.residual3),
         ];
-        if gives_away {
+        if is_restricted {
             cells.push(
                 optional(m.given_away.map(|share| 100.0 * share), 3) + if m.given_away.is_some() { " %" } else { "" },
             );
@@ -67,24 +68,24 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
     out.push_str(LEGEND);
     if modes.iter().any(|m| m.hover == Place::OnEdge) {
         out.push_str(
-            "the edge  hover is in reach, but in some direction the smallest disturbance cannot be countered\n",
+            "the edge  hover can be reached, but in some direction no disturbance, however small, can be countered\n",
         );
     }
-    if gives_away {
+    if is_restricted {
         out.push_str(
-            "\nOf each set only what the pseudo-inverse gives without clipping counts here and in plans; the last column is\n\
-             the share of the set's volume that it gives away.\n",
+            "\nHere and in plans, each set is restricted to what the pseudo-inverse gives without clipping. The last column\n\
+             is the share of the set's volume that it does not reach.\n",
         );
     }
     if modes.iter().any(|m| m.robust.is_some()) {
-        out.push_str("\nOver the spec's intervals: does it hover with all axes held, and the bounds on its margin\n(- where hover can be out of reach, or the set is flat)\n");
+        out.push_str("\nOver the spec's intervals: does the mode hover with all axes controlled, and bounds on its margin\n(- if hover may be out of reach or the set is flat)\n");
         let mut table = Table::new(&["mode", "hovers", "worst", "best"]);
         for (m, r) in modes.iter().filter_map(|m| Some((m, m.robust?))) {
-            let told = |bound: Option<f64>| bound.map_or("-".into(), |margin| significant(margin, 4));
-            // Sure to hover, and on the edge for some of the values.
+            let shown = |bound: Option<f64>| bound.map_or("-".into(), |margin| significant(margin, 4));
+            // Hover is possible for all values, and on the edge for some of them.
             let edge =
                 if r.hover == Certainty::Yes && r.acai_worst == Some(0.0) { ", at worst on the edge" } else { "" };
-            let cells = [format!("{}{edge}", r.hover.name()), told(r.acai_worst), told(r.acai_best)];
+            let cells = [format!("{}{edge}", r.hover.name()), shown(r.acai_worst), shown(r.acai_best)];
             table.row(std::iter::once(m.name.clone()).chain(cells).collect());
         }
         out.push_str(&table.render(0));
@@ -97,10 +98,10 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
             let angle = format!("{} degrees", significant(rows.angle.to_degrees(), 3));
             table.row(vec![m.name.clone(), rows.axes.join(", "), angle]);
         }
-        out.push_str("\nWarning: rows of the actuation matrix that are nearly parallel, so that the rotors hardly tell them apart\n");
+        out.push_str("\nWarning: nearly parallel rows of the actuation matrix: the rotors can hardly control these axes separately\n");
         out.push_str(&table.render(0));
     }
-    out.push_str("\nHeadroom from hover to the edge of what each mode can do, down/up\n");
+    out.push_str("\nHeadroom from hover to the edge of each mode's admissible set, down/up\n");
     let mut table = Table::new(&["mode", "thrust [N]", "tau_x [N m]", "tau_y [N m]", "tau_z [N m]"]);
     for m in modes {
         let both = |b: [f64; 2]| format!("{}/{}", significant(b[0], 3), significant(b[1], 3));

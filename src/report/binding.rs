@@ -1,4 +1,4 @@
-//! What limits the time of a plan, leg by leg.
+//! Which constraints limit the time of a plan, leg by leg.
 
 use super::table::Table;
 use crate::model::{Limit, LimitKind, Mission, Model};
@@ -7,36 +7,39 @@ use crate::planner::scp::sensitivity::Statement;
 use crate::planner::studies::MissionPlan;
 use serde::Serialize;
 
-/// What would give back less than this is left out, s.
+/// Statements whose relaxation saves less time than this are omitted, s.
 const LEAST: f64 = 1e-3;
 
-/// Statements of one leg that a line has room for.
+/// Statements listed on the line of one leg.
 const MOST_LISTED: usize = 3;
 
-/// What limits one leg.
+/// The statements that limit one leg.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BindingRecord {
     /// From 1; leg k arrives at waypoint k + 1.
     pub leg: usize,
+    /// Name of that waypoint.
     pub to: Option<String>,
     pub duration_s: f64,
+    /// The largest saving first.
     pub statements: Vec<StatementRecord>,
 }
 
-/// One statement that binds on a leg.
+/// One statement that is active on a leg.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StatementRecord {
     pub kind: &'static str,
     /// In the words of the spec.
     pub statement: String,
-    /// Of a set: the fault mode, absent for the healthy vehicle.
+    /// For a set: the fault mode; `None` for the healthy vehicle.
     pub mode: Option<String>,
-    /// What it is relaxed by.
-    pub per: &'static str,
-    /// What the mission's time loses for that, to first order.
-    pub gives_back_s: f64,
+    /// By how much the statement is relaxed.
+    pub relaxed_by: &'static str,
+    /// By how much this shortens the mission, to first order.
+    pub time_saved_s: f64,
 }
 
+/// One record for each leg, with the statements whose relaxation saves at least 1 ms.
 pub fn records(model: &Model, mission: &Mission, solved: &MissionPlan) -> Vec<BindingRecord> {
     let legs = solved.binding.iter().enumerate().map(|(leg, binding)| {
         let counted = binding.statements.iter().filter(|(_, seconds)| *seconds >= LEAST);
@@ -50,23 +53,23 @@ pub fn records(model: &Model, mission: &Mission, solved: &MissionPlan) -> Vec<Bi
     legs.collect()
 }
 
-fn record(model: &Model, mission: &Mission, statement: Statement, gives_back_s: f64) -> StatementRecord {
+fn record(model: &Model, mission: &Mission, statement: Statement, time_saved_s: f64) -> StatementRecord {
     let at = |waypoint: usize| format!("at {}", place(mission, waypoint));
     let mode = |set: usize| set.checked_sub(1).and_then(|mode| model.modes.get(mode)).map(|mode| mode.name.clone());
     let of = |set: usize| mode(set).unwrap_or_else(|| "the healthy vehicle".into());
-    let (kind, text, per) = match statement {
+    let (kind, text, relaxed_by) = match statement {
         Statement::Limit(limit) => {
             let limit = &mission.limits[limit];
-            let per = match limit.kind {
+            let relaxed_by = match limit.kind {
                 LimitKind::X | LimitKind::Y | LimitKind::Z => "10 cm",
                 LimitKind::Yaw => "1 deg",
                 _ => "1 %",
             };
-            ("limit", bound(limit), per)
+            ("limit", bound(limit), relaxed_by)
         }
         Statement::Set(set) => ("set", format!("set of {}", of(set)), "1 %"),
         Statement::Commands(set) => ("commands", format!("commands in the set of {}", of(set)), "1 %"),
-        Statement::Upright => ("upright", "thrust that points up".to_string(), "1 %"),
+        Statement::Upright => ("upright", "upright thrust".to_string(), "1 %"),
         Statement::Within(waypoint) => ("within", format!("tolerance {}", at(waypoint)), "1 %"),
         Statement::YawWithin(waypoint) => ("yaw_within", format!("yaw tolerance {}", at(waypoint)), "1 %"),
         Statement::Rest(waypoint) => ("rest", format!("rest {}", at(waypoint)), "0.1 m/s"),
@@ -75,7 +78,7 @@ fn record(model: &Model, mission: &Mission, statement: Statement, gives_back_s: 
         Statement::Set(set) | Statement::Commands(set) => mode(set),
         _ => None,
     };
-    StatementRecord { kind, statement: text, mode, per, gives_back_s }
+    StatementRecord { kind, statement: text, mode, relaxed_by, time_saved_s }
 }
 
 /// `tower`, `waypoint 3`
@@ -96,10 +99,10 @@ fn bound(limit: &Limit) -> String {
     }
 }
 
-/// One line for each leg that something limits; nothing where no time was searched for.
+/// One line for each leg whose time some statement limits; empty if the time was not searched for.
 pub fn text(model: &Model, mission: &Mission, solved: &MissionPlan) -> String {
     let records = records(model, mission, solved);
-    let mut table = Table::new(&["leg", "takes", "limited by"]);
+    let mut table = Table::new(&["leg", "time", "limited by"]);
     let last_fixed = last_fixed(mission);
     let relaxed = records.iter().filter(|record| record.leg > last_fixed);
     let (limited, others): (Vec<_>, Vec<_>) = relaxed.partition(|record| !record.statements.is_empty());
@@ -112,35 +115,35 @@ pub fn text(model: &Model, mission: &Mission, solved: &MissionPlan) -> String {
     }
     let others = match others.len() {
         0 => String::new(),
-        1 => "  On the other leg no limit, set, tolerance or rest would save 1 ms.\n".to_string(),
-        n => format!("  On the other {n} legs no limit, set, tolerance or rest would save 1 ms.\n"),
+        1 => "  On the other leg no relaxation saves 1 ms.\n".to_string(),
+        n => format!("  On the other {n} legs no relaxation saves 1 ms.\n"),
     };
     let notes: String = notes(mission).iter().map(|note| format!("  {note}\n")).collect();
     format!("\n  {HEADLINE}\n{}{others}{notes}", table.render_left(2))
 }
 
-/// The last waypoint with a fixed time, 0 where there is none.
+/// Index of the last waypoint with a fixed time, 0 if there is none.
 fn last_fixed(mission: &Mission) -> usize {
     mission.waypoints.iter().rposition(|w| w.time.is_some()).unwrap_or(0)
 }
 
-/// What the table does not list: legs up to the last fixed time, and the holds after it.
+/// What the table omits: legs up to the last fixed time, and the holds after it.
 pub fn notes(mission: &Mission) -> Vec<String> {
     let fixed = last_fixed(mission);
     let mut notes = Vec::new();
     if fixed > 0 {
         let at = place(mission, fixed);
-        notes.push(format!("Legs up to {at}, whose time is fixed, do not lengthen the mission and are not relaxed."));
+        notes.push(format!("Legs up to {at}, whose time is fixed, are not relaxed: they do not lengthen the mission."));
     }
     if mission.waypoints[fixed..].iter().any(|w| w.hold > 0.0) {
-        notes.push("Holds are not relaxed: each lengthens the mission by what it lasts.".into());
+        notes.push("Holds are not relaxed: each lengthens the mission by its duration.".into());
     }
     notes
 }
 
-/// The caption of the figures, in text and on the page.
+/// The caption of the table, in the terminal and on the page.
 pub const HEADLINE: &str =
-    "What limits the time, and the time saved, to first order, by relaxing each by 1 % (a set by 1 % of its width)";
+    "What limits the time, and the time saved to first order by relaxing each by 1 % (a set: 1 % of its width)";
 
 impl BindingRecord {
     /// `1 to climb`
@@ -153,7 +156,7 @@ impl BindingRecord {
 impl StatementRecord {
     /// `climb <= 4 m/s: 0.096 s`
     pub fn words(&self) -> String {
-        let per = if self.per == "1 %" { String::new() } else { format!(" for {}", self.per) };
-        format!("{}: {} s{per}", self.statement, significant(self.gives_back_s, 2))
+        let by = if self.relaxed_by == "1 %" { String::new() } else { format!(" for {}", self.relaxed_by) };
+        format!("{}: {} s{by}", self.statement, significant(self.time_saved_s, 2))
     }
 }

@@ -1,6 +1,6 @@
 //! The machine-readable report of a campaign, schema in `docs/schema/campaign.schema.json`.
 
-use crate::campaign::agreement::{Agreement, Scope, Worth};
+use crate::campaign::agreement::{Agreement, Scope, Strength};
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{Design, Missing};
 use crate::campaign::statistics::{Contingency, Share, Summary, wilson};
@@ -9,24 +9,25 @@ use crate::model::{Detection, Model};
 use crate::verdict::Verdict;
 use serde::Serialize;
 
-/// Of this form; raised where a field or its values change.
-const SCHEMA: u32 = 2;
+/// Version of this record; raised when a field or the meaning of its values changes.
+const SCHEMA: u32 = 3;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CampaignRecord {
     pub schema: u32,
     pub spec_sha256: String,
-    /// As in the rows; `None` where nothing was flown.
+    /// Identity, as in the rows; `None` if nothing was flown.
     pub campaign: Option<String>,
-    /// 1-based; `None` where the report is of the whole campaign.
+    /// 1-based; `None` for the whole campaign.
     pub shard: Option<ShardRecord>,
-    /// T_d
+    /// T_d; `None` if nothing was flown.
     pub mission_time_s: Option<f64>,
     pub times: usize,
     pub seeds: usize,
     pub seed: u64,
-    /// Of the whole campaign, and those in this report.
+    /// Flights of the whole campaign.
     pub cases: usize,
+    /// Flights in this report.
     pub flights: usize,
     pub controller: &'static str,
     pub allocation: &'static str,
@@ -35,7 +36,7 @@ pub struct CampaignRecord {
     pub detection_delay_s: Option<f64>,
     pub after_fault: &'static str,
     pub planners: Vec<PlannerRecord>,
-    /// Over all modes, then over those with hover inside their sets; empty where nothing was flown.
+    /// Over all modes, then over the modes with hover inside their sets; empty if nothing was flown.
     pub agreement: Vec<AgreementRecord>,
 }
 
@@ -48,10 +49,10 @@ pub struct ShardRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlannerRecord {
     pub name: &'static str,
-    /// On its plan at the common time.
+    /// About its plan at the common time.
     pub verdict: Verdict,
     pub against: Vec<String>,
-    /// Flights without a fault; the error is that of the whole flight.
+    /// Flights without a fault; errors are those of the whole flight.
     pub healthy: Option<GroupRecord>,
     pub modes: Vec<ModeRecord>,
 }
@@ -59,11 +60,12 @@ pub struct PlannerRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeRecord {
     pub name: String,
-    /// Whether hover lies inside the mode's set with every axis held, as `mavc analyze` has it.
-    pub inside: bool,
-    /// What the plan says of the mode.
-    pub outside_s: f64,
-    pub last_outside_s: Option<f64>,
+    /// Whether hover lies inside the mode's set of full wrenches, as `mavc analyze` reports it.
+    pub hover_inside: bool,
+    /// How long the plan violates the mode's set.
+    pub violation_duration_s: f64,
+    /// The last instant at which it does; `None` if there is none.
+    pub last_violation_s: Option<f64>,
     pub flights: GroupRecord,
     pub times: Vec<CellRecord>,
 }
@@ -78,28 +80,29 @@ pub struct GroupRecord {
     pub lost_upside_down: usize,
     pub lost_to_ground: usize,
     pub lost_by_heading: usize,
-    /// Flights whose simulation diverged; neither lost nor survived.
+    /// Flights whose simulation diverged; they count neither as lost nor as survived.
     pub diverged: usize,
     pub lost_before_fault: usize,
-    /// With Wilson's 95 % interval; `None` of no flights.
+    /// With Wilson's 95 % interval; `None` without flights.
     pub survival: Option<Share>,
-    /// Since the fault, over the survivors.
+    /// Since the fault, over the flights that survived.
     pub rms_error_m: Option<Summary>,
     pub max_error_m: Option<Summary>,
-    /// Largest heading error since the fault, over the survivors.
+    /// Largest heading error since the fault, over the flights that survived.
     pub max_heading_error_rad: Option<Summary>,
     pub detected_after_s: Option<Summary>,
     pub isolated_after_s: Option<Summary>,
     pub false_alarms: usize,
-    pub refused: usize,
+    pub refused_reconfigurations: usize,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CellRecord {
     pub fault_time_s: f64,
     pub flights: usize,
-    /// Those that lived to the fault, and those of them that were lost.
+    /// Flights still flying when the fault struck.
     pub struck: usize,
+    /// Struck flights that were lost.
     pub lost: usize,
     /// Flights whose simulation diverged.
     pub diverged: usize,
@@ -112,24 +115,25 @@ pub struct AgreementRecord {
     pub mode_count: usize,
     /// All planners, then each.
     pub by_flight: Vec<TableRecord>,
-    /// Spearman's, of seconds outside with the share lost.
+    /// Spearman's, between violation duration and share lost.
     pub rank_correlation: Option<f64>,
-    pub rank_worth: Worth,
+    pub rank_strength: Strength,
     pub pairs: usize,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TableRecord {
-    /// `None`: all.
+    /// `None` for all planners together.
     pub planner: Option<&'static str>,
     #[serde(flatten)]
     pub counts: Contingency,
     pub base_rate: Option<f64>,
     pub phi: Option<f64>,
-    pub worth: Worth,
+    pub strength: Strength,
 }
 
 impl CampaignRecord {
+    /// The record of the flights in `tally`, which are those of `shard`.
     pub fn new(design: &Design, shard: Shard, tally: &Tally, spec_sha256: String) -> Self {
         let planners = design.plans.iter().enumerate().map(|(p, plan)| PlannerRecord {
             name: plan.planner.name(),
@@ -151,7 +155,7 @@ impl CampaignRecord {
         }
     }
 
-    /// No planner has a plan, or none was asked for one.
+    /// The record where no planner has a plan, or none was run.
     pub fn without_flights(model: &Model, left_out: &[Missing], spec_sha256: String) -> Self {
         let simulation = &model.simulation;
         let (detection, detection_delay_s) = match simulation.detection {
@@ -196,9 +200,9 @@ fn mode(design: &Design, tally: &Tally, planner: usize, mode: usize) -> ModeReco
     let cells = tally.cells(planner, mode).iter().enumerate();
     ModeRecord {
         name: design.model.modes[mode].name.clone(),
-        inside: design.inside[mode],
-        outside_s: outside.seconds,
-        last_outside_s: outside.last,
+        hover_inside: design.inside[mode],
+        violation_duration_s: outside.seconds,
+        last_violation_s: outside.last,
         flights: GroupRecord::new(tally.mode(planner, mode)),
         times: cells
             .map(|(k, cell)| CellRecord {
@@ -233,7 +237,7 @@ impl GroupRecord {
             detected_after_s: group.detected_after.summary(),
             isolated_after_s: group.isolated_after.summary(),
             false_alarms: group.false_alarms,
-            refused: group.refused,
+            refused_reconfigurations: group.refused,
         }
     }
 }
@@ -245,7 +249,7 @@ impl AgreementRecord {
             counts: *counts,
             base_rate: counts.base_rate(),
             phi: counts.phi(),
-            worth: Worth::of(counts.phi()),
+            strength: Strength::of(counts.phi()),
         };
         let each = scope.planners.iter().map(|(planner, counts)| table(Some(planner.name()), counts));
         AgreementRecord {
@@ -253,7 +257,7 @@ impl AgreementRecord {
             mode_count: scope.modes,
             by_flight: std::iter::once(table(None, &scope.total)).chain(each).collect(),
             rank_correlation: scope.rank_correlation,
-            rank_worth: Worth::of(scope.rank_correlation),
+            rank_strength: Strength::of(scope.rank_correlation),
             pairs: scope.pairs,
         }
     }

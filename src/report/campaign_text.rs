@@ -1,9 +1,9 @@
-//! The report of a campaign for people.
+//! Terminal report of a campaign.
 
 use super::table::Table;
 use super::terminal::vehicle_line;
 use crate::campaign::HEALTHY;
-use crate::campaign::agreement::{Agreement, Scope, Worth};
+use crate::campaign::agreement::{Agreement, Scope, Strength};
 use crate::campaign::cases::Shard;
 use crate::campaign::design::{Design, Missing, Plan};
 use crate::campaign::run::AFTERMATH;
@@ -15,14 +15,15 @@ use crate::number::{fixed, number, part_of_all, percent, significant};
 use crate::planner::studies::{NotFound, PlanOutcome, Proof};
 use std::cmp::Reverse;
 
-/// Columns of running text and of maps.
+/// Columns of running text.
 const WIDTH: usize = 110;
+/// Columns of a map.
 const MAP: usize = 80;
 
-/// Modes shown one by one.
+/// Most modes that are listed one by one.
 const SHOWN: usize = 40;
 
-/// The whole report.
+/// The whole report of the flights in `tally`, which are those of `shard`.
 pub fn campaign(design: &Design, shard: Shard, tally: &Tally) -> String {
     let mut out = head(design, shard, tally);
     for (p, plan) in design.plans.iter().enumerate() {
@@ -39,7 +40,7 @@ fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
     let mut out = format!("Campaign on mission {mission} with {}\n", vehicle_line(model));
     let names: Vec<String> = design.plans.iter().map(|p| p.planner.name().to_uppercase()).collect();
     out.push_str(&format!(
-        "{} in {} s: {} with a fault at {}, {} each, and {} without a fault for each plan\n",
+        "{} in {} s, per plan: {} x {} x {} with a fault, and {} without\n",
         names.join(", "),
         number(design.time),
         counted(cases.modes, "mode"),
@@ -49,13 +50,13 @@ fn head(design: &Design, shard: Shard, tally: &Tally) -> String {
     ));
     let part = match shard {
         Shard::WHOLE => String::new(),
-        _ => format!(", of which shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
+        _ => format!("; shard {}/{} has {}", shard.index + 1, shard.of, tally.flights()),
     };
     out.push_str(&format!("campaign {}: {}{part}\n", design.id, counted(cases.count(), "flight")));
     out + &flown_how(design)
 }
 
-/// Controller, allocation, detection, what follows a fault, and when a vehicle counts as lost.
+/// Controller, allocation, detection, reaction to a fault, and when a vehicle counts as lost.
 fn flown_how(design: &Design) -> String {
     let model = design.model;
     let s = &model.simulation;
@@ -66,7 +67,7 @@ fn flown_how(design: &Design) -> String {
     };
     format!(
         "controller {}, allocation {}; {detection}; after_fault = {}\n\
-         lost: {} m from its place, tilted past 90 degrees for {} s or at the end, {}or struck the ground; {}\n",
+         lost: {} m off the plan, tilted past 90 degrees for {} s or at the end, {}or on the ground; {}\n",
         s.controller.name(),
         model.vehicle.allocation.name(),
         s.after_fault.name(),
@@ -77,16 +78,16 @@ fn flown_how(design: &Design) -> String {
     )
 }
 
-/// How long a flight goes on after its fault.
+/// How long a flight continues after its fault.
 fn aftermath(design: &Design) -> String {
     let least = number(AFTERMATH);
     match design.plans.iter().all(|plan| plan.trajectory.ends_at_rest()) {
-        true => format!("every fault is given {least} s"),
-        false => format!("a fault is given {least} s, or the rest of a mission that ends in motion"),
+        true => format!("{least} s are flown after a fault"),
+        false => format!("{least} s are flown after a fault, or the rest of a mission that ends in motion"),
     }
 }
 
-/// `heading 90 degrees off for 1 s or at the end, `, where heading is judged.
+/// `heading 90 degrees off for 1 s or at the end, `, if the spec sets such a limit.
 fn off_heading(s: &Simulation) -> String {
     s.lost_yaw.map_or(String::new(), |limit| {
         format!("heading {} degrees off for {} s or at the end, ", number(limit.to_degrees()), number(s.lost_yaw_after))
@@ -107,19 +108,19 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     let mut out = format!("{}, planned against {against}\n", plan.planner.name().to_uppercase());
     let (modes, all) = (worst(tally, p, design.cases.modes), design.cases.modes);
     if modes.len() < all {
-        out.push_str(&format!("  the {SHOWN} of {all} modes that lost most; all are in the report of --report\n"));
+        out.push_str(&format!("  the {SHOWN} of {all} modes with the most losses; `--report` lists all\n"));
     }
     let mut table = Table::new(&[
         "mode",
         "flights",
         "survived",
-        "95 % interval",
-        "rms error",
+        "95 % CI",
+        "RMSE",
         "max error",
         "heading",
         "detected",
-        "outside",
-        "last outside",
+        "violated",
+        "last violation",
         "lost to",
     ]);
     let healthy = tally.healthy(p);
@@ -135,11 +136,13 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
         table.row(cells);
     }
     out.push_str(&table.render(2));
-    out.push_str("  errors and headings are those of the flights that survived\n");
+    out.push_str(
+        "  errors and headings are those of the flights that survived; violations are the plan's, in % of its time\n",
+    );
     if let lost @ 1.. = healthy.all_lost() {
         let text = format!(
-            "Warning: {lost} of {} without a fault {} lost. This plan cannot be flown as it stands, so its losses \
-             say little about faults: limit the tilt, or give the mission more time.",
+            "Warning: {lost} of {} without a fault {} lost. The vehicle cannot fly this plan, so its losses say little \
+             about faults: limit the tilt, or give the mission more time.",
             counted(healthy.flights, "flight"),
             if lost == 1 { "was" } else { "were" }
         );
@@ -147,14 +150,15 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     }
     let before: usize = (0..all).map(|m| tally.mode(p, m).lost_before).sum();
     if before > 0 {
-        out.push_str(&filled(&format!("{} lost before the fault could strike.", counted(before, "flight"))));
+        let were = if before == 1 { "was" } else { "were" };
+        out.push_str(&filled(&format!("{} {were} lost before the fault could strike.", counted(before, "flight"))));
     }
     let diverged = healthy.diverged + (0..all).map(|m| tally.mode(p, m).diverged).sum::<usize>();
     if diverged > 0 {
         let flights = counted(diverged, "flight");
         out.push_str(&filled(&format!(
             "{flights} diverged: the integration broke down (NaN, infinity, or more than half a turn in one step). What \
-             became of the vehicle is unknown: it is among the flights, and neither among the lost nor the survived."
+             happened to the vehicle is unknown: such a flight counts as a flight, but neither as lost nor as survived."
         )));
     }
     if !modes.is_empty() {
@@ -164,7 +168,7 @@ fn planned(design: &Design, tally: &Tally, p: usize, plan: &Plan) -> String {
     out
 }
 
-/// All modes as declared, or, where they are many, the ones that lost most.
+/// All modes as declared or, if there are many, those with the most losses.
 fn worst(tally: &Tally, p: usize, modes: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..modes).collect();
     if modes > SHOWN {
@@ -175,9 +179,9 @@ fn worst(tally: &Tally, p: usize, modes: usize) -> Vec<usize> {
     order
 }
 
-/// Name, flights, survival, errors of the survivors, how soon the fault was detected.
+/// Name, flights, survival, errors of the flights that survived, and how soon the fault was detected.
 fn group_cells(name: &str, group: &Group) -> Vec<String> {
-    // No share is printed where every outcome is unknown.
+    // No share is printed if every outcome is unknown.
     let survival = wilson(group.survived(), group.flights).filter(|_| group.diverged < group.flights);
     let (rms, max) = (group.rms_error.summary(), group.max_error.summary());
     let heading = group.max_heading_error.summary();
@@ -198,7 +202,7 @@ fn group_cells(name: &str, group: &Group) -> Vec<String> {
     ]
 }
 
-/// `12 ground, 3 heading`: what flights were lost to, the most frequent cause first.
+/// `12 ground, 3 heading`: causes of loss, the most frequent first.
 fn causes(group: &Group) -> String {
     let mut counts: Vec<(&str, usize)> = Cause::ALL.iter().zip(group.lost).map(|(c, n)| (cause(*c), n)).collect();
     counts.push(("diverged", group.diverged));
@@ -208,7 +212,7 @@ fn causes(group: &Group) -> String {
     if words.is_empty() { "-".into() } else { words.join(", ") }
 }
 
-/// A cause as the table calls it.
+/// A cause as the table names it.
 fn cause(cause: Cause) -> &'static str {
     match cause {
         Cause::Position => "position",
@@ -219,20 +223,20 @@ fn cause(cause: Cause) -> &'static str {
 }
 
 fn hundred(share: f64) -> String {
-    // One decimal, but 100 only for all of it.
+    // One decimal, but 100 only for the whole.
     if share < 1.0 && share > 0.99949 { part_of_all(share) } else { fixed(100.0 * share, 1) }
 }
 
-/// Modes down, instants across; of struck flights the share lost.
+/// A map of the share of struck flights that were lost: one line per mode, one column per instant.
 fn map(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -> String {
     let times = design.cases.times;
     let columns = times.min(MAP);
     let name = |m: usize| design.model.modes[m].name.as_str();
     let width = modes.iter().map(|&m| name(m).chars().count()).max().unwrap_or(0);
-    let mut out = String::from("\n  When the fault strikes, and what share is lost: . none, 1 to 9 tenths, # all");
+    let mut out = String::from("\n  Share lost, by the instant of the fault: . none, 1 to 9 tenths, # all");
     let any = |of: fn(&Cell) -> bool| modes.iter().any(|&m| tally.cells(p, m).iter().any(of));
     if any(|c| c.flights > 0 && c.struck == 0 && c.diverged == 0) {
-        out.push_str(", x lost before");
+        out.push_str(", x lost before it");
     }
     if any(|c| c.diverged > 0) {
         out.push_str(", ? diverged");
@@ -248,7 +252,7 @@ fn map(design: &Design, tally: &Tally, p: usize, modes: &[usize]) -> String {
     out + &format!("  {:width$}  0 s{end:>gap$}\n", "")
 }
 
-/// One character for cells that share a column.
+/// The character of a column, which may cover several cells.
 fn mark(cells: &[Cell]) -> char {
     let sum = |of: fn(&Cell) -> usize| cells.iter().map(of).sum::<usize>();
     match (sum(|c| c.flights), sum(|c| c.struck), sum(|c| c.lost)) {
@@ -257,14 +261,14 @@ fn mark(cells: &[Cell]) -> char {
         (_, 0, _) => 'x',
         (_, _, 0) => '.',
         (_, struck, lost) if lost == struck => '#',
-        // Something is lost and something is not: neither 0 nor 10.
+        // Some are lost and some are not: neither 0 nor 10.
         (_, struck, lost) => {
             char::from_digit(((10 * lost + struck / 2) / struck).clamp(1, 9) as u32, 10).unwrap_or('9')
         }
     }
 }
 
-/// The planners without a plan.
+/// The planners without a plan, with the reasons.
 pub fn left_out(missing: &[Missing]) -> String {
     let mut out = String::new();
     for one @ Missing { planner, outcome } in missing {
@@ -276,40 +280,40 @@ pub fn left_out(missing: &[Missing]) -> String {
             _ => "there is no mode to plan against, or no common time".into(),
         };
         let verdict = one.verdict();
-        out.push_str(&format!("\n{} is left out; {verdict}: {why}\n", planner.name().to_uppercase()));
+        out.push_str(&format!("\n{} is not flown; {verdict}: {why}\n", planner.name().to_uppercase()));
     }
     out
 }
 
 fn agreement(agreement: &Agreement) -> String {
-    let mut out = String::from("\nDo the plans tell which flights are lost?\n");
+    let mut out = String::from("\nDo the plans predict which flights are lost?\n");
     out.push_str(&filled(
-        "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. Counted are \
-         flights that lived to the fault. A plan that several planners share counts once.",
+        "Predicted lost: the fault strikes before the plan's last violation of the mode's set. Only flights that were \
+         still flying when the fault struck are counted. A plan that several planners share is counted once.",
     ));
     let Agreement { all, inside } = agreement;
     if inside.modes == all.modes {
         out.push_str(&scope(all));
     } else if inside.modes == 0 {
         out.push_str(&scope(all));
-        out.push_str(&filled("No mode has hover inside its set, so no plan can keep a reserve against any."));
+        out.push_str(&filled("No mode has hover inside its set, so no plan can keep a reserve against any mode."));
     } else {
         out.push_str(&format!("\n  All {}\n{}", counted(all.modes, "mode"), scope(all)));
         let n = counted(inside.modes, "mode");
         out.push_str(&format!(
-            "\n  Only the {n} with hover inside their sets: against the others no plan can keep a reserve\n"
+            "\n  Only the {n} with hover inside their sets: no plan can keep a reserve against the others\n"
         ));
         out.push_str(&scope(inside));
     }
     out.push('\n');
     out.push_str(&filled(
-        "Intervals take flights as independent. Flights that are struck at one instant differ only in their noise, so \
+        "Intervals treat flights as independent. Flights struck at the same instant differ only in their noise, so \
          the true uncertainty is larger; more instants help more than more seeds.",
     ));
     out
 }
 
-/// The table and what it says in words.
+/// The contingency table and its interpretation.
 fn scope(scope: &Scope) -> String {
     let headings =
         ["planner", "hits", "misses", "false alarms", "correct negatives", "lost", "lost if predicted", "phi"];
@@ -336,44 +340,48 @@ fn scope(scope: &Scope) -> String {
     table.render(2) + &filled(&by_flight(&scope.total)) + &called_safe + &filled(&by_mode(scope))
 }
 
-/// What phi says, good or bad.
+/// The interpretation of phi.
 pub fn by_flight(t: &Contingency) -> String {
     let lost = t.hits + t.misses;
-    match (Worth::of(t.phi()), t.phi()) {
-        (Worth::Undefined, _) if t.total() == 0 => {
-            "No flight of known outcome lived to its fault: nothing can be said.".into()
+    match (Strength::of(t.phi()), t.phi()) {
+        (Strength::Undefined, _) if t.total() == 0 => {
+            "No flight with a known outcome was struck by its fault: the prediction cannot be judged.".into()
         }
-        (Worth::Undefined, _) if lost == 0 => "No flight was lost to a fault: the prediction cannot be judged.".into(),
-        (Worth::Undefined, _) if lost == t.total() => {
+        (Strength::Undefined, _) if lost == 0 => {
+            "No flight was lost to a fault: the prediction cannot be judged.".into()
+        }
+        (Strength::Undefined, _) if lost == t.total() => {
             "Every struck flight was lost: the prediction cannot be judged.".into()
         }
-        (worth, phi) => {
+        (strength, phi) => {
             let phi = phi.map_or(String::new(), |phi| format!(" (phi {})", fixed(phi, 2)));
-            let what = match worth {
-                Worth::Undefined => "is the same for every flight, so it tells nothing: no better than chance",
-                Worth::Opposite => "is worse than chance: what it calls safe is lost more often",
-                Worth::Chance => "is no better than chance",
-                Worth::Weak => "agrees weakly with what happened",
-                Worth::Moderate => "agrees moderately with what happened",
-                Worth::Strong => "agrees strongly with what happened",
+            let what = match strength {
+                Strength::Undefined => {
+                    "is the same for every flight, so it carries no information: no better than chance"
+                }
+                Strength::Opposite => "is worse than chance: flights predicted safe are lost more often",
+                Strength::Chance => "is no better than chance",
+                Strength::Weak => "agrees weakly with the outcomes",
+                Strength::Moderate => "agrees moderately with the outcomes",
+                Strength::Strong => "agrees strongly with the outcomes",
             };
-            format!("Flight by flight the prediction {what}{phi}.")
+            format!("Flight by flight, the prediction {what}{phi}.")
         }
     }
 }
 
-/// What the rank correlation says.
+/// The interpretation of the rank correlation.
 fn by_mode(scope: &Scope) -> String {
     let rho = scope.rank_correlation;
-    let what = match Worth::of(rho) {
-        Worth::Undefined => {
-            return "Seconds outside cannot be ranked against losses: one of them is always the same.".into();
+    let what = match Strength::of(rho) {
+        Strength::Undefined => {
+            return "Violation durations cannot be ranked against losses: one of the two never varies.".into();
         }
-        Worth::Opposite => "more seconds outside go with fewer losses",
-        Worth::Chance => "seconds outside tell no more about losses than chance",
-        Worth::Weak => "more seconds outside go weakly with more losses",
-        Worth::Moderate => "more seconds outside go moderately with more losses",
-        Worth::Strong => "more seconds outside go strongly with more losses",
+        Strength::Opposite => "longer violations go with fewer losses",
+        Strength::Chance => "the duration of violations predicts losses no better than chance",
+        Strength::Weak => "longer violations correlate weakly with more losses",
+        Strength::Moderate => "longer violations correlate moderately with more losses",
+        Strength::Strong => "longer violations correlate strongly with more losses",
     };
     let rho = rho.map_or(String::new(), |rho| fixed(rho, 2));
     format!("Over {} of plan and mode, {what} (Spearman's rank correlation {rho}).", counted(scope.pairs, "pair"))

@@ -1,7 +1,7 @@
-//! Where a plan is not what it seems: limits passed between nodes, the linear model out of its range.
+//! Caveats of a plan: limits exceeded between nodes, a coarser grid, an unusual speed, the linear model outside its range.
 
 use crate::model::{LimitKind, Model};
-use crate::motion::checks::{Excess, coarser_legs, limit_excesses, past_as_checked, peak, stretch};
+use crate::motion::checks::{LimitViolation, coarser_legs, limit_violations, linear_range, past_as_checked, peak};
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, percent, significant};
 use crate::planner::studies::MissionPlan;
@@ -11,49 +11,50 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Caveat {
     pub kind: CaveatKind,
-    /// The limit passed, in words.
+    /// The exceeded limit, in words.
     pub limit: Option<&'static str>,
-    /// SI: by how much a limit is passed, the number of legs with fewer pieces, the speed, the tilt (rad), the thrust (N).
+    /// SI: by how much a limit is exceeded, the number of legs with fewer pieces, the speed, the tilt (rad), the thrust (N).
     pub value: f64,
-    /// When it is worst, s since the start.
+    /// The worst instant, s since the start.
     pub at_s: f64,
+    /// The caveat as a sentence.
     pub message: String,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CaveatKind {
-    /// A limit holds at the nodes and is passed between them.
+    /// A limit holds at the nodes and is exceeded between them.
     LimitBetweenSamples,
-    /// Some leg has fewer pieces than the spec's samples make.
+    /// Some leg has fewer pieces than the spec's samples give.
     FewerPieces,
-    /// Faster than multirotors fly, and no limit in the way.
+    /// The speed is unusual for multirotors, and the mission does not limit it.
     Speed,
-    /// Small angles no longer hold.
+    /// The tilt is outside the range of the small-angle approximation.
     Tilt,
-    /// Thrust nearly vanishes, or would have to pull.
+    /// The thrust nearly vanishes or is negative.
     Thrust,
 }
 
-/// The limits that a plan passes between its samples by more than the check of plans lets pass, in the spec's order.
-pub fn passed(model: &Model, solved: &MissionPlan) -> Vec<Excess> {
+/// The limits that a plan exceeds between its nodes by more than the check of plans tolerates, in the spec's order.
+pub fn exceeded_limits(model: &Model, solved: &MissionPlan) -> Vec<LimitViolation> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
-    let mut passed = limit_excesses(&solved.trajectory, model, 0.0);
-    passed.retain(|excess| {
+    let mut exceeded = limit_violations(&solved.trajectory, model, 0.0);
+    exceeded.retain(|excess| {
         let limit = &limits[excess.limit];
         let worst = peak(&solved.trajectory, |state| past_as_checked(limit, state, model.gravity));
         worst.value > MOST_PAST_LIMIT * limit.size()
     });
-    passed
+    exceeded
 }
 
-/// A grid of fewer pieces than the spec's samples make.
+/// The caveat of a grid with fewer pieces than the spec's samples give.
 fn coarser(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     let mission = model.mission.as_ref()?;
     let (legs, samples) = (coarser_legs(&solved.trajectory, mission, model.plan.samples), model.plan.samples);
     let message = format!(
-        "On {} of {} legs the plan has fewer pieces than {samples} samples make for its waypoint times; `mavc verify` \
-         reports it as weaker for this.",
+        "On {} of {} legs the plan has fewer pieces than {samples} samples give for its waypoint times; `mavc verify` \
+         therefore reports a weaker result.",
         legs,
         mission.legs.len()
     );
@@ -61,7 +62,7 @@ fn coarser(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     (legs > 0).then_some(caveat)
 }
 
-/// An unusually high speed in a mission that does not limit it. Plans ignore air resistance.
+/// The caveat of an unusually high speed in a mission that does not limit it. Plans ignore air resistance.
 fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     let mut limits = model.mission.as_ref()?.limits.iter();
     if limits.any(|limit| limit.kind == LimitKind::Speed) {
@@ -79,10 +80,10 @@ fn too_fast(model: &Model, solved: &MissionPlan) -> Option<Caveat> {
     (speed.value > USUAL_SPEED).then_some(caveat)
 }
 
-/// Passed limits first, in the spec's order.
+/// All caveats of a plan: exceeded limits first, in the spec's order.
 pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
-    let passed = passed(model, solved).into_iter().map(|e| {
+    let exceeded = exceeded_limits(model, solved).into_iter().map(|e| {
         let (name, unit, factor) = limits[e.limit].kind.name_and_unit();
         Caveat {
             kind: CaveatKind::LimitBetweenSamples,
@@ -90,25 +91,25 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             value: e.by,
             at_s: e.at,
             message: format!(
-                "Between samples the {name} limit is passed by {} {unit} at {} s; try more samples.",
+                "Between samples the {name} limit is exceeded by {} {unit} at {} s; try more samples.",
                 significant(e.by * factor, 3),
                 fixed(e.at, 2)
             ),
         }
     });
-    let passed = passed.chain(coarser(model, solved)).chain(too_fast(model, solved));
+    let all = exceeded.chain(coarser(model, solved)).chain(too_fast(model, solved));
     if solved.trajectory.model == WrenchModel::Exact {
-        return passed.collect();
+        return all.collect();
     }
-    let s = stretch(&solved.trajectory, model);
+    let s = linear_range(&solved.trajectory, model);
     let tilt = s.tilts_too_far().then(|| Caveat {
         kind: CaveatKind::Tilt,
         limit: None,
         value: s.tilt.value,
         at_s: s.tilt.at,
         message: format!(
-            "Past the linear model: the plan tilts to {} degrees at {} s, and small angles end at about 20. The real \
-             wrench differs from the planned one there; fly slower or limit the tilt.",
+            "Outside the linear model's range: the plan tilts to {} degrees at {} s, and the small-angle approximation \
+             holds up to about 20. The real wrench differs from the planned one there; fly slower or limit the tilt.",
             fixed(s.tilt.value.to_degrees(), 1),
             fixed(s.tilt.at, 2)
         ),
@@ -116,8 +117,8 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
     let thrust = s.nearly_falls().then(|| {
         let share = s.least_thrust.value / s.full_thrust;
         let falls = match share {
-            x if x.abs() < 1e-6 => "to nothing".to_string(),
-            x if x < 0.0 => "below nothing".to_string(),
+            x if x.abs() < 1e-6 => "to zero".to_string(),
+            x if x < 0.0 => "below zero".to_string(),
             x => format!("to {} N, {} of full thrust,", significant(s.least_thrust.value, 3), percent(x)),
         };
         Caveat {
@@ -126,11 +127,11 @@ pub fn caveats(model: &Model, solved: &MissionPlan) -> Vec<Caveat> {
             value: s.least_thrust.value,
             at_s: s.least_thrust.at,
             message: format!(
-                "Past the linear model: thrust falls {falls} at {} s, and a vehicle without thrust cannot be steered \
-                 by tilting it; limit the descent or the vertical acceleration.",
+                "Outside the linear model's range: thrust falls {falls} at {} s, and a vehicle without thrust cannot be \
+                 steered by tilting it; limit the descent or the vertical acceleration.",
                 fixed(s.least_thrust.at, 2)
             ),
         }
     });
-    passed.chain(tilt).chain(thrust).collect()
+    all.chain(tilt).chain(thrust).collect()
 }

@@ -1,4 +1,4 @@
-//! What `mavc compare` says to people.
+//! Terminal output of `mavc compare`.
 
 mod fold;
 
@@ -16,17 +16,17 @@ use crate::planner::timing::kinematics::least_time_within;
 use crate::verdict::Verdict;
 use fold::{Fold, folded};
 
-/// The relative difference from which one objective counts as lower than another.
+/// An objective counts as lower than another if it is lower by more than this share.
 const CHEAPER: f64 = 1e-3;
 
-/// The tables of section 5.4 for any spec.
+/// The tables of the paper's section 5.4, for any spec.
 ///
 /// `color`: whether strips are coloured.
 pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
     out.push_str(match determined(mission) {
         Some(_) => "\nEach planner alone, at the only time that the mission's fixed times allow\n",
-        None => "\nEach planner alone, at the shortest time it was found to need\n",
+        None => "\nEach planner alone, at the shortest time found for it\n",
     });
     out.push_str(&run_table(mission, comparison, Run::Own).render(2));
     out.push_str(&notes(comparison, Run::Own));
@@ -52,8 +52,8 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
             if !has_plans(run) {
                 continue;
             }
-            let held = if holds { "; where the mission holds, the last one without a stop after it" } else { "" };
-            let text = format!("Seconds outside each mode's set, and the last instant outside{held}: {title}");
+            let held = if holds { "; with `hold` also the last instant without a stop" } else { "" };
+            let text = format!("Seconds outside each mode's set (last violation{held}): {title}");
             out.push_str(&format!("\n{}\n", textwrap::fill(&text, WIDTH)));
             out.push_str(&outside_table(model, comparison, run).render(2));
         }
@@ -62,7 +62,7 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
         }
         if has_plans(Run::Common) {
             out.push_str(
-                "\nHow near each plan at T_d comes to the edge of what is left, in shares of the healthy set's width\n",
+                "\nMargin of each plan at T_d to each mode's admissible set, in shares of the healthy set's width\n",
             );
             for fold in folded(comparison, Run::Common) {
                 if let PlanOutcome::Planned(solved) = fold.outcome() {
@@ -78,28 +78,28 @@ pub fn compare(model: &Model, mission: &Mission, comparison: &Comparison, color:
     out
 }
 
-/// What the verdicts of the tables mean, where some planner has no plan.
+/// The meaning of the verdicts in the tables, if some planner has no plan.
 fn words(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     let has = |verdict: Verdict| comparison.runs.iter().any(|run| run.outcome.verdict() == verdict);
     let least = least_time_within(model, mission);
-    // The last waypoint's time is the mission's.
+    // The last waypoint's time is that of the mission.
     let is_of_all = least.too_early.is_some_and(|(waypoint, _)| waypoint + 1 < mission.waypoints.len());
     let at_any_time = is_of_all.then(|| {
         format!("no plan exists at any mission time, because {}.", least_time::sentence(mission, &least, 0.0))
     });
     let proved = at_any_time
-        .unwrap_or("no plan exists at any of the times that `--report` lists. Each is proved on its own.".into());
+        .unwrap_or("no plan exists at any of the times that `--report` lists; each was proved separately.".into());
     let meanings = [
         (Verdict::ProvedInfeasible, proved.as_str()),
         (Verdict::NotFound, "no plan was found; one may exist."),
-        (Verdict::NotAttempted, "no plan was searched for, for no RIP plan was found to select facets by."),
+        (Verdict::NotAttempted, "no plan was searched for, because no RIP plan was found to select facets from."),
     ];
-    let told = meanings.into_iter().filter(|(verdict, _)| has(*verdict));
-    let lines: String = told.map(|(verdict, meaning)| format!("  {verdict}: {meaning}\n")).collect();
+    let present = meanings.into_iter().filter(|(verdict, _)| has(*verdict));
+    let lines: String = present.map(|(verdict, meaning)| format!("  {verdict}: {meaning}\n")).collect();
     if lines.is_empty() { lines } else { format!("\n{lines}") }
 }
 
-/// The planner's run at T_d, of which there is one where there is a T_d.
+/// The planner's run at T_d; there is one if there is a T_d.
 fn at_common(comparison: &Comparison, planner: PlannerKind) -> Option<&PlannerRun> {
     comparison.runs.iter().find(|run| run.planner == planner && run.run == Run::Common)
 }
@@ -110,31 +110,31 @@ fn selects(comparison: &Comparison) -> bool {
     !comparison.modes.is_empty() && rip.is_none_or(|run| matches!(run.outcome, PlanOutcome::Planned(_)))
 }
 
-/// How many facets RSP guards, and what it lacks where it has no plan.
+/// How many facets RSP guards, and why it has no plan at T_d if it has none.
 fn guarded(comparison: &Comparison) -> String {
     let n = comparison.selected.len();
     match (selects(comparison), comparison.common_time.map(number)) {
         _ if comparison.modes.is_empty() || comparison.common_time.is_none() => String::new(),
         (false, Some(at)) => {
-            format!("\nNo RIP plan was found at T_d = {at} s to select facets by, so RSP selects none.\n")
+            format!("\nNo RIP plan was found at T_d = {at} s to select facets from, so RSP selects none.\n")
         }
         _ => {
             let plural = if n == 1 { "" } else { "s" };
             let planes = in_planes(comparison);
             let mut text =
-                format!("\nRSP guards {n} facet{plural} of the fault sets{planes} beside the healthy set's.\n");
+                format!("\nRSP guards {n} facet{plural} of the fault sets{planes} in addition to the healthy set's.\n");
             if let Some(PlanOutcome::Infeasible(Proof { at, .. })) =
                 at_common(comparison, PlannerKind::Rsp).map(|run| &run.outcome)
             {
                 let at = number(*at);
-                text += &format!("RSP is proved infeasible in {at} s; its own shortest time is in the first table.\n");
+                text += &format!("RSP is proved infeasible at {at} s; the first table has its own shortest time.\n");
             }
             text
         }
     }
 }
 
-/// What the column of risks means, in one line where all of them are zero; nothing where no mode has a rate.
+/// The meaning of the risk column: one line if all risks are zero; empty if no mode has a rate.
 fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
     let rates = rates(model);
     let risks = comparison.runs.iter().filter_map(|run| match &run.outcome {
@@ -144,20 +144,20 @@ fn risk_note(model: &Model, comparison: &Comparison) -> &'static str {
     match (rates.iter().any(Option::is_some), holds(model)) {
         (false, _) => "",
         (true, _) if risks.fold(0.0, f64::max) == 0.0 => {
-            "  risk 0: no mode planned against that has a rate commits any of these plans.\n"
+            "  risk 0: these plans are never committed to a mode that is planned against and has a rate.\n"
         }
         (true, false) => {
-            "  risk: that some mode with a rate strikes before its last instant outside, if the mission goes on; modes are\n  \
-             taken as independent.\n"
+            "  risk: the probability that some mode with a rate strikes before its last violation, if the mission continues;\n  \
+             modes are treated as independent.\n"
         }
         (true, true) => {
-            "  risk: that some mode with a rate strikes before its last instant outside, or where the mission holds before the\n  \
-             last one from which no stop was found (sought at the nodes); modes are taken as independent.\n"
+            "  risk: the probability that some mode with a rate strikes before its last violation or, if the mission holds,\n  \
+             before the last node from which no stop was found; modes are treated as independent.\n"
         }
     }
 }
 
-/// Under the first table: that its times were looked for beside the one that the spec fixes, and with which facets RSP's was.
+/// The notes under the first table: the lower bound, why its times differ from the spec's, and which facets RSP uses.
 fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     let rip = comparison.runs.iter().find(|run| run.planner == PlannerKind::Rip && run.run == Run::Own);
     let gap = rip.filter(|_| determined(mission).is_none()).and_then(|rip| least_time::gap(model, mission, rip));
@@ -167,11 +167,11 @@ fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String
     let beside = at
         .as_ref()
         .filter(|_| is_beside)
-        .map(|at| format!("The spec asks for {at} s; these times were looked for beside it, for comparison."));
+        .map(|at| format!("The spec requires {at} s; these times were searched for in addition, for comparison."));
     let selected = at
         .as_ref()
         .filter(|_| selects(comparison))
-        .map(|at| format!("RSP has the facets that are selected at T_d = {at} s, at its own time too."));
+        .map(|at| format!("RSP uses the facets selected at T_d = {at} s, also at its own time."));
     let text: Vec<String> = bound.into_iter().chain(beside).chain(selected).collect();
     if text.is_empty() {
         return String::new();
@@ -180,7 +180,8 @@ fn own_note(model: &Model, mission: &Mission, comparison: &Comparison) -> String
     format!("{}\n", textwrap::fill(&text.join(" "), options))
 }
 
-/// The plan at T_d that costs most more than one whose set lies inside its own, which no search is proved to avoid.
+/// The plan at T_d whose cost exceeds that of a more constrained plan by the largest factor. Searches are local, so that
+/// this can happen.
 fn local_optima(comparison: &Comparison) -> String {
     let all = comparison.modes.len();
     let solved: Vec<(&PlannerRun, f64)> = comparison
@@ -203,8 +204,8 @@ fn local_optima(comparison: &Comparison) -> String {
         return String::new();
     };
     let text = format!(
-        "At T_d {} ({}) costs more than {} ({}), although its set allows that plan too. Each plan is the cheapest that its own \
-         search found, and none is proved to be the cheapest.",
+        "At T_d, {} ({}) costs more than {} ({}), although its set admits that plan too. Each plan is the cheapest that its \
+         own search found; none is proved to be the cheapest.",
         name_of(outer),
         number(*dear),
         name_of(inner),
@@ -214,13 +215,13 @@ fn local_optima(comparison: &Comparison) -> String {
     format!("{}\n", textwrap::fill(&text, options))
 }
 
-/// Where T_d comes from.
+/// The origin of T_d.
 fn common_time(model: &Model, mission: &Mission, comparison: &Comparison) -> &'static str {
     let jointly = |run: &&PlannerRun| run.planner == PlannerKind::Rcp && run.against.len() == comparison.modes.len();
     let joint = comparison.runs.iter().filter(|run| run.run == Run::Own).find(jointly);
     match (model.plan.time, joint.map(|run| &run.outcome)) {
         _ if determined(mission).is_some() => "the time that the mission's fixed times give",
-        (MissionTime::Fixed(_), _) => "the time that the spec asks for",
+        (MissionTime::Fixed(_), _) => "the time that the spec requires",
         (_, Some(PlanOutcome::Planned(_))) if comparison.modes.len() == 1 => "RCP's shortest time",
         (_, Some(PlanOutcome::Planned(_))) => "the shortest time of RCP against all modes jointly",
         _ => "the largest of RCP's shortest times against single modes",
@@ -235,7 +236,7 @@ fn name_of(run: &PlannerRun) -> String {
     }
 }
 
-/// Below a table: the names that its first column has no room for.
+/// Below a table: the names that do not fit into its first column.
 fn notes(comparison: &Comparison, which: Run) -> String {
     folded(comparison, which).iter().map(Fold::note).collect()
 }
@@ -300,10 +301,10 @@ fn outside_table(model: &Model, comparison: &Comparison, which: Run) -> Table {
     table
 }
 
-/// What `mavc compare --rounds` adds: each number of rounds at T_d, and its own shortest time where time is free.
+/// Output of `mavc compare --rounds`: each number of rounds at T_d, and its own shortest time if the time is free.
 pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds: &[Round]) -> String {
     let Some(common) = comparison.common_time else {
-        return "\nNo plan was found for any mode, so there is no time to select facets at.\n".into();
+        return "\nNo plan was found for any mode, so there is no time at which to select facets.\n".into();
     };
     let is_free = model.plan.time == MissionTime::Minimum && determined(mission).is_none();
     let mut out = format!("\nRounds of selection, at T_d = {} s; 0 is RIP, 1 the paper's RSP\n", number(common));
@@ -315,7 +316,7 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
         "largest [cm]",
         "objective",
         "margin",
-        "outside [s]",
+        "violated [s]",
         "own T [s]",
     ]);
     for round in rounds {
@@ -339,11 +340,13 @@ pub fn rounds(model: &Model, mission: &Mission, comparison: &Comparison, rounds:
     }
     out.push_str(&table.render(2));
     out.push_str(
-        "  margin: the smallest over all modes, in shares of the healthy set's width; outside: the longest over the modes.\n",
+        "  margin: the smallest over all modes, in shares of the healthy set's width; violated: the longest over all modes.\n",
     );
     out.push_str(match is_free {
-        true => "  Each own time was found with the selection redone there; 0.05 s below it no such plan was found.\n",
-        false => "  The time is fixed: no own time was looked for.\n",
+        true => {
+            "  Each own time was found with the selection repeated there; 0.05 s below it no such plan was found.\n"
+        }
+        false => "  The time is fixed: no own time was searched for.\n",
     });
     out
 }

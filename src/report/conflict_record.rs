@@ -8,31 +8,31 @@ use serde::Serialize;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ConflictRecord {
-    /// Whether a plan meets all of the statements: `proved infeasible` or `not found`.
+    /// Whether a plan satisfies all statements: `proved infeasible` or `not found`.
     pub verdict: Verdict,
-    /// A proof is one for the facets that the RIP plan selects, by RSP.
-    pub of_selection: bool,
-    /// A proof holds on the grid of the spec's samples; false where it holds for every grid.
-    pub of_samples: bool,
-    /// A plan was found for the others whenever one statement was left out.
+    /// RSP: a proof holds only for the facets that the RIP plan selects.
+    pub only_for_selection: bool,
+    /// A proof holds only on the grid of the spec's samples; false if it holds for every grid.
+    pub only_for_samples: bool,
+    /// Whenever one statement was left out, a plan was found for the others.
     pub irreducible: bool,
-    /// The mission time at which the statements were asked for, s.
+    /// The mission time at which plans were searched for, s.
     pub time_s: f64,
-    /// None of the statements fixes the mission time: `time_s` is one that is long for the mission.
-    pub any_time: bool,
+    /// None of the statements fixes the mission time: `time_s` is a time that is long for the mission.
+    pub time_is_free: bool,
     pub statements: Vec<StatementRecord>,
     /// Cheapest first.
     pub fixes: Vec<FixRecord>,
-    /// Plans asked for, of the statements and of the changes.
-    pub questions: usize,
+    /// Searches for a plan, both for subsets of the statements and for changes.
+    pub searches: usize,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StatementRecord {
     pub kind: &'static str,
-    /// The same for people.
+    /// The statement in words.
     pub message: String,
-    /// Where, for people: `line 13`, `line 4 of octo.mav`, or the `--set` that says it.
+    /// Its place in words: `line 13`, `line 4 of octo.mav`, or the `--set` that makes it.
     #[serde(skip)]
     pub place: String,
     pub file: String,
@@ -45,13 +45,13 @@ pub struct StatementRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FixRecord {
     pub kind: &'static str,
-    /// Which of `statements` it changes; `None` where it is another one.
+    /// Index into `statements` of the one it changes; `None` if it changes something else.
     pub statement: Option<usize>,
-    /// The number changed to, SI; `None` where a statement is left out.
+    /// The new value, SI; `None` if a statement is removed.
     pub value: Option<f64>,
-    /// The same for people.
+    /// The change in words.
     pub message: String,
-    /// The mission time of the plan it gave, s.
+    /// The mission time of the plan found with this change, s.
     pub time_s: f64,
 }
 
@@ -86,14 +86,14 @@ impl ConflictRecord {
         };
         ConflictRecord {
             verdict: conflict.verdict(),
-            of_selection: conflict.of_selection,
-            of_samples: conflict.of_samples,
+            only_for_selection: conflict.only_for_selection,
+            only_for_samples: conflict.only_for_samples,
             irreducible: conflict.irreducible,
             time_s: conflict.time,
-            any_time: conflict.any_time,
+            time_is_free: conflict.time_is_free,
             statements: conflict.statements.iter().map(statement).collect(),
             fixes: explanation.fixes.iter().map(fix).collect(),
-            questions: explanation.questions,
+            searches: explanation.questions,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Heat strips: time across, modes down, the smallest margin as colour or as a character.
+//! Heat strips: one line per mode over time, with the smallest margin as a colour or a character.
 
 use crate::admissible::row::VIOLATED;
 use crate::model::Model;
@@ -7,18 +7,18 @@ use crate::motion::nearness::nearness;
 use crate::number::number;
 use crate::planner::studies::Comparison;
 
-/// Parts of the flight across.
+/// Cells of a line.
 const COLUMNS: usize = 64;
 
-/// Modes shown at most.
+/// Most modes that are shown.
 const MOST_MODES: usize = 24;
 
-/// Classes of margin, as shares of the healthy set's width, from the upper end of each: character and background
-/// (of the 256 colours of terminals).
+/// Classes of margin: upper end as a share of the healthy set's width, character, and background (one of the 256 terminal
+/// colours).
 const CLASSES: [(f64, char, u8); 5] =
     [(-VIOLATED, '#', 160), (0.02, '+', 208), (0.05, '-', 220), (0.10, '.', 150), (f64::INFINITY, ' ', 71)];
 
-/// What the characters mean, for the line below a strip.
+/// The meaning of the characters, for the line below a strip.
 const LEGEND: [&str; 5] = ["outside", "below 2 %", "below 5 %", "below 10 %", "more"];
 
 fn class(margin: f64) -> (char, u8) {
@@ -30,8 +30,8 @@ fn painted(character: char, background: u8) -> String {
     format!("\x1b[48;5;{background}m{character}\x1b[0m")
 }
 
-/// One line a mode, those that come nearest to their edges where there are many, in the order of the comparison; then
-/// the time axis. Empty without modes. What it means says [`legend`].
+/// One line per mode in the order of the comparison (of many modes, those with the smallest margins), then the time axis.
+/// Empty without modes. [`legend`] explains it.
 pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, color: bool) -> String {
     let margins =
         comparison.sets.iter().map(|set| nearness(trajectory, &model.vehicle, model.gravity, &set.rows, COLUMNS));
@@ -57,12 +57,12 @@ pub fn strip(model: &Model, comparison: &Comparison, trajectory: &Trajectory, co
     let end = format!("{} s", number(trajectory.duration()));
     out.push_str(&format!("  {:<width$} 0{end:>COLUMNS$}\n", ""));
     if shown.len() < lines.len() {
-        out.push_str(&format!("  {} more modes whose edges the plan keeps farther from\n", lines.len() - shown.len()));
+        out.push_str(&format!("  {} more modes with larger margins\n", lines.len() - shown.len()));
     }
     out
 }
 
-/// What the characters or colours of strips mean, on one line.
+/// The meaning of the characters or colours of strips, on one line.
 pub fn legend(color: bool) -> String {
     let legend: Vec<String> = CLASSES
         .into_iter()

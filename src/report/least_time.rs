@@ -1,28 +1,28 @@
-//! The lower bound beside every time: which no motion within the spec's limits stays below.
+//! Lower bounds on mission times: no trajectory within the spec's limits is faster.
 
-use super::caveats::passed;
+use super::caveats::exceeded_limits;
 use crate::model::{Mission, Model};
 use crate::motion::time_grid::has_fixed_times;
 use crate::number::{down, down_but_above, percent};
 use crate::planner::studies::{PlanOutcome, PlannerRun};
 use crate::planner::timing::kinematics::{LeastTime, least_time, least_time_within};
 
-/// Of the bound itself, which is rounded down.
+/// Significant digits of the bound, which is rounded down.
 const DIGITS: usize = 4;
 
-/// The bound to set beside a run: of motions that keep the limits at every instant. Where its plan exceeds some between the
-/// nodes the bound lets all motions exceed them as far.
-pub fn beside(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
+/// The lower bound for a run, over all motions that satisfy the limits at every instant. If the run's plan exceeds limits
+/// between its nodes, the bound allows all motions to exceed them as far.
+pub fn bound_for(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
     let mut past = vec![0.0; mission.limits.len()];
     if let PlanOutcome::Planned(solved) = &run.outcome {
-        for excess in passed(model, solved) {
+        for excess in exceeded_limits(model, solved) {
             past[excess.limit] = excess.by;
         }
     }
     least_time(model, mission, &past)
 }
 
-/// What no motion stays below, where a mission of `total` s has no plan for it.
+/// The bound in words, for a mission of `total` s that has no plan because of it.
 pub fn sentence(mission: &Mission, least: &LeastTime, total: f64) -> String {
     match least.too_early {
         Some((waypoint, soonest)) if waypoint + 1 < mission.waypoints.len() => {
@@ -37,10 +37,10 @@ pub fn sentence(mission: &Mission, least: &LeastTime, total: f64) -> String {
     }
 }
 
-/// The bound and the gap to it, after a shortest time found; `None` where the bound says nothing.
+/// The bound in words and the gap between it and the shortest time found; `None` if the bound is trivial.
 pub fn gap(model: &Model, mission: &Mission, run: &PlannerRun) -> Option<String> {
     let solved = run.outcome.plan()?;
-    let least = beside(model, mission, run);
+    let least = bound_for(model, mission, run);
     if least.seconds <= 0.0 || least.is_above(solved.time) {
         return None;
     }
@@ -52,7 +52,7 @@ pub fn gap(model: &Model, mission: &Mission, run: &PlannerRun) -> Option<String>
     Some(format!("no motion {}{widened} takes less than {seconds} s (gap {gap})", within(mission)))
 }
 
-/// What motions keep to that the bound is about.
+/// The constraints under which the bound holds.
 fn within(mission: &Mission) -> &'static str {
     match has_fixed_times(mission) {
         true => "within the limits and at the fixed times",

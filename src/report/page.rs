@@ -1,8 +1,8 @@
-//! The report as one page that a browser opens without a network (`--html`): what was found as text and tables, and
-//! what it was found from as data for the charts of `assets/page`.
+//! The report as one page that a browser opens without a network (`--html`): results as text and tables, and the data
+//! behind them for the charts of `assets/page`.
 //!
-//! Words and numbers are made here, once, for the page and for the files of `--svg`; the script only draws. The page
-//! says all that matters with its script switched off.
+//! Texts and numbers are made here, once, for the page and for the files of `--svg`; the script only draws. Without its
+//! script the page still has every result that matters.
 
 mod binding_table;
 mod chart;
@@ -28,34 +28,34 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Mission, Model};
 use crate::planner::studies::{Comparison, PlanOutcome, Run};
 use crate::report::campaign_record::CampaignRecord;
-use crate::report::flight::FlightRecord;
 use crate::report::record::Record;
+use crate::report::simulation::FlightRecord;
 use crate::source::SourceMap;
 use content::Content;
 use document::{Document, Section};
 pub use flown::Track;
 
-/// Modes whose sets, margins and strips are shown; of more, those that the plan comes nearest to the edges of.
+/// Most modes whose sets, margins and strips are shown; if there are more, those with the smallest margins.
 const MOST_MODES: usize = 24;
 
-/// What every page is about.
+/// The subject of a page.
 #[derive(Clone, Copy)]
 pub struct Subject<'a> {
     pub model: &'a Model,
     pub mission: &'a Mission,
     pub sources: &'a SourceMap,
-    /// Shown where they point to in the spec.
+    /// Shown at their places in the spec.
     pub diagnostics: &'a [Diagnostic],
 }
 
-/// Which command a page is the report of.
+/// The command that a page reports on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Plan,
     Compare,
 }
 
-/// The page of `mavc plan` or `mavc compare`: `record` is what `--report` gives. HTML, complete, the same for the same input.
+/// The page of `mavc plan` or `mavc compare`; `record` is the JSON report. Complete HTML, the same for the same input.
 pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Record) -> String {
     let Subject { model, mission, .. } = *subject;
     let analyses = analyze_each(model);
@@ -81,15 +81,16 @@ pub fn plans(kind: Kind, subject: &Subject, comparison: &Comparison, record: &Re
     Document { subject: *subject, comparison: Some(comparison), found, sections, content }.render()
 }
 
-/// The charts of the plan, or of every planner's at the common time, and the sections of the sets, as names and texts of SVG files.
+/// The charts of the plan (or of every planner's plan at the common time) and the sections of the sets, as names and texts
+/// of SVG files.
 ///
 /// # Errors
-/// What the drawing library says, where it cannot draw.
+/// The drawing library's message if it cannot draw.
 pub fn figures(subject: &Subject, comparison: &Comparison) -> Result<Vec<(String, String)>, String> {
     svg::files(&Content::of_plans(subject, comparison, &sets::shown(subject.model, comparison), &()))
 }
 
-/// The page where some mode that the plan must stand cannot hover: nothing was planned.
+/// The page if some mode that the plan must tolerate cannot hover: nothing was planned.
 pub fn refused(subject: &Subject, record: &Record) -> String {
     let model = subject.model;
     let analyses = analyze_each(model);
@@ -103,7 +104,7 @@ pub fn refused(subject: &Subject, record: &Record) -> String {
     Document { subject: *subject, comparison: None, found, sections, content }.render()
 }
 
-/// The page of `mavc simulate`: the flight first, and the plan it was flown along.
+/// The page of `mavc simulate`: the flight first, then the plan that it follows.
 pub fn flight(subject: &Subject, comparison: &Comparison, track: Track, record: &FlightRecord) -> String {
     let model = subject.model;
     let analyses = analyze_each(model);
@@ -140,7 +141,7 @@ pub fn campaign(subject: &Subject, record: &CampaignRecord) -> String {
     Document { subject: *subject, comparison: None, found: survival::found(record), sections, content }.render()
 }
 
-/// The run that the page shows first: the spec's own planner at T_d, else the last one that has a plan.
+/// The run that the page shows first: that of the spec's own planner at T_d, otherwise the last one with a plan.
 fn shown_first(model: &Model, comparison: &Comparison) -> Option<usize> {
     let solved = |i: &usize| matches!(comparison.runs[*i].outcome, PlanOutcome::Planned(_));
     let own = |i: &usize| comparison.runs[*i].planner == model.plan.planner;

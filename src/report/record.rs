@@ -17,28 +17,29 @@ use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, Pl
 use crate::verdict::Verdict;
 use serde::Serialize;
 
-/// Of this form; raised where a field or its values change.
-const SCHEMA: u32 = 2;
+/// Version of this record; raised when a field or the meaning of its values changes.
+const SCHEMA: u32 = 3;
 
-/// Why nothing is planned.
-const REFUSED: &str = "hover does not lie inside every set that the plan must keep to";
+/// Why nothing was planned.
+const REFUSED: &str = "hover does not lie inside every set that the plan must stay in";
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Record {
     pub schema: u32,
     /// Over all files of the spec.
     pub spec_sha256: String,
-    /// `hover` or `exact`: what the plans take for the wrench of their motion.
+    /// `hover` or `exact`: the model of the wrench along a trajectory.
     pub model: &'static str,
     pub reserve: f64,
-    /// With which the plans take thrusts to follow their commands; `None` where these follow at once.
+    /// Time constant with which thrusts follow their commands in the plans; `None` if they follow at once.
     pub thrust_time_constant_s: Option<f64>,
     pub planners: Vec<PlannerRecord>,
-    /// Mission times, s, at which `mavc plan` has a plan where it found none at the spec's, the nearest on either side.
+    /// Mission times, s, at which `mavc plan` found a plan after it found none at the spec's time: the nearest on either
+    /// side.
     pub found_at_s: Vec<f64>,
-    /// Why `mavc plan` has no plan, where it could tell.
+    /// Why `mavc plan` has no plan, if an explanation was found.
     pub conflict: Option<ConflictRecord>,
-    /// Numbers of rounds side by side, where `mavc compare --rounds` asked for them.
+    /// Results for each number of rounds, with `mavc compare --rounds`.
     pub rounds: Option<Vec<RoundRecord>>,
     /// Under `require risk`: the plan without protection, then after each addition of the greedy choice.
     pub trade_off: Option<Vec<AdditionRecord>>,
@@ -49,9 +50,9 @@ pub struct Record {
 pub struct AdditionRecord {
     /// `nothing`, `facets`, `mode` or `all`.
     pub added: &'static str,
-    /// Whose facets or set; `None` for nothing and for all.
+    /// The mode whose facets or set were added; `None` for `nothing` and `all`.
     pub mode: Option<String>,
-    /// How many facets, where facets were added.
+    /// Number of facets, if facets were added.
     pub facets: Option<usize>,
     pub time_s: f64,
     pub risk: f64,
@@ -69,26 +70,27 @@ impl AdditionRecord {
     }
 }
 
-/// What one number of rounds of selection gives.
+/// Results for one number of selection rounds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundRecord {
     pub rounds: usize,
     /// Facets selected at T_d.
     pub selected: usize,
-    /// Of the plan at T_d.
+    /// About the plan at T_d, as are the fields below.
     pub verdict: Verdict,
     pub objective: Option<f64>,
     pub position_error_m: Option<f64>,
     pub yaw_error_rad: Option<f64>,
     /// Over all modes, in widths of the healthy set.
     pub smallest_margin: Option<f64>,
-    /// Of each mode, in the order of `against`.
-    pub outside_s: Vec<f64>,
-    /// The shortest time found, with the selection redone there.
+    /// For each mode, in the order of `against`.
+    pub violation_duration_s: Vec<f64>,
+    /// The shortest time found, with the selection repeated there.
     pub own_time_s: Option<f64>,
 }
 
 impl RoundRecord {
+    /// The record of one number of rounds.
     pub fn new(mission: &Mission, round: &Round) -> Self {
         let common = round.common.plan();
         let e = common.map(|s| errors(mission, s));
@@ -100,13 +102,13 @@ impl RoundRecord {
             position_error_m: e.map(|e| e.position),
             yaw_error_rad: e.map(|e| e.yaw),
             smallest_margin: common.and_then(MissionPlan::smallest_margin),
-            outside_s: common.iter().flat_map(|s| s.outside.iter().map(|o| o.seconds)).collect(),
+            violation_duration_s: common.iter().flat_map(|s| s.outside.iter().map(|o| o.seconds)).collect(),
             own_time_s: round.own.plan().map(|s| s.time),
         }
     }
 }
 
-/// The failure rates of the modes that the plan must stand, 1/s, in the order of `against`.
+/// The failure rates of the modes that the plan must tolerate, 1/s, in the order of `against`.
 pub fn rates(model: &Model) -> Vec<Option<f64>> {
     model.plan.against.iter().map(|&mode| model.modes[mode].rate).collect()
 }
@@ -118,67 +120,70 @@ pub struct PlannerRecord {
     /// `own`: at its shortest time; `common`: at T_d or the spec's time.
     pub run: &'static str,
     pub time_s: Option<f64>,
-    /// No motion that keeps the limits at every instant takes less, s; where the plan exceeds some between its nodes, none that
-    /// exceeds them no further. `None` where nothing was planned.
-    pub time_bound_s: Option<f64>,
+    /// Lower bound on the mission time, s: no motion that satisfies the limits at every instant is faster. If the plan
+    /// exceeds limits between its nodes, the bound allows all motions to exceed them as far. `None` if nothing was planned.
+    pub time_lower_bound_s: Option<f64>,
     pub verdict: Verdict,
-    /// The verdict for people, with exactly what was shown.
+    /// The verdict in words, with exactly what was shown.
     pub statement: String,
-    /// Mission times, s, for each of which it was proved by itself that there is no plan; of others nothing is claimed.
+    /// Mission times, s, for each of which it was proved separately that there is no plan; nothing is claimed of others.
     pub proved_infeasible_s: Vec<f64>,
     /// Value of (48).
     pub objective: Option<f64>,
-    /// (49)
+    /// (49) of the paper
     pub position_error_m: Option<f64>,
-    /// (50)
+    /// (50) of the paper
     pub yaw_error_rad: Option<f64>,
     pub max_waypoint_error_m: Option<f64>,
     /// The largest error of a waypoint as a share of its tolerance, in position or yaw.
     pub max_waypoint_share: Option<f64>,
-    /// In the order of flight; empty where there is no plan.
+    /// In the order of flight; empty without a plan.
     pub waypoints: Vec<WaypointRecord>,
-    /// Facet rows imposed: those of the planning set at every node.
+    /// Facet rows imposed: the rows of the planning set times the nodes.
     pub rows: usize,
     pub modes: Vec<ModeRecord>,
-    /// Over the modes that have a rate, taken as independent; `None` where none has.
+    /// Over the modes that have a rate, treated as independent; `None` if no mode has one.
     pub risk: Option<f64>,
-    /// Where the plan is not what it seems.
+    /// Caveats of the plan.
     pub warnings: Vec<Caveat>,
-    /// What the check of finished plans says: `checked`, or why something could not be decided; `None` where there is no plan.
+    /// Result of the check of finished plans; `None` without a plan.
     pub check: Option<CheckRecord>,
-    /// What limits the time of each leg, where `mavc plan` searched for it; empty otherwise.
+    /// The constraints that limit the time of each leg, if `mavc plan` searched for the time; empty otherwise.
     pub limited_by: Vec<BindingRecord>,
-    /// How far the plan's rows are shown to hold between nodes, where `mavc plan` wrote the report.
-    pub between: Option<Vec<Between>>,
+    /// To what extent the plan's rows are shown to hold between nodes, if `mavc plan` wrote the report.
+    pub between_nodes: Option<Vec<Between>>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeRecord {
     pub name: String,
     pub violated_facets: usize,
+    /// Pairs of facet and node.
     pub violated_rows: usize,
-    pub positions: usize,
+    pub violated_nodes: usize,
+    /// Share of the healthy set's width; negative if the plan stays inside.
     pub max_violation: f64,
-    pub outside_s: f64,
-    pub last_outside_s: Option<f64>,
+    pub violation_duration_s: f64,
+    pub last_violation_s: Option<f64>,
     /// `continue` or `hold`: what the mission does after this fault.
     pub after_fault: &'static str,
-    /// Where it continues, until the last instant outside; where it holds, until the last one from which no stop inside the
-    /// set was found, s; 0 where there is none.
+    /// With `continue`, the last violation; with `hold`, the last instant from which no stop inside the set was found, s; 0
+    /// if there is none.
     pub committed_s: f64,
 }
 
 /// Waypoint errors of a plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
-    /// (49): sum of distances, m.
+    /// (49) of the paper: sum of distances, m.
     pub position: f64,
-    /// (50): sum of |psi - psi_ref|, rad.
+    /// (50) of the paper: sum of |psi - psi_ref|, rad.
     pub yaw: f64,
     /// Largest distance, m.
     pub largest: f64,
 }
 
+/// The waypoint errors of a plan, at the node of each waypoint.
 pub fn errors(mission: &Mission, solved: &MissionPlan) -> Errors {
     let mut e = Errors { position: 0.0, yaw: 0.0, largest: 0.0 };
     for (w, &node) in mission.waypoints.iter().zip(&solved.trajectory.waypoint_nodes) {
@@ -192,6 +197,7 @@ pub fn errors(mission: &Mission, solved: &MissionPlan) -> Errors {
 }
 
 impl Record {
+    /// The record of all runs; `spec_sha256` is the hash over all files of the spec.
     pub fn new(model: &Model, mission: &Mission, comparison: &Comparison, spec_sha256: String) -> Self {
         let planners = comparison.runs.iter().map(|r| planner(model, mission, comparison, r)).collect();
         let steps = || comparison.trade_off.iter().map(AdditionRecord::new).collect();
@@ -211,7 +217,7 @@ impl Record {
 }
 
 impl Record {
-    /// The report where some mode that the plan must stand cannot hover: nothing was planned.
+    /// The report if some mode that the plan must tolerate cannot hover: nothing was planned.
     pub fn refused(model: &Model, spec_sha256: String) -> Self {
         let against = model.plan.against.iter().map(|&i| model.modes[i].name.clone()).collect();
         let planner = PlannerRecord {
@@ -237,7 +243,7 @@ impl Record {
     }
 }
 
-/// The check that a plan went through before it was called one. A plan that fails it is not a plan.
+/// Result of the check that every trajectory must pass to be called a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CheckRecord {
     /// `checked` or `not_decided`.
@@ -270,7 +276,7 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
         },
         verdict: run.outcome.verdict(),
         statement: statement(model, mission, comparison, run),
-        time_bound_s: Some(least_time::beside(model, mission, run).seconds),
+        time_lower_bound_s: Some(least_time::bound_for(model, mission, run).seconds),
         rows: run.set.rows.len() * nodes,
         ..PlannerRecord::default()
     };
@@ -302,10 +308,10 @@ fn planner(model: &Model, mission: &Mission, comparison: &Comparison, run: &Plan
                     name: name.clone(),
                     violated_facets: counted(solved, out),
                     violated_rows: out.rows,
-                    positions: out.positions,
+                    violated_nodes: out.positions,
                     max_violation: out.max_violation,
-                    outside_s: out.seconds,
-                    last_outside_s: out.last,
+                    violation_duration_s: out.seconds,
+                    last_violation_s: out.last,
                     after_fault: model.after_fault(mode).name(),
                     committed_s,
                 })

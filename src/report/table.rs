@@ -1,26 +1,28 @@
 //! Aligned text tables.
 
-/// Rows of cells under headings; the first column is set left, the others right.
+/// Rows of cells under headings; the first column is aligned left, the others right.
 #[derive(Debug, Clone, Default)]
 pub struct Table {
     rows: Vec<Vec<String>>,
 }
 
 impl Table {
+    /// A table without rows.
     pub fn new(headings: &[&str]) -> Self {
         Table { rows: vec![headings.iter().map(ToString::to_string).collect()] }
     }
 
+    /// Adds a row, which may have fewer cells than there are headings.
     pub fn row(&mut self, cells: Vec<String>) {
         self.rows.push(cells);
     }
 
-    /// Lines with `indent` blanks before each.
+    /// The lines of the table, each indented by `indent` spaces.
     pub fn render(&self, indent: usize) -> String {
         self.lines(indent, false)
     }
 
-    /// The same with every column set left.
+    /// The same with every column aligned left.
     pub fn render_left(&self, indent: usize) -> String {
         self.lines(indent, true)
     }

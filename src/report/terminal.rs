@@ -1,4 +1,4 @@
-//! Reports for people.
+//! Terminal output of `mavc plan`, and what other reports share with it.
 
 use super::binding;
 use super::caveats::caveats;
@@ -28,7 +28,7 @@ pub fn vehicle_line(model: &Model) -> String {
     format!("{} ({layout}{} rotors, {} kg)", v.name, v.rotors.len(), number(v.mass))
 }
 
-/// Who flies what, against which modes, in which model.
+/// The head of a report: mission, vehicle, fault modes and model.
 pub(super) fn head(model: &Model, mission: &Mission, comparison: &Comparison) -> String {
     let against = match comparison.modes.as_slice() {
         [] => "no fault modes".to_string(),
@@ -43,25 +43,27 @@ pub(super) fn head(model: &Model, mission: &Mission, comparison: &Comparison) ->
         model.plan.samples
     );
     if model.vehicle.is_uncertain() {
-        out.push_str("The sets hold for every value of the spec's intervals\n");
+        out.push_str("The sets are valid for every value in the spec's intervals\n");
     }
     if let Some(tau) = model.thrust_lag() {
         let milliseconds = significant(1e3 * tau, 3);
-        out.push_str(&format!("Rotors lag: thrusts are taken to follow their commands in {milliseconds} ms\n"));
+        out.push_str(&format!("Rotors lag: thrusts follow their commands with a time constant of {milliseconds} ms\n"));
     }
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
-        out.push_str("Yaw changes: it was planned first, alone; what is proved infeasible is so for that yaw alone\n");
+        out.push_str(
+            "Yaw changes: it was planned first, separately; any proof of infeasibility is for that yaw alone\n",
+        );
     }
     out
 }
 
-/// In how many planes the facets lie that RSP guards, where some lie in one: what is imposed is a plane.
+/// `, in 5 planes`: the number of planes imposed, if some of the facets that RSP guards lie in the same plane.
 pub(crate) fn in_planes(comparison: &Comparison) -> String {
     let planes = PlanningSet::default().with(comparison.selected.clone()).rows.len();
     if planes == comparison.selected.len() { String::new() } else { format!(", in {planes} planes") }
 }
 
-/// The report of `mavc plan`: the last run is the one written out. `color`: whether strips are coloured.
+/// The output of `mavc plan`; the trajectory written is that of the last run. `color`: whether strips are coloured.
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bool) -> String {
     let mut out = head(model, mission, comparison);
     let solved = matches!(comparison.runs.last().map(|r| &r.outcome), Some(PlanOutcome::Planned(_)));
@@ -71,29 +73,29 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
     {
         let planes = in_planes(comparison);
         out.push_str(&match comparison.selected.len() {
-            0 if model.plan.rounds == 0 => "RSP guards nothing more than RIP: `rounds = 0` selects no facet\n".into(),
+            0 if model.plan.rounds == 0 => "RSP guards nothing beyond RIP: `rounds = 0` selects no facet\n".into(),
             0 if comparison.modes.is_empty() => {
-                "RSP guards nothing more than RIP: the plan is against no fault mode\n".into()
+                "RSP guards nothing beyond RIP: no fault mode is planned against\n".into()
             }
             0 => format!(
-                "RSP guards nothing more than RIP: the RIP plan at {} s {} the sets of all modes planned against\n",
+                "RSP guards nothing beyond RIP: the RIP plan at {} s {} the sets of all modes planned against\n",
                 number(time),
                 if model.plan.model == PlanModel::Hover { "has every node inside" } else { "stays inside" }
             ),
-            1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s passes\n", number(time)),
+            1 => format!("RSP guards 1 facet of the fault sets: the one the RIP plan at {} s violates\n", number(time)),
             n if model.plan.rounds > 1 => format!(
-                "RSP guards {n} facets of the fault sets{planes}: those passed at {} s by the RIP plan and the plans of up to {} \
+                "RSP guards {n} facets of the fault sets{planes}: those violated at {} s by the RIP plan or a plan of up to {} \
                  further rounds\n",
                 number(time),
                 model.plan.rounds - 1
             ),
             n => format!(
-                "RSP guards {n} facets of the fault sets{planes}: those the RIP plan at {} s passes\n",
+                "RSP guards {n} facets of the fault sets{planes}: those the RIP plan at {} s violates\n",
                 number(time)
             ),
         });
     }
-    // Without a first plan there is nothing to choose from.
+    // Without a first plan there is no trade-off.
     if let Some(bound) = model.plan.require_risk.filter(|_| !comparison.trade_off.is_empty()) {
         out.push_str(&trade_off(comparison, bound));
     }
@@ -111,28 +113,28 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, color: bo
     out
 }
 
-/// Other times at which plans were found, after a run that found none.
+/// Other times at which plans were found after a run that found none, as a paragraph.
 pub fn elsewhere(model: &Model, found_at: &[f64]) -> String {
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     verdict_text::elsewhere(model, found_at)
         .map_or(String::new(), |text| format!("{}\n", textwrap::fill(&text, options)))
 }
 
-/// What each addition of the greedy choice costs and brings.
+/// Mission time and risk after each addition of the greedy choice.
 fn trade_off(comparison: &Comparison, bound: f64) -> String {
     let mut table = Table::new(&["protected", "T [s]", "risk"]);
     for step in &comparison.trade_off {
         let added = match &step.added {
             Protection::Nothing => "nothing".to_string(),
-            Protection::Facets { mode, facets: 1 } => format!("and 1 facet of {mode}"),
-            Protection::Facets { mode, facets } => format!("and {facets} facets of {mode}"),
-            Protection::Mode { mode } => format!("and {mode}"),
+            Protection::Facets { mode, facets: 1 } => format!("+ 1 facet of {mode}"),
+            Protection::Facets { mode, facets } => format!("+ {facets} facets of {mode}"),
+            Protection::Mode { mode } => format!("+ {mode}"),
             Protection::All => "all modes".to_string(),
         };
         table.row(vec![added, number(step.time), significant(step.risk, 3)]);
     }
     format!(
-        "\nWhat to protect for a risk of at most {}, chosen greedily, modes taken as independent\n{}",
+        "\nProtection for a risk of at most {}, chosen greedily; modes are treated as independent\n{}",
         number(bound),
         table.render(2)
     )
@@ -151,22 +153,22 @@ fn solved_run(
     let (e, waypoints) = (errors(mission, solved), waypoints::waypoints(mission, solved));
     out.push_str(&format!("  {}\n{}", waypoints::headline(&waypoints), waypoints::table(&waypoints, 4)));
     let [position, yaw] = [significant(e.position, 4), significant(e.yaw, 3)];
-    out.push_str(&format!("  sum of errors {position} m, of yaw {yaw} rad\n"));
+    out.push_str(&format!("  sum of position errors {position} m, of yaw errors {yaw} rad\n"));
     out.push_str(&format!("  objective {}\n", number(solved.objective)));
     out.push_str(&binding::text(model, mission, solved));
     if !comparison.modes.is_empty() {
-        out.push_str("\n  If a fault strikes, when is the plan outside what is left?\n");
+        out.push_str("\n  If a fault strikes: when does the plan violate the mode's admissible set?\n");
         out.push_str(&mode_table(model, comparison, solved).render(2));
         out.push_str(&unguarded(model, comparison, solved));
         out.push_str(&risk_lines(model, comparison, solved));
-        out.push_str("\n  How near the plan comes to the edge of what is left, in shares of the healthy set's width\n");
+        out.push_str("\n  Margin to each mode's admissible set, in shares of the healthy set's width\n");
         out.push_str(&heat::strip(model, comparison, &solved.trajectory, color));
         out.push_str(&heat::legend(color));
     }
     if !solved.infeasible_above.is_empty() {
         let times: Vec<String> = solved.infeasible_above.iter().map(|t| number(*t)).collect();
         out.push_str(&format!(
-            "\n  Longer is not always easier here: with {} samples, {} s is proved infeasible.\n",
+            "\n  A longer time is not always easier here: with {} samples, {} s is proved infeasible.\n",
             model.plan.samples,
             times.join(", ")
         ));
@@ -178,7 +180,7 @@ fn solved_run(
     out
 }
 
-/// RSP guards facets, and its plan may leave a set elsewhere.
+/// A note if an RSP plan leaves a set: RSP guards only the selected facets.
 fn unguarded(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> String {
     if model.plan.planner != PlannerKind::Rsp || model.plan.require_risk.is_some() {
         return String::new();
@@ -198,46 +200,47 @@ fn unguarded(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> St
         _ => format!("the sets of {}", listed(&names)),
     };
     let text = format!(
-        "RSP guards the facets selected, not whole sets: this plan leaves {sets}, by up to {}. A larger `rounds` selects more \
-         facets, and RCP keeps to every set.",
+        "RSP guards the selected facets, not whole sets: this plan leaves {sets}, by up to {}. A larger `rounds` selects more \
+         facets; RCP stays in every set.",
         percent(most)
     );
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
     format!("\n{}\n", textwrap::fill(&text, options))
 }
 
-/// Whether after some fault the mission holds.
+/// Whether the mission holds after some of the faults planned against.
 pub(super) fn holds(model: &Model) -> bool {
     model.plan.against.iter().any(|&mode| model.after_fault(mode) == AfterFault::Hold)
 }
 
-/// What the modes' rates make of the time committed to them; nothing where no mode has a rate.
+/// The risk that follows from the modes' rates and the time committed to them; empty if no mode has a rate.
 fn risk_lines(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> String {
     let rates = rates(model);
     let Some(risk) = rated_risk(&rates, &solved.committed) else { return String::new() };
     let without = rates.iter().filter(|r| r.is_none()).count();
     let unrated = match without {
         0 => String::new(),
-        1 => " 1 mode has no rate and does not count.".to_string(),
-        n => format!(" {n} modes have no rate and do not count."),
+        1 => " 1 mode has no rate and is not counted.".to_string(),
+        n => format!(" {n} modes have no rate and are not counted."),
     };
-    // A mode that never strikes threatens nothing.
+    // A mode that never strikes adds no risk.
     let leaves = |(rate, out): (&Option<f64>, &Outside)| rate.is_some_and(|r| r > 0.0) && out.last.is_some();
     let meaning = match (risk == 0.0, holds(model)) {
         (true, true) if rates.iter().zip(&solved.outside).any(leaves) => {
-            "the plan is outside only for modes after which the mission holds, and from every node before that a stop \
-             inside the mode's set was found."
+            "the plan violates only the sets of modes after which the mission holds, and from every node before the \
+             violation a stop inside the mode's set was found."
         }
-        (true, _) if rates.contains(&Some(0.0)) => "no mode with a rate above zero has an instant outside.",
-        (true, _) => "no mode with a rate has an instant outside.",
+        (true, _) if rates.contains(&Some(0.0)) => "the plan never violates the set of a mode with a rate above zero.",
+        (true, _) => "the plan never violates the set of a mode with a rate.",
         (false, false) => {
-            "that some mode strikes before its last instant outside, and so meets that excursion if the mission goes on. \
-             Modes are taken as independent."
+            "the probability that some mode strikes before its last violation, so that the mission meets the violation if \
+             it continues. Modes are treated as independent."
         }
         (false, true) => {
-            "that some mode strikes while the mission is committed to it: before its last instant outside where the \
-             mission continues, before the last one from which no stop inside its set was found where it holds. Stops are \
-             sought at the nodes; one that is not found may exist, and counts as none. Modes are taken as independent."
+            "the probability that some mode strikes while the mission is committed to it: if the mission continues, before \
+             the mode's last violation; if it holds, before the last instant from which no stop inside the mode's set was \
+             found. Stops are searched for at the nodes; a stop that was not found may exist, but is not counted. Modes \
+             are treated as independent."
         }
     };
     let text = format!(
@@ -250,7 +253,7 @@ fn risk_lines(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> S
     format!("\n{}\n", textwrap::fill(&text, options))
 }
 
-/// Modes with a rate that the plan is not against: they may strike too, and no plan was held against their sets.
+/// A note on modes with a rate that are not planned against: they may strike too, and their sets were not considered.
 pub(super) fn not_looked_at(model: &Model) -> String {
     let others = model
         .modes
@@ -260,15 +263,15 @@ pub(super) fn not_looked_at(model: &Model) -> String {
     let names: Vec<&str> = others.map(|(_, mode)| mode.name.as_str()).collect();
     match names[..] {
         [] => String::new(),
-        [one] => format!(" This is about the modes planned against; {one} has a rate too and is not among them."),
+        [one] => format!(" This covers only the modes planned against; {one} has a rate too and is not among them."),
         _ => format!(
-            " This is about the modes planned against; others have rates and are not among them: {}.",
+            " This covers only the modes planned against; others have rates and are not among them: {}.",
             listed(&names)
         ),
     }
 }
 
-/// Which modes the risk counts only for what lies between samples. Where RCP imposes them it is what the grid leaves.
+/// A note on modes that the plan violates only between samples. Under RCP this is an effect of the grid.
 fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison, solved: &MissionPlan) -> String {
     let counts = |i: &usize| {
         let out = &solved.outside[*i];
@@ -281,30 +284,31 @@ fn between_samples(model: &Model, rates: &[Option<f64>], comparison: &Comparison
     let most = modes.iter().map(|&i| solved.outside[i].max_violation).fold(0.0, f64::max);
     let names: Vec<&str> = modes.iter().map(|&i| comparison.modes[i].as_str()).collect();
     format!(
-        " For {} it counts only what lies between samples, at most {} of the width{}.",
+        " For {} it counts only violations between samples, of at most {} of the width{}.",
         listed(&names),
         percent(most),
         if model.plan.planner == PlannerKind::Rcp { "; try more samples" } else { "" }
     )
 }
 
-/// The facets of a mode that the plan violates, as RSP selects them: in the exact model at any instant, else at nodes.
+/// The number of facets of a mode that the plan violates, as RSP counts them: in the exact model at any instant, otherwise
+/// at nodes.
 pub(super) fn counted(solved: &MissionPlan, out: &Outside) -> usize {
-    if solved.trajectory.model == WrenchModel::Exact { out.passed.len() } else { out.facets.len() }
+    if solved.trajectory.model == WrenchModel::Exact { out.violated.len() } else { out.facets.len() }
 }
 
 fn mode_table(model: &Model, comparison: &Comparison, solved: &MissionPlan) -> Table {
-    let mut headings = vec!["mode", "facets", "positions", "worst", "outside", "last outside"];
+    let mut headings = vec!["mode", "facets", "nodes", "worst", "duration", "last violation"];
     let holds = holds(model);
     if holds {
-        headings.extend(["after it", "committed"]);
+        headings.extend(["after fault", "committed"]);
     }
     let mut table = Table::new(&headings);
     for (i, (name, out)) in comparison.modes.iter().zip(&solved.outside).enumerate() {
         let mut cells = match out.last {
             None => {
                 let dash = || "-".to_string();
-                vec![name.clone(), "0".into(), "0".into(), dash(), "never".into(), dash()]
+                vec![name.clone(), "0".into(), "0".into(), dash(), dash(), "never".into()]
             }
             Some(last) => vec![
                 name.clone(),

@@ -1,11 +1,11 @@
-//! The trajectory table that scripts rely on.
+//! The trajectory table (CSV). Scripts rely on its columns.
 
 use crate::admissible::allocation::Allocator;
 use crate::model::Model;
 use crate::motion::{Trajectory, X, Y, YAW, Z, roll_pitch};
 use crate::number::push_shortest;
 
-/// Most numbers of one table, so that its text, 18 bytes a number or so, takes less than 500 MB while it is written.
+/// Most numbers in one table: its text, about 18 bytes per number, then takes less than 500 MB while it is written.
 const MAX_NUMBERS: u64 = 10_000_000;
 
 /// One row of the table.
@@ -13,12 +13,12 @@ const MAX_NUMBERS: u64 = 10_000_000;
 pub struct Row {
     /// s since the start.
     pub time: f64,
-    /// The waypoint whose row this is, counted from 1; 0 for none. Of several that share their nearest row, the last.
+    /// The waypoint that this row marks, from 1; 0 for none. If several share their nearest row, the last of them.
     pub waypoint: usize,
 }
 
-/// The rows of the table: one for each node; with a `rate` in Hz at k/rate, up to the first instant that is not before
-/// the end. Each waypoint marks its node or, with a rate, the nearest row.
+/// The rows of the table: one per node or, with a `rate` in Hz, one at each k/rate up to the first instant at or after the
+/// end. Each waypoint marks its node or, with a rate, the nearest row.
 pub fn rows(trajectory: &Trajectory, rate: Option<f64>) -> Vec<Row> {
     let times: Vec<f64> = match rate {
         None => trajectory.times.clone(),
@@ -32,30 +32,33 @@ pub fn rows(trajectory: &Trajectory, rate: Option<f64>) -> Vec<Row> {
     rows
 }
 
-/// The number of the row at `rate` with which a flight of `duration` s is over: the first at its end or after it.
+/// Index of the last row at `rate` (Hz) for a flight of `duration` s: the first one at or after its end.
 fn last_row(duration: f64, rate: f64) -> u64 {
     let rows = duration * rate;
-    // An end that falls on a row up to rounding needs none after it.
+    // An end that coincides with a row up to rounding needs no further row.
     let on_row = (rows - rows.round()).abs() <= 1e-9 * rows.max(1.0);
     (if on_row { rows.round() } else { rows.ceil() }) as u64
 }
 
-/// Refuses a table of `rows` under the columns of `header`, which is called `name`, where it has too many numbers.
+/// Whether a table of `rows` rows under the columns of `header` is small enough; messages call it `name`.
+///
+/// # Errors
+/// It would have more than [`MAX_NUMBERS`] numbers.
 pub fn few_enough(name: &str, rows: u64, header: &str) -> Result<(), String> {
     let columns = header.split(',').count() as u64;
     let most = MAX_NUMBERS / columns;
     match rows <= most {
         true => Ok(()),
         false => Err(format!(
-            "the {name} would have {rows} rows of {columns} numbers, and {most} rows are the most: give a lower --rate"
+            "the {name} would have {rows} rows of {columns} numbers; at most {most} rows are allowed: use a lower --rate"
         )),
     }
 }
 
-/// The table of a plan, with rows at a rate (Hz) or one for each node.
+/// The table of a plan, with rows at a rate (Hz) or one per node.
 ///
 /// # Errors
-/// It would have too many numbers.
+/// The table would have too many numbers.
 pub fn table(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Result<String, String> {
     few_enough("trajectory", count(trajectory, rate), &header(model.vehicle.rotors.len()))?;
     Ok(render(trajectory, model, rate))
@@ -72,13 +75,13 @@ pub fn header(rotors: usize) -> String {
     header + ",waypoint"
 }
 
-/// How many rows the table has; see [`rows`].
+/// Number of rows of the table; see [`rows`].
 pub fn count(trajectory: &Trajectory, rate: Option<f64>) -> u64 {
     rate.map_or(trajectory.times.len() as u64, |rate| last_row(trajectory.duration(), rate) + 1)
 }
 
-/// The table as CSV text, one line per row, shortest round-trip numbers, `\n` line ends. A row after the end of the flight
-/// has its last state.
+/// The table as CSV text: one line per row, shortest round-trip numbers, `\n` line ends. A row after the end of the flight
+/// repeats the last state.
 pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> String {
     let allocator = Allocator::new(&model.vehicle);
     let mut out = header(model.vehicle.rotors.len()) + "\n";
@@ -101,7 +104,7 @@ pub fn render(trajectory: &Trajectory, model: &Model, rate: Option<f64>) -> Stri
     out
 }
 
-/// Adds a line of numbers, each the shortest text that reads back as the same number; no `-0`.
+/// Appends a line of numbers, each as the shortest text that reads back as the same number; no `-0`.
 pub fn push_row(out: &mut String, row: &[f64]) {
     for (k, v) in row.iter().enumerate() {
         if k > 0 {

@@ -1,4 +1,4 @@
-//! The verdict on a planner's run as text: its word, and exactly what was shown.
+//! The verdict on a planner's run in words, with exactly what was shown.
 
 use super::least_time;
 use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
@@ -11,23 +11,23 @@ use crate::planner::studies::{
 };
 use crate::planner::timing::kinematics::least_time_within;
 
-/// `proved infeasible at 12 s with 200 samples`: the verdict on a run, for which times, and under which conditions.
+/// `proved infeasible at 12 s with 200 samples`: the verdict on a run, the times it is about, and its conditions.
 pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> String {
     let verdict = run.outcome.verdict();
     let samples = model.plan.samples;
     match &run.outcome {
         PlanOutcome::Planned(solved) => {
             let undecided = match &solved.verification {
-                Verification::Undecided(why) => format!("; not decided by the check of plans: {why}"),
+                Verification::Undecided(why) => format!("; the check of plans could not decide: {why}"),
                 Verification::None | Verification::Passed => String::new(),
             };
             let time = shown_of_time(model, mission, comparison, run, solved);
             format!("{verdict}, {} s{time}{undecided}", number(solved.time))
         }
         PlanOutcome::NotFound(NotFound::Check { at, why }) => {
-            format!("{verdict}: the motion planned for {} s fails the check of plans: {why}", number(*at))
+            format!("{verdict}: the trajectory planned for {} s fails the check of plans: {why}", number(*at))
         }
-        // Where several times are proved one by one, which these are says more.
+        // If several times were proved one by one, listing them is more informative than the bound.
         PlanOutcome::Infeasible(Proof { at, proved })
             if (model.plan.chooses_times || proved.len() == 1) && least_time_within(model, mission).is_above(*at) =>
         {
@@ -40,14 +40,14 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
             format!("{verdict} {}{}", times(proved), conditions(model, mission, comparison, run))
         }
         PlanOutcome::NotFound(NotFound::Search { at, status }) if status == UNMET => {
-            format!("{verdict}: a plan that keeps the required risk, in up to {} s", number(*at))
+            format!("{verdict}: a plan that meets the required risk in up to {} s", number(*at))
         }
         PlanOutcome::NotFound(NotFound::Search { at, status }) => {
             let others =
                 if run.run == Run::Own && determined(mission).is_none() { " or any other time tried" } else { "" };
             let more = match status.as_str() {
                 NOT_FOUND => "; a plan may exist".to_string(),
-                THESE_TIMES | THIS_YAW => format!("; there is none {status}, and others may have one"),
+                THESE_TIMES | THIS_YAW => format!("; there is none {status}, but others may have one"),
                 _ => format!("; a plan may exist; the solver stopped ({status})"),
             };
             let least = least_time_within(model, mission);
@@ -63,26 +63,27 @@ pub fn statement(model: &Model, mission: &Mission, comparison: &Comparison, run:
     }
 }
 
-/// Times at which the planner found plans (`found_at`, s, ascending) after it found none at the spec's time.
+/// A sentence about the times at which the planner found plans (`found_at`, s, ascending) after it found none at the
+/// spec's time.
 pub fn elsewhere(model: &Model, found_at: &[f64]) -> Option<String> {
-    let MissionTime::Fixed(asked) = model.plan.time else { return None };
-    let shorter = found_at.iter().rfind(|time| **time < asked);
-    let longer = found_at.iter().find(|time| **time > asked);
-    let asked = number(asked);
+    let MissionTime::Fixed(required) = model.plan.time else { return None };
+    let shorter = found_at.iter().rfind(|time| **time < required);
+    let longer = found_at.iter().find(|time| **time > required);
+    let required = number(required);
     match (shorter.copied().map(number), longer.copied().map(number)) {
         (Some(shorter), Some(longer)) => Some(format!(
-            "Plans were found at {shorter} s and at {longer} s. At {asked} s none was found, and nothing in the spec was shown \
-             to rule one out: the planner may have missed it. Try one of these times."
+            "Plans were found at {shorter} s and at {longer} s. At {required} s none was found, and nothing in the spec was \
+             shown to rule one out: the planner may have missed it. Try one of these times."
         )),
         (None, Some(longer)) => Some(format!(
-            "A plan was found at {longer} s. At {asked} s none was found, and it is open whether one exists. Try that time, \
-             or `time = minimum`."
+            "A plan was found at {longer} s. At {required} s none was found; whether one exists is open. Try {longer} s, or \
+             `time = minimum`."
         )),
         _ => None,
     }
 }
 
-/// What was shown of the time of a plan, after it.
+/// What was shown about the time of a plan, to follow it.
 fn shown_of_time(
     model: &Model,
     mission: &Mission,
@@ -108,7 +109,7 @@ fn shown_of_time(
     }
 }
 
-/// The times of a proof, each of which was proved by itself.
+/// The times of a proof, each proved separately.
 fn times(proved: &[f64]) -> String {
     match proved {
         [] => String::new(),
@@ -119,20 +120,20 @@ fn times(proved: &[f64]) -> String {
     }
 }
 
-/// What a proof holds for, beside the spec: the grid, waypoint times and a yaw that were settled before the rest, and the facets
-/// selected.
+/// The conditions under which a proof holds, beyond the spec: the grid, waypoint times and a yaw that were chosen before
+/// the rest, and the selected facets.
 fn conditions(model: &Model, mission: &Mission, comparison: &Comparison, run: &PlannerRun) -> String {
     let mut conditions = vec![format!("with {} samples", model.plan.samples)];
-    // Waypoint times that are searched for are a local best.
+    // Waypoint times that are searched for are only locally optimal.
     if model.plan.chooses_times {
         conditions.push("for these waypoint times".into());
     }
     if model.plan.model == PlanModel::Hover && !mission.has_one_yaw() {
         conditions.push("for the yaw planned first".into());
     }
-    // What is imposed beside the healthy set follows from plans, and a proof is about this alone.
+    // The rows imposed beyond the healthy set follow from plans, and a proof holds for these rows only.
     if run.planner == PlannerKind::Rsp && model.plan.require_risk.is_some() {
-        conditions.push("for what is protected here to keep the required risk".into());
+        conditions.push("for the protection chosen to meet the required risk".into());
     } else if run.planner == PlannerKind::Rsp && !comparison.selected.is_empty() {
         let selects = match comparison.selected_by.len() {
             0 | 1 => "the RIP plan selects",

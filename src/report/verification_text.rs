@@ -1,21 +1,22 @@
-//! What an accepted certificate shows, for people.
+//! Terminal text: what an accepted certificate shows.
 
 use super::table::Table;
 use super::terminal::WIDTH;
 use crate::verify::plan::OF_A_GRID;
 use crate::verify::{Reach, Scope, Verdict};
 
-/// What is shown, then in what it is weaker than the spec asks.
+/// The output of `mavc verify` for an accepted certificate `name`: what is shown, then where it is weaker than the spec
+/// requires.
 pub fn verification(name: &str, verdict: &Verdict) -> String {
     let mut table = Table::new(&["shown", "where"]);
     for shown in &verdict.shown {
         table.row(vec![shown.statement.clone(), shown.reach.map_or("proved".into(), words)]);
     }
-    // What its headline tells whole has no rows.
+    // A certificate whose headline says everything has no rows.
     let mut out = if verdict.shown.is_empty() { String::new() } else { table.render_left(0) + "\n" };
     let strength = match verdict.weaker.is_empty() {
         true => "accepted",
-        false => "accepted, weaker than the spec asks",
+        false => "accepted, weaker than the spec requires",
     };
     out.push_str(&textwrap::fill(&format!("{name}: {strength}: {}", verdict.headline), WIDTH));
     out.push('\n');
@@ -30,12 +31,12 @@ pub fn verification(name: &str, verdict: &Verdict) -> String {
 fn words(reach: Reach) -> String {
     let shown: String = match reach.scope {
         Scope::Nodes => "at the nodes".into(),
-        // With one of the nodes beside them.
-        Scope::Grid => format!("on a grid of {} points an interval", OF_A_GRID + 1),
-        Scope::EveryInstant => "proved for every instant".into(),
+        // The points between the nodes and one of the nodes.
+        Scope::Grid => format!("on a grid of {} points per interval", OF_A_GRID + 1),
+        Scope::EveryInstant => "proved at every instant".into(),
     };
     let Some(beyond) = reach.beyond else { return shown };
     let of = beyond.measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
     let most = if beyond.throughout { "at most " } else { "" };
-    format!("{shown}; exceeded between them by {most}{}{of}", beyond.measure.of(beyond.excess))
+    format!("{shown}; exceeded between them by {most}{}{of}", beyond.measure.of(beyond.violation))
 }

@@ -1,4 +1,4 @@
-//! How far a plan misses each waypoint, beside what the spec allows.
+//! The error of a plan at each waypoint, compared with the tolerance.
 
 use super::table::Table;
 use crate::model::{Mission, Waypoint};
@@ -9,11 +9,12 @@ use crate::verify::plan::MOST_MISS;
 use serde::Serialize;
 use std::cmp::Ordering;
 
-/// Waypoints that a table for people lists at most: so many, or [`WORST`] of more.
+/// Most waypoints that a table lists in full;
 const MOST_LISTED: usize = 8;
+/// of more than that it lists this many, those with the largest shares.
 const WORST: usize = 5;
 
-/// Errors that rounding leaves, m and rad: they count as none.
+/// Errors below this are rounding and are reported as zero, m and rad.
 const ROUNDING: f64 = 1e-12;
 
 /// One waypoint of a plan: its errors, their tolerances, and each error as a share of its tolerance.
@@ -29,7 +30,7 @@ pub struct WaypointRecord {
     pub yaw_error_rad: f64,
     pub yaw_tolerance_rad: f64,
     pub yaw_share: f64,
-    /// Both errors are within their tolerances and the [`MOST_MISS`] that `mavc verify` allows beside them.
+    /// Both errors are within their tolerances plus the [`MOST_MISS`] that `mavc verify` allows.
     pub met: bool,
 }
 
@@ -54,12 +55,12 @@ impl WaypointRecord {
         }
     }
 
-    /// The larger of the two shares. One that is not a number is larger than all.
+    /// The larger of the two shares; NaN counts as larger than any number.
     pub fn share(&self) -> f64 {
         if self.position_share.total_cmp(&self.yaw_share).is_ge() { self.position_share } else { self.yaw_share }
     }
 
-    /// Missed after met, then by share. Shares that read alike are one, so that the solver's last digits decide nothing.
+    /// Met before missed, then by share. Shares are compared as printed, so that the solver's last digits decide nothing.
     fn by_share(&self, other: &Self) -> Ordering {
         let rounded = |w: &Self| format!("{:.*e}", DIGITS - 1, w.share()).parse().unwrap_or(f64::NAN);
         (!self.met).cmp(&!other.met).then(rounded(self).total_cmp(&rounded(other)))
@@ -70,7 +71,7 @@ impl WaypointRecord {
         self.name.as_ref().map_or(self.number.to_string(), |name| format!("{} {name}", self.number))
     }
 
-    /// `5 cm of 5 cm allowed (100 %)`: the error that takes most of its tolerance.
+    /// `5 cm of 5 cm allowed (100 %)`: the error with the larger share of its tolerance.
     pub fn largest(&self) -> String {
         match self.position_share.total_cmp(&self.yaw_share).is_ge() {
             true => {
@@ -85,17 +86,17 @@ impl WaypointRecord {
     }
 }
 
-/// Every waypoint of a plan, in the order of flight.
+/// The record of every waypoint of a plan, in the order of flight.
 pub fn waypoints(mission: &Mission, solved: &MissionPlan) -> Vec<WaypointRecord> {
     mission.waypoints.iter().enumerate().map(|(i, w)| WaypointRecord::new(i, w, solved)).collect()
 }
 
-/// The waypoint with the largest share of its tolerance, the first of several; one that is missed before all that are met.
+/// The waypoint with the largest share of its tolerance, the first of several; missed waypoints come before met ones.
 pub fn worst(waypoints: &[WaypointRecord]) -> Option<&WaypointRecord> {
     waypoints.iter().rev().max_by(|a, b| a.by_share(b))
 }
 
-/// `21 waypoints met`, or how many of them are missed.
+/// `21 waypoints met`, or `2 of 21 waypoints missed`.
 pub fn counted(waypoints: &[WaypointRecord]) -> String {
     let all = waypoints.len();
     match waypoints.iter().filter(|w| !w.met).count() {
@@ -110,8 +111,8 @@ pub fn headline(waypoints: &[WaypointRecord]) -> String {
     format!("{}{}", counted(waypoints), worst(waypoints).map_or(String::new(), largest))
 }
 
-/// The waypoints that a list for people has, in the order of flight: all, or of many the `WORST`; and the largest share of the
-/// others with their number.
+/// The waypoints that a table lists, in the order of flight: all, or of many the `WORST`; and for the others their number
+/// and largest share.
 pub fn listed(waypoints: &[WaypointRecord]) -> (Vec<&WaypointRecord>, Option<(usize, f64)>) {
     if waypoints.len() <= MOST_LISTED {
         return (waypoints.iter().collect(), None);
@@ -124,7 +125,7 @@ pub fn listed(waypoints: &[WaypointRecord]) -> (Vec<&WaypointRecord>, Option<(us
     (ranked, Some((others.len(), largest)))
 }
 
-/// The list as a table, `indent` blanks before each line.
+/// The list as a table, each line indented by `indent` spaces.
 pub fn table(waypoints: &[WaypointRecord], indent: usize) -> String {
     let (listed, others) = listed(waypoints);
     let mut table = Table::new(&["waypoint", "error", "allowed", "share", "yaw error", "allowed", "share"]);
@@ -132,7 +133,7 @@ pub fn table(waypoints: &[WaypointRecord], indent: usize) -> String {
         table.row(std::iter::once(w.label()).chain(w.cells()).collect());
     }
     let rest = others.map_or(String::new(), |(n, share)| {
-        format!("{}{n} more, each with at most {} of its tolerances\n", " ".repeat(indent), percent(share))
+        format!("{}{n} more, with errors of at most {} of their tolerances\n", " ".repeat(indent), percent(share))
     });
     table.render(indent) + &rest
 }

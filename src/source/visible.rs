@@ -1,40 +1,40 @@
-//! Texts of others on their way to a reader. A control character can colour, clear or forge lines of a terminal, and a
-//! bidirectional one can show a text in another order than it is read: both are shown as escapes, `\u{1b}`.
+//! Escapes for text from untrusted files. A control character can colour, clear or forge lines of a terminal, and a
+//! bidirectional one can display text in another order than it is parsed: both are shown as escapes, `\u{1b}`.
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// Whether a character must not reach a terminal or a page as it is: a control character, one that changes the direction
-/// of writing or deprecated shaping (U+206A to U+206F), or a separator that some readers take for the end of a line.
+/// Whether a character must not reach a terminal or a page unescaped: a control character, one that changes the direction
+/// of writing or deprecated shaping (U+206A to U+206F), or a separator that some programs treat as the end of a line.
 pub fn is_disguise(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{206f}')
 }
 
-/// A text of several lines: line ends (alone or after a carriage return) and tabs stay.
+/// Escapes text of several lines; line feeds (alone or after a carriage return) and tabs are kept.
 pub fn text(text: &str) -> Cow<'_, str> {
     let bytes = text.as_bytes();
     let stays = |at: usize, c: char| matches!(c, '\n' | '\t') || c == '\r' && bytes.get(at + 1) == Some(&b'\n');
     escaped(text, stays, |out, c| _ = write!(out, "\\u{{{:x}}}", u32::from(c)))
 }
 
-/// A text within a line, such as the name of a file: line ends are escaped too.
+/// Escapes text within a line, such as the name of a file; line feeds and tabs are escaped too.
 pub fn line(text: &str) -> Cow<'_, str> {
     escaped(text, |_, _| false, |out, c| _ = write!(out, "\\u{{{:x}}}", u32::from(c)))
 }
 
-/// The text of a JSON document that has been written: escapes of JSON, so that it means the same.
+/// Escapes the text of a JSON document by JSON escapes, so that its meaning stays the same.
 pub fn json(text: String) -> String {
     let stays = |_: usize, c: char| matches!(c, '\n' | '\t' | '\r');
-    // Of what is escaped all lies in the basic plane, where JSON takes four digits.
+    // All escaped characters are in the basic multilingual plane, for which JSON uses four digits.
     match escaped(&text, stays, |out, c| _ = write!(out, "\\u{:04x}", u32::from(c))) {
         Cow::Borrowed(_) => text,
         Cow::Owned(escaped) => escaped,
     }
 }
 
-/// A text in which every disguise is as many question marks as it has bytes: for texts so large that escapes would take many
-/// times their memory.
+/// Replaces every character of [`is_disguise`] by as many question marks as it has bytes: for texts so large that escapes
+/// would take many times their memory. Line feeds, tabs and carriage returns are kept.
 pub fn blanked(text: &str) -> Cow<'_, str> {
     let is_bad = |c: char| is_disguise(c) && !matches!(c, '\n' | '\t' | '\r');
     if !text.chars().any(is_bad) {

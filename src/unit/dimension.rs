@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A base dimension, in the order factors are written.
+/// A base dimension, in the order in which factors are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Base {
     Mass,
@@ -25,7 +25,7 @@ impl Base {
     }
 }
 
-/// A rational exponent in lowest terms; numerator and denominator stay within [`Exponent::LIMIT`].
+/// A rational exponent in lowest terms; numerator and denominator are at most [`Exponent::LIMIT`] in magnitude.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Exponent {
     numerator: i64,
@@ -35,10 +35,10 @@ pub struct Exponent {
 impl Exponent {
     pub const ZERO: Exponent = Exponent { numerator: 0, denominator: 1 };
     pub const ONE: Exponent = Exponent { numerator: 1, denominator: 1 };
-    /// Largest numerator and denominator.
+    /// The largest numerator and denominator.
     pub const LIMIT: i64 = 1000;
 
-    /// `numerator / denominator`; `None` past the limit or for a zero denominator.
+    /// `numerator / denominator`; `None` beyond the limit or for a zero denominator.
     pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
         if denominator == 1 {
             return (numerator.abs() <= Self::LIMIT).then_some(Exponent { numerator, denominator });
@@ -52,7 +52,7 @@ impl Exponent {
         fits.then_some(Exponent { numerator, denominator })
     }
 
-    /// The exponent that `x` stands for, if `x` is a fraction with a denominator of at most 12.
+    /// `x` as an exponent, if it is a fraction with a denominator of at most 12.
     pub fn from_f64(x: f64) -> Option<Self> {
         (1..=12i64).find_map(|d| {
             let n = (x * d as f64).round();
@@ -68,7 +68,7 @@ impl Exponent {
         self.numerator < 0
     }
 
-    /// Whether this lies between zero and `other`, which has its sign.
+    /// Whether this exponent is smaller in magnitude than `other`.
     pub fn is_nearer_zero(self, other: Self) -> bool {
         (self.numerator * other.denominator).abs() < (other.numerator * self.denominator).abs()
     }
@@ -102,7 +102,7 @@ fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a.max(1) } else { gcd(b, a % b) }
 }
 
-/// A product of powers of the base dimensions; all exponents zero is a plain number.
+/// A product of powers of the base dimensions; a plain number has only zero exponents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension([Exponent; 4]);
 
@@ -123,7 +123,7 @@ impl Dimension {
         self.0[base as usize]
     }
 
-    /// The factor of one base dimension.
+    /// The factor that belongs to one base dimension.
     pub fn only(self, base: Base) -> Self {
         let mut factor = Dimension::PLAIN;
         factor.0[base as usize] = self.exponent(base);
@@ -134,22 +134,22 @@ impl Dimension {
         self == Dimension::PLAIN
     }
 
-    /// The product; `None` where an exponent passes the limit.
+    /// The product; `None` if an exponent exceeds the limit.
     pub fn times(self, other: Self) -> Option<Self> {
         self.zip(|k| self.0[k].plus(other.0[k]))
     }
 
-    /// The quotient; `None` where an exponent passes the limit.
+    /// The quotient; `None` if an exponent exceeds the limit.
     pub fn over(self, other: Self) -> Option<Self> {
         self.zip(|k| self.0[k].plus(other.0[k].negated()))
     }
 
-    /// The power; `None` where an exponent passes the limit.
+    /// The power; `None` if an exponent exceeds the limit.
     pub fn power(self, exponent: Exponent) -> Option<Self> {
         self.zip(|k| self.0[k].times(exponent))
     }
 
-    /// The same dimension with every factor of angle left out, as values are lowered to SI.
+    /// The same dimension without angle, as in SI units.
     pub fn without_angle(mut self) -> Self {
         self.0[Base::Angle as usize] = Exponent::ZERO;
         self
@@ -159,12 +159,12 @@ impl Dimension {
         Some(Dimension([f(0)?, f(1)?, f(2)?, f(3)?]))
     }
 
-    /// What people call it and the unit they write, where there is a usual name.
+    /// The usual name and unit of the dimension, if there is one.
     pub fn named(self) -> Option<(&'static str, &'static str)> {
         NAMED.iter().find(|(_, _, e)| Dimension::integers(*e) == self).map(|(name, unit, _)| (*name, *unit))
     }
 
-    /// `a length (m)`, `a plain number`, or the factors where there is no usual name.
+    /// `a length (m)`, `a plain number`, or the unit in base units if there is no usual name.
     pub fn describe(self) -> String {
         match self.named() {
             Some((name, unit)) => format!("{name} ({unit})"),
@@ -178,7 +178,7 @@ impl Dimension {
     }
 }
 
-/// Usual names: what it is, the unit people write, exponents of mass, length, time, angle.
+/// Named dimensions: name, usual unit, exponents of mass, length, time and angle.
 const NAMED: &[(&str, &str, [i8; 4])] = &[
     ("a mass", "kg", [1, 0, 0, 0]),
     ("a length", "m", [0, 1, 0, 0]),
@@ -200,7 +200,7 @@ const NAMED: &[(&str, &str, [i8; 4])] = &[
 ];
 
 impl fmt::Display for Dimension {
-    /// As a unit text in base units: `kg*m^2/s^2`, `1/s`, `1`.
+    /// As a unit in base units: `kg*m^2/s^2`, `1/s`, `1`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let part = |negative: bool| {
             let factors = Base::ALL.iter().filter_map(|&base| {

@@ -1,4 +1,4 @@
-//! How two dimensions differ, told so that the missing factor is seen at a glance.
+//! Compares two dimensions and shows the factors in which they differ.
 
 use super::dimension::power;
 use super::{Base, Dimension};
@@ -6,25 +6,25 @@ use super::{Base, Dimension};
 /// A comparison of an expected and a found dimension.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mismatch {
-    /// Aligned lines: expected, found, and where they share a factor those that are missing and those that are too much.
+    /// Aligned lines: the two dimensions and, if they have a base dimension in common, the missing and the surplus factors.
     pub table: String,
-    /// One action, `multiply by a length (m)`, where the two have a factor in common.
+    /// One action, such as `multiply by a length (m)`, if the two have a base dimension in common.
     pub action: Option<String>,
 }
 
-/// Compares an expected and a found dimension factor by factor. The table has one column a base dimension, so that equal factors stand
-/// under each other:
+/// Compares an expected and a found dimension factor by factor. The table has one column for each base dimension, so that
+/// corresponding factors are aligned:
 /// ```text
 /// expected  kg  m^2
 ///    found  kg  m
 ///  missing      m
 /// ```
-/// A factor that only the found one has, or has to a higher power, stands in a row `too much`.
+/// A row `too much` lists the factors that only the found dimension has, or has to a higher power.
 pub fn mismatch(expected: Dimension, found: Dimension) -> Mismatch {
     compare(["expected", "found"], expected, found)
 }
 
-/// As [`mismatch`], with names of its own for the two sides.
+/// As [`mismatch`], with other names for the two sides.
 pub fn compare(names: [&str; 2], expected: Dimension, found: Dimension) -> Mismatch {
     let factor = expected.over(found).unwrap_or(Dimension::PLAIN);
     let (missing, surplus) = differences(expected, found);
@@ -46,7 +46,7 @@ pub fn compare(names: [&str; 2], expected: Dimension, found: Dimension) -> Misma
     Mismatch { table, action: shared.then(|| action(factor)) }
 }
 
-/// Factor by factor, what `found` has too little of and what it has too much of.
+/// The factors that `found` lacks and those that it has in surplus.
 fn differences(expected: Dimension, found: Dimension) -> (Dimension, Dimension) {
     let (mut missing, mut surplus) = (Dimension::PLAIN, Dimension::PLAIN);
     for base in Base::ALL {
@@ -56,7 +56,7 @@ fn differences(expected: Dimension, found: Dimension) -> (Dimension, Dimension) 
         let (lacks, exceeds) = match () {
             _ if opposed => (due, there),
             _ if e == f => continue,
-            // Further from zero on the same side: more of it.
+            // `found` is absent, or of the same sign and nearer to zero: the difference is missing.
             _ if f.is_zero() || (!e.is_zero() && f.is_nearer_zero(e)) => {
                 (due.over(there).unwrap_or(due), Dimension::PLAIN)
             }
@@ -92,9 +92,9 @@ mod tests {
     fn factors_stand_under_each_other() {
         let inertia = Dimension::MASS.times(Dimension::LENGTH).and_then(|d| d.times(Dimension::LENGTH)).unwrap();
         let found = Dimension::MASS.times(Dimension::LENGTH).unwrap();
-        let told = mismatch(inertia, found);
-        assert_eq!(told.table, "expected  kg  m^2\n   found  kg  m\n missing      m");
-        assert_eq!(told.action.as_deref(), Some("multiply by a length (m)"));
+        let difference = mismatch(inertia, found);
+        assert_eq!(difference.table, "expected  kg  m^2\n   found  kg  m\n missing      m");
+        assert_eq!(difference.action.as_deref(), Some("multiply by a length (m)"));
         assert_eq!(mismatch(found, inertia).action.as_deref(), Some("divide by a length (m)"));
     }
 
@@ -114,8 +114,8 @@ mod tests {
 
     #[test]
     fn nothing_in_common_gives_no_factor() {
-        let told = compare(["left", "right"], Dimension::MASS, Dimension::TIME);
-        assert_eq!(told.table, " left  kg\nright      s");
-        assert_eq!(told.action, None);
+        let difference = compare(["left", "right"], Dimension::MASS, Dimension::TIME);
+        assert_eq!(difference.table, " left  kg\nright      s");
+        assert_eq!(difference.action, None);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Dimension, Exponent, Unit};
 
-/// A value in SI units (angle in radians) and what it measures.
+/// A value in SI units (angle in radians) and its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
     pub value: f64,
@@ -18,7 +18,7 @@ impl Quantity {
         Quantity { value, dimension }
     }
 
-    /// `number` times `unit`, rounded once where the unit's scale is a whole number or its reciprocal.
+    /// `number` times `unit`; rounded only once if the unit's scale or its reciprocal is a whole number.
     pub fn with_unit(number: f64, unit: Unit) -> Self {
         Quantity { value: number * unit.numerator / unit.denominator, dimension: unit.dimension }
     }
@@ -27,22 +27,22 @@ impl Quantity {
         Quantity { value: -self.value, ..self }
     }
 
-    /// The sum; `None` where the dimensions differ.
+    /// The sum; `None` if the dimensions differ.
     pub fn plus(self, other: Self) -> Option<Self> {
         (self.dimension == other.dimension).then_some(Quantity { value: self.value + other.value, ..self })
     }
 
-    /// The product; `None` where an exponent passes the limit.
+    /// The product; `None` if an exponent exceeds the limit.
     pub fn times(self, other: Self) -> Option<Self> {
         Some(Quantity::new(self.value * other.value, self.dimension.times(other.dimension)?))
     }
 
-    /// The quotient; `None` where an exponent passes the limit. Division by zero gives no finite value.
+    /// The quotient; `None` if an exponent exceeds the limit. Division by zero gives an infinite value or NaN.
     pub fn over(self, other: Self) -> Option<Self> {
         Some(Quantity::new(self.value / other.value, self.dimension.over(other.dimension)?))
     }
 
-    /// The power; `None` where the dimension cannot be raised to that exponent.
+    /// The power; `None` if the dimension cannot be raised to that exponent.
     pub fn power(self, exponent: f64) -> Option<Self> {
         let dimension = if self.dimension.is_plain() {
             Dimension::PLAIN

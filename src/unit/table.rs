@@ -1,4 +1,4 @@
-//! Units and the reading of unit texts such as `N*s^2/rad^2`.
+//! The table of units, and the parser of unit texts such as `N*s^2/rad^2`.
 
 use std::collections::HashMap;
 use std::f64::consts::PI;
@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 
 use super::{Dimension, Exponent};
 
-/// A scale to SI, kept as a fraction so that `35 cm` is exactly 0.35 m, and a dimension.
+/// A scale to SI units and a dimension. The scale is a fraction, so that `35 cm` is exactly 0.35 m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
     pub numerator: f64,
@@ -14,16 +14,16 @@ pub struct Unit {
     pub dimension: Dimension,
 }
 
-/// Why a text is no unit.
+/// Why a text is not a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub enum UnitError {
-    /// A word that is no unit, and what was probably meant.
+    /// A word that is not a unit, and what was probably meant.
     Unknown { word: String, meant: Option<String> },
-    /// The run cannot be read as a product of powers, or an exponent is too large.
+    /// The text is not a product of powers, or an exponent is too large.
     Malformed,
 }
 
-/// Symbol, numerator, denominator, base exponents (mass, length, time, angle), whether prefixes apply.
+/// Symbol, numerator, denominator, base exponents (mass, length, time, angle), whether it takes prefixes.
 type Row = (&'static str, f64, f64, [i64; 4], bool);
 
 const UNITS: &[Row] = &[
@@ -50,7 +50,8 @@ const UNITS: &[Row] = &[
     ("%", 1.0, 100.0, [0, 0, 0, 0], false),
 ];
 
-/// Units of force by weight: mass in kilograms as a fraction; the scale carries the spec's gravity.
+/// Units of force defined as the weight of a mass: symbol and mass in kg as a fraction, to be multiplied by the spec's
+/// gravity.
 const WEIGHTS: &[(&str, f64, f64)] = &[("kgf", 1.0, 1.0), ("gf", 1.0, 1000.0), ("lbf", 0.45359237, 1.0)];
 
 const PREFIXES: &[(&str, f64, f64)] = &[
@@ -66,7 +67,7 @@ const PREFIXES: &[(&str, f64, f64)] = &[
     ("n", 1.0, 1e9),
 ];
 
-/// Spellings people try, and what to write.
+/// Common wrong spellings, and what to write.
 const HABITS: &[(&str, &str)] = &[
     ("kgs", "kg"),
     ("cms", "cm"),
@@ -121,11 +122,12 @@ pub fn unit_names() -> impl Iterator<Item = &'static str> {
     UNITS.iter().map(|row| row.0).chain(WEIGHTS.iter().map(|row| row.0))
 }
 
-/// Reads a unit text: words with whole exponents joined by `*` and `/`, a leading `1` for a bare
+/// Parses a unit text: unit names with whole exponents joined by `*` and `/`, and a leading `1` for a
 /// reciprocal. `/` divides by the one factor after it. `gravity` (m/s^2) scales `kgf`, `gf`, `lbf`.
 ///
 /// # Errors
-/// The first word that is no unit, or a run that is no product of powers.
+/// [`UnitError::Unknown`] with the first word that is not a unit, or [`UnitError::Malformed`] if the text is not a product
+/// of powers.
 pub fn parse_unit(text: &str, gravity: f64) -> Result<Unit, UnitError> {
     let mut unit = Unit { numerator: 1.0, denominator: 1.0, dimension: Dimension::PLAIN };
     let mut rest = text;
@@ -144,7 +146,7 @@ pub fn parse_unit(text: &str, gravity: f64) -> Result<Unit, UnitError> {
     if !(scale.is_finite() && scale > 0.0) {
         return Err(UnitError::Malformed);
     }
-    // In lowest terms where one side divides the other, so that `kg` is exactly 1.
+    // Reduced if one side divides the other, so that `kg` is exactly 1.
     let inverse = unit.denominator / unit.numerator;
     if scale.fract() == 0.0 {
         unit = Unit { numerator: scale, denominator: 1.0, ..unit };
@@ -194,7 +196,7 @@ fn parse_factor(text: &str, gravity: f64) -> Result<Unit, UnitError> {
     Ok(Unit { numerator: up.powi(n), denominator: down.powi(n), dimension })
 }
 
-/// Every unit with every prefix that it takes; weights, which gravity scales, are not among them.
+/// Every unit with every prefix that it takes, except the weights, which depend on gravity.
 static PREFIXED: LazyLock<HashMap<String, Unit>> = LazyLock::new(|| {
     let prefixed = UNITS.iter().filter(|row| row.4).flat_map(|row| {
         let unit = from_row(row);
@@ -203,7 +205,7 @@ static PREFIXED: LazyLock<HashMap<String, Unit>> = LazyLock::new(|| {
             (format!("{prefix}{}", row.0), scaled)
         })
     });
-    // A unit's own name counts before another's with a prefix: `min` is no milli-inch.
+    // The name of a unit takes precedence over a prefixed name: `min` is not a milli-inch.
     prefixed.chain(UNITS.iter().map(|row| (row.0.to_string(), from_row(row)))).collect()
 });
 
@@ -211,7 +213,7 @@ fn lookup(word: &str, gravity: f64) -> Option<Unit> {
     PREFIXED.get(word).copied().or_else(|| weight(word, gravity))
 }
 
-/// The unit whose name, without a prefix, is `word`.
+/// The unit with the name `word`, without a prefix.
 fn exact(word: &str, gravity: f64) -> Option<Unit> {
     weight(word, gravity).or_else(|| UNITS.iter().find(|row| row.0 == word).map(from_row))
 }
@@ -230,7 +232,7 @@ fn from_row(row: &Row) -> Unit {
     Unit { numerator: row.1, denominator: row.2, dimension }
 }
 
-/// What somebody who wrote `word` probably wanted.
+/// The unit that was probably meant by `word`.
 fn meant(word: &str, gravity: f64) -> Option<String> {
     let habit = HABITS.iter().find(|(wrong, _)| wrong.eq_ignore_ascii_case(word)).map(|(_, right)| right.to_string());
     habit
@@ -240,13 +242,13 @@ fn meant(word: &str, gravity: f64) -> Option<String> {
         .or_else(|| other_case(word, gravity))
 }
 
-/// `deg` for `degs`; `Ns` is short for newton-seconds rather than many newtons.
+/// `deg` for `degs`, but not `N` for `Ns`, which more likely means newton-seconds.
 fn singular(word: &str, gravity: f64) -> Option<String> {
     let stem = word.strip_suffix('s').filter(|stem| stem.len() > 2)?;
     exact(stem, gravity).map(|_| stem.to_string())
 }
 
-/// `Nm` for `N*m`: two or three units without the signs between them.
+/// `N*m` for `Nm`: several units written without signs between them.
 fn run_together(word: &str, gravity: f64) -> Option<String> {
     if word.len() > 12 {
         return None;
@@ -259,17 +261,17 @@ fn run_together(word: &str, gravity: f64) -> Option<String> {
     })
 }
 
-/// `m2` for `m^2`, `kgm2` for `kg*m^2`.
+/// `m^2` for `m2`, `kg*m^2` for `kgm2`.
 fn powered(word: &str, gravity: f64) -> Option<String> {
     let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let power = word[stem.len()..].parse::<u8>().ok().filter(|power| (2..=4).contains(power))?;
-    // What stands in `ms2` is an acceleration as often as not.
+    // `ms2` may well be an acceleration.
     let known = stem != "ms" && lookup(stem, gravity).is_some();
     let base = if known { stem.to_string() } else { run_together(stem, gravity)? };
     Some(format!("{base}^{power}"))
 }
 
-/// `Kg` for `kg`, `RPM` for `rpm`.
+/// `kg` for `Kg`, `rpm` for `RPM`.
 fn other_case(word: &str, gravity: f64) -> Option<String> {
     let lower = word.to_lowercase();
     let prefixed = PREFIXES

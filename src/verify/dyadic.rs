@@ -1,9 +1,10 @@
-//! Exact numbers `m 2^e`: every finite `f64` is one, and sums and products of them are.
+//! Exact numbers `m 2^e`: every finite `f64` is such a number, and so are their sums and products.
 
 use super::interval::Interval;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 
+/// `mantissa * 2^exponent`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dyadic {
     mantissa: BigInt,
@@ -15,7 +16,7 @@ impl Dyadic {
         Dyadic { mantissa: BigInt::ZERO, exponent: 0 }
     }
 
-    /// The number itself; zero for what is not finite, which no checked spec holds.
+    /// The exact value of `x`; zero if it is not finite, which does not occur in a checked spec.
     pub fn of(x: f64) -> Self {
         if !x.is_finite() || x == 0.0 {
             return Dyadic::zero();
@@ -65,7 +66,7 @@ impl Dyadic {
         Dyadic { mantissa: &self.mantissa * &other.mantissa, exponent: self.exponent + other.exponent }
     }
 
-    /// The number in the tightest interval that 62 bits of it give.
+    /// The tightest interval that 62 bits of the number give.
     pub fn enclosure(&self) -> Interval {
         if self.is_zero() {
             return Interval::ZERO;
@@ -93,7 +94,7 @@ pub fn dot(a: &[Dyadic; 4], b: &[Dyadic; 4]) -> Dyadic {
     (0..4).fold(Dyadic::zero(), |sum, i| sum.plus(&a[i].times(&b[i])))
 }
 
-/// The vector orthogonal to three others whose length is the volume they span; zero exactly where they are dependent.
+/// The vector orthogonal to three others whose length is the volume they span; zero if and only if they are dependent.
 ///
 /// Component i is (-1)^i times the minor without column i.
 pub fn orthogonal(a: &[Dyadic; 4], b: &[Dyadic; 4], c: &[Dyadic; 4]) -> [Dyadic; 4] {

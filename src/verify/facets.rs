@@ -1,4 +1,4 @@
-//! Facets as certificates print them: rotors, and the normal and offset that follow from them.
+//! Facets as certificates print them: rotors, with the normal and offset that follow from them.
 
 use super::Rejection;
 use super::interval::{Interval, exceeds};
@@ -7,10 +7,13 @@ use crate::certificate::FacetRecord;
 use crate::model::Model;
 use crate::number::number;
 
-/// Printed normals and offsets may be off by this share.
+/// Printed normals and offsets may differ by this share.
 const PRINTED: f64 = 1e-9;
 
-/// The facet that the rotors name, once the printed normal and offset are found to be its; `strict` compares them.
+/// The facet that the rotors name. With `strict`, the printed normal and offset are compared with it.
+///
+/// # Errors
+/// The rotors name no facet, or the printed numbers are not those of the facet.
 pub fn named(model: &Model, record: &FacetRecord, strict: bool) -> Result<Facet, Rejection> {
     let wrong = |why: String| Err(Rejection::new("the facet", why));
     let generators = Generators::of(model, &record.mode)?;
@@ -26,7 +29,7 @@ pub fn named(model: &Model, record: &FacetRecord, strict: bool) -> Result<Facet,
     if let Some(i) = (0..4).find(|&i| off(record.normal[i], facet.normal[i], 1.0)) {
         let axis = ["T", "tau_x", "tau_y", "tau_z"][i];
         let exact = number(facet.normal[i].middle());
-        return wrong(format!("the normal's part along {axis} is {exact}, not {}", number(record.normal[i])));
+        return wrong(format!("the normal's component along {axis} is {exact}, not {}", number(record.normal[i])));
     }
     if off(record.offset, facet.offset, facet.offset.magnitude().max(1.0)) {
         let [exact, printed] = [facet.offset.middle(), record.offset].map(number);
@@ -35,7 +38,7 @@ pub fn named(model: &Model, record: &FacetRecord, strict: bool) -> Result<Facet,
     Ok(facet)
 }
 
-/// The facet as it is printed, right or wrong.
+/// The facet with the printed normal and offset, right or wrong.
 fn printed_as(record: &FacetRecord, facet: Facet) -> Facet {
     let scale = |printed: f64, exact: Interval, of: Interval| match exact.contains(0.0) {
         true => of,

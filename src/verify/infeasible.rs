@@ -1,14 +1,15 @@
 //! Decides a claim that there is no plan.
 //!
-//! Every motion is what its start and its inputs at the nodes make of it. Each row says that some expression in the
-//! derivatives at a node is not negative (a cone: that its parts have a non-negative product with every vector of the
-//! dual cone); rest says that one is zero. So for multipliers z in the dual cone `sum of z_j expression_j >= 0` for
-//! every plan. Carried back through the dynamics the sum is `constant + a_0 . start + sum over nodes of c_k . u_k`. The
-//! start is known to the first waypoint's tolerance, and the inputs are bounded; where the largest value over all of
-//! these is negative, there is no plan.
+//! A motion is determined by its start and its inputs at the nodes. Each row states that an expression in the derivatives at
+//! a node is not negative (a cone: that its parts have a non-negative product with every vector of the dual cone; rest: that
+//! the expression is zero). Hence `sum of z_j expression_j >= 0` for every plan and all multipliers z in the dual cone.
+//! Substituting the dynamics backwards turns the sum into `constant + a_0 . start + sum over nodes of c_k . u_k`. The start
+//! is known up to the first waypoint's tolerance, and the inputs are bounded. If the largest value over all starts and
+//! inputs is negative, there is no plan.
 //!
-//! In the hover model (one yaw) rows are facets, those of commands among them where rotors lag, limits and waypoints. In the exact model facets are not linear in the
-//! motion; what stands for them is that m |(x'', y'', z'' + g)| is the thrust, and at most the largest of the set.
+//! In the hover model (one yaw) rows are facets (also of commands if rotors lag), limits and waypoints. In the exact model
+//! facets are not linear in the motion. They are replaced by a bound on the thrust m |(x'', y'', z'' + g)|, which is at most
+//! the largest thrust in the set.
 
 mod inputs;
 mod rows;
@@ -35,7 +36,7 @@ struct Rows<'a> {
     kind: DynamicModel,
     /// sin and cos of the one yaw of the hover model.
     yaw: (Interval, Interval),
-    /// tau of rotors that lag, s.
+    /// Time constant tau of lagging rotors, s.
     lag: Option<Interval>,
     /// The largest thrust of any plan in the exact model, N.
     thrust: Option<Interval>,
@@ -50,13 +51,13 @@ pub(super) fn decide(
     budget: Budget,
 ) -> Result<Verdict, Refusal> {
     let (model, mission, premises) = (setting.model, setting.mission, setting.premises);
-    let outside = |why: &str| Err(Rejection::new("that there is no plan", why).into());
+    let unsupported = |why: &str| Err(Rejection::new("the claim that there is no plan", why).into());
     let first = &mission.waypoints[0];
     match kind {
         DynamicModel::Hover if mission.waypoints.iter().any(|w| (w.yaw - first.yaw).abs() >= 1e-12) => {
-            return outside("in the hover model multipliers are checked for one yaw throughout");
+            return unsupported("in the hover model multipliers are checked only for one yaw throughout");
         }
-        _ if !mission.start_at_rest => return outside("multipliers are checked for a start at rest"),
+        _ if !mission.start_at_rest => return unsupported("multipliers are checked only for a start at rest"),
         _ => {}
     }
     let grid = schedule::grid(model, mission)?;
@@ -74,31 +75,32 @@ pub(super) fn decide(
         rows.thrust = Some(rows.most_thrust()?);
     }
     let most = rows.largest()?;
-    // Zero contradicts nothing either, and what is not a number contradicts nothing.
+    // Zero is not a contradiction, and neither is NaN.
     if most.high.partial_cmp(&0.0).is_none_or(std::cmp::Ordering::is_ge) {
-        let why = format!("the rows, weighted, add up to {} at most, which contradicts nothing", number(most.high));
-        return Err(Rejection { span: Some(mission.span), ..Rejection::new("that there is no plan", why) }.into());
+        let why = format!("the weighted rows add up to at most {}, which is not a contradiction", number(most.high));
+        let claim = "the claim that there is no plan";
+        return Err(Rejection { span: Some(mission.span), ..Rejection::new(claim, why) }.into());
     }
-    let selection = if claim.selected_by.is_empty() { "" } else { " and the facets that the plans carried select" };
+    let selection = if claim.selected_by.is_empty() { "" } else { " and the facets that the included plans select" };
     let weighed = claim.multipliers.iter().filter(|m| m.z.iter().any(|z| *z != 0.0)).count();
-    let keeping = format!("{} with multipliers{selection}", plural(weighed, "row"));
+    let rows_of_proof = format!("{} with multipliers{selection}", plural(weighed, "row"));
     let planner = model.plan.planner.name().to_uppercase();
     let headline = format!(
         "proved infeasible on one grid: mission {} has no {planner} plan of {} s whose inputs are linear between the nodes of \
          the spec's {pieces} pieces in flight{}",
         mission.name,
         number(total),
-        if claim.selected_by.is_empty() { "" } else { ", for the selection by the plans carried" }
+        if claim.selected_by.is_empty() { "" } else { ", for the facets selected by the included plans" }
     );
-    let proved = Shown { statement: format!("{keeping} contradict each other"), reach: None };
+    let proved = Shown { statement: format!("{rows_of_proof} contradict each other"), reach: None };
     let weaker = vec![format!(
-        "one grid: motions with other nodes than those of {} samples are not excluded",
+        "one grid: motions whose nodes differ from those of {} samples are not excluded",
         model.plan.samples
     )];
     Ok(Verdict { headline, shown: vec![proved], weaker, undecided: Vec::new() })
 }
 
-/// What deciding a claim takes.
+/// The cost of deciding a claim.
 fn estimate(setting: &Setting, claim: &InfeasibleClaim, grid: &Grid) -> Result<Estimate, Rejection> {
     let mut all = setting.estimate_of(&claim.selected_by)?;
     let (rows, nodes, facets) = (claim.multipliers.len() as u64, grid.times.len() as u64, claim.facets.len() as u64);
@@ -108,7 +110,8 @@ fn estimate(setting: &Setting, claim: &InfeasibleClaim, grid: &Grid) -> Result<E
     Ok(all)
 }
 
-/// The planes of the facets listed, each of a set that every plan keeps to, or selected by the plans carried.
+/// The planes of the listed facets. Each must belong to a set in which every plan stays, or be selected by the included
+/// plans.
 fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) -> Result<Vec<Plane>, Rejection> {
     let required = required(setting.model);
     let mut planes = Vec::new();
@@ -116,7 +119,7 @@ fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) ->
     for (index, facet) in claim.facets.iter().enumerate() {
         let (kept, selectable) = (required.contains(&facet.mode), setting.selects_facets_of(&facet.mode));
         if setting.premises.has(Premise::Rows) && !kept && !selectable {
-            return Err(of_facet(index, facet)(Rejection::new("", "the planner does not keep to this mode's set")));
+            return Err(of_facet(index, facet)(Rejection::new("", "the planner does not impose this mode's set")));
         }
         let strict = setting.premises.has(Premise::Facets);
         planes.push(named(setting.model, facet, strict).map_err(of_facet(index, facet))?.plane);
@@ -127,7 +130,7 @@ fn planes(setting: &Setting, claim: &InfeasibleClaim, selected_by: &[Motion]) ->
     if setting.premises.has(Premise::Selection) {
         let violated = setting.violated(to_select.iter().map(|&index| &planes[index]), selected_by);
         if let Some((&index, _)) = to_select.iter().zip(&violated).find(|(_, over)| !**over) {
-            let why = "no plan carried violates it, so RSP does not select it";
+            let why = "no included plan violates it, so RSP does not select it";
             return Err(of_facet(index, &claim.facets[index])(Rejection::new("", why)));
         }
     }
@@ -144,7 +147,8 @@ impl Rows<'_> {
         self.grid.times.len()
     }
 
-    /// The input's derivative order: x, y (and z in the exact model) are quadruple integrators, the others double ones.
+    /// The derivative order of each axis's input: x, y (and z in the exact model) are quadruple integrators, the others
+    /// double integrators.
     fn orders(&self) -> [usize; 4] {
         match self.kind {
             DynamicModel::Hover => [4, 4, 2, 2],
@@ -175,13 +179,13 @@ impl Rows<'_> {
         let mut most = constant;
         for node in &sums {
             for (axis, order) in self.orders().into_iter().enumerate() {
-                // What no multiplier weighs needs no bound.
+                // Inputs without a multiplier need no bound.
                 if node[axis][order] != Interval::ZERO {
                     most = most + node[axis][order] * inputs[axis];
                 }
             }
         }
-        // From rest only position and yaw of the start are free.
+        // At a start at rest only position and yaw are free.
         let start = &self.mission.waypoints[0];
         let [x, y, z] = start.position;
         let (near, turned) = self.tolerances(0);
@@ -194,8 +198,8 @@ impl Rows<'_> {
         Ok(most)
     }
 
-    /// Replaces derivatives at a node by what they are made of one node earlier, from the last to the first. The input is
-    /// linear in between, so with m = r - i
+    /// Expresses derivatives at a node by those at the node before, from the last to the first. The input is linear in
+    /// between, so with m = r - i
     ///
     /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j(k) + h^m [(1/m! - 1/(m+1)!) u(k) + u(k+1)/(m+1)!]`.
     fn carry_back(&self, sums: &mut [[[Interval; 5]; 4]]) {

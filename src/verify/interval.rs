@@ -1,9 +1,9 @@
-//! Closed intervals of `f64` whose operations round outwards: a result holds every value that the exact operation takes
-//! on points of its operands (R. E. Moore, R. B. Kearfott, M. J. Cloud, *Introduction to Interval Analysis*, SIAM
+//! Closed intervals of `f64` whose operations round outwards: a result contains every value of the exact operation on
+//! points of its operands (R. E. Moore, R. B. Kearfott, M. J. Cloud, *Introduction to Interval Analysis*, SIAM
 //! 2009).
 //!
 //! Rust's `+ - * /` and `sqrt` round to nearest, so one step to the next number on either side encloses the exact
-//! value. What is not defined, or not a number, is the whole line: no comparison that proves something holds for it.
+//! value. A result that is undefined or NaN is the whole line, for which no comparison that proves something holds.
 
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -17,10 +17,10 @@ pub struct Interval {
 /// pi/2 lies between this number and the next.
 const HALF_PI: Interval = Interval { low: FRAC_PI_2, high: FRAC_PI_2.next_up() };
 
-/// Arguments of sines beyond this are not reduced.
+/// Arguments of sines larger than this are not reduced.
 const MOST_ANGLE: f64 = 1e6;
 
-/// Whether a number is above another; what is no number is above everything.
+/// Whether a number is above another; NaN counts as above everything.
 pub fn exceeds(x: f64, most: f64) -> bool {
     x.partial_cmp(&most).is_none_or(std::cmp::Ordering::is_gt)
 }
@@ -30,7 +30,7 @@ impl Interval {
     pub const ONE: Interval = Interval { low: 1.0, high: 1.0 };
     pub const WHOLE: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
-    /// From its ends; the whole line where one is not a number or they are the wrong way round.
+    /// From its ends; the whole line if one is NaN or they are in the wrong order.
     pub fn new(low: f64, high: f64) -> Self {
         if low <= high { Interval { low, high } } else { Interval::WHOLE }
     }
@@ -63,7 +63,7 @@ impl Interval {
         self.low <= x && x <= self.high
     }
 
-    /// What two enclosures of one value leave; the first where they contradict each other.
+    /// The intersection of two enclosures of the same value; the first if they are disjoint.
     pub fn meet(self, other: Self) -> Self {
         let (low, high) = (self.low.max(other.low), self.high.min(other.high));
         if low <= high { Interval { low, high } } else { self }
@@ -89,7 +89,7 @@ impl Interval {
         Interval { low: product.low.max(0.0), high: product.high }
     }
 
-    /// The root of what is known not to be negative; the whole line where everything is negative.
+    /// The root of a value that is known not to be negative; the whole line if the interval is negative.
     pub fn sqrt(self) -> Self {
         if self == Interval::ZERO {
             return self;
@@ -124,7 +124,7 @@ fn sin_cos_of(x: f64) -> (Interval, Interval) {
     }
     let quarters = (x / FRAC_PI_2).round();
     let r = Interval::point(x) - Interval::point(quarters) * HALF_PI;
-    // Alternating series; for |r| < 1 the first term left out bounds what is left out.
+    // Alternating series: for |r| < 1 the first omitted term bounds the remainder.
     let mut sums = [Interval::ZERO, Interval::ZERO];
     let mut term = Interval::ONE;
     const TERMS: usize = 22;
@@ -146,7 +146,7 @@ fn sin_cos_of(x: f64) -> (Interval, Interval) {
 impl Add for Interval {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        // Nothing added is exact.
+        // Adding zero is exact.
         if self == Interval::ZERO {
             return other;
         }
@@ -195,7 +195,7 @@ impl Div for Interval {
     }
 }
 
-/// The smallest interval about values that were rounded once each.
+/// The smallest interval that encloses values which were rounded once each.
 fn hull(values: [f64; 4]) -> Interval {
     if values.iter().any(|v| v.is_nan()) {
         return Interval::WHOLE;

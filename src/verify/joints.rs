@@ -1,22 +1,22 @@
-//! Where pieces meet: what the gaps at all joints may move together.
+//! Joints between pieces: a bound on the combined effect of all gaps.
 //!
-//! Let the gap of derivative i at joint k be `delta_i(k)`. The motion that starts like the one carried and has the same
-//! inputs, without gaps, is apart from it in derivative j at time t by no more than
+//! Let the gap of derivative i at joint k be `delta_i(k)`. The motion with the same start and inputs but without gaps
+//! differs from the one in the certificate in derivative j at time t by at most
 //!
 //! `D_j(t) = sum over joints k before t, over i >= j, of |delta_i(k)| (t - t_k)^(i-j)/(i-j)!`,
 //!
-//! which grows with t, whatever the durations of pieces: a short piece buys nothing.
+//! which grows with t, whatever the durations of the pieces: short pieces do not allow larger gaps.
 
 use super::Rejection;
 use super::interval::{Interval, exceeds};
 use super::motion::{Motion, X, Y, YAW, Z};
 use crate::number::number;
 
-/// Each derivative may jump by this at one joint: m, m/s, m/s^2, m/s^3; of yaw in rad.
+/// Largest gap of each derivative at one joint: m, m/s, m/s^2, m/s^3; yaw in rad.
 pub const MOST_GAP: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
 
-/// Together the gaps move position, velocity, acceleration and jerk by no more than this, m, m/s, m/s^2, m/s^3; yaw and
-/// its rate alike, in rad.
+/// Largest combined effect of all gaps on position, velocity, acceleration and jerk: m, m/s, m/s^2, m/s^3; on yaw and its
+/// rate in rad.
 pub const MOST_MOVED: [f64; 4] = [1e-3, 1e-3, 1e-2, 1e-1];
 
 const ORDINALS: [&str; 4] = ["position", "velocity", "acceleration", "jerk"];
@@ -24,8 +24,10 @@ const OF_YAW: [&str; 4] = ["yaw", "yaw rate", "", ""];
 const UNITS: [&str; 4] = ["m", "m/s", "m/s^2", "m/s^3"];
 const YAW_UNITS: [&str; 4] = ["rad", "rad/s", "", ""];
 
+/// Checks the gaps of a motion.
+///
 /// # Errors
-/// A joint with too wide a gap, or gaps that move too much together.
+/// A gap is too large, or all gaps together have too large an effect.
 pub(super) fn check(motion: &Motion) -> Result<(), Rejection> {
     let mut moved = [[Interval::ZERO; 4]; 4];
     for piece in 0..motion.pieces() {
@@ -35,7 +37,7 @@ pub(super) fn check(motion: &Motion) -> Result<(), Rejection> {
                 if exceeds(gap, MOST_GAP[order]) {
                     let (what, unit) = names(axis, order);
                     let why = format!(
-                        "piece {} misses the next by {} {unit} in {what}, and at most {} {unit} is allowed",
+                        "the gap between piece {} and the next is {} {unit} in {what}; at most {} {unit} is allowed",
                         piece + 1,
                         number(gap),
                         number(MOST_GAP[order])
@@ -72,7 +74,7 @@ fn together(moved: &[[Interval; 4]; 4]) -> Result<(), Rejection> {
             if exceeds(by.high, most) {
                 let (what, unit) = names(axis, order);
                 let why = format!(
-                    "together their gaps may move the {what} by {} {unit}, and at most {} {unit} is allowed",
+                    "together the gaps may change the {what} by {} {unit}; at most {} {unit} is allowed",
                     number(by.high),
                     number(most)
                 );

@@ -1,9 +1,9 @@
-//! How quickly thrusts may be taken to follow their commands, where the plan minds that they lag (docs/method.md, (87)).
+//! The time constant of the rotors' lag, if the plan accounts for it (docs/method.md, (87)).
 
 use super::interval::Interval;
 use crate::model::{Model, PlanRotors, Rotor};
 
-/// tau of f + tau f', that of the slowest rotor, s; `None` where rotors follow at once.
+/// The time constant tau in f + tau f', that of the slowest rotor, s; `None` if rotors follow their commands at once.
 pub fn constant(model: &Model) -> Option<Interval> {
     match model.plan.rotors {
         PlanRotors::Instant => None,
@@ -11,8 +11,8 @@ pub fn constant(model: &Model) -> Option<Interval> {
     }
 }
 
-/// `tau_m (1 + s)/(2 s)`: s is the idle share of full speed, or a third where that is more. Thrusts known to within
-/// intervals count at the ends that make s small.
+/// `tau_m (1 + s)/(2 s)`, where s is the ratio of idle to full speed, but at least a third. Thrusts that are known to within
+/// intervals are taken at the ends that make s small.
 fn of_rotor(rotor: &Rotor) -> Interval {
     let [idle, full, low, high] =
         [rotor.min_speed, rotor.max_speed, rotor.spread.idle_thrust.low, rotor.spread.full_thrust.high]

@@ -1,11 +1,11 @@
-//! How soon each waypoint can be reached by motions that keep the spec's limits at every instant: from distances, limits and
-//! full thrust, in intervals. docs/certificates.md has the theorem.
+//! Lower bounds on the time at which motions that satisfy the spec's limits at every instant reach each waypoint: from
+//! distances, limits and full thrust, in interval arithmetic. docs/certificates.md has the theorem.
 //!
-//! A leg whose displacement along something is d or more, with a rate of at most v and an acceleration of at most a there,
-//! and with k of its ends at rest, takes at least `d/u + k u/(2 a)`, where u is its largest rate: the mean rate over the
-//! `u/a` s beside an end at rest is `u/2` at most. This falls in u up to `sqrt(2 a d/k)`, so that v bounds it, and there it
-//! is `sqrt(2 k d/a)`, its least value. Where the jerk is at most j and acceleration and rate begin at zero, the
-//! displacement is at most `j t^3/6`; where they end there too, at most `j T^3/32`, half of it in either half.
+//! Consider a leg with a displacement of at least d along some direction, a rate of at most v and an acceleration of at most
+//! a in that direction, and k of its ends at rest. If u is its largest rate, it takes at least `d/u + k u/(2 a)`, because the
+//! mean rate in the `u/a` s next to an end at rest is at most `u/2`. This decreases in u up to `sqrt(2 a d/k)`, where it has
+//! its minimum `sqrt(2 k d/a)`; below that, u = v gives the bound. If the jerk is at most j and acceleration and rate start
+//! at zero, the displacement is at most `j t^3/6`; if they also end at zero, at most `j T^3/32`, half of it in either half.
 
 use super::Rejection;
 use super::interval::{Interval, exceeds};
@@ -16,10 +16,10 @@ use crate::number::{down_but_above, number};
 use crate::tolerance::{MOST_MISS, MOST_OUTSIDE, MOST_PAST_LIMIT};
 use std::f64::consts::FRAC_PI_2;
 
-/// Two instants are one within this share of them.
+/// Instants with a smaller relative difference count as equal.
 const SAME_TIME: f64 = 1e-9;
 
-/// How fast something may change, its rate and its acceleration: upper bounds, infinite where there is none.
+/// Upper bounds on rate, acceleration and jerk; infinite if there is none.
 struct Most {
     rate: f64,
     acceleration: f64,
@@ -48,7 +48,7 @@ impl Most {
         whatever_the_rate.max(at_that_rate).max(slowed).max(smoothly)
     }
 
-    /// What the jerk alone asks for, s.
+    /// The least time that follows from the bound on the jerk alone, s.
     fn smoothly(&self, d: f64, ends: usize) -> f64 {
         let factor = [0.0, 6.0, 32.0][ends.min(2)];
         if !self.jerk.is_finite() || factor == 0.0 {
@@ -56,13 +56,13 @@ impl Most {
         }
         let (most, j) = (Interval::point(factor) * Interval::point(d), Interval::point(self.jerk));
         let root = (factor * d / self.jerk).cbrt();
-        // A cube root is not rounded to the last digit everywhere; one whose cube is small enough is a lower bound.
+        // A cube root is not correctly rounded on every platform; a value whose cube is small enough is a lower bound.
         let is_low = |t: f64| (Interval::point(t) * Interval::point(t) * Interval::point(t) * j).high <= most.low;
         [1e-15, 1e-14, 1e-12].into_iter().map(|share| (1.0 - share) * root).find(|&t| is_low(t)).unwrap_or(0.0)
     }
 }
 
-/// The largest value that limits of a kind and the check of plans let a quantity have.
+/// The largest value of a quantity under the limits of a kind, including the tolerance of the check of plans.
 fn most(mission: &Mission, kind: LimitKind) -> f64 {
     let upper = |limit: &crate::model::Limit| {
         let let_pass = Interval::point(MOST_PAST_LIMIT) * Interval::point(limit.size());
@@ -72,7 +72,7 @@ fn most(mission: &Mission, kind: LimitKind) -> f64 {
     of_kind.filter_map(upper).fold(f64::INFINITY, f64::min)
 }
 
-/// The largest force per mass that the rotors give together, m/s^2.
+/// The largest total thrust divided by the mass, m/s^2.
 fn force(model: &Model) -> Interval {
     let vehicle = &model.vehicle;
     let thrust = vehicle.rotors.iter().fold(Interval::ZERO, |sum, rotor| {
@@ -84,7 +84,7 @@ fn force(model: &Model) -> Interval {
     thrust * let_pass / (Interval::point(vehicle.mass) * Interval::point(vehicle.mass_spread.low))
 }
 
-/// The largest horizontal acceleration under the force that tilt leaves.
+/// The largest horizontal acceleration for a given force per mass and the limit on tilt, m/s^2.
 fn sideways(model: &Model, mission: &Mission, force: Interval) -> f64 {
     let tilt = most(mission, LimitKind::Tilt);
     let let_pass =
@@ -105,9 +105,9 @@ pub(super) fn soonest(model: &Model, mission: &Mission) -> Vec<f64> {
     let most = |kind| most(mission, kind);
     let (speed, jerk) = (most(LimitKind::Speed), most(LimitKind::Jerk));
     let whole = most(LimitKind::Acceleration);
-    // About hover the force is bounded along z alone.
+    // In the hover model the force is bounded only along z.
     let in_all = if model.plan.model == PlanModel::Exact { (force + g).high } else { f64::INFINITY };
-    // The thrust may be as far below zero as a set may be left.
+    // The thrust may be negative by the tolerance on sets.
     let vertical = (g + Interval::point(MOST_OUTSIDE) * force).high.max((force - g).high).min(whole);
     let along_line = Most { rate: speed, acceleration: whole.min(in_all), jerk };
     let horizontal = Most {
@@ -153,30 +153,36 @@ pub(super) fn soonest(model: &Model, mission: &Mission) -> Vec<f64> {
     reached
 }
 
-/// What two tolerances and the check of plans let a displacement be shorter by.
+/// By how much two tolerances and the check of plans may shorten a displacement, m or rad.
 fn met_within(from: f64, to: f64) -> Interval {
     Interval::point(from) + Interval::point(to) + Interval::point(2.0) * Interval::point(MOST_MISS)
 }
 
-/// Decides that no motion within the spec's limits takes less than `claimed` s.
+/// Checks the claim that no motion within the spec's limits takes less than `claimed` s.
+///
+/// # Errors
+/// The claim is stronger than the bound computed here.
 pub(super) fn bound(model: &Model, mission: &Mission, claimed: f64) -> Result<(), Rejection> {
     if claimed < 0.0 {
-        let why = format!("{} s is claimed, which is no time", number(claimed));
+        let why = format!("{} s is claimed, which is negative", number(claimed));
         return Err(Rejection::new("the least time", why));
     }
     let end = mission.waypoints.last();
     let (own, hold) = (soonest(model, mission).last().copied().unwrap_or(0.0), end.map_or(0.0, |w| w.hold));
-    // A last waypoint with a time of its own is reached then.
+    // A last waypoint with a fixed time is reached at that time.
     let reached = end.and_then(|w| w.time).map_or(own, |due| due.max(own));
     let own = (Interval::point(reached) + Interval::point(hold)).low;
     if exceeds(claimed, own) {
-        let why = format!("{} s is claimed, and distances and limits give {} s", number(claimed), number(own));
+        let why = format!("{} s is claimed, but distances and limits give {} s", number(claimed), number(own));
         return Err(Rejection::new("the least time", why));
     }
     Ok(())
 }
 
-/// Decides that some waypoint cannot be reached when it is due.
+/// Checks the claim that some waypoint cannot be reached when it is due, and returns the headline.
+///
+/// # Errors
+/// The waypoint is not due then, or the claim is stronger than the bound computed here.
 pub(super) fn too_early(model: &Model, mission: &Mission, claim: &TooEarlyClaim) -> Result<String, Rejection> {
     let points = &mission.waypoints;
     let name = "the time of a waypoint";
@@ -186,20 +192,20 @@ pub(super) fn too_early(model: &Model, mission: &Mission, claim: &TooEarlyClaim)
     let is_last = claim.waypoint == points.len();
     let at_the_end = fixed_total(model, mission).filter(|_| is_last).map(|total| total - point.hold);
     let Some(due) = point.time.or(at_the_end) else {
-        return Err(Rejection::new(name, format!("the spec gives waypoint {} no time", claim.waypoint)));
+        return Err(Rejection::new(name, format!("the spec does not fix the time of waypoint {}", claim.waypoint)));
     };
     let own = soonest(model, mission)[claim.waypoint - 1];
     if exceeds(claim.soonest_s, own) {
-        let why = format!("{} s is claimed, and distances and limits give {} s", number(claim.soonest_s), number(own));
-        return Err(Rejection::new(format!("how soon waypoint {} can be reached", claim.waypoint), why));
+        let why = format!("{} s is claimed, but distances and limits give {} s", number(claim.soonest_s), number(own));
+        return Err(Rejection::new(format!("the earliest arrival at waypoint {}", claim.waypoint), why));
     }
     if !exceeds(claim.soonest_s, due + SAME_TIME * due.max(1.0)) {
         let why = format!("waypoint {} is due at {} s, which is not too early", claim.waypoint, number(due));
         return Err(Rejection::new(name, why));
     }
     Ok(format!(
-        "mission {} has no plan: waypoint {} is due at {} s, and motions within the limits take at least {} s to it, however \
-         the time is divided",
+        "mission {} has no plan: waypoint {} is due at {} s, but motions within the limits take at least {} s to reach it, \
+         however the time is divided",
         mission.name,
         claim.waypoint,
         number(due),

@@ -9,14 +9,14 @@ use crate::model::{Limit, LimitKind};
 /// Value and rate of change.
 type Series = super::series::Series<2>;
 
-/// How far a limit is passed, side by side: upper, then lower; in the limit's SI unit. Of tilt it is
-/// `(|(x'', y'')| cos L - (z'' + g) sin L) / g`: the acceleration's way out of the cone over gravity.
+/// The violation of a limit, upper side then lower side, in the limit's SI unit. For tilt it is
+/// `(|(x'', y'')| cos L - (z'' + g) sin L) / g`: the distance of the acceleration from the cone, divided by gravity.
 pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
     let Limit { kind, lower, upper, .. } = *limit;
     let sides: Vec<(f64, f64)> = upper.map(|u| (1.0, -u)).into_iter().chain(lower.map(|l| (-1.0, l))).collect();
     let members = sides.len();
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
-        let tilted = |&(_, minus): &(f64, f64)| tilt_excess(state, -minus, gravity);
+        let tilted = |&(_, minus): &(f64, f64)| tilt_violation(state, -minus, gravity);
         let plain = |&(sign, constant): &(f64, f64)| {
             bounded(kind, state).times(Interval::point(sign)) + Series::constant(Interval::point(constant))
         };
@@ -32,7 +32,7 @@ pub fn family(limit: &Limit, gravity: f64) -> Family<'_> {
     Family { members, evaluate: Box::new(evaluate), linear: false, jumps, measure, overhead: OF_A_LIMIT }
 }
 
-/// How messages say an excess.
+/// How messages print a violation.
 fn measure(kind: LimitKind) -> Measure {
     match kind.name_and_unit() {
         _ if kind == LimitKind::Tilt => Measure { factor: 100.0, unit: "%", whole: Some("of gravity") },
@@ -40,7 +40,7 @@ fn measure(kind: LimitKind) -> Measure {
     }
 }
 
-/// The quantity itself; tilt is told apart above.
+/// The limited quantity; tilt is handled separately above.
 fn bounded(kind: LimitKind, state: &State) -> Series {
     match kind {
         LimitKind::X => series(&state[X], 0),
@@ -59,7 +59,7 @@ fn bounded(kind: LimitKind, state: &State) -> Series {
     }
 }
 
-/// |d|, whose rate is at most |d'| either way: no division by a length that may vanish.
+/// The length |d|, whose rate is between -|d'| and |d'|: this avoids dividing by a length that may vanish.
 fn length(state: &State, axes: &[usize], order: usize) -> Series {
     let squares = |order: usize| {
         axes.iter()
@@ -69,12 +69,12 @@ fn length(state: &State, axes: &[usize], order: usize) -> Series {
     let square = parts.iter().fold(Series::constant(Interval::ZERO), |sum, &p| sum + p * p);
     let value = squares(order).sqrt();
     let steepest = Interval::around_zero(squares(order + 1).sqrt().high);
-    // d.d'/|d| where the length cannot vanish, never more than |d'|.
+    // d.d'/|d| if the length cannot vanish, and at most |d'|.
     let rate = (square.slope() / (value * Interval::point(2.0))).meet(steepest);
     Series::of_derivatives(&[value, rate])
 }
 
-fn tilt_excess(state: &State, limit: f64, gravity: f64) -> Series {
+fn tilt_violation(state: &State, limit: f64, gravity: f64) -> Series {
     let (sine, cosine) = Interval::point(limit).sin_cos();
     let g = Interval::point(gravity);
     let lift = series(&state[Z], 2) + Series::constant(g);

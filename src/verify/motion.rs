@@ -1,4 +1,4 @@
-//! The motion of a certificate: polynomial pieces rebuilt from node derivatives, with their own evaluation.
+//! The motion of a certificate: polynomial pieces rebuilt from the derivatives at the nodes, and their evaluation.
 
 use super::interval::Interval;
 use super::series::Series;
@@ -10,7 +10,7 @@ pub const Y: usize = 1;
 pub const Z: usize = 2;
 pub const YAW: usize = 3;
 
-/// Derivatives of one axis up to the fifth; what is above a piece's degree is zero.
+/// Derivatives of one axis up to the fifth; those above a piece's degree are zero.
 pub type Axis = [Interval; 6];
 
 /// Enclosures of all derivatives at an instant, or over a time interval.
@@ -26,14 +26,16 @@ pub struct Motion {
     pub waypoint_nodes: Vec<usize>,
     /// The input's derivative order of each axis.
     orders: [usize; 4],
-    /// Points between the ends of each piece at which rows are looked at like at nodes, because the piece is longer than
-    /// the spec's samples make it.
-    asked: Vec<usize>,
+    /// Number of points inside each piece at which rows are checked like at nodes, because the piece is longer than the
+    /// spec's samples give.
+    extra_points: Vec<usize>,
 }
 
 impl Motion {
-    /// Orders the numbers of a record; says what is wrong with its shape. `strict` refuses what is not finite and times
-    /// that do not rise.
+    /// The motion of a record. `strict` also requires finite numbers and increasing times.
+    ///
+    /// # Errors
+    /// What is wrong with the shape of the record.
     pub fn new(record: &MotionRecord, model: DynamicModel, strict: bool) -> Result<Motion, String> {
         let count = record.nodes();
         let lengths = [record.x.len(), record.y.len(), record.z.len(), record.yaw.len()];
@@ -61,7 +63,7 @@ impl Motion {
                 return Err("a number is not finite".into());
             }
             if !record.times_s.windows(2).all(|w| w[0] < w[1]) {
-                return Err("the times do not rise".into());
+                return Err("the times do not increase".into());
             }
         }
         Ok(Motion {
@@ -69,30 +71,30 @@ impl Motion {
             nodes,
             waypoint_nodes: record.waypoint_nodes.clone(),
             orders: [4, 4, vertical, 2],
-            asked: vec![0; count - 1],
+            extra_points: vec![0; count - 1],
         })
     }
 
-    /// Rows are to be looked at `points` times between the ends of a piece.
-    pub(super) fn ask(&mut self, piece: usize, points: usize) {
-        if let Some(asked) = self.asked.get_mut(piece) {
-            *asked = points;
+    /// Requires rows to be checked at `points` points inside a piece.
+    pub(super) fn set_extra_points(&mut self, piece: usize, points: usize) {
+        if let Some(extra) = self.extra_points.get_mut(piece) {
+            *extra = points;
         }
     }
 
-    /// Points at which rows are looked at: nodes and what is asked for between them.
-    pub fn looks(&self) -> u64 {
-        self.asked.iter().map(|&n| n as u64).fold(self.times.len() as u64, u64::saturating_add)
+    /// Number of points at which rows are checked: nodes and extra points between them.
+    pub fn checkpoints(&self) -> u64 {
+        self.extra_points.iter().map(|&n| n as u64).fold(self.times.len() as u64, u64::saturating_add)
     }
 
-    /// How many points between the ends of a piece are asked for; at most as many as samples may be.
-    pub(super) fn asked_points(&self, piece: usize) -> usize {
-        self.asked[piece].min(MAX_NODES)
+    /// Number of extra points inside a piece, at most the largest number of samples.
+    pub(super) fn extra_points(&self, piece: usize) -> usize {
+        self.extra_points[piece].min(MAX_NODES)
     }
 
-    /// When rows are looked at within a piece, s since it began.
-    pub fn asked_within(&self, piece: usize) -> impl Iterator<Item = Interval> {
-        self.grid(piece, self.asked[piece])
+    /// The extra points of a piece, s since it began.
+    pub fn extra_instants(&self, piece: usize) -> impl Iterator<Item = Interval> {
+        self.grid(piece, self.extra_points[piece])
     }
 
     /// Evenly spaced instants between the ends of a piece, s since it began.
@@ -102,15 +104,17 @@ impl Motion {
         (1..=points).map(move |i| share(i) * whole)
     }
 
+    /// Number of pieces.
     pub fn pieces(&self) -> usize {
         self.times.len() - 1
     }
 
+    /// The derivative order of an axis's input.
     pub fn order(&self, axis: usize) -> usize {
         self.orders[axis]
     }
 
-    /// A derivative at a node.
+    /// A derivative at a node, SI.
     pub fn at_node(&self, node: usize, axis: usize, order: usize) -> f64 {
         self.nodes[node][axis][order]
     }
@@ -127,7 +131,7 @@ impl Motion {
         (right - left) / self.duration(piece)
     }
 
-    /// A node's own derivatives, and the rates of its inputs in the piece.
+    /// The derivatives at a node, with the rates of its inputs in the piece.
     pub fn node_in(&self, node: usize, piece: usize) -> State {
         std::array::from_fn(|axis| {
             let mut state = [Interval::ZERO; 6];
@@ -139,8 +143,8 @@ impl Motion {
         })
     }
 
-    /// All derivatives at every instant of a part `at` of a piece, s since the piece began: Taylor's formula about
-    /// the middle of the part, whose derivatives are d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
+    /// Enclosures of all derivatives over a part `at` of a piece, s since the piece began, by Taylor's formula about the
+    /// middle of the part: d_i(m) = sum over j >= i of d_j m^(j-i) / (j-i)!.
     pub fn over(&self, piece: usize, at: Interval) -> State {
         let left = self.node_in(piece, piece);
         let middle = Interval::point(at.middle());
@@ -151,7 +155,7 @@ impl Motion {
         })
     }
 
-    /// How far the end of a piece misses its right node: `[axis][derivative]`, below the input's order.
+    /// The gaps between the end of a piece and its right node: `[axis][derivative]`, below the input's order.
     pub fn gaps(&self, piece: usize) -> [[f64; 4]; 4] {
         let end = self.over(piece, self.duration(piece));
         std::array::from_fn(|axis| {
@@ -163,7 +167,7 @@ impl Motion {
     }
 }
 
-/// Derivatives of a polynomial a time `by` later.
+/// Derivatives of a polynomial after a time `by`.
 fn shifted(derivatives: &Axis, by: Interval) -> Axis {
     std::array::from_fn(|i| {
         // Horner: d_i + by (d_(i+1) + by/2 (d_(i+2) + by/3 (...))).

@@ -1,5 +1,5 @@
-//! Decides whether a motion is a plan of the spec. What has to hold is worked out from the spec; of the certificate only the
-//! motion is taken, and for RSP the motions it selects facets by.
+//! Decides whether a motion is a plan of the spec. The conditions are derived from the spec; from the certificate only the
+//! motion is used, and for RSP the motions from which it selects facets.
 
 mod along;
 mod selection;
@@ -23,12 +23,12 @@ pub use along::{OF_A_GRID, wrench_family};
 /// In the exact model the vertical part of the thrust is at least this share of the weight.
 pub const UPRIGHT: f64 = 0.1;
 
-/// What is found of one motion at the nodes, and what is then to be looked at between them.
+/// A motion that passed all checks at the nodes, with the rows to check between them.
 struct Checked<'m> {
     motion: Motion,
-    /// Sets, and under RSP what is selected.
+    /// Whole sets, and under RSP the selected facets.
     groups: Vec<Group>,
-    /// Sets that the checker cannot work out, and why.
+    /// Sets that the checker cannot compute, and why.
     undecided: Vec<String>,
     /// Remarks on the selection.
     selection: Vec<String>,
@@ -36,62 +36,67 @@ struct Checked<'m> {
     setting: &'m Setting<'m>,
 }
 
-/// Planes that one statement is about.
+/// Planes that belong to one statement.
 #[derive(Debug, Clone)]
 struct Group {
     /// `healthy`, or a mode.
     mode: String,
-    /// The whole set, or facets selected.
+    /// Whether these are all planes of the set; otherwise selected facets.
     whole: bool,
     span: Option<Span>,
     planes: Vec<Plane>,
 }
 
-/// What a decision is made from.
+/// The spec, equations and premises of a decision.
 pub struct Setting<'a> {
     pub(super) model: &'a Model,
     pub(super) mission: &'a Mission,
     dynamics: Dynamics<'a>,
-    /// Of rotors that lag.
+    /// The commanded wrench, if rotors lag.
     commands: Option<Held>,
     pub(super) premises: Premises,
 }
 
-/// A plan's planner, as far as it decides which rows there are.
+/// The role of a plan, which determines its rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Role {
-    /// The spec's own.
-    Asked,
-    /// A plan that RSP selects by, which keeps to the healthy set.
+    /// The plan of the spec's planner.
+    Claimed,
+    /// A plan from which RSP selects facets; it stays in the healthy set.
     SelectedBy,
 }
 
 impl<'a> Setting<'a> {
+    /// The setting for a spec and the equations of a certificate.
     pub fn new(model: &'a Model, mission: &'a Mission, kind: DynamicModel, premises: Premises) -> Self {
         let first = mission.waypoints.first().map_or(0.0, |w| w.yaw);
-        // As the language says: one yaw throughout is linearised there.
+        // As the language defines: with one yaw throughout, the model is linearised there.
         let one_yaw = mission.waypoints.iter().all(|w| (w.yaw - first).abs() < 1e-12).then_some(first);
         let dynamics = Dynamics { vehicle: &model.vehicle, gravity: model.gravity, model: kind, one_yaw };
         let commands = lag::constant(model).map(|tau| Held::Commands { tau });
         Setting { model, mission, dynamics, commands, premises }
     }
 
-    /// What turns the motion into wrenches.
+    /// The equations that give the wrench of a motion.
     pub fn dynamics(&self) -> &Dynamics<'a> {
         &self.dynamics
     }
 
-    /// What rotors are commanded, where they lag.
+    /// The commanded wrench, if rotors lag.
     pub fn commands(&self) -> Option<Held> {
         self.commands
     }
 
+    /// The motion of a record.
+    ///
+    /// # Errors
+    /// The record is malformed.
     pub fn motion(&self, record: &MotionRecord) -> Result<Motion, Rejection> {
         let strict = self.premises.has(Premise::Shape);
         Motion::new(record, self.dynamics.model, strict).map_err(|why| Rejection::new("the motion", why))
     }
 
-    /// What deciding a plan takes without proofs between the nodes.
+    /// The cost of deciding a plan without proofs between the nodes.
     fn estimate(&self, claim: &PlanClaim) -> Result<Estimate, Rejection> {
         let mut all = self.estimate_of(std::slice::from_ref(&claim.motion))?;
         let others = self.estimate_of(&claim.selected_by)?;
@@ -99,7 +104,7 @@ impl<'a> Setting<'a> {
         Ok(all)
     }
 
-    /// What deciding some motions takes, and what they select.
+    /// The cost of deciding some motions and the facets that they select.
     pub(super) fn estimate_of(&self, records: &[MotionRecord]) -> Result<Estimate, Rejection> {
         let mut all = Estimate::default();
         for record in records {
@@ -110,11 +115,11 @@ impl<'a> Setting<'a> {
             let of_state = if self.commands.is_some() { 2 } else { 1 };
             let rows = planes.saturating_add(self.overhead());
             all.add(times(nodes, cost::OF_A_JOINT), times(nodes, cost::BYTES_OF_A_NODE));
-            all.add(times(times(motion.looks(), rows), of_state), times(planes, cost::BYTES_OF_A_PLANE));
-            all.add(times(times(motion.looks(), self.mission.limits.len() as u64), 2 * cost::OF_A_LIMIT), 0);
+            all.add(times(times(motion.checkpoints(), rows), of_state), times(planes, cost::BYTES_OF_A_PLANE));
+            all.add(times(times(motion.checkpoints(), self.mission.limits.len() as u64), 2 * cost::OF_A_LIMIT), 0);
             all.add(times(planes, cost::OF_A_PLANE), 0);
             if selection::selects(self.model) {
-                all.add(self.cost_of_selecting(motion.looks(), planes), 0);
+                all.add(self.cost_of_selecting(motion.checkpoints(), planes), 0);
             }
         }
         Ok(all)
@@ -128,7 +133,7 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// Planes of all sets that are looked at: those kept to whole, and of RSP what may be selected.
+    /// Most planes of all sets that are checked: the sets imposed whole, and under RSP those from which facets are selected.
     fn planes_at_most(&self) -> Result<u64, Rejection> {
         let mut modes = required(self.model);
         if selection::selects(self.model) {
@@ -138,7 +143,7 @@ impl<'a> Setting<'a> {
         modes.iter().map(|mode| Ok(Generators::of(self.model, mode)?.planes_at_most())).sum()
     }
 
-    /// Decides that the motion is a plan: everything at the nodes, and as far as `budget` goes between them.
+    /// Decides whether the motion is a plan: all conditions at the nodes and, as far as `budget` allows, between them.
     pub(super) fn decide(&self, claim: &PlanClaim, budget: Budget, between: bool) -> Result<Found, Refusal> {
         let estimate = self.estimate(claim)?;
         if !estimate.fits(budget) {
@@ -148,7 +153,7 @@ impl<'a> Setting<'a> {
             true => self.selections(claim)?,
             false => self.unchecked(&claim.selected_by)?,
         };
-        let checked = self.at_nodes(&claim.motion, &selected_by, Role::Asked)?;
+        let checked = self.at_nodes(&claim.motion, &selected_by, Role::Claimed)?;
         let mut purse = Purse(budget.units().saturating_sub(estimate.units));
         let mut found = checked.found();
         match between {
@@ -158,7 +163,7 @@ impl<'a> Setting<'a> {
         Ok(found)
     }
 
-    /// Everything at the nodes of one motion.
+    /// Checks all conditions at the nodes of one motion.
     fn at_nodes(&self, record: &MotionRecord, selected_by: &[Motion], role: Role) -> Result<Checked<'_>, Rejection> {
         let mut motion = self.motion(record)?;
         let coarser = schedule::check(self.model, self.mission, &mut motion, self.premises)?;
@@ -186,11 +191,11 @@ impl<'a> Setting<'a> {
         Ok(Checked { motion, groups, undecided, selection: remarks, coarser_legs: coarser.legs, setting: self })
     }
 
-    /// The sets that the planner keeps to whole.
+    /// The sets that the planner imposes whole, and those that cannot be computed.
     fn sets(&self, role: Role) -> Result<(Vec<Group>, Vec<String>), Rejection> {
         let (mut groups, mut undecided) = (Vec::new(), Vec::new());
         let modes = match role {
-            Role::Asked => required(self.model),
+            Role::Claimed => required(self.model),
             Role::SelectedBy => vec![HEALTHY.into()],
         };
         for mode in modes {
@@ -207,7 +212,7 @@ impl<'a> Setting<'a> {
         mode_named(self.model, mode).map(|m| m.span)
     }
 
-    /// Rest at both ends (unless `moving`) and in holds: derivatives are zero, in holds the inputs too.
+    /// Checks rest at both ends (unless `moving`) and in holds: derivatives are zero, in holds the inputs too.
     fn rest(&self, motion: &Motion) -> Result<(), Rejection> {
         let last = motion.times.len() - 1;
         let ends = [(0, self.mission.start_at_rest), (last, self.mission.end_at_rest)];
@@ -222,12 +227,12 @@ impl<'a> Setting<'a> {
         }
         for (node, held) in still {
             for axis in [X, Y, Z, YAW] {
-                // At rest the jerk vanishes beside velocity and acceleration, where it is no input's slope.
+                // At rest the jerk vanishes too, unless it is the slope of an input.
                 let highest = if held { motion.order(axis) } else { motion.order(axis).min(3) };
                 if let Some(order) = (1..=highest).find(|&i| motion.at_node(node, axis, i) != 0.0) {
                     let name = ["x", "y", "z", "yaw"][axis];
                     let value = number(motion.at_node(node, axis, order));
-                    let why = format!("derivative {order} of {name} is {value}, and the spec asks for 0");
+                    let why = format!("derivative {order} of {name} is {value}; the spec requires 0");
                     return Err(Rejection { at: Some(motion.times[node]), ..Rejection::new("rest", why) });
                 }
             }
@@ -248,7 +253,7 @@ impl<'a> Setting<'a> {
             for (what, error, within, unit) in off {
                 if exceeds((error - Interval::point(within)).high, MOST_MISS) {
                     let [error, within] = [error.high, within].map(number);
-                    let why = format!("its {what} is missed by {error} {unit}, and {within} {unit} is allowed");
+                    let why = format!("its {what} is missed by {error} {unit}; {within} {unit} is allowed");
                     let (at, span) = (Some(motion.times[node]), Some(point.span));
                     return Err(Rejection { at, span, ..Rejection::new(format!("waypoint {}", i + 1), why) });
                 }
@@ -258,29 +263,29 @@ impl<'a> Setting<'a> {
     }
 }
 
-/// What is found of a plan.
+/// The result for a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Found {
     pub shown: Vec<Shown>,
     pub weaker: Vec<String>,
     /// Sets that could not be decided.
     pub undecided: Vec<String>,
-    /// s
+    /// Mission time, s.
     pub total: f64,
 }
 
 impl Checked<'_> {
-    /// What the nodes show.
+    /// The result of the checks at the nodes.
     fn found(&self) -> Found {
         let mission = self.setting.mission;
         let shown = vec![
             Shown::at_nodes(format!("{} pieces join", self.motion.pieces())),
-            Shown::at_nodes(format!("{} waypoints met, and rest where the spec asks for it", mission.waypoints.len())),
+            Shown::at_nodes(format!("{} waypoints met, and rest where the spec requires it", mission.waypoints.len())),
         ];
         let mut weaker = Vec::new();
         if self.coarser_legs > 0 {
             weaker.push(format!(
-                "fewer pieces than the spec's {} samples make, on {} of {} legs",
+                "fewer pieces than the spec's {} samples give, on {} of {} legs",
                 self.setting.model.plan.samples,
                 self.coarser_legs,
                 mission.legs.len()
@@ -289,24 +294,26 @@ impl Checked<'_> {
         weaker.extend(self.undecided.iter().map(|what| format!("not decided: {what}")));
         weaker.extend(self.selection.iter().cloned());
         if self.setting.model.plan.require_risk.is_some() && self.setting.model.plan.planner == PlannerKind::Rsp {
-            weaker.push("`require risk` is not checked: what protects the plan is not part of a certificate".into());
+            weaker.push(
+                "`require risk` is not checked: a certificate does not contain the protection of the plan".into(),
+            );
         }
         let total = self.motion.times[self.motion.times.len() - 1];
         Found { shown, weaker, undecided: self.undecided.clone(), total }
     }
 }
 
-/// The planes of all groups side by side.
+/// The planes of all groups, in order.
 fn all_planes(groups: &[Group]) -> Vec<Plane> {
     groups.iter().flat_map(|group| group.planes.iter().cloned()).collect()
 }
 
-/// Whether a family of rows on the wrench is linear over each piece.
+/// Whether rows on the wrench are linear over each piece.
 fn is_linear(dynamics: &Dynamics) -> bool {
     dynamics.model == DynamicModel::Hover && dynamics.one_yaw.is_some()
 }
 
-/// A family whose members are listed by group.
+/// The family of rows on `held` for planes listed by group.
 fn of_groups<'f>(setting: &Setting<'f>, held: Held, planes: &'f [Plane]) -> Family<'f> {
     Family { overhead: setting.overhead(), ..wrench_family(&setting.dynamics, held, planes) }
 }

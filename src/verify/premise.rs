@@ -1,46 +1,46 @@
-//! The premises of the theorem in docs/certificates.md, each checked in one place. A test switches them off one by one to
-//! see that a forgery passes without it; nothing else does.
+//! The premises of the theorem in docs/certificates.md, each checked in one place. Only a test disables them, one by one, to
+//! show that a forgery is accepted without the premise.
 
-/// Something that an accepted certificate was checked for.
+/// A condition that every accepted certificate was checked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Premise {
     /// The certificate carries the hash of the spec given.
     Spec,
     /// The equations are those of the spec's `model`.
     Equations,
-    /// Every number is finite, node times rise and every node has all derivatives.
+    /// Every number is finite, node times increase and every node has all derivatives.
     Shape,
     /// Start, end, fixed times, holds and the shares of legs are the spec's.
     Times,
-    /// Rows are looked at at least as densely as the spec's samples.
+    /// Rows are checked at least as densely as the spec's samples.
     Density,
     /// The pieces join.
     Joints,
-    /// Derivatives vanish where the spec asks for rest.
+    /// Derivatives vanish where the spec requires rest.
     Rest,
     /// Every waypoint is met.
     Waypoints,
-    /// Every limit is kept.
+    /// Every limit is satisfied.
     Limits,
-    /// The wrench stays in the sets that the spec's planner keeps to.
+    /// The wrench stays in the sets that the spec's planner imposes.
     Sets,
-    /// So does what lagging rotors are commanded.
+    /// So does the commanded wrench of lagging rotors.
     Commands,
     /// The thrust's vertical part stays above a tenth of the weight.
     Upright,
-    /// RSP carries the plans it selects by, and they are plans.
+    /// RSP: the certificate includes the plans from which facets are selected, and they are plans.
     SelectedBy,
-    /// RSP keeps every facet that they violate.
+    /// RSP: the motion satisfies every facet that they violate.
     Selection,
     /// Multipliers lie in the dual cone.
     DualCone,
-    /// Rows are those that every plan of the spec keeps.
+    /// Rows are those that every plan of the spec satisfies.
     Rows,
     /// A facet's normal and offset are those of its rotors.
     Facets,
-    /// What multipliers leave of the inputs is weighed with a bound on them.
+    /// Inputs that the multipliers do not cancel count with their bounds.
     Inputs,
-    /// No least time is above what distances and limits give.
+    /// No least time is above the bound from distances and limits.
     LeastTime,
 }
 
@@ -75,7 +75,7 @@ pub struct Premises {
 }
 
 impl Premises {
-    /// All but one. A certificate accepted so shows nothing.
+    /// All but one. A certificate accepted under these proves nothing.
     pub fn without(premise: Premise) -> Self {
         Premises { without: Some(premise) }
     }

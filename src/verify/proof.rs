@@ -1,4 +1,4 @@
-//! What holds at nodes, on a grid, at every instant: bounds on quantities along a motion.
+//! Bounds on quantities along a motion: at nodes, on a grid, at every instant.
 
 use super::cost::Purse;
 use super::interval::{Interval, exceeds};
@@ -12,34 +12,34 @@ pub struct Rated {
     pub rate: Interval,
 }
 
-/// The quantities asked for, in order.
+/// Evaluates the members with the given indices, in order.
 pub type Evaluate<'a> = Box<dyn Fn(&State, &[usize]) -> Vec<Rated> + 'a>;
 
-/// Some quantities that one bound is about: limits have one or two sides, sets a plane for each.
+/// Quantities with the same bound: the one or two sides of a limit, the planes of sets.
 pub struct Family<'a> {
     pub members: usize,
     pub evaluate: Evaluate<'a>,
     /// All are linear in time over each piece, so that its ends bound what lies between.
     pub linear: bool,
-    /// They may jump where two pieces meet, so that each node is looked at from both.
+    /// They may jump where two pieces meet, so each node is checked from both sides.
     pub jumps: bool,
     pub measure: Measure,
-    /// Units of work for a state, beside one for each member.
+    /// Units of work for a state, in addition to one per member.
     pub overhead: u64,
 }
 
-/// How messages say by how much a bound is exceeded or kept.
+/// How messages print a violation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measure {
-    /// Of the unit in that of the records.
+    /// Conversion from the unit of the records to `unit`.
     pub factor: f64,
     pub unit: &'static str,
-    /// What a share is one of.
+    /// The reference of a share, for example `of gravity`.
     pub whole: Option<&'static str>,
 }
 
 impl Measure {
-    /// What excesses over planes are measured in.
+    /// The measure of violations of planes.
     pub const WIDTH: Measure = Measure { factor: 100.0, unit: "%", whole: Some("of the healthy set's width") };
 
     /// A number with its unit.
@@ -48,17 +48,17 @@ impl Measure {
     }
 }
 
-/// Where and by how much a bound is exceeded.
+/// Where and by how much a bound is violated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Failure {
     pub member: usize,
     /// s
     pub at: f64,
-    /// The quantity is at most this there.
-    pub excess: f64,
+    /// Upper bound of the quantity there.
+    pub violation: f64,
 }
 
-/// Halvings of one piece.
+/// Most bisections of one piece.
 const DEEPEST: u32 = 24;
 
 impl Family<'_> {
@@ -71,19 +71,18 @@ impl Family<'_> {
     }
 }
 
-/// The largest value of any member at the nodes and the points between them that the spec's samples ask for, where it is
-/// above `most`.
+/// The largest value of any member at the nodes and the extra points given by the spec's samples, if it is above `most`.
 pub fn above_at_nodes(family: &Family, motion: &Motion, most: f64) -> Option<Failure> {
     let members = family.everything();
     let mut worst: Option<Failure> = None;
     for piece in 0..motion.pieces() {
-        // What does not jump is the same seen from either piece.
+        // A quantity that does not jump has the same value in both pieces.
         let ends = if family.jumps || piece + 1 == motion.pieces() { piece..=piece + 1 } else { piece..=piece };
         for node in ends {
             let state = motion.node_in(node, piece);
             keep_worst(&mut worst, above(family, &members, &state, motion.times[node], most));
         }
-        for at in motion.asked_within(piece) {
+        for at in motion.extra_instants(piece) {
             let state = motion.over(piece, at);
             keep_worst(&mut worst, above(family, &members, &state, motion.times[piece] + at.middle(), most));
         }
@@ -108,13 +107,13 @@ pub fn largest_on_grid(family: &Family, motion: &Motion, members: &[usize], poin
     worst
 }
 
-/// Units that [`largest_on_grid`] takes.
+/// Units of work of [`largest_on_grid`].
 pub fn cost_of_grid(family: &Family, motion: &Motion, members: usize, points: usize) -> u64 {
     (motion.pieces() as u64).saturating_mul(points as u64 + 2).saturating_mul(family.units(members))
 }
 
 fn keep_worst(worst: &mut Option<Failure>, found: Option<Failure>) {
-    if let Some(found) = found.filter(|f| worst.is_none_or(|w| exceeds(f.excess, w.excess))) {
+    if let Some(found) = found.filter(|f| worst.is_none_or(|w| exceeds(f.violation, w.violation))) {
         *worst = Some(found);
     }
 }
@@ -124,14 +123,14 @@ fn above(family: &Family, members: &[usize], state: &State, at: f64, most: f64) 
     let mut worst: Option<Failure> = None;
     for (&member, found) in members.iter().zip(&(family.evaluate)(state, members)) {
         if exceeds(found.value.high, most) {
-            keep_worst(&mut worst, Some(Failure { member, at, excess: found.value.high }));
+            keep_worst(&mut worst, Some(Failure { member, at, violation: found.value.high }));
         }
     }
     worst
 }
 
-/// For each member whether it is proved to stay at or below the bound at every instant; none is that the work left does not
-/// reach for.
+/// For each member whether it is proved to stay at or below `most` at every instant. A member for which the remaining work
+/// does not suffice is not proved.
 pub fn throughout(family: &Family, motion: &Motion, most: f64, purse: &mut Purse) -> Vec<bool> {
     let mut proof = Proof { family, motion, most, proved: vec![true; family.members], purse };
     for piece in 0..motion.pieces() {
@@ -158,7 +157,7 @@ struct Proof<'p> {
 }
 
 impl Proof<'_> {
-    /// The members that nothing speaks against so far.
+    /// The members that are not yet given up.
     fn open(&self) -> Vec<usize> {
         (0..self.proved.len()).filter(|&member| self.proved[member]).collect()
     }
@@ -181,7 +180,7 @@ impl Proof<'_> {
         }
     }
 
-    /// Halves a part of a piece until the mean value form keeps every member below: f(t) lies in f(m) + f'(T)(T - m).
+    /// Bisects a part of a piece until the mean value form bounds every member: f(t) lies in f(m) + f'(T)(T - m).
     fn over(&mut self, piece: usize, part: Interval, mut members: Vec<usize>, deeper: u32) {
         members.retain(|&member| self.proved[member]);
         if members.is_empty() {

@@ -1,5 +1,5 @@
-//! When things happen, from the spec alone: the nodes that a proof of no plan is about, and what a plan's node times have
-//! to agree with.
+//! Times that follow from the spec alone: the nodes of a proof that there is no plan, and the conditions on a plan's node
+//! times.
 
 use super::Rejection;
 use super::interval::exceeds;
@@ -10,17 +10,17 @@ use crate::model::{Mission, MissionTime, Model};
 use crate::number::number;
 use crate::source::Span;
 
-/// Two instants are one, as a share of the mission's time.
+/// Instants that differ by less than this share of the mission time count as equal.
 const SAME_TIME: f64 = 1e-9;
 
-/// A piece counts as no longer than another up to this share.
+/// A piece counts as longer than another only if it is longer by more than this share.
 const SAME_DURATION: f64 = 1e-6;
 
 fn apart(a: f64, b: f64, total: f64) -> bool {
     exceeds((a - b).abs(), SAME_TIME * total.max(1.0))
 }
 
-/// Whether two instants of a mission of `total` s are one.
+/// Whether two instants of a mission of `total` s count as equal.
 pub(super) fn is_one_time(a: f64, b: f64, total: f64) -> bool {
     !apart(a, b, total)
 }
@@ -39,7 +39,7 @@ pub(super) fn fixed_total(model: &Model, mission: &Mission) -> Option<f64> {
     }
 }
 
-/// Nodes without holds, in which nothing changes.
+/// Nodes of the flight; holds are omitted, because nothing changes in them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Grid {
     /// The mission's time, holds included, s.
@@ -49,20 +49,22 @@ pub(super) struct Grid {
     pub waypoint_nodes: Vec<usize>,
 }
 
-/// The nodes that the spec's times and samples ask for.
+/// The nodes given by the spec's times and samples.
 ///
 /// # Errors
-/// The spec leaves times open, or leaves some leg no time.
+/// The spec leaves times free, or leaves no time for some leg.
 pub(super) fn grid(model: &Model, mission: &Mission) -> Result<Grid, Rejection> {
     let span = Some(model.plan.time_span);
     if model.plan.chooses_times {
         return wrong(
-            "multipliers are about waypoint times that the spec lays down, and here they are free".into(),
+            "multipliers require waypoint times that are fixed by the spec, but here they are free".into(),
             span,
         );
     }
-    let Some(total) = fixed_total(model, mission) else { return wrong("the spec leaves the time open".into(), span) };
-    let Some(durations) = leg_durations(mission, total) else { return wrong("some leg is left no time".into(), span) };
+    let Some(total) = fixed_total(model, mission) else { return wrong("the spec leaves the time free".into(), span) };
+    let Some(durations) = leg_durations(mission, total) else {
+        return wrong("no time is left for some leg".into(), span);
+    };
     let (mut times, mut waypoint_nodes) = (vec![0.0], vec![0]);
     let mut begin = 0.0;
     for (&duration, count) in durations.iter().zip(pieces(mission, &durations, model.plan.samples)) {
@@ -72,19 +74,19 @@ pub(super) fn grid(model: &Model, mission: &Mission) -> Result<Grid, Rejection> 
     }
     match times.windows(2).all(|w| w[0] < w[1]) {
         true => Ok(Grid { total, times, waypoint_nodes }),
-        false => wrong("some leg is left too little time for its pieces".into(), span),
+        false => wrong("too little time is left for the pieces of some leg".into(), span),
     }
 }
 
-/// What a plan's times leave to be said: how far the motion has fewer pieces than the spec asks for.
+/// How much coarser a motion's grid is than the spec's.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Coarser {
     /// Legs with longer pieces than the spec's ([`is_coarser`]).
     pub legs: usize,
 }
 
-/// Holds a motion's node times against the spec, and asks for looks within pieces that are longer than the spec's samples
-/// make them.
+/// Compares a motion's node times with the spec, and adds points to check within pieces that are longer than the spec's
+/// samples give.
 ///
 /// # Errors
 /// The times are not those of the spec.
@@ -97,7 +99,7 @@ pub(super) fn check(
     let points = &mission.waypoints;
     let last = motion.times.len() - 1;
     let nodes = motion.waypoint_nodes.clone();
-    // Without this nothing below has a meaning, so it cannot be switched off.
+    // Everything below relies on this, so it is not a premise that can be disabled.
     let in_order = nodes.iter().all(|&n| n <= last) && nodes.windows(2).all(|w| w[0] < w[1]);
     if nodes.len() != points.len() || !in_order || nodes.first() != Some(&0) {
         let why = "each waypoint needs a node of its own, in flight order, the first at the start";
@@ -112,22 +114,22 @@ pub(super) fn check(
     }
 }
 
-/// Start, fixed times, holds, the end and the shares of the legs.
+/// Checks the start, fixed times, holds, the end and the shares of the legs.
 fn agrees(model: &Model, mission: &Mission, motion: &Motion) -> Result<(), Rejection> {
     let points = &mission.waypoints;
     let (times, nodes) = (&motion.times, &motion.waypoint_nodes);
     let end = times[times.len() - 1];
     if times[0] != 0.0 {
-        return wrong(format!("the motion begins at {} s", number(times[0])), None);
+        return wrong(format!("the motion begins at {} s, not at 0 s", number(times[0])), None);
     }
     if let Some(total) = fixed_total(model, mission).filter(|&total| apart(total, end, total)) {
-        let why = format!("the mission is to take {} s and takes {} s", number(total), number(end));
+        let why = format!("the mission must take {} s but takes {} s", number(total), number(end));
         return wrong(why, Some(model.plan.time_span));
     }
     for (i, point) in points.iter().enumerate() {
         let arrival = times[nodes[i]];
         if let Some(fixed) = point.time.filter(|&fixed| apart(fixed, arrival, fixed)) {
-            let why = format!("waypoint {} is due at {} s and reached at {} s", i + 1, number(fixed), number(arrival));
+            let why = format!("waypoint {} is due at {} s but reached at {} s", i + 1, number(fixed), number(arrival));
             return wrong(why, point.time_span);
         }
         let Some(leaves) = held_until(mission, motion, i) else {
@@ -135,14 +137,14 @@ fn agrees(model: &Model, mission: &Mission, motion: &Motion) -> Result<(), Rejec
             return wrong(why, point.hold_span);
         };
         if i + 1 == points.len() && leaves + 1 != times.len() {
-            return wrong("the motion goes on after the last waypoint".into(), Some(point.span));
+            return wrong("the motion continues after the last waypoint".into(), Some(point.span));
         }
     }
     if model.plan.chooses_times {
         return Ok(());
     }
     let Some(durations) = leg_durations(mission, end) else {
-        return wrong("some leg is left no time".into(), Some(model.plan.time_span));
+        return wrong("no time is left for some leg".into(), Some(model.plan.time_span));
     };
     let mut due = 0.0;
     for (i, duration) in durations.iter().enumerate() {
@@ -150,7 +152,7 @@ fn agrees(model: &Model, mission: &Mission, motion: &Motion) -> Result<(), Rejec
         let arrival = times[nodes[i + 1]];
         if apart(due, arrival, end) {
             let why = format!(
-                "waypoint {} is due at {} s, its share of the mission's time, and reached at {} s",
+                "waypoint {} is due at {} s, its share of the mission time, but reached at {} s",
                 i + 2,
                 number(due),
                 number(arrival)
@@ -161,7 +163,7 @@ fn agrees(model: &Model, mission: &Mission, motion: &Motion) -> Result<(), Rejec
     Ok(())
 }
 
-/// The node at which a waypoint's hold ends; its own where there is none.
+/// The node at which a waypoint's hold ends; its own node without a hold; `None` if no node is at that time.
 pub(super) fn held_until(mission: &Mission, motion: &Motion, waypoint: usize) -> Option<usize> {
     let node = motion.waypoint_nodes[waypoint];
     let hold = mission.waypoints[waypoint].hold;
@@ -174,8 +176,7 @@ pub(super) fn held_until(mission: &Mission, motion: &Motion, waypoint: usize) ->
     (node + 1..until).find(|&n| !apart(motion.times[n], ends, total))
 }
 
-/// Where a leg has pieces longer than the spec's samples make them there, rows are looked at within them as often as those
-/// samples would.
+/// Adds points to check within pieces that are longer than the spec's samples give, as densely as those samples.
 fn dense(model: &Model, mission: &Mission, motion: &mut Motion) -> Coarser {
     let mut legs = Vec::new();
     for leg in 0..mission.legs.len() {
@@ -183,22 +184,23 @@ fn dense(model: &Model, mission: &Mission, motion: &mut Motion) -> Coarser {
         legs.push((first, motion.waypoint_nodes[leg + 1]));
     }
     let durations: Vec<f64> = legs.iter().map(|&(a, b)| motion.times[b] - motion.times[a]).collect();
-    // Where the spec lays times down, its own durations count: pieces are shared out in whole numbers, and a difference in
-    // the last digit can give one to another leg.
+    // If the spec fixes the times, its own durations count: pieces are distributed in whole numbers, and a difference in the
+    // last digit can assign a piece to another leg.
     let end = motion.times[motion.times.len() - 1];
-    let laid_down = leg_durations(mission, end).filter(|_| !model.plan.chooses_times);
-    let due = laid_down.as_ref().unwrap_or(&durations);
-    let (asked, fewest) = (pieces(mission, due, model.plan.samples), fewest_pieces(mission, due, model.plan.samples));
+    let fixed = leg_durations(mission, end).filter(|_| !model.plan.chooses_times);
+    let due = fixed.as_ref().unwrap_or(&durations);
+    let (required, fewest) =
+        (pieces(mission, due, model.plan.samples), fewest_pieces(mission, due, model.plan.samples));
     let mut coarser = Coarser::default();
     for (leg, (&(first, last), &duration)) in legs.iter().zip(&durations).enumerate() {
         let begin = motion.times[first];
         let share = |t: f64| mission.spacing.share(duration, (t - begin) / duration);
         coarser.legs += usize::from(is_coarser(mission, &motion.times[first..=last], fewest[leg]));
         for piece in first..last {
-            let pieces = (share(motion.times[piece + 1]) - share(motion.times[piece])) * asked[leg] as f64;
+            let pieces = (share(motion.times[piece + 1]) - share(motion.times[piece])) * required[leg] as f64;
             if exceeds(pieces, 1.0 + SAME_DURATION) {
-                // At least one point between; a float cast saturates.
-                motion.ask(piece, ((pieces - SAME_DURATION).ceil() as usize).saturating_sub(1));
+                // At least one point inside; a float cast saturates.
+                motion.set_extra_points(piece, ((pieces - SAME_DURATION).ceil() as usize).saturating_sub(1));
             }
         }
     }

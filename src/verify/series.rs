@@ -1,15 +1,16 @@
-//! Truncated Taylor series in time with interval coefficients: the value of a quantity and its next derivatives, exact
-//! up to rounding, without a formula for any of them (Moore, Kearfott, Cloud, chapter 9).
+//! Truncated Taylor series in time with interval coefficients: enclosures of a quantity and its first derivatives without
+//! explicit formulas for these (Moore, Kearfott, Cloud, chapter 9).
 
 use super::interval::Interval;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// `sum of c_n s^n` for n < N. A quantity and its rate of change need two coefficients, and one more for each derivative
-/// taken on the way.
+/// `sum of c_n s^n` for n < N. A quantity and its rate of change need two coefficients, plus one for each derivative taken
+/// in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Series<const N: usize>(pub [Interval; N]);
 
 impl<const N: usize> Series<N> {
+    /// A quantity that does not change.
     pub fn constant(value: Interval) -> Self {
         let mut c = [Interval::ZERO; N];
         c[0] = value;
@@ -29,20 +30,22 @@ impl<const N: usize> Series<N> {
         }))
     }
 
+    /// Enclosure of the value.
     pub fn value(&self) -> Interval {
         self.0[0]
     }
 
-    /// The first derivative's value.
+    /// Enclosure of the first derivative.
     pub fn slope(&self) -> Interval {
         self.0[1]
     }
 
+    /// The product with a constant.
     pub fn times(&self, factor: Interval) -> Self {
         Series(self.0.map(|c| c * factor))
     }
 
-    /// The derivative with respect to time: one coefficient fewer is known.
+    /// The derivative with respect to time, of which one coefficient fewer is known.
     pub fn rate(&self) -> Self {
         Series(std::array::from_fn(|n| match self.0.get(n + 1) {
             Some(&c) => c * Interval::point((n + 1) as f64),

@@ -1,10 +1,10 @@
-//! A mode's set from exact arithmetic: every plane that three of its generators span; with `allocation =
-//! pseudo_inverse` ([`inverse`]) two planes for each rotor; with intervals ([`doubt`]) what holds for all values.
+//! A mode's set in exact arithmetic: every plane spanned by three of its generators; with `allocation = pseudo_inverse`
+//! ([`inverse`]) two planes per rotor; with intervals ([`doubt`]) planes that are valid for all values.
 //!
 //! The set is `{ c + sum of t_k g_k : 0 <= t_k <= 1 }`. In four dimensions it is the intersection of the half-spaces
 //! `n.w <= n.c + sum of max(0, n.g_k)` over all n orthogonal to three independent generators, and their negatives. All
-//! triples are taken and none is merged, so no tolerance enters: a triple that only rounding makes independent gives a
-//! plane that touches the set all the same.
+//! triples are used and none are merged, so no tolerance is involved: a triple that is independent only because of rounding
+//! still gives a plane that touches the set.
 
 pub mod doubt;
 pub mod inverse;
@@ -20,8 +20,8 @@ use std::cmp::Ordering;
 /// The name of the set without faults.
 pub const HEALTHY: &str = "healthy";
 
-/// Three generators are independent, and the plane they span bounds the set in a facet, where the volume they span, each of
-/// length 1 in units of the set's extent along each axis, is more than this. What is less may be rounding alone.
+/// Three generators count as independent, and their plane as one that contains a facet, if the volume that they span is
+/// more than this, each scaled to length 1 in units of the set's extent along each axis. A smaller volume may be rounding.
 const INDEPENDENT: f64 = 1e-6;
 
 type Exact = [Dyadic; 4];
@@ -31,20 +31,21 @@ type Exact = [Dyadic; 4];
 pub struct Plane {
     pub normal: [Interval; 4],
     pub offset: Interval,
-    /// The rotors that span it, from 1; fewer than three in a flat set. Of the pseudo-inverse the one that is at a bound;
-    /// none where the row says that T is not negative.
+    /// The rotors that span it, from 1; fewer than three in a flat set. With the pseudo-inverse, the one at a bound; none for
+    /// the row T >= 0.
     pub rotors: Vec<usize>,
-    /// Whether the plane is known to hold a facet of the set; others may only touch it.
+    /// Whether the plane is known to contain a facet of the set; others may only touch it.
     pub is_facet: bool,
 }
 
 impl Plane {
-    /// n.w - e: positive outside.
-    pub fn excess(&self, wrench: &[Interval; 4]) -> Interval {
+    /// n.w - e: positive outside, in widths of the healthy set.
+    pub fn violation(&self, wrench: &[Interval; 4]) -> Interval {
         along(&self.normal, wrench) - self.offset
     }
 }
 
+/// The scalar product.
 pub fn along(normal: &[Interval; 4], vector: &[Interval; 4]) -> Interval {
     (0..4).fold(Interval::ZERO, |sum, i| sum + normal[i] * vector[i])
 }
@@ -53,21 +54,21 @@ pub fn along(normal: &[Interval; 4], vector: &[Interval; 4]) -> Interval {
 #[derive(Debug, Clone)]
 pub struct Generators {
     center: Exact,
-    /// One per rotor; zero where it has no freedom.
+    /// One per rotor; zero if it cannot vary.
     own: Vec<Exact>,
-    /// Those of the healthy vehicle.
+    /// Generators of the healthy vehicle.
     healthy: Vec<Exact>,
     hover: Exact,
-    /// The share of the way from hover to each plane that is left: one minus the reserve.
+    /// The share of the distance from hover to each plane that plans may use: one minus the reserve.
     kept: Interval,
-    /// What is left out where rotors or the mass are known to within intervals.
+    /// How the set shrinks if rotors or the mass are known only to within intervals.
     doubts: Option<Doubts>,
     /// With `allocation = pseudo_inverse`.
     inverse: Option<Inverse>,
 }
 
-/// b w^2 (1, y, -x, -/+ d/b) for the square of a speed: thrust, and its torques about the centre of gravity; P drags
-/// clockwise. Factors on thrust and on d/b.
+/// b w^2 (1, y, -x, -/+ d/b): thrust and torques about the centre of gravity of a rotor at a speed (rad/s); the drag of P
+/// rotors is clockwise. `thrust` and `ratio` are factors on b w^2 and on d/b.
 fn wrench_at(rotor: &Rotor, speed: f64, thrust: &Dyadic, ratio: &Dyadic) -> Exact {
     let [x, y, b, d, speed] =
         [rotor.position[0], rotor.position[1], rotor.thrust_coefficient, rotor.drag_coefficient, speed].map(Dyadic::of);
@@ -103,14 +104,17 @@ fn is_zero(v: &Exact) -> bool {
 }
 
 impl Generators {
-    /// Of `healthy` or a fault mode, by name.
+    /// The generators of `healthy` or of a fault mode, by name.
+    ///
+    /// # Errors
+    /// The spec has no such mode.
     pub fn of(model: &Model, mode: &str) -> Result<Self, Rejection> {
         let unknown = || Rejection::new(format!("the set of {mode}"), "the spec has no such mode");
         let found = if mode == HEALTHY { None } else { Some(mode_named(model, mode).ok_or_else(unknown)?) };
         Ok(Generators::new(&model.vehicle, model.gravity, found, model.plan.reserve))
     }
 
-    /// Of a mode, `None` for the healthy vehicle.
+    /// The generators of a mode, `None` for the healthy vehicle.
     pub fn new(vehicle: &Vehicle, gravity: f64, mode: Option<&FaultMode>, reserve: f64) -> Self {
         let nominal = |rotor: &Rotor| {
             let one = Dyadic::of(1.0);
@@ -149,7 +153,7 @@ impl Generators {
         }
     }
 
-    /// Planes that [`Generators::planes`] works out, at most.
+    /// Most planes that [`Generators::planes`] may return.
     pub fn planes_at_most(&self) -> u64 {
         let n = self.own.len() as u64;
         match self.inverse {
@@ -158,7 +162,7 @@ impl Generators {
         }
     }
 
-    /// The facet that a certificate names by rotors, on the side that `towards` points to; `None` where they name none.
+    /// The facet that a certificate names by rotors, on the side to which `towards` points; `None` if they name none.
     pub fn named(&self, rotors: &[usize], towards: &[f64; 4]) -> Option<Facet> {
         let towards = towards.map(Dyadic::of);
         if let Some(inverse) = &self.inverse {
@@ -178,7 +182,7 @@ impl Generators {
         Some(self.facet(&normal, &self.support(&normal), rotors))
     }
 
-    /// As certificates print it: of length 1, the intervals taken off, the reserve not.
+    /// The facet as certificates print it: normal of length 1, shrunk by intervals, not by the reserve.
     fn facet(&self, normal: &Exact, offset: &Dyadic, rotors: &[usize]) -> Facet {
         let (row, bound) = self.row(normal, offset);
         let length = row.iter().fold(Interval::ZERO, |sum, n| sum + n.square()).sqrt();
@@ -189,14 +193,16 @@ impl Generators {
         }
     }
 
-    /// Every plane that bounds the set. An error where the set has fewer than three dimensions, or the pseudo-inverse does
-    /// not give all four.
+    /// Every plane that bounds the set.
+    ///
+    /// # Errors
+    /// The set has fewer than three dimensions, or fewer than four with the pseudo-inverse.
     pub fn planes(&self) -> Result<Vec<Plane>, String> {
         let mut planes = match &self.inverse {
             Some(_) if self.lacking().is_some() => return Err(inverse::NOT_ALL_GIVEN.into()),
             Some(inverse) => {
                 let rows = inverse.rows()?;
-                // A rotor's bound may be out of the others' reach.
+                // A rotor's bound may be unreachable because of the others, so the plane need not contain a facet.
                 rows.into_iter()
                     .map(|(rotor, normal, offset)| self.plane(&normal, &offset, vec![rotor], false))
                     .collect()
@@ -222,7 +228,7 @@ impl Generators {
                     let normal = orthogonal(&self.own[a], &self.own[b], &self.own[c]);
                     if !is_zero(&normal) {
                         let independent = volume([&scaled[a], &scaled[b], &scaled[c]]) > INDEPENDENT;
-                        // What intervals take off a plane may leave it out of the others' reach.
+                        // A plane moved by intervals may no longer contain a facet.
                         let is_facet = independent && self.doubts.is_none();
                         normals.push((normal, vec![a + 1, b + 1, c + 1], is_facet));
                     }
@@ -233,8 +239,8 @@ impl Generators {
             return Err("it has fewer than three dimensions".into());
         }
         if let Some(lacking) = self.lacking() {
-            // Flat: with the direction it lacks, two generators span what bounds it within its three dimensions. Planes that
-            // only rounding keeps from being parallel do not, given a tolerance.
+            // Flat: two generators and the missing direction span a plane that bounds the set within its three dimensions.
+            // Planes that are not parallel only because of rounding would not bound it, given a tolerance.
             for (i, &a) in used.iter().enumerate() {
                 for &b in &used[i + 1..] {
                     let normal = orthogonal(&self.own[a], &self.own[b], &lacking);
@@ -251,8 +257,8 @@ impl Generators {
         Ok(normals.into_iter().flat_map(both).collect())
     }
 
-    /// The direction that a flat set lacks, up to rounding: that of the three generators furthest from dependence, where all
-    /// others lie between them.
+    /// The direction that a flat set lacks, up to rounding: the normal of the three generators that span the largest volume,
+    /// if all others lie in their span.
     fn lacking(&self) -> Option<Exact> {
         let extent = self.extents();
         let used: Vec<&Exact> = self.own.iter().filter(|g| !is_zero(g)).collect();
@@ -275,13 +281,13 @@ impl Generators {
         scaled.iter().all(within).then_some(normal)
     }
 
-    /// How far all generators together reach along each axis.
+    /// The extent of all generators together along each axis.
     fn extents(&self) -> [f64; 4] {
         let reach = |axis: usize| self.own.iter().map(|g| g[axis].enclosure().magnitude()).sum::<f64>();
         std::array::from_fn(|axis| reach(axis).max(f64::MIN_POSITIVE))
     }
 
-    /// Bounds on T, tau_x, tau_y and tau_z over the set, the reserve taken off: those of all that the rotors give.
+    /// Bounds on T, tau_x, tau_y and tau_z over the set of everything that the rotors can give, shrunk by the reserve.
     pub fn extent(&self) -> [Interval; 4] {
         std::array::from_fn(|axis| {
             let reach = |sign: f64| {
@@ -301,7 +307,7 @@ impl Generators {
         reach.fold(dot(normal, &self.center), |sum, v| sum.plus(&v))
     }
 
-    /// n.w <= e with what intervals take away.
+    /// n.w <= e after shrinking by intervals.
     fn row(&self, normal: &Exact, offset: &Dyadic) -> ([Interval; 4], Interval) {
         match &self.doubts {
             Some(doubts) => doubts.row(normal, offset),
@@ -354,7 +360,7 @@ fn absolute(values: impl Iterator<Item = Dyadic>) -> Dyadic {
     })
 }
 
-/// A facet as certificates print it, and the half-space.
+/// A facet as certificates print it, and its half-space.
 #[derive(Debug, Clone)]
 pub struct Facet {
     /// Of length 1 in N and N m.

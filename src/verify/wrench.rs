@@ -1,4 +1,4 @@
-//! The wrench of a motion, worked out from series in time: no derivative is taken by hand.
+//! The wrench of a motion, computed with series in time, so that no derivative has an explicit formula.
 
 use super::interval::Interval;
 use super::motion::{State, X, Y, YAW, Z, series};
@@ -6,12 +6,12 @@ use super::series::{Series, Vector, cross, dot, unit};
 use crate::certificate::DynamicModel;
 use crate::model::Vehicle;
 
-/// What is held against a set.
+/// A quantity that must stay in a set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Held {
     /// The wrench w of the motion.
     Wrench,
-    /// What rotors that lag by `tau` s are commanded for it: w + tau w' (docs/method.md, (81)).
+    /// The commanded wrench of rotors that lag by `tau` s: w + tau w' (docs/method.md, (81)).
     Commands { tau: Interval },
 }
 
@@ -22,29 +22,30 @@ pub struct Wrench {
     pub rate: [Interval; 4],
 }
 
-/// What turns motions into wrenches.
+/// The equations that give the wrench of a motion.
 #[derive(Debug, Clone)]
 pub struct Dynamics<'a> {
     pub vehicle: &'a Vehicle,
     /// m/s^2
     pub gravity: f64,
     pub model: DynamicModel,
-    /// rad: where all waypoints ask for one yaw, the hover model's torques are taken there.
+    /// If all waypoints have the same yaw, the yaw at which the hover model is linearised, rad.
     pub one_yaw: Option<f64>,
 }
 
 impl Dynamics<'_> {
+    /// The wrench at a state and its rate of change.
     pub fn wrench(&self, state: &State) -> Wrench {
         // A torque needs the attitude's second derivative, and its rate of change the third.
         rated(self.series::<4>(state))
     }
 
-    /// T, tau_x, tau_y, tau_z alone: N, N m. A torque needs the attitude's second derivative.
+    /// T, tau_x, tau_y, tau_z without rates: N, N m. A torque needs the attitude's second derivative.
     pub fn value(&self, state: &State) -> [Interval; 4] {
         self.series::<3>(state).map(|part| part.value())
     }
 
-    /// What is held against sets, at a state whose inputs have the slopes of its piece.
+    /// The quantity `held` at a state whose inputs have the slopes of its piece.
     pub fn held(&self, held: Held, state: &State) -> Wrench {
         match held {
             Held::Wrench => self.wrench(state),

@@ -273,7 +273,7 @@ impl Truth {
         let wrench = motion.wrench(&self.model.vehicle, g, &state);
         found.push((Falsehood::Set, most(rows, &wrench) / ROW));
         if let Some(tau) = self.model.thrust_lag() {
-            let lead = motion.lead(&self.model.vehicle, g, tau, k, &state);
+            let lead = motion.commanded(&self.model.vehicle, g, tau, k, &state);
             found.push((Falsehood::Commands, most(rows, &lead) / ROW));
         }
         if self.equations == WrenchModel::Exact {

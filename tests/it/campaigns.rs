@@ -267,9 +267,9 @@ fn four_shards_one_of_them_killed_merge_to_the_bytes_of_one_run() {
     }
     // What is missing is named.
     let told = desk.run(&["merge", "-o", "all.csv", "1.csv", "2.csv", "4.csv"], 2);
-    assert!(told.contains("cases are missing, cases 2, 6, 10, 14, 18 and 61 more: they are of shard 3/4"), "{told}");
+    assert!(told.contains("cases are missing, cases 2, 6, 10, 14, 18 and 61 more: they belong to shard 3/4"), "{told}");
     let told = desk.run(&["merge", "-o", "all.csv", "1.csv", "2.csv", "3.csv.part", "4.csv"], 2);
-    assert!(told.contains("are of shard 3/4") || told.contains("is torn"), "{told}");
+    assert!(told.contains("belong to shard 3/4") || told.contains("is incomplete"), "{told}");
     assert!(!desk.path("all.csv").exists());
 
     // A torn last line, as a machine that stops may leave it.
@@ -291,7 +291,7 @@ fn four_shards_one_of_them_killed_merge_to_the_bytes_of_one_run() {
 
     // A shard given twice.
     let told = desk.run(&["merge", "-o", "all.csv", "1.csv", "2.csv", "3.csv", "4.csv", "2.csv"], 2);
-    assert!(told.contains("case 1 is both in 2.csv and in 2.csv"), "{told}");
+    assert!(told.contains("case 1 is in both 2.csv and 2.csv"), "{told}");
     // Nothing is written over a file that is read, and other rows are not joined.
     let told = desk.run(&["merge", "-o", "1.csv", "1.csv", "2.csv"], 2);
     assert!(told.contains("a file that is read"), "{told}");
@@ -323,7 +323,7 @@ fn rows_of_another_campaign_or_shard_are_not_gone_on_with() {
     let damaged = String::from_utf8(before.clone()).unwrap().replacen(",flown,", ",fl\u{fffd}wn,", 1);
     std::fs::write(desk.path("rows.csv.part"), damaged).unwrap();
     let told = desk.run(&["hop.mav", "--times", "2", "--seeds", "1", "-o", "rows.csv"], 2);
-    assert!(told.contains("rows.csv.part, line 2: ") && told.contains("is no outcome"), "{told}");
+    assert!(told.contains("rows.csv.part, line 2: ") && told.contains("is not a valid outcome"), "{told}");
     // Nor are finished rows of another campaign replaced: they may have taken hours.
     std::fs::remove_file(desk.path("rows.csv.part")).unwrap();
     std::fs::write(desk.path("rows.csv"), &before).unwrap();
@@ -409,8 +409,8 @@ fn reports_are_as_their_schema_says() {
     schema.assert_valid(&whole);
     assert_eq!(whole["flights"], whole["cases"]);
     let gone = &whole["planners"][0]["modes"][0];
-    assert_eq!((&gone["name"], &gone["inside"]), (&Value::from("gone"), &Value::from(false)));
-    assert_eq!(gone["last_outside_s"], 4.0);
+    assert_eq!((&gone["name"], &gone["hover_inside"]), (&Value::from("gone"), &Value::from(false)));
+    assert_eq!(gone["last_violation_s"], 4.0);
     assert_eq!(gone["flights"]["survival"]["share"], 0.0);
     for pointer in ["", "/planners/0", "/planners/0/modes/0", "/planners/0/modes/0/flights", "/agreement/0/by_flight/0"]
     {
@@ -419,7 +419,7 @@ fn reports_are_as_their_schema_says() {
         assert!(!schema.is_valid(&more), "{pointer} may have any member");
     }
 
-    // Too fast for any plan, and a mode that nothing can stand: 3, with a report.
+    // A time too short for any plan, and a mode that cannot be tolerated: exit code 3, with a report.
     desk.run(&[&size[..], &["--set", "plan.time=0.2s"]].concat(), 3);
     schema.assert_valid(&report("r.json"));
     assert_eq!(report("r.json")["planners"][0]["verdict"], "proved infeasible");

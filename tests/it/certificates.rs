@@ -1,5 +1,5 @@
 //! Certificates: what the checker's own arithmetic, sets and wrenches say against other ways to the same, and that no
-//! false claim passes.
+//! false claim is accepted.
 
 mod arithmetic;
 mod between;

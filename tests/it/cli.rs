@@ -151,7 +151,7 @@ fn a_mode_that_cannot_hover_ends_with_3_and_a_report() {
 }
 
 #[test]
-fn modes_with_one_answer_share_a_diagnostic() {
+fn modes_with_the_same_finding_share_a_diagnostic() {
     let args = ["check", "-", "--format", "json", "--set", "plan.against=all"];
     let ran = mavc_with(&args, HOP);
     assert_eq!(code(&ran), 3);
@@ -159,17 +159,17 @@ fn modes_with_one_answer_share_a_diagnostic() {
     assert_eq!(records.len(), 1, "{}", out(&ran));
     assert_eq!(records[0]["message"], "with each of the fault modes M1, M2, M3 and M4 the vehicle cannot hold its yaw");
     assert_eq!(records[0]["labels"][1]["file"], "--set");
-    // Where no mission is planned, nothing has to be stood.
+    // Without a mission no mode has to be tolerated.
     let vehicle = HOP.split("mission").next().unwrap();
     assert_eq!(code(&mavc_with(&["check", "-", "--deny", "warnings"], vehicle)), 0);
-    // Where `against` is not written, no place asks for the modes.
+    // Without `against` there is no place in the spec to point at.
     let ran =
         mavc_with(&["check", "-", "--format", "json", "--set", "plan.reserve=0"], &HOP.replace("against = [weak]", ""));
-    assert!(!out(&ran).contains("must stand"), "{}", out(&ran));
+    assert!(!out(&ran).contains("must tolerate"), "{}", out(&ran));
 }
 
 #[test]
-fn a_broken_override_is_all_that_is_told() {
+fn only_the_broken_override_is_reported() {
     for set in ["plan.against", "plan.against=[", "plan.agianst=[M1]", "wind.speed=3"] {
         let ran = mavc_with(&["check", "-", "--format", "short", "--set", set], HOP);
         assert_eq!(code(&ran), 1);

@@ -312,8 +312,8 @@ fn what_the_command_line_says_is_changed_there() {
     let (files, model, explanation) = explained(&text);
     let told = diagnose(&explanation, &model, model.mission.as_ref().unwrap(), &files.sources);
     let labels: Vec<&str> = told.labels.iter().map(|label| label.message.as_str()).collect();
-    assert!(labels.contains(&"in 9 s, says `--set`"), "{labels:?}");
-    assert!(labels.contains(&"`speed <= 5.5 m/s` kept, says `--set`"), "{labels:?}");
+    assert!(labels.contains(&"in 9 s, set by `--set`"), "{labels:?}");
+    assert!(labels.contains(&"`speed <= 5.5 m/s` satisfied, set by `--set`"), "{labels:?}");
     // Labels of the spec's own text come first.
     assert_eq!(file_name(&files.sources.get(told.span.file).name), text.name);
     let mut offered = 0;
@@ -438,7 +438,7 @@ fn times_offered_are_not_below_what_closed_forms_allow() {
     ];
     for (name, least, more) in cases {
         let time = time_of(name);
-        // Between nodes a limit may be passed by 5 %.
+        // Between nodes a limit may be violated by 5 %.
         assert!(time > 0.95 * least && time <= least * more, "{name}: {time} s, at least {least} s");
     }
 }

@@ -1,4 +1,4 @@
-//! The exact model: flatness against the rigid body, plans against what was asked for, and what is said where there is none.
+//! The exact model: flatness against the rigid body, plans against the spec, and what is reported without a plan.
 
 mod agreement;
 mod binding;

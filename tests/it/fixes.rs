@@ -1,4 +1,4 @@
-//! Every fix that a diagnostic offers mends what it says: the diagnostic goes, none comes, and taking one fix after the
+//! Every fix that a diagnostic offers works: the diagnostic goes, no new one appears, and applying one fix after the
 //! other comes to an end.
 
 use super::errors::compile;
@@ -25,7 +25,7 @@ fn apply(diagnostic: &Diagnostic, sources: &SourceMap, before: &Mended) -> Mende
     after
 }
 
-/// How often each code is told, warnings left out: one may come to light once nothing worse hides it.
+/// How often each code is reported, without warnings, which may appear once no error hides them.
 fn errors(diagnostics: &[Diagnostic]) -> BTreeMap<&'static str, usize> {
     let mut count = BTreeMap::new();
     let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
@@ -112,7 +112,7 @@ fn check(path: &Path, failures: &mut Vec<String>) -> usize {
 }
 
 #[test]
-fn every_fix_in_the_corpora_mends_and_they_come_to_an_end() {
+fn every_fix_in_the_corpora_works_and_they_come_to_an_end() {
     let (mut failures, mut count) = (Vec::new(), 0);
     insta::glob!("../specs", "{errors/*,several}/*.mav", |path: &Path| count += check(path, &mut failures));
     assert!(failures.is_empty(), "{} of {count} fixes fail\n{}", failures.len(), failures.join("\n"));

@@ -38,7 +38,7 @@ fn staying(place: [f64; 3], yaw: f64, duration: f64) -> Trajectory {
     }
 }
 
-/// Without noise, and with a controller that is told nothing.
+/// Without noise, and with a controller that never learns of faults.
 fn quiet(mut model: Model) -> Model {
     model.simulation.gyroscope_noise = 0.0;
     model.simulation.position_noise = 0.0;

@@ -99,7 +99,7 @@ fn the_lightest_mass_is_where_all_rotors_idle() {
 }
 
 #[test]
-fn no_rotor_is_told_to_turn_slower_than_it_may() {
+fn no_rotor_is_commanded_below_its_lowest_speed() {
     let model = idling("PPNNPPNN", &[300.0, 0.0, 450.0]);
     let mut belief = Belief::healthy(8);
     belief.capacity[2] = 0.0;

@@ -181,7 +181,7 @@ fn three_verdicts() {
 }
 
 /// By how much hover alone is worse for not knowing the drag: known in closed form on a ring of alternating spins.
-/// With T spread evenly, yaw can be held as long as (kappa - delta) of the room outweighs delta T.
+/// With T spread evenly, yaw can be held while (kappa - delta) times the thrust left over exceeds delta T.
 #[test]
 fn torque_ratios_cost_yaw_in_proportion_to_thrust() {
     let model = uncertain(ring_model("PNPN", 1.0, [0.01; 3], 1e-5, 1.6e-7, 800.0), 0.0, 0.0, 0.1);

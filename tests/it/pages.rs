@@ -191,7 +191,7 @@ fn a_page_without_a_plan_explains_itself_in_the_spec() {
     assert_eq!(ran.status.code(), Some(3));
     assert!(text.contains("Nothing was planned") && text.contains("mavc::analysis::cannot_hover"));
     assert!(String::from_utf8_lossy(&ran.stdout).contains("Page written to "));
-    assert!(between(&text, "id=\"found\"", "</section>").contains("To mend it: "));
+    assert!(between(&text, "id=\"found\"", "</section>").contains("To fix it: "));
     assert!(text.contains("against bad, ") && !text.contains("Committed"));
     // Mistakes are told where they were made: nothing is written.
     std::fs::remove_file(dir.path().join("report.html")).unwrap();
@@ -233,7 +233,7 @@ fn pages_stay_small() {
     let (ran, text) = page(&["plan", &written(dir.path(), &(spec + &filler))], dir.path());
     assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
     assert!(text.len() < 3_000_000, "{}", text.len());
-    assert!(text.contains("lines left out"));
+    assert!(text.contains("lines omitted"));
     assert!(content(&text)["sets"].as_array().unwrap().len() <= 25);
 }
 
@@ -290,12 +290,12 @@ fn flights_and_campaigns_have_pages() {
     assert!(!own(&text).contains("<img"));
     // Why there is no phi, in words.
     let undefined = recorded()["agreement"][0]["by_flight"][0]["phi"].is_null();
-    assert_eq!(undefined, text.contains("the prediction cannot be judged") || text.contains("tells nothing"));
+    assert_eq!(undefined, text.contains("the prediction cannot be judged") || text.contains("carries no information"));
 }
 
 /// The page tells a lost flight, and the delay of detection, in the words of the text.
 #[test]
-fn a_lost_flight_is_told_as_in_the_text() {
+fn a_lost_flight_is_reported_as_in_the_text() {
     let dir = tempfile::tempdir().unwrap();
     let spec = HOSTILE.replace(
         "yaw_rate <= 90 deg/s }",
@@ -305,7 +305,7 @@ fn a_lost_flight_is_told_as_in_the_text() {
     let (ran, text) = page(&["simulate", &spec], dir.path());
     assert_eq!(ran.status.code(), Some(6), "{}", String::from_utf8_lossy(&ran.stderr));
     let told = String::from_utf8(ran.stdout).unwrap();
-    let cause = "more than 0.01 m from its place";
+    let cause = "more than 0.01 m off the plan";
     assert!(told.contains(cause), "{told}");
     let text = own(&text).replace('\u{a0}', " ");
     assert!(text.contains(cause), "{}", between(&text, "headline", "</h2>"));

@@ -265,7 +265,7 @@ proptest! {
         let points = &mission.waypoints;
         let last = points.len() - 1;
         let Some(p) = time_grid(&mission, total, samples) else {
-            // Some stretch between fixed times is filled by holds.
+            // Holds fill the time between some two fixed times.
             let mut from = 0;
             let mut leave = 0.0;
             let mut squeezed = false;

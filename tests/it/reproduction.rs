@@ -47,7 +47,7 @@ impl Number<'_> {
             return 1.01 * RESOLUTION;
         }
         if is_count {
-            // A facet counts where it is passed by a ten-thousandth of the set's width, and some are just passed.
+            // A facet counts as violated from a ten-thousandth of the set's width on, and some violations are close to that.
             return (0.03 * value).ceil().max(2.0);
         }
         // Plans are the solver's to about 1e-4; the last digit may round either way.
@@ -151,7 +151,7 @@ fn the_page_says_what_is_computed() {
 /// the page says, of which an evaluation of its own finds nothing outside.
 #[test]
 #[ignore = "seconds long: cargo test -- --include-ignored"]
-fn shortest_times_of_the_exact_model_stand() {
+fn shortest_times_of_the_exact_model_are_reproduced() {
     let page = page();
     let rows: Vec<Vec<&str>> = exact::written(&page)
         .lines()
@@ -175,7 +175,7 @@ fn shortest_times_of_the_exact_model_stand() {
 
 #[test]
 fn a_changed_page_is_noticed() {
-    let page = "## What faults leave\n\n| 1 | 0.1956 | agrees |\n\n## Case 1\n\n\
+    let page = "## Fault sets and verdicts\n\n| 1 | 0.1956 | agrees |\n\n## Case 1\n\n\
                 | planner | T, paper | T | e_R m | pairs |\n|---|---|---|---|---|\n\
                 | RCP M1 | 20 s | 16.00 s | 0.8951 | 57 |\n";
     assert!(differences(page, page).is_empty());

@@ -39,7 +39,7 @@ fn tiny_risks_keep_their_digits() {
     assert_eq!(risk([]), 0.0);
 }
 
-/// A flight of the paper's curve that cares for no fault, at a time at which it passes the set of rotor 1's loss.
+/// A plan along the paper's curve that ignores faults, at a time at which it violates the set of rotor 1's loss.
 fn careless(modes: &[usize]) -> Model {
     let mut model = paper_case(PlannerKind::Rip, modes);
     model.plan.samples = 100;
@@ -109,7 +109,7 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
     for time in [MissionTime::Minimum, MissionTime::Fixed(18.0)] {
         let free = required(0.9, time);
         let nothing = run(&free, Scope::Plan);
-        // A bound that the RIP plan keeps asks for no protection.
+        // A bound that the RIP plan keeps needs no protection.
         assert_eq!(nothing.trade_off.len(), 1);
         assert_eq!(nothing.trade_off[0].added, Protection::Nothing);
         let before = nothing.trade_off[0].risk;
@@ -132,7 +132,7 @@ fn a_required_risk_is_kept_and_each_addition_takes_risk_away() {
 }
 
 #[test]
-fn a_risk_that_cannot_be_kept_is_told_with_the_best_curve() {
+fn a_risk_that_cannot_be_kept_is_reported_with_the_best_curve() {
     // At 16 s RIP has a plan and RCP jointly, from 16.83 s on, has none.
     let mut model = required(0.0, MissionTime::Fixed(16.2));
     model.plan.samples = 100;
@@ -199,7 +199,7 @@ fn a_required_risk_is_kept_in_the_exact_model() {
 #[test]
 #[ignore = "seconds long: cargo test -- --include-ignored"]
 fn the_facet_passed_last_is_among_what_is_tried() {
-    // At the shortest times one facet is cheaper than all that are passed.
+    // At the shortest times adding one facet is cheaper than adding all that are violated.
     let finer = |bound: f64| {
         let mut model = required(bound, MissionTime::Minimum);
         model.plan.samples = 60;
@@ -244,7 +244,7 @@ fn told(command: &str, spec: &str, arguments: &[&str]) -> (i32, String, Value) {
 }
 
 #[test]
-fn reports_tell_what_the_mission_does_after_each_fault() {
+fn reports_show_what_the_mission_does_after_each_fault() {
     for model in ["hover", "exact"] {
         let choice = format!("plan.model={model}");
         let (code, text, json) = told("plan", DROP, &["--set", &choice]);
@@ -253,26 +253,26 @@ fn reports_tell_what_the_mission_does_after_each_fault() {
         let [weak, tired] = [0, 1].map(|i| &run["modes"][i]);
         assert_eq!((&weak["after_fault"], &tired["after_fault"]), (&"hold".into(), &"continue".into()));
         let [held, flown] = [weak, tired].map(|mode| mode["committed_s"].as_f64().unwrap());
-        assert_eq!(tired["committed_s"], tired["last_outside_s"]);
+        assert_eq!(tired["committed_s"], tired["last_violation_s"]);
         assert!(0.0 < held && held < flown, "{held} {flown}");
         let rate = 1e-4 / 3600.0;
         let risk = run["risk"].as_f64().unwrap();
         assert!((risk / (rate * (held + flown)) - 1.0).abs() < 1e-6, "{risk}");
-        assert!(text.contains("last outside  after it  committed"), "{text}");
+        assert!(text.contains("last violation  after fault  committed"), "{text}");
         let row = |name: &str| text.lines().find(|l| l.trim_start().starts_with(name)).unwrap();
         let last_cells = |name: &str| row(name).split_whitespace().rev().take(3).collect::<Vec<_>>();
         assert_eq!(last_cells("weak"), ["s", &format!("{held:.2}"), "hold"], "{text}");
         assert_eq!(last_cells("tired"), ["s", &format!("{flown:.2}"), "continue"], "{text}");
         let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(flat.contains("one that is not found may exist, and counts as none"), "{text}");
+        assert!(flat.contains("a stop that was not found may exist, but is not counted"), "{text}");
     }
     // Where every mode continues the report has no such columns.
     let (_, text, json) = told("plan", DROP, &["--set", "plan.model=hover", "--set", "plan.against=[tired]"]);
-    assert!(!text.contains("after it") && text.contains("before its last instant outside"), "{text}");
+    assert!(!text.contains("after fault") && text.contains("before its last violation"), "{text}");
     assert_eq!(json["planners"][0]["modes"][0]["after_fault"], "continue");
 }
 
-/// Under a turning yaw the hover model's wrench bends between nodes, where even RCP passes its rows by a little.
+/// Under a changing yaw the hover model's wrench is not linear between nodes, where even RCP violates its rows slightly.
 #[test]
 fn risk_says_where_it_counts_only_what_lies_between_samples() {
     let spec = r#"
@@ -292,12 +292,12 @@ mission turning {
 }
 plan { planner = rcp; model = hover; against = [M1, M2]; time = 5.1 s; samples = 40 }
 "#;
-    let said = "For M1 and M2 it counts only what lies between samples, at most";
+    let said = "For M1 and M2 it counts only violations between samples, of at most";
     let told_of = |arguments: &[&str]| {
         let (code, text, json) = told("plan", spec, arguments);
         assert_eq!(code, 0, "{text}");
         let modes = json["planners"][0]["modes"].as_array().unwrap();
-        let at_nodes = modes.iter().any(|mode| mode["positions"].as_u64().unwrap() > 0);
+        let at_nodes = modes.iter().any(|mode| mode["violated_nodes"].as_u64().unwrap() > 0);
         let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
         (flat.contains(said), at_nodes, json["planners"][0]["risk"].as_f64().unwrap(), text)
     };
@@ -315,13 +315,13 @@ fn comparisons_count_risk_by_what_is_done_after_a_fault() {
     let rip = json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rip").unwrap();
     let mode = &rip["modes"][0];
     let cell = |key: &str| format!("{:.2}", mode[key].as_f64().unwrap());
-    let shown = format!("{} ({}; {})", cell("outside_s"), cell("last_outside_s"), cell("committed_s"));
+    let shown = format!("{} ({}; {})", cell("violation_duration_s"), cell("last_violation_s"), cell("committed_s"));
     assert!(text.contains(&shown), "{shown}\n{text}");
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(flat.contains("where the mission holds, the last one without a stop after it"), "{text}");
+    assert!(flat.contains("with `hold` also the last instant without a stop"), "{text}");
 }
 
-/// A descent that what is left can fly, with a bound on the risk.
+/// A descent that the faulty vehicle can fly, with a bound on the risk.
 fn slower(bound: f64) -> String {
     DROP.replace("time = 5 s", "time = 8 s").replace("planner = rip", &format!("require risk <= {bound}"))
 }
@@ -347,13 +347,13 @@ fn a_required_risk_counts_stops() {
         let (last, run) = (curve.last().unwrap(), &json["planners"][0]);
         assert_eq!((&last["risk"], &last["time_s"]), (&run["risk"], &run["time_s"]));
         assert!(last["risk"].as_f64().unwrap() <= bound);
-        assert!(text.contains("What to protect for a risk of at most") && text.contains("nothing"), "{text}");
-        assert_eq!(text.lines().filter(|l| l.trim_start().starts_with("and ")).count(), curve.len() - 1, "{text}");
+        assert!(text.contains("Protection for a risk of at most") && text.contains("nothing"), "{text}");
+        assert_eq!(text.lines().filter(|l| l.trim_start().starts_with("+ ")).count(), curve.len() - 1, "{text}");
     }
 }
 
 #[test]
-fn a_required_risk_is_told_in_the_exact_model() {
+fn a_required_risk_is_reported_in_the_exact_model() {
     let bound = 5.0 * 1e-4 / 3600.0;
     let spec = slower(bound);
     let chosen = ["--set", "plan.against=[tired]", "--set", "plan.samples=20"];
@@ -363,5 +363,5 @@ fn a_required_risk_is_told_in_the_exact_model() {
     assert!(curve.len() > 1 && curve[0]["risk"].as_f64() > Some(bound), "{text}");
     assert!(curve.last().unwrap()["risk"].as_f64().unwrap() <= bound);
     assert_eq!((&json["model"], &json["planners"][0]["verdict"]), (&"exact".into(), &"found".into()));
-    assert!(text.contains("exact model") && text.contains("What to protect"), "{text}");
+    assert!(text.contains("exact model") && text.contains("Protection for a risk"), "{text}");
 }

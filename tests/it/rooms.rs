@@ -1,4 +1,4 @@
-//! Dependencies between the rooms of the library point one way.
+//! Dependencies between the modules of the library point one way.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -18,7 +18,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// The rooms whose names follow `crate::` in code, comments left out; also those in braces, `use crate::{a, b::c}`.
+/// The modules whose names follow `crate::` in code, comments left out; also those in braces, `use crate::{a, b::c}`.
 fn imports(text: &str) -> BTreeSet<String> {
     let code: Vec<&str> = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
     let code = code.join("\n");
@@ -38,53 +38,53 @@ fn imports(text: &str) -> BTreeSet<String> {
     found
 }
 
-/// Which rooms each room imports, itself left out.
-fn rooms() -> BTreeMap<String, BTreeSet<String>> {
+/// Which modules each module imports, itself left out.
+fn modules() -> BTreeMap<String, BTreeSet<String>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut rooms: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let mut modules: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for file in sources(&root) {
         let inside = file.strip_prefix(&root).unwrap();
-        let room = inside.iter().next().unwrap().to_string_lossy().trim_end_matches(".rs").to_string();
+        let module = inside.iter().next().unwrap().to_string_lossy().trim_end_matches(".rs").to_string();
         let found = imports(&fs::read_to_string(&file).unwrap());
-        rooms.entry(room).or_default().extend(found);
+        modules.entry(module).or_default().extend(found);
     }
-    let names: BTreeSet<String> = rooms.keys().cloned().collect();
-    for (room, imported) in &mut rooms {
-        imported.retain(|name| name != room && names.contains(name));
+    let names: BTreeSet<String> = modules.keys().cloned().collect();
+    for (module, imported) in &mut modules {
+        imported.retain(|name| name != module && names.contains(name));
     }
-    rooms
+    modules
 }
 
-/// A circle of imports, if there is one: the rooms that remain when those that import none of the others are taken away,
+/// A circle of imports, if there is one: the modules that remain when those that import none of the others are taken away,
 /// again and again.
-fn circle(mut rooms: BTreeMap<String, BTreeSet<String>>) -> Vec<String> {
+fn circle(mut modules: BTreeMap<String, BTreeSet<String>>) -> Vec<String> {
     loop {
         let done: Vec<String> =
-            rooms.iter().filter(|(_, imported)| imported.is_empty()).map(|(r, _)| r.clone()).collect();
+            modules.iter().filter(|(_, imported)| imported.is_empty()).map(|(r, _)| r.clone()).collect();
         if done.is_empty() {
-            return rooms.into_iter().map(|(room, imported)| format!("{room} -> {imported:?}")).collect();
+            return modules.into_iter().map(|(module, imported)| format!("{module} -> {imported:?}")).collect();
         }
-        for room in &done {
-            rooms.remove(room);
-            rooms.values_mut().for_each(|imported| {
-                imported.remove(room);
+        for module in &done {
+            modules.remove(module);
+            modules.values_mut().for_each(|imported| {
+                imported.remove(module);
             });
         }
     }
 }
 
 #[test]
-fn no_rooms_import_each_other_in_a_circle() {
-    let rooms = rooms();
-    assert!(rooms.len() > 20 && rooms["planner"].contains("solve"), "the imports were not read: {rooms:?}");
-    assert_eq!(circle(rooms), Vec::<String>::new());
+fn no_modules_import_each_other_in_a_circle() {
+    let modules = modules();
+    assert!(modules.len() > 20 && modules["planner"].contains("solve"), "the imports were not read: {modules:?}");
+    assert_eq!(circle(modules), Vec::<String>::new());
 }
 
 #[test]
 fn a_circle_is_found() {
-    let rooms = [("a", "b"), ("b", "c"), ("c", "b"), ("d", "a")];
-    let rooms = rooms.map(|(room, imported)| (room.to_string(), BTreeSet::from([imported.to_string()])));
-    assert_eq!(circle(rooms.into()).len(), 4);
+    let modules = [("a", "b"), ("b", "c"), ("c", "b"), ("d", "a")];
+    let modules = modules.map(|(module, imported)| (module.to_string(), BTreeSet::from([imported.to_string()])));
+    assert_eq!(circle(modules.into()).len(), 4);
     let line = "use crate::{model::Model, solve};\n/// [`crate::report`]\nlet a = crate::number::number(1.0);";
     assert_eq!(imports(line), ["model", "number", "solve"].map(String::from).into());
 }
@@ -92,11 +92,11 @@ fn a_circle_is_found() {
 /// A checker that shares code with what it checks would share its mistakes.
 #[test]
 fn the_checker_sees_neither_the_planner_nor_reports() {
-    let rooms = rooms();
-    let certificate: Vec<&String> = rooms["certificate"].iter().collect();
-    assert!(certificate.iter().all(|room| *room == "model"), "certificate holds records only: {certificate:?}");
+    let modules = modules();
+    let certificate: Vec<&String> = modules["certificate"].iter().collect();
+    assert!(certificate.iter().all(|module| *module == "model"), "certificate holds records only: {certificate:?}");
     for forbidden in ["planner", "certify", "report", "solve", "qp", "motion", "admissible", "geometry", "flatness"] {
-        assert!(!rooms["verify"].contains(forbidden), "verify imports {forbidden}");
+        assert!(!modules["verify"].contains(forbidden), "verify imports {forbidden}");
     }
 }
 

@@ -88,7 +88,7 @@ fn rounds_side_by_side() {
     let PlanOutcome::Planned(rip) = &rip.outcome else { panic!("RIP has a plan") };
     let own = solved(&found[0].own).unwrap();
     assert!((own.time - rip.time).abs() < 0.05 + 1e-9, "{} {}", own.time, rip.time);
-    // Each own time is one at which so many rounds, begun there, have a plan; and is no shorter than RIP's.
+    // At each own time this number of rounds, planned at that time, has a plan, and the time is not shorter than RIP's.
     for round in &found[1..] {
         let own = solved(&round.own).expect("a time at which such a plan exists");
         assert!(own.time >= rip.time - 0.05 && own.time <= 1.1 * at, "{}", own.time);
@@ -187,11 +187,11 @@ fn rounds_in_the_exact_model_end_inside() {
             assert!(plan.selected.iter().all(|row| row.violation(&w) <= 2e-4), "{t}");
         }
     }
-    // And the last passes nothing at any instant.
-    assert!(only(&many).outside[0].passed.is_empty(), "{:?}", only(&many).outside[0]);
+    // The last plan violates nothing at any instant.
+    assert!(only(&many).outside[0].violated.is_empty(), "{:?}", only(&many).outside[0]);
 }
 
-/// Whatever the grid: what is passed at any instant is selected, at nodes or only between them.
+/// Facets that are violated at any instant are selected, at nodes or only between them, whatever the grid.
 #[test]
 #[ignore = "seconds long: cargo test -- --include-ignored"]
 fn facets_passed_only_between_nodes_are_selected() {
@@ -221,7 +221,7 @@ fn facets_passed_only_between_nodes_are_selected() {
     assert!(between > 0, "every facet is passed at a node: nothing is shown");
 }
 
-/// Where RIP's plan passes nothing RSP's is the same, in comparisons as alone.
+/// If RIP's plan violates nothing, RSP's plan is the same, in comparisons and alone.
 #[test]
 fn rsp_without_facets_is_rip() {
     let mut model = short();
@@ -248,7 +248,7 @@ fn rsp_without_facets_is_rip() {
 
 /// No round is RIP, and the report says why nothing is guarded.
 #[test]
-fn no_rounds_are_told() {
+fn zero_rounds_are_reported() {
     let spec = |rounds: usize| {
         format!(
             "use \"quad.mav\"\nuse \"hop.mav\"\nfaults {{ mode W {{ rotor 3 reduced to 90 % }} }}\n\
@@ -272,7 +272,7 @@ fn no_rounds_are_told() {
 
 #[test]
 #[ignore = "seconds long: cargo test -- --include-ignored"]
-fn rounds_are_told_in_the_exact_model() {
+fn rounds_are_reported_in_the_exact_model() {
     let MissionTime::Fixed(time) = short().plan.time else { panic!("a fixed time") };
     let spec = format!(
         r#"
@@ -304,7 +304,7 @@ plan {{ time = {time} s; samples = 20; reserve = 0 % }}
     assert_eq!((rounds[0]["selected"].as_u64(), rounds[0]["verdict"].as_str()), (Some(0), Some("found")));
     assert!(rounds[1]["selected"].as_u64() > Some(0), "{text}");
     let rip = json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rip" && r["run"] == "common").unwrap();
-    // One plan is told the same in both tables.
+    // A plan is reported in the same way in both tables.
     let [objective, other] = [rip, &rounds[0]].map(|run| run["objective"].as_f64().unwrap());
     assert!((objective / other - 1.0).abs() < 1e-9, "{objective} {other}");
     let rsp = json["planners"].as_array().unwrap().iter().find(|r| r["name"] == "rsp" && r["run"] == "common").unwrap();
@@ -313,7 +313,7 @@ plan {{ time = {time} s; samples = 20; reserve = 0 % }}
     // Where the time is fixed there is no other for each round.
     for round in rounds.iter().filter(|r| r["verdict"] == "found") {
         assert_eq!(round["own_time_s"].as_f64(), Some(time));
-        assert!(round["outside_s"].as_array().unwrap().len() == 1, "{round}");
+        assert!(round["violation_duration_s"].as_array().unwrap().len() == 1, "{round}");
     }
     let table = text.split("Rounds of selection, at T_d = ").nth(1).unwrap_or_else(|| panic!("{text}"));
     let selected = |line: &str| line.split_whitespace().take(2).map(str::to_string).collect::<Vec<_>>();

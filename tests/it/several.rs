@@ -1,4 +1,4 @@
-//! Several mistakes in one file, told in one run, in order, and each once: every file of `tests/specs/several` names at
+//! Several mistakes in one file, reported in one run, in order, and each once: every file of `tests/specs/several` names at
 //! its top the line and the code of all that it gives, and nothing more.
 
 use super::errors::compile;
@@ -11,7 +11,7 @@ fn expected(text: &str) -> Vec<(usize, &str)> {
 }
 
 #[test]
-fn every_mistake_is_told_once_and_in_order() {
+fn every_mistake_is_reported_once_and_in_order() {
     let (mut files, mut failures) = (0, Vec::new());
     insta::glob!("../specs/several", "*.mav", |path| {
         let bytes = std::fs::read(path).unwrap();

@@ -1,4 +1,4 @@
-//! `mavc simulate` as scripts use it: exit codes, the log, equal bytes, mistakes told before anything runs.
+//! `mavc simulate` as scripts use it: exit codes, the log, equal bytes, mistakes reported before anything runs.
 
 use serde_json::Value;
 use std::path::Path;
@@ -36,7 +36,7 @@ plan {{ model = hover; planner = rip; against = all; time = 6 s; samples = 40 }}
 ",
         vehicle.display()
     );
-    // `half` and `opposite` need not be stood: the plan names others.
+    // `half` and `opposite` need not be tolerated: the plan names other modes.
     let text = text.replace("against = all", "against = [M1]");
     let path = folder.join("hop.mav");
     std::fs::write(&path, text).unwrap();
@@ -101,7 +101,7 @@ fn a_flight_writes_its_log_and_its_report() {
 }
 
 #[test]
-fn a_lost_vehicle_ends_with_6_and_tells_when_and_why() {
+fn a_lost_vehicle_gives_exit_code_6_and_reports_when_and_why() {
     let folder = tempfile::tempdir().unwrap();
     let spec = hop(folder.path(), "simulate { fault half at 2 s }\n");
     let (log, report) = (folder.path().join("flight.csv"), folder.path().join("sim.json"));
@@ -115,7 +115,7 @@ fn a_lost_vehicle_ends_with_6_and_tells_when_and_why() {
 }
 
 #[test]
-fn mistakes_are_told_before_anything_flies() {
+fn mistakes_are_reported_before_anything_flies() {
     let folder = tempfile::tempdir().unwrap();
     let log = folder.path().join("flight.csv");
     for (block, codes) in [

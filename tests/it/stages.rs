@@ -101,8 +101,8 @@ fn faults_only(text: &str) -> String {
     format!("{kept}  and {} rows of the healthy set\n", text.lines().filter(of_healthy).count())
 }
 
-/// A mission time at which each case passes facets of its faults' sets, and few samples: no search, small programs,
-/// the same rows. Facets are passed or not by far more than a solver's digits.
+/// A mission time at which each case violates facets of its faults' sets, and few samples: no search, small programs,
+/// the same rows. Whether a facet is violated does not depend on the solver's last digits.
 fn quick(name: &str) -> Vec<&'static str> {
     match name {
         // The last waypoint fixes its time.

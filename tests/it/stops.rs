@@ -50,7 +50,7 @@ fn descent(wrench: PlanModel) -> Model {
     model
 }
 
-/// Without torques what is left of the thrust brakes at `a = T/m - g`, so a descent at v can be stopped above the floor where
+/// Without torques the remaining thrust brakes at `a = T/m - g`, so a descent at v can be stopped above the floor where
 /// `v^2/(2 a)` is not more than the height above it.
 #[test]
 fn a_descent_is_committed_until_it_can_be_braked() {

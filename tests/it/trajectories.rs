@@ -9,7 +9,7 @@ use mavc::admissible::allocation::Allocator;
 use mavc::admissible::row::{SetRow, VIOLATED};
 use mavc::flatness::{self, FlatState};
 use mavc::model::{Mission, Model, PlannerKind};
-use mavc::motion::checks::{limit_excesses, peak};
+use mavc::motion::checks::{limit_violations, peak};
 use mavc::motion::hover_map::ORDER;
 use mavc::motion::outside::outside;
 use mavc::motion::wrench_model::WrenchModel;
@@ -161,11 +161,11 @@ proptest! {
             }
         }
         let grain = 0.5 / DENSE as f64;
-        // A yaw that turns bends the wrench; excursions shorter than a sixteenth of an interval may pass unseen.
+        // Under a changing yaw the wrench is not linear; violations shorter than a sixteenth of an interval may be missed.
         let blind = if flight.model == WrenchModel::HoverFollowing { 0.5 / 16.0 } else { 0.0 };
         let slack = (grain + blind) * (crossings + 1) as f64;
         prop_assert!((found.seconds - seconds).abs() <= slack, "{} {seconds}", found.seconds);
-        // Where it says outside last, a row is just being passed, and none is later.
+        // At the end of the last violation a row is exactly at its bound, and no row is violated later.
         if blind == 0.0 {
             prop_assert!(found.last.unwrap_or(-1.0) + 1e-9 >= last.unwrap_or(-1.0), "{:?} {last:?}", found.last);
         }
@@ -364,10 +364,10 @@ fn yaw_is_continuous_past_half_a_turn() {
     let rows = table(&render(&flight, &model, Some(50.0)));
     assert!(rows.windows(2).all(|w| (w[1][4] - w[0][4]).abs() < 0.05));
     assert!((rows[0][4] - 2.5).abs() < 0.06 && (rows[rows.len() - 1][4] - 5.5).abs() < 0.06);
-    // The limit on speed holds at nodes; what passes it between them is small and reported.
+    // The limit on speed holds at nodes; its violation between them is small and reported.
     model.mission = Some(turning);
     let fastest = rows.iter().map(|r| Vector3::new(r[5], r[6], r[7]).norm()).fold(0.0, f64::max);
-    let excess = limit_excesses(&flight, &model, 1e-9);
+    let excess = limit_violations(&flight, &model, 1e-9);
     let by = excess.first().map_or(0.0, |e| e.by);
     assert!(fastest <= 6.0 + by + 1e-6 && by < 0.05, "{fastest} {by}");
     assert!(excess.iter().all(|e| e.limit == 0 && (0.0..=32.0).contains(&e.at)));

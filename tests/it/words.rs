@@ -209,7 +209,7 @@ fn on_the_edge_is_one_word() {
     let flown: Value = serde_json::from_slice(&ran.stdout).unwrap_or_else(|e| panic!("{e} {ran:?}"));
     let modes = flown["planners"][0]["modes"].as_array().unwrap();
     let inside: Vec<(&str, bool)> =
-        modes.iter().map(|m| (m["name"].as_str().unwrap(), m["inside"].as_bool().unwrap())).collect();
+        modes.iter().map(|m| (m["name"].as_str().unwrap(), m["hover_inside"].as_bool().unwrap())).collect();
     assert_eq!(inside, [("gone", false), ("worn", true)]);
 }
 
@@ -270,7 +270,7 @@ fn of_many_waypoints_the_worst_are_listed() {
     assert_eq!(worst.iter().map(|w| w.number).collect::<Vec<_>>(), [2, 5, 7, 9, 10]);
     assert_eq!(others, Some((6, 0.4)));
     assert!(
-        table(&records, 2).ends_with("  6 more, each with at most 40 % of its tolerances\n"),
+        table(&records, 2).ends_with("  6 more, with errors of at most 40 % of their tolerances\n"),
         "{}",
         table(&records, 2)
     );
@@ -291,7 +291,9 @@ fn waypoints_are_listed_in_every_report() {
     let share = |w: &Value| w["position_share"].as_f64().unwrap().max(w["yaw_share"].as_f64().unwrap());
     let largest = waypoints.iter().map(share).fold(0.0, f64::max);
     assert_eq!(planner["max_waypoint_share"].as_f64(), Some(largest));
-    assert!(told.text.contains("12 waypoints met: largest error ") && told.text.contains("7 more, each with at most "));
+    assert!(
+        told.text.contains("12 waypoints met: largest error ") && told.text.contains("7 more, with errors of at most ")
+    );
     assert!(told.page.contains("Table of waypoints") && told.page.contains("11 p10"), "{}", told.page);
 }
 

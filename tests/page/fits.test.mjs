@@ -120,7 +120,7 @@ test("what scrolls is in reach of the keyboard, and has a name", () =>
     assert.deepEqual(unreachable, []);
     // The table of modes is described by what its columns mean.
     const described = await page.locator("#modes table").getAttribute("aria-describedby");
-    assert.match(await text(page, `#${described}`), /Last outside/);
+    assert.match(await text(page, `#${described}`), /Last violation/);
   }));
 
 for (const name of Object.keys(pages)) {
@@ -150,7 +150,7 @@ test("without scripts the page says so, and shows no empty places", async () => 
   const context = await browsers.webgl.newContext({ javaScriptEnabled: false });
   const page = await context.newPage();
   await page.goto(pathToFileURL(file("plan")).href);
-  assert.match(await page.locator("body").innerText(), /runs no scripts/);
+  assert.match(await page.locator("body").innerText(), /does not run scripts/);
   for (const id of ["flight", "heat", "sets", "motion"]) assert.equal(await page.locator(`#${id}`).isVisible(), false, id);
   for (const id of ["found", "modes", "spec"]) assert.equal(await page.locator(`#${id}`).isVisible(), true, id);
   await context.close();
@@ -158,7 +158,7 @@ test("without scripts the page says so, and shows no empty places", async () => 
 
 test("without WebGL the path is flat, and the page says so", () =>
   open("plan", { browser: "flat" }, async (page) => {
-    assert.match(await text(page, "#space-note"), /no WebGL/);
+    assert.match(await text(page, "#space-note"), /does not support WebGL/);
     assert.equal(await page.locator("#space canvas").count(), 2);
     assert.equal(await page.locator("#solid").isHidden(), true);
   }));

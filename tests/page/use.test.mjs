@@ -11,7 +11,7 @@ test("a page opens at the worst instant and mode, and plays from the start", asy
     const [at] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
     assert.ok(Math.abs(at - 15.12) < 0.05, `opens at ${at} s`);
     const worst = (await text(page, "#strips-headline")).match(/smallest margin is \u2212([\d.]+)\s%/)[1];
-    assert.match(await text(page, "#sets-headline"), /the planned wrench is outside what M1 leaves, by 1\d/);
+    assert.match(await text(page, "#sets-headline"), /the planned wrench is outside the set of M1, by 1\d/);
     assert.ok((await text(page, "#sets-headline")).includes(`by ${worst} %`), worst);
     assert.ok((await text(page, "#room caption")).includes("M1"));
     await page.locator("#play").press("Enter");
@@ -20,7 +20,7 @@ test("a page opens at the worst instant and mode, and plays from the start", asy
     const [now] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
     assert.ok(now > 0.05 && now < 5, `plays at ${now} s`);
   });
-  // A flight: where it is farthest from its place, and the fault of then.
+  // A flight: its largest position error, and the fault in force then.
   await open("flight", {}, async (page) => {
     const [at] = (await text(page, "#clock")).match(/[\d.]+/g).map(Number);
     const { columns } = await page.evaluate(() => JSON.parse(document.getElementById("content").textContent).runs[0]);
@@ -42,7 +42,7 @@ test("the slider moves the wrench through the set, by keys", () =>
     for (let i = 0; i < 9; i++) await page.keyboard.press("PageUp");
     await page.waitForTimeout(200);
     assert.match(await text(page, "#clock"), /^7\.20 \/ 16\.00 s$/);
-    assert.match(await text(page, "#sets-headline"), /^At 7\.20 s the planned wrench is inside what M1 leaves/);
+    assert.match(await text(page, "#sets-headline"), /^At 7\.20 s the planned wrench is inside the set of M1/);
     assert.notEqual(await text(page, "#sets-headline"), headline);
     assert.notEqual(await text(page, "#room"), room);
     assert.notEqual(await picture(), drawn);
@@ -55,7 +55,7 @@ test("the slider moves the wrench through the set, by keys", () =>
       s.value = "15.12";
       s.dispatchEvent(new Event("input"));
     });
-    assert.match(await text(page, "#sets-headline"), /outside what M1 leaves, by 1\d(\.\d)? % of the healthy width/);
+    assert.match(await text(page, "#sets-headline"), /outside the set of M1, by 1\d(\.\d)? % of the healthy width/);
   }));
 
 test("what the page says of an instant is what the compiler says", () =>
@@ -94,7 +94,7 @@ test("a flight is shown beside its plan", () =>
   open("flight", {}, async (page) => {
     assert.match(await text(page, "#found"), /Simulated to its end/);
     assert.match(await text(page, "#chart-estimates"), /M3 is isolated after/);
-    assert.match(await text(page, "#chart-yaw"), /^The heading is .*\sdeg off, root mean square; largest .*heading planned/s);
+    assert.match(await text(page, "#chart-yaw"), /^The heading error is .*\sdeg root mean square; largest .*heading planned/s);
     const flown = await text(page, "#chart-position");
     await page.selectOption("#run", { index: 1 });
     assert.notEqual(await text(page, "#chart-position"), flown);
@@ -106,7 +106,7 @@ test("a flight's path is coloured by its faults, and by how far off it is", () =
     const picture = () => page.locator("#space canvas").evaluate((c) => c.toDataURL());
     assert.deepEqual(await entries(), ["no fault", "M3 undetected", "M3 detected"]);
     const faults = await picture();
-    await page.selectOption("#colour", { label: "distance from its place" });
+    await page.selectOption("#colour", { label: "position error" });
     await page.waitForTimeout(200);
     assert.deepEqual(await entries(), ["below 2 cm", "2 cm to 5 cm", "5 cm to 10 cm", "10 cm or more"]);
     assert.notEqual(await picture(), faults);
@@ -115,7 +115,7 @@ test("a flight's path is coloured by its faults, and by how far off it is", () =
       s.value = "12";
       s.dispatchEvent(new Event("input"));
     });
-    assert.match(await text(page, "#space-readout"), /cm from its place; M3 detected$/);
+    assert.match(await text(page, "#space-readout"), /position error .*\scm; M3 detected$/);
     assert.match(await text(page, "#strips-headline"), /^The plan \(RIP, 30 s\): the smallest margin is/);
   }));
 

@@ -1,4 +1,4 @@
-// What all uPlot charts here share: axes in the page's colours, fitting widths, the legend's numbers.
+// Shared by all uPlot charts: axes in the page's colours, fitting widths, the legend's numbers.
 
 import uPlot from "uplot";
 import { number } from "./content.js";
@@ -9,10 +9,10 @@ const FONT = '12px system-ui, "Segoe UI", Roboto, Helvetica, Arial, sans-serif';
 /** @type {Set<() => void>} */
 const fits = new Set();
 
-/** Makes everything drawn as wide as its place, at once. */
+/** Fits everything that is drawn to the width of its place. */
 export const fitAll = () => fits.forEach((fit) => fit());
 
-/** Calls `fit` whenever all is fitted; returns what ends that. */
+/** Calls `fit` whenever everything is fitted; returns a function that stops this. */
 export function whenFitting(fit) {
   fits.add(fit);
   return () => fits.delete(fit);
@@ -34,7 +34,7 @@ export const axis = (label, more = {}) => ({
 
 export const timeAxis = (more = {}) => axis("time [s]", { size: 30, ...more });
 
-/** Draws a chart into `place`, called `name`, and keeps it as wide as that. Returns the chart with `remove`. */
+/** Draws a chart named `name` into `place` and keeps it as wide as that. Returns the chart with a method `remove`. */
 export function chart(place, name, height, options, values) {
   const size = () => ({ width: Math.max(Math.floor(place.clientWidth), 120), height: height() });
   const made = new uPlot({ ...size(), ...options }, values, place);
@@ -56,7 +56,7 @@ export function chart(place, name, height, options, values) {
   return Object.assign(made, { remove });
 }
 
-/** A line over the chart that marks an instant. */
+/** Adds a line over the chart that marks an instant; returns a function that moves it. */
 export function marker(made) {
   const mark = document.createElement("div");
   mark.className = "now";

@@ -1,4 +1,4 @@
-// The admissible set as a body over thrust and the torques about x and y, without torque about z: the paper's Figure 6.
+// The admissible set as a solid over thrust and the torques about x and y, at zero torque about z: the paper's Figure 6.
 
 import { BufferGeometry, EdgesGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, SphereGeometry, Vector3 } from "three";
 import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js";
@@ -7,14 +7,14 @@ import { content } from "./content.js";
 import { css } from "./palette.js";
 import { stage } from "./stage.js";
 
-/** Torques across, thrust up. */
+/** Torques are horizontal, thrust is vertical. */
 const AXES = [1, 2, 0];
 const TEXTS = ["τx", "τy", "T"];
 
 /**
  * The corners of the section { n . w <= e, tau_z = 0 } in shares of the extents, by polarity about hover: a facet becomes
  * the point n / (e - n . hover), and a face of their hull a corner (Ziegler, Lectures on Polytopes, section 2.3).
- * Null where hover is not inside.
+ * Null if hover is not inside.
  */
 function corners(set, spans) {
   if (set.equalities.length > 0) return null;
@@ -26,12 +26,12 @@ function corners(set, spans) {
   }
   const { faces } = new ConvexHull().setFromPoints(duals);
   const found = faces.filter((f) => f.constant > 1e-9).map((f) => f.normal.clone().divideScalar(f.constant));
-  // Where many facets meet, several faces give one corner.
+  // Where many facets meet, several faces give the same corner.
   const distinct = new Map(found.map((p) => [p.toArray().map((v) => Math.round(1e5 * v)).join(), p]));
   return [...distinct.values()];
 }
 
-/** A view of it in `place`; throws where there is no WebGL. */
+/** A view of it in `place`; throws without WebGL. */
 export function body(place, extents) {
   const spans = AXES.map((axis) => (extents[axis][1] - extents[axis][0]) / 2);
   const to = (w) => new Vector3(...AXES.map((axis, i) => (w[axis] - content.hover[axis]) / spans[i]));
@@ -62,7 +62,7 @@ export function body(place, extents) {
 
   return {
     remove,
-    /** Draws the healthy set and this one; says whether there is a body to see. */
+    /** Draws the healthy set and this one; returns whether a solid is visible. */
     show(set) {
       bodies.clear();
       axes.color.set(css("--soft"));

@@ -1,4 +1,4 @@
-// Charts over time: curves, limits, and the room that the chosen mode's set leaves around a component of the wrench.
+// Charts over time: curves, limits, and the range of a wrench component in the selected mode's set.
 
 import { axis, chart, marker, timeAxis } from "./axes.js";
 import { byId, content, element, indexAt, number, valueAt } from "./content.js";
@@ -15,7 +15,7 @@ export const wrenchAt = (columns, k) => AXES.map((name) => columns[name][k]);
 /** The wrench at any instant of a run. */
 export const wrenchAtTime = (columns, t) => AXES.map((name) => valueAt(columns.t, columns[name], t));
 
-/** A run's margin to a set at any instant, in percent: one number wherever it is told. */
+/** A run's margin to a set at any instant, in percent: every view shows this number. */
 export const marginAt = (columns, index, t) => margin(content.sets[index], wrenchAtTime(columns, t));
 
 function bands(spec, columns) {
@@ -30,7 +30,7 @@ function bands(spec, columns) {
   return { low, high };
 }
 
-/** The range that shows the curves, and limits that are not far from them. */
+/** The vertical range that shows the curves, and limits that are not far from them. */
 function range(spec, columns, room) {
   let low = Infinity;
   let high = -Infinity;
@@ -65,7 +65,7 @@ function hidden(u, [left, right, top, bottom]) {
 
 const meet = (a, b) => a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 
-/** The box for a text along the level at `y` that hides the least: above before below, and as far right as may be. */
+/** The box for a text along the level at `y` that hides the least: above rather than below, and as far right as possible. */
 function boxAlong(u, y, width, height, taken) {
   const { bbox } = u;
   const STEPS = 8;
@@ -106,7 +106,7 @@ function drawBounds(u, spec) {
     ctx.textAlign = "left";
     ctx.textBaseline = "middle";
     const text = [words, box[0] + 4 * px, (box[2] + box[3]) / 2];
-    // Legible over curves, where there is no place beside them.
+    // Legible over curves if there is no place beside them.
     ctx.setLineDash([]);
     ctx.strokeStyle = css("--paper");
     ctx.lineWidth = 3 * px;
@@ -117,7 +117,7 @@ function drawBounds(u, spec) {
   ctx.restore();
 }
 
-/** When something happened. */
+/** Draws events. */
 function drawMarks(u) {
   const { ctx, bbox } = u;
   const px = devicePixelRatio;
@@ -134,7 +134,7 @@ function drawMarks(u) {
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);
     ctx.stroke();
-    // Beside the line, on the side that has room, and legible over curves.
+    // Beside the line, on the side with room, and legible over curves.
     const fits = x + 6 * px + ctx.measureText(label).width < bbox.left + bbox.width;
     ctx.textAlign = fits ? "left" : "right";
     const text = [label, x + (fits ? 3 : -3) * px, bbox.top + 2 * px];
@@ -150,9 +150,9 @@ function drawMarks(u) {
 function draw(spec, columns, place) {
   const room = bands(spec, columns);
   const many = spec.lines.length > 4;
-  // What no pixel can show is nothing: rounding is no motion.
+  // Values below a pixel are shown as zero: they are rounding.
   const value = (u, v, _, i) => (v === null || i === null ? "–" : number(Math.abs(v) < 1e-5 * (u.scales.y.max - u.scales.y.min) ? 0 : v, 4));
-  // What was to be lies as dots over what came of it.
+  // References are dotted, over the curves that follow them.
   const paired = spec.lines.some((l) => l.aim);
   const placeOf = (i) => spec.lines.slice(0, i + 1).filter((l) => !l.aim).length - 1;
   const dashes = (i) => (paired ? (spec.lines[i].aim ? [2, 5] : dash(placeOf(i))) : dash(i));
@@ -190,7 +190,7 @@ function draw(spec, columns, place) {
     series,
   };
   if (room) {
-    series.push(edge(`${set().name}, most`), edge(`${set().name}, least`));
+    series.push(edge(`${set().name}, largest`), edge(`${set().name}, smallest`));
     values.push(room.high, room.low);
     options.bands = [{ series: [series.length - 2, series.length - 1], fill: () => css("--band") }];
   }
@@ -221,7 +221,7 @@ function build() {
   show();
 }
 
-/** Only what the chosen mode changes. */
+/** Redraws only the charts that depend on the selected mode. */
 function redraw() {
   const { columns } = run();
   drawn = drawn.map((d) => {
@@ -241,6 +241,6 @@ export function charts() {
   on("run", build);
   on("set", redraw);
   on("time", show);
-  // Samples in the legends keep the colours that they were made with.
+  // The legends' samples do not change colour by themselves.
   on("theme", build);
 }

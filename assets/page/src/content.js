@@ -1,4 +1,4 @@
-// What the compiler wrote into the page; see src/report/page/content.rs.
+// The data that the compiler wrote into the page; see src/report/page/content.rs.
 
 export const content = JSON.parse(document.getElementById("content").textContent);
 
@@ -13,18 +13,18 @@ export function element(name, attributes = {}, ...children) {
   return made;
 }
 
-/** Up to `digits` significant digits, a true minus sign, no exponent for what people meet here. */
+/** Up to `digits` significant digits, with a true minus sign, and without an exponent for usual sizes. */
 export function number(x, digits = 3) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";
   if (x === 0) return "0";
-  // As the compiler writes numbers: few small ones with an exponent, and no zeros at the end.
+  // As the compiler writes numbers: an exponent only for very small or large ones, and no trailing zeros.
   const [mantissa, exponent] = x.toExponential(digits - 1).split("e");
   const text = exponent >= -4 && exponent < 6 ? Number(x.toPrecision(digits)).toFixed(Math.max(digits - 1 - exponent, 0)) : mantissa;
   const short = text.includes(".") ? text.replace(/\.?0+$/, "") : text;
   return (exponent >= -4 && exponent < 6 ? short : `${short}e${Number(exponent)}`).replaceAll("-", "\u2212");
 }
 
-/** A margin in percent, with its sign; what is smaller than a hundredth of a percent is none. */
+/** A margin in percent, with its sign; below a hundredth of a percent it counts as zero. */
 export function percent(x) {
   const near = Math.abs(x) < 0.01 ? 0 : x;
   return `${near > 0 ? "+" : ""}${number(near)} %`;

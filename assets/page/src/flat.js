@@ -1,4 +1,4 @@
-// Two flat views of the path, where there is no WebGL.
+// Two flat views of the path, for browsers without WebGL.
 
 import { element } from "./content.js";
 import { css } from "./palette.js";

@@ -1,9 +1,9 @@
-// Colours. Lines: Okabe and Ito's set, told apart by colour-blind people. Margins: ColorBrewer's RdYlBu, likewise, and
-// what is outside is hatched as well.
+// Colours. Lines: Okabe and Ito's set; margins: ColorBrewer's RdYlBu. Colour-blind people can distinguish both; violations
+// are hatched as well.
 
 import { number } from "./content.js";
 
-/** From the upper end of each class, in percent of the healthy set's width; the same classes as in the terminal. */
+/** Classes of margins by their upper ends, in percent of the healthy set's width; the same as in the terminal. */
 export const CLASSES = [
   { below: -0.01, name: "outside", color: "#c8281f" },
   { below: 2, name: "0 to 2 %", color: "#f48849" },
@@ -12,7 +12,7 @@ export const CLASSES = [
   { below: Infinity, name: "10 % or more", color: "#4a78b5" },
 ];
 
-/** Of distances, smallest first: the same colours, without the one of what is outside. */
+/** Classes of distances, smallest first: the same colours without that of violations. */
 const DISTANCES = CLASSES.slice(1).reverse();
 
 /** The largest of 1, 2 and 5 times a power of ten that is at most `x`. */
@@ -44,7 +44,7 @@ export const isDark = () => getComputedStyle(document.documentElement).getProper
 /** The colour of the i-th line. */
 export const line = (i) => (isDark() ? DARK : LIGHT)[i % LIGHT.length];
 
-/** Its dashes: lines differ by more than colour, and where colours come again, their dashes are others. */
+/** Its dashes: lines differ by more than colour, and lines of the same colour have different dashes. */
 export const dash = (i) => DASHES[(i + Math.floor(i / LIGHT.length)) % DASHES.length];
 
 /** A sample of a line as a background. */

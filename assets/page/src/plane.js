@@ -1,12 +1,12 @@
-// A plane with equal or free scales that is drawn on by hand over uPlot's axes.
+// A plane with equal or free scales, drawn by hand over uPlot's axes.
 
 import { axis, chart } from "./axes.js";
 
-/** Px that axes, their labels and padding take of a chart: see `axis` and the options below. */
+/** Px of a chart taken by axes, their labels and padding: see `axis` and the options below. */
 const AROUND = { true: { x: 4, y: 4 }, false: { x: 48 + 18 + 12, y: 30 + 18 + 8 } };
 
 /**
- * @param place where it goes
+ * @param place the element to draw into
  * @param options name, labels [x, y], box() -> [x0, x1, y0, y1], equal, height() in px, draw(pen), plain (without axes), move(x, y)
  */
 export function plane(place, options) {
@@ -14,7 +14,7 @@ export function plane(place, options) {
   const range = (axisIndex) => () => {
     const [x0, x1, y0, y1] = box();
     if (!equal) return axisIndex === 0 ? [x0, x1] : [y0, y1];
-    // As many units a pixel both ways.
+    // The same scale in both directions.
     const wide = Math.max(place.clientWidth - AROUND[plain].x, 1);
     const high = Math.max(height() - AROUND[plain].y, 1);
     const per = Math.max((x1 - x0) / wide, (y1 - y0) / high);

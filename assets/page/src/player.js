@@ -1,9 +1,9 @@
-// The instant shown: slider, playing, choice of the plan.
+// The instant shown: slider, playback, choice of the plan.
 
 import { byId, content, element, seconds } from "./content.js";
 import { duration, on, setRun, setTime, state } from "./state.js";
 
-/** Playing shows the flight as fast as it is flown, but takes no longer than this, s. */
+/** Playback runs in real time, but takes no longer than this, s. */
 const LONGEST = 30;
 
 export function player() {
@@ -11,7 +11,7 @@ export function player() {
   if (!bar) return;
   const [slider, clock, play, choice] = ["time", "clock", "play", "run"].map(byId);
   let playing = null;
-  // Until an instant is chosen, playing begins at the start and not where the page opened.
+  // Until the reader selects an instant, playback begins at the start and not where the page opened.
   let chosen = false;
   const stop = () => {
     cancelAnimationFrame(playing);
@@ -41,7 +41,7 @@ export function player() {
   };
   bar.hidden = false;
   slider.addEventListener("input", () => setTime(Number(slider.value)));
-  // "any" steps have no keys of their own in every browser.
+  // With step "any", not every browser supports the arrow keys.
   slider.addEventListener("keydown", (event) => {
     const step = duration() / 200;
     const by = { ArrowLeft: -step, ArrowDown: -step, ArrowRight: step, ArrowUp: step, PageDown: -10 * step, PageUp: 10 * step }[event.key];

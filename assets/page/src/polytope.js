@@ -2,7 +2,7 @@
 
 const dot = (row, w) => row[0] * w[0] + row[1] * w[1] + row[2] * w[2] + row[3] * w[3];
 
-/** The set before its reserve was taken off about hover. */
+/** The whole set, before it was shrunk about hover by the reserve. */
 export function whole(set, hover, reserve) {
   const grown = ([a, b, c, d, e]) => {
     const at = dot([a, b, c, d], hover);
@@ -19,7 +19,7 @@ export function margin(set, w) {
   return 100 * least;
 }
 
-/** How far `axis` alone may go, [least, most], the others as in `w`; null where no value of it is in the set. */
+/** The range [smallest, largest] of `axis`, the others as in `w`; null if no value of it is in the set. */
 export function chord(set, w, axis) {
   let low = -Infinity;
   let high = Infinity;
@@ -41,7 +41,7 @@ export function chord(set, w, axis) {
   return [w[axis] + low, w[axis] + high];
 }
 
-/** The section through `w` along axes `i` and `j`: a polygon [[x, y], ...] inside `box` [x0, x1, y0, y1]; empty where there is none. */
+/** The section through `w` along axes `i` and `j`: a polygon [[x, y], ...] inside `box` [x0, x1, y0, y1]; empty if there is none. */
 export function section(set, w, i, j, box) {
   const [x0, x1, y0, y1] = box;
   let polygon = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
@@ -57,7 +57,7 @@ export function section(set, w, i, j, box) {
   return polygon;
 }
 
-/** Sutherland and Hodgman: what a x + b y <= e leaves. */
+/** Clips a polygon to a x + b y <= e (Sutherland and Hodgman). */
 function clip(polygon, a, b, e) {
   const kept = [];
   for (let k = 0; k < polygon.length; k++) {

@@ -27,10 +27,10 @@ import { indexAt, number } from "./content.js";
 import { css, round } from "./palette.js";
 import { stage } from "./stage.js";
 
-/** Named waypoints get a label, as long as there are few. */
+/** Most waypoints with a label. */
 const MOST_LABELS = 16;
 
-/** Px within which the pointer is on the path. */
+/** Distance in px within which the pointer counts as on the path. */
 const NEAR = 14;
 
 export function scene({ place, run, state, setTime, content, note }, lost) {
@@ -79,11 +79,11 @@ export function scene({ place, run, state, setTime, content, note }, lost) {
   world.add(vehicle);
 
   note(
-    `One square of the ground is ${number(step)} m wide, at z = ${number(floor)} m; the thin line on it is the path's shadow. Spheres are tolerances. The ring is the vehicle, its mast points along the thrust.`,
-    " Drag or use the arrow keys to turn; click the path to go to an instant.",
+    `Grid squares are ${number(step)} m wide, at z = ${number(floor)} m; the thin line is the projection of the path. Spheres are tolerances. The ring is the vehicle; its mast points along the thrust.`,
+    " Drag or use the arrow keys to rotate; click the path to select an instant.",
   );
 
-  /** The instant whose place lies under the pointer; null where none is near. */
+  /** Index of the instant under the pointer; null if none is near. */
   function under(event) {
     const box = canvas.getBoundingClientRect();
     const [x, y] = [event.clientX - box.left, event.clientY - box.top];
@@ -165,7 +165,7 @@ function disc() {
   return new CanvasTexture(canvas);
 }
 
-/** Start and end, and where there are few the others too; one label a place. */
+/** Labels the start, the end and, if there are few, the other waypoints; one label per place. */
 function name(waypoints, label) {
   const last = waypoints.length - 1;
   const called = (w, i) => (i === 0 ? "start" : i === last ? "end" : w.name);
@@ -178,7 +178,7 @@ function name(waypoints, label) {
   for (const { at, text } of places.values()) label(text, new Vector3(...at));
 }
 
-/** The middle and the size of a cloud of points, a round step of the ground, and the ground below them. */
+/** The middle and size of a cloud of points, a round step for the grid, and the height of the grid below them. */
 function extent(points) {
   const low = new Vector3(Infinity, Infinity, Infinity);
   const high = low.clone().negate();

@@ -1,4 +1,4 @@
-// Sections of the admissible sets, as the paper's Figures 7 to 9 for every mode, and the planned wrench moving through them.
+// Sections of the admissible sets, like the paper's Figures 7 to 9 for every mode, with the wrench moving through them.
 
 import { wrenchAt, wrenchAtTime } from "./charts.js";
 import { body as bodyOf } from "./body.js";
@@ -10,7 +10,7 @@ import { on, run, set, setSet, state } from "./state.js";
 
 const LABELS = ["T [N]", "τx [N m]", "τy [N m]", "τz [N m]"];
 const COLUMNS = ["thrust", "tau_x", "tau_y", "tau_z"];
-/** Across and up. */
+/** Horizontal and vertical component of each section. */
 const PANELS = [
   { axes: [1, 2], title: "Torques about x and y" },
   { axes: [1, 0], title: "Thrust and torque about x" },
@@ -25,16 +25,16 @@ let panels = [];
 let multiples = [];
 let solid = null;
 
-/** The planned wrench now; hover where nothing is planned. */
+/** The wrench at the instant shown; hover if nothing was planned. */
 export function wrenchNow() {
   if (!moves) return content.hover;
   return wrenchAtTime(run().columns, state.time);
 }
 
-/** What the section goes through. */
+/** The wrench through which sections are taken. */
 const through = () => (planeChoice?.value === "hover" || !moves ? content.hover : wrenchNow());
 
-/** The extent of the healthy set along each axis and of the planned wrench, with room. */
+/** The extent of the healthy set and the wrench along each axis, with padding. */
 const extents = (() => {
   return () => {
     const found = content.extents.map(([a, b]) => [a, b]);
@@ -50,7 +50,7 @@ const extents = (() => {
   };
 })();
 
-/** Sections may reach beyond the box through hover: clipping is done in a much larger one. */
+/** Sections may extend beyond the box, so they are clipped to a much larger one. */
 function sectionOf(body, w, [i, j], box) {
   const [x0, x1, y0, y1] = box;
   const [dx, dy] = [4 * (x1 - x0), 4 * (y1 - y0)];
@@ -107,7 +107,7 @@ function buildPanels() {
   });
 }
 
-/** The body of the set, where there is WebGL. */
+/** The set as a solid, if there is WebGL. */
 function buildSolid() {
   const figure = byId("solid");
   const place = figure.querySelector(".canvas");
@@ -154,27 +154,27 @@ function tell() {
   const called = moves ? run().wrench : "";
   const where = moves ? `At ${seconds(state.time)} the ${called}` : "Hover";
   const headline = byId("sets-headline");
-  const what = body === content.sets[0] ? "what the healthy vehicle can give" : `what ${body.name} leaves`;
+  const what = body === content.sets[0] ? "the set of the healthy vehicle" : `the set of ${body.name}`;
   headline.textContent = headlineOf(where, what, m, moves ? null : body.hover);
   headline.classList.toggle("bad", m < -0.01);
-  const held = planeChoice?.value === "hover" || !moves ? "at hover, T = m g without torque" : "through the wrench shown: the two components not drawn are as at this instant";
-  const kept = content.reserve > 0 ? ` Solid: what plans keep to, shrunk about hover by the reserve of ${number(100 * content.reserve)} %; dashed: all of it.` : "";
-  byId("sets-note").textContent = `Sections ${held}. Grey: the healthy vehicle. Blue: ${body.name}${body.title ? ` (${body.title})` : ""}.${kept} Cross: hover.${moves ? ` Dot: the ${called}, with the way it came.` : ""}`;
+  const held = planeChoice?.value === "hover" || !moves ? "at hover, T = m g without torque" : "through the wrench shown: the two components not drawn have their values at this instant";
+  const kept = content.reserve > 0 ? ` Solid: the set used for planning, shrunk about hover by the reserve of ${number(100 * content.reserve)} %; dashed: the whole set.` : "";
+  byId("sets-note").textContent = `Sections ${held}. Grey: the healthy vehicle. Blue: ${body.name}${body.title ? ` (${body.title})` : ""}.${kept} Cross: hover.${moves ? ` Dot: the ${called}, with its recent path.` : ""}`;
   room(body, w, m);
 }
 
-/** `place`: the compiler's word for hover. Margins of other wrenches are shown to a hundredth of a percent, and no word rests on less. */
+/** `place`: the compiler's word for hover. Margins of other wrenches are shown, and compared, to a hundredth of a percent. */
 function headlineOf(where, what, m, place) {
   if (place === "on the edge") return `${where} is on the edge of ${what}`;
   if (Math.abs(m) < 0.01) return `${where} is less than 0.01 % of the healthy width from the edge of ${what}`;
   return `${where} is ${m < 0 ? "outside" : "inside"} ${what}, by ${number(Math.abs(m))} % of the healthy width`;
 }
 
-/** How far each component alone may go. */
+/** The table of the range of each component by itself. */
 function room(body, w, m) {
   const rows = LABELS.map((name, axis) => {
     const found = chord(body, w, axis);
-    // Rounding dust is nothing.
+    // Rounding errors are shown as zero.
     const dust = 1e-5 * (content.extents[axis][1] - content.extents[axis][0]);
     const clean = (x, digits) => number(Math.abs(x) < dust ? 0 : x, digits);
     const cells = found
@@ -182,11 +182,11 @@ function room(body, w, m) {
       : ["–", "–", "none", "none"];
     return element("tr", {}, element("th", { scope: "row" }, name), ...[clean(w[axis], 4), ...cells].map((c) => element("td", { class: "n" }, c)));
   });
-  const heads = ["Component", moves ? "Shown" : "Hover", "Least", "Most", "Room down", "Room up"];
+  const heads = ["Component", moves ? "Shown" : "Hover", "Smallest", "Largest", "Down", "Up"];
   const table = element(
     "table",
     {},
-    element("caption", {}, element("span", {}, `Room of each component alone in ${body.name}, margin ${percent(m)}`)),
+    element("caption", {}, element("span", {}, `Range of each component by itself in the set of ${body.name}; margin ${percent(m)}`)),
     element("thead", {}, element("tr", {}, ...heads.map((h, i) => element("th", i === 0 ? { scope: "col" } : { scope: "col", class: "n" }, h)))),
     element("tbody", {}, ...rows),
   );

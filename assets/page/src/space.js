@@ -1,4 +1,4 @@
-// The flight in space: three.js where there is WebGL, two flat views where there is none.
+// The flight in space: three.js with WebGL, two flat views without.
 
 import { byId, content, element, indexAt, number, percent, seconds } from "./content.js";
 import { marginAt } from "./charts.js";
@@ -8,7 +8,7 @@ import { on, run, setTime, state } from "./state.js";
 import { flat } from "./flat.js";
 import { scene } from "./scene.js";
 
-/** Modes that have a colour of their own. */
+/** Most modes with a colour of their own. */
 const MOST_COLORS = 7;
 
 /** Margin columns of a run with their names. */
@@ -23,15 +23,15 @@ function smallest(k) {
   return found;
 }
 
-/** The mode nearest to its edge at the instant shown; of equal ones the first. */
+/** The mode with the smallest margin at the instant shown; the first of several equal ones. */
 function nearest() {
   const all = run().strips.map(({ set }) => ({ margin: marginAt(run().columns, set, state.time), mode: content.sets[set].name }));
   const least = Math.min(...all.map((m) => m.margin));
-  // Thousandths of a percent tell nothing apart.
+  // Differences of thousandths of a percent do not count.
   return all.find((m) => m.margin < least + 1e-3) ?? { margin: Infinity, mode: null };
 }
 
-/** Ways to colour the path: each gives every instant's colour, and its legend. */
+/** Ways to colour the path: each has the colour of every instant and a legend. */
 function colorings() {
   const { columns } = run();
   const modes = margins();
@@ -47,7 +47,7 @@ function colorings() {
       for (const { name, values } of modes) found.push({ name: `margin to ${name}`, ...byMargin(values) });
     }
   }
-  // Of a flight: what it flies under, and how far off it is.
+  // For a flight: the faults in force, and the position error.
   if (run().phases.length > 1) {
     const color = phaseColors();
     const seen = [...new Set(run().phases.map((p) => p.label))];
@@ -56,13 +56,13 @@ function colorings() {
   if (columns.error) {
     const classes = distanceClasses(Math.max(...columns.error, 1e-6));
     const color = (error) => classes.find((c) => error < c.below).color;
-    found.push({ name: "distance from its place", colors: columns.error.map(color), legend: classes });
+    found.push({ name: "position error", colors: columns.error.map(color), legend: classes });
   }
   if (found.length === 0) found.push({ name: "one colour", colors: columns.t.map(() => css("--accent")), legend: [] });
   return found;
 }
 
-/** Colours of what a flight is under: the first, then what lasts longest has the colours that differ most. */
+/** Colours of a flight's phases: the first phase, then those that last longest, have the colours that differ most. */
 function phaseColors() {
   const { phases, columns } = run();
   const lasts = new Map();
@@ -75,7 +75,7 @@ function phaseColors() {
   return (label) => (order.indexOf(label) < MOST_COLORS ? line(order.indexOf(label)) : css("--soft"));
 }
 
-/** The faults that a flight is under; nothing of a plan. */
+/** The faults in force in a flight; undefined for a plan. */
 const phaseAt = (t) => run().phases.findLast((p) => p.from <= t + 1e-9)?.label;
 
 function tell() {
@@ -84,7 +84,7 @@ function tell() {
   const { margin, mode } = nearest();
   const place = ["x", "y", "z"].map((name) => `${name} ${number(columns[name][k])}`).join(", ");
   const near = mode === null ? "" : `; margin ${percent(margin)} to ${mode}`;
-  const off = columns.error ? `; ${number(100 * columns.error[k])} cm from its place` : "";
+  const off = columns.error ? `; position error ${number(100 * columns.error[k])} cm` : "";
   const phase = phaseAt(columns.t[k]);
   const under = phase ? `; ${phase}` : "";
   byId("space-readout").textContent = `At ${seconds(state.time)}: ${place} m; ${number(columns.speed[k])} m/s; tilt ${number(columns.tilt[k])} deg${near}${off}${under}`;
@@ -95,7 +95,7 @@ export function space() {
   if (!place) return;
   const choice = byId("colour");
   let view;
-  // Paper cannot be turned.
+  // The hint about rotating is not printed.
   const note = (text, hint = "") => byId("space-note").replaceChildren(text, element("span", { class: "hint" }, hint));
   const views = { place, run, state, setTime, content, note };
   const fill = () => {
@@ -122,7 +122,7 @@ export function space() {
     place.setAttribute("aria-label", "Path seen from above and from the side");
     document.querySelectorAll("[data-view]").forEach((b) => (b.parentElement.hidden = true));
     begin(flat);
-    note("This browser offers no WebGL, so the path is shown flat: from above and from the side. Circles are waypoints with their tolerances.");
+    note("This browser does not support WebGL, so the path is shown from above and from the side. Circles are waypoints with their tolerances.");
   };
   fill();
   try {

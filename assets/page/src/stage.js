@@ -1,4 +1,4 @@
-// What every view in space shares: renderer, camera, light, labels, turning by pointer and keys.
+// Shared by all views in space: renderer, camera, light, labels, rotation by pointer and keys.
 
 import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -17,7 +17,7 @@ const KEYS = {
   "-": [0, 0, 1.15],
 };
 
-/** A view of a ball of `size` across about `middle`; throws where there is no WebGL. `lost` is called when it goes away. */
+/** A view of a ball of diameter `size` about `middle`; throws without WebGL. `lost` is called when the context is lost. */
 export function stage(place, middle, size, lost) {
   const canvas = element("canvas");
   const wanted = { antialias: true, alpha: true, preserveDrawingBuffer: true };
@@ -61,7 +61,7 @@ export function stage(place, middle, size, lost) {
     for (const { text, at } of texts) {
       const p = project(at);
       text.hidden = p.z > 1 || p.x < 0 || p.y < 0 || p.x > width;
-      // Shares of the place: labels stay with what they name where the picture is stretched.
+      // In shares of the place, so that labels stay in position if the picture is stretched.
       text.style.left = `${(100 * p.x) / width}%`;
       text.style.top = `${(100 * p.y) / height}%`;
       const beyond = p.x + 8 + text.offsetWidth > width;
@@ -92,7 +92,7 @@ export function stage(place, middle, size, lost) {
   }
   const watch = new ResizeObserver(fit);
   watch.observe(place);
-  // Paper does not wait for the next frame.
+  // Printing does not wait for the next frame.
   let copy = null;
   const forget = whenFitting(() => {
     fit();
@@ -100,7 +100,7 @@ export function stage(place, middle, size, lost) {
     copy?.remove();
     copy = null;
     if (!document.documentElement.classList.contains("printing")) return;
-    // Browsers print what WebGL showed last, at its size on the screen: paper gets a copy.
+    // Browsers print the last WebGL frame at its size on the screen, so a copy is printed instead.
     canvas.classList.add("screen");
     copy = element("canvas", { "aria-hidden": "true" });
     [copy.width, copy.height] = [canvas.width, canvas.height];
@@ -134,7 +134,7 @@ export function stage(place, middle, size, lost) {
     event.preventDefault();
     turn(...how);
   });
-  // Zooming needs a key, as on maps: otherwise the page could not be scrolled past.
+  // Zooming needs a key, as on maps: otherwise the view would block scrolling.
   const zoom = (event) => {
     if (!event.ctrlKey) return;
     event.preventDefault();

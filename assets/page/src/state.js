@@ -1,4 +1,4 @@
-// What is shown: which plan, which mode's set, which instant. Everything that draws listens.
+// What is shown: which plan, which mode's set, which instant. All views listen to changes.
 
 import { content } from "./content.js";
 
@@ -6,7 +6,7 @@ const listeners = { run: [], time: [], set: [], theme: [] };
 
 export const state = {
   run: content.first ?? 0,
-  // The worst of it, which is what one looks for.
+  // The worst instant and set: see src/report/page/opening.rs.
   time: content.opens.t,
   set: content.opens.set,
 };

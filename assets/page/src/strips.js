@@ -1,4 +1,4 @@
-// Heat strips: time across, modes down, the smallest margin in each cell.
+// Heat strips: one row per mode over time, with the smallest margin in each cell.
 
 import { axis, chart, marker, timeAxis } from "./axes.js";
 import { marginAt } from "./charts.js";
@@ -9,7 +9,7 @@ import { on, run, setSet, setTime, state } from "./state.js";
 const ROW = 20;
 let drawn = [];
 
-/** Swatches with their meaning. */
+/** Fills a legend: swatches with their meaning. */
 export function legend(place, entries) {
   place.replaceChildren(
     ...entries.map(({ name, color, className }) => {
@@ -42,7 +42,7 @@ function cells(u, strips, end) {
   ctx.restore();
 }
 
-/** Lines across what is outside, so that it is told apart without colour. */
+/** Hatches violations, so that they are visible without colour. */
 function hatch(u, strip, top, height, width) {
   const { ctx } = u;
   const step = 5 * devicePixelRatio;
@@ -79,7 +79,7 @@ function draw(shownRun, place) {
   const cell = (t, row) => `${names[row]} ${percent(strips[row].margins[cellAt(t, row)])}`;
   const span = (t, row) => {
     const [k, count] = [cellAt(t, row), strips[row].margins.length];
-    return `At the least from ${seconds((k / count) * end)} to ${seconds(((k + 1) / count) * end)}`;
+    return `Smallest margin from ${seconds((k / count) * end)} to ${seconds(((k + 1) / count) * end)}`;
   };
   const options = {
     legend: { show: false },
@@ -130,13 +130,13 @@ function draw(shownRun, place) {
 }
 
 function build() {
-  // A flight has no strips of its own: those of the plans are shown.
+  // A flight has no strips of its own, so those of the plans are shown.
   const measured = content.runs.filter((r) => r.strips.length > 0);
-  const told = run().strips.length > 0 ? run() : measured[0];
-  const margin = told.charts.find((c) => c.id === "margin");
-  // Beside other runs it is said whose margin this is.
-  const said = content.runs.length > 1 ? `${told.label}: ${margin.headline.replace(/^T/, "t")}` : margin.headline;
-  byId("strips-headline").textContent = said.replace(/^t/, "T");
+  const first = run().strips.length > 0 ? run() : measured[0];
+  const margin = first.charts.find((c) => c.id === "margin");
+  // Among several runs, the headline names the one that the margin belongs to.
+  const headline = content.runs.length > 1 ? `${first.label}: ${margin.headline.replace(/^T/, "t")}` : margin.headline;
+  byId("strips-headline").textContent = headline.replace(/^t/, "T");
   const place = byId("strips");
   for (const d of drawn) d.made.remove();
   place.replaceChildren();

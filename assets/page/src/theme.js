@@ -1,4 +1,4 @@
-// Light and dark: as the system says, until the button is pressed; light on paper.
+// Light and dark theme: the system's until the button is pressed; always light in print.
 
 import { fitAll } from "./axes.js";
 import { byId } from "./content.js";

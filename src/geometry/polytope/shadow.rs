@@ -1,12 +1,13 @@
-//! The shadow of a polytope along its last axis (Fourier and Motzkin; Ziegler, *Lectures on Polytopes*, section 1.2).
+//! The projection ("shadow") of a polytope along its last axis, by Fourier-Motzkin elimination (Ziegler, *Lectures on
+//! Polytopes*, section 1.2).
 
 use super::{Equality, Facet, Polytope, intersect};
 use nalgebra::{SVector, Vector3, Vector4};
 
-/// A coefficient smaller than this, of a row scaled to 1, is none.
+/// A coefficient of a row, scaled so that the largest is 1, counts as zero at or below this.
 const NONE: f64 = 1e-12;
 
-/// `head.v + last t <= offset`, scaled so that its largest coefficient in units of `scale` is 1.
+/// The row `head.v + last t <= offset`, scaled so that its largest coefficient in units of `scale` is 1.
 #[derive(Clone, Copy)]
 struct Row {
     head: Vector3<f64>,
@@ -20,7 +21,7 @@ impl Row {
         Row { head: normal.fixed_rows::<3>(0) / size, last: normal[3] / size, offset: offset / size }
     }
 
-    /// This row and `times` another one.
+    /// The sum of this row and `times` the other one.
     fn plus(&self, other: &Row, times: f64) -> Row {
         Row {
             head: self.head + other.head * times,
@@ -36,15 +37,18 @@ impl Row {
 }
 
 impl<O: Clone> Polytope<4, O> {
-    /// The points (w_1, w_2, w_3) for which some w_4 lies in the set. `inside` is a point of the set, where it has one:
-    /// the rows are minimal then. `scale` is a length for each axis.
+    /// The projection on the first three axes: all (w_1, w_2, w_3) such that (w_1, w_2, w_3, w_4) is in the set for
+    /// some w_4.
+    ///
+    /// `inside` is a point of the set if there is one; the rows are minimal in that case. `scale` has one positive
+    /// length for each axis.
     pub fn shadow(&self, inside: Option<&Vector4<f64>>, scale: &Vector4<f64>) -> Polytope<3, ()> {
         let row = |normal: &Vector4<f64>, offset: f64| Row::new(normal, offset, scale);
         let mut equal: Vec<Row> = self.equalities.iter().map(|e| row(&e.normal, e.offset)).collect();
         let mut rows: Vec<Row> = self.facets.iter().map(|f| row(&f.normal, f.offset)).collect();
         let depends = |r: &Row| r.last.abs() * scale[3] > NONE;
         if let Some(pivot) = equal.iter().position(depends) {
-            // w_4 follows from this equality.
+            // This equality determines w_4; it is substituted in the other rows.
             let pivot = equal.swap_remove(pivot);
             for r in equal.iter_mut().chain(&mut rows) {
                 *r = r.plus(&pivot, -r.last / pivot.last);

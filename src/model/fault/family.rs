@@ -1,4 +1,4 @@
-//! Families: the modes of `every ... as NAME`, which share the name that theirs begin with.
+//! Families: the modes of `every ... as NAME`, whose names begin with the family's name.
 
 use super::FaultMode;
 use crate::diagnostic::Diagnostic;
@@ -7,13 +7,13 @@ use crate::syntax::ast::Name;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// All modes of the `every` statements that end in one `as NAME`.
+/// All modes of the `every` statements that end in the same `as NAME`.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::model) struct Family {
     pub name: String,
-    /// Of the name in the first of the statements.
+    /// The place of the name in the first of the statements.
     pub span: Span,
-    /// Indices of the modes, ascending: one run for each statement. None is empty, and there is at least one.
+    /// Indices of the modes, ascending: one run for each statement. There is at least one run, and no run is empty.
     pub runs: Vec<Range<usize>>,
 }
 
@@ -55,12 +55,12 @@ impl Families {
         self.all.iter().find(|family| family.name == name)
     }
 
-    /// Whether two modes come from one `every`.
+    /// Whether two modes come from the same `every`.
     pub fn have_run(&self, one: usize, other: usize) -> bool {
         self.all.iter().flat_map(|family| &family.runs).any(|run| run.contains(&one) && run.contains(&other))
     }
 
-    /// What names the modes at `chosen` in few words: families that are chosen whole by their name.
+    /// Short names for the modes at `chosen`: a family that is chosen completely appears by its name.
     pub fn named<'m>(&'m self, chosen: &[usize], modes: &'m [FaultMode]) -> Vec<&'m str> {
         let is_whole = |family: &&Family| family.runs.iter().cloned().flatten().all(|mode| chosen.contains(&mode));
         let whole: Vec<&Family> = self.all.iter().filter(is_whole).collect();
@@ -79,22 +79,22 @@ impl Families {
         self.all.iter().map(|family| family.name.as_str()).collect()
     }
 
-    /// One error for each family that has the name of a mode, since `against` could mean either. `names` has the place of
-    /// every mode's name.
+    /// One error for each family with the name of a mode, because `against` could mean either. `names` maps every mode's
+    /// name to its place.
     pub fn clashes<'a>(&'a self, names: &'a BTreeMap<String, Span>) -> impl Iterator<Item = Diagnostic> + 'a {
         self.all.iter().filter_map(|family| {
             let mode = *names.get(&family.name)?;
             let (later, first) = if mode < family.span { (family.span, mode) } else { (mode, family.span) };
             let message = format!("`{}` names both a fault mode and the modes of an `every`", family.name);
             let error = Diagnostic::error("mavc::name::duplicate", later, message).here("declared again");
-            Some(error.also(first, "first declared here").help("give one of them another name"))
+            Some(error.also(first, "first declared here").help("rename one of them"))
         })
     }
 }
 
-/// The error of a family whose name belongs to the language.
+/// The error for a family with a reserved name.
 pub(super) fn reserved(written: &Name) -> Diagnostic {
     let Spanned { value, span } = written;
-    let message = format!("`{value}` belongs to the language and cannot name fault modes");
-    Diagnostic::error("mavc::name::reserved", *span, message).here("reserved").help("choose another name")
+    let message = format!("`{value}` is reserved and cannot name fault modes");
+    Diagnostic::error("mavc::name::reserved", *span, message).here("reserved name").help("choose another name")
 }

@@ -1,4 +1,4 @@
-//! A curve becomes waypoints, evenly spaced in its parameter.
+//! Turns a curve into waypoints, evenly spaced in its parameter.
 
 use super::{Manner, Route, Stop, manner_of};
 use crate::diagnostic::Diagnostic;
@@ -41,7 +41,7 @@ impl<'a> Curve<'a> {
         let yaw = fields.get("yaw");
         cx.parameter_turns = runs_through_turns(&self.parameter.value, self.range, &[x, y, z, yaw]);
         let (Some(points), Some((low, high)), Some(manner)) = (points, range, manner) else {
-            // The coordinates are looked at once all the same, so that their own mistakes are told.
+            // The coordinates are evaluated once all the same, so that their own errors are reported.
             if let Some((low, _)) = range {
                 self.at(cx, low, [x, y, z], yaw);
             }
@@ -77,7 +77,7 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// A curve that starts where the vehicle already is shares that waypoint.
+    /// Whether the curve starts at the last waypoint, and so shares it.
     fn joins(&self, route: &Route, position: [f64; 3], yaw: Option<f64>) -> bool {
         let Some(last) = route.waypoints.last() else {
             return false;
@@ -90,15 +90,16 @@ impl<'a> Curve<'a> {
     fn read_range(&self, cx: &mut Context<'a>) -> Option<(Quantity, Quantity)> {
         let (low, high) = cx.range_ends(self.range, "a range `a .. b`")?;
         if low.value == high.value {
-            let message = format!("the range of `{}` has no length", self.parameter.value);
+            let message = format!("the range of `{}` has zero length", self.parameter.value);
             let error = Diagnostic::error("mavc::mission::curve_range", self.range.span, message);
-            cx.report(error.here(format!("both ends are {}", number(low.value))).help("write it like `0 .. 2*pi`"));
+            let error = error.here(format!("both ends are {}", number(low.value)));
+            cx.report(error.help("write two different ends, as in `0 .. 2*pi`"));
             return None;
         }
         Some((low, high))
     }
 
-    /// Position and yaw at one value of the parameter. Errors name the point they were found at.
+    /// Position and yaw at one value of the parameter; `None` where one has an error, which is reported.
     #[allow(clippy::type_complexity)]
     fn at(
         &self,

@@ -1,4 +1,4 @@
-//! `against`: the fault modes a plan has to stand.
+//! `against`: the fault modes that a plan must tolerate.
 
 mod choose;
 mod repeated;
@@ -6,15 +6,15 @@ mod repeated;
 use super::{CHOICE, MODE_NUMBERS};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::FaultMode;
-use crate::model::context::{Context, listed};
+use crate::model::context::{Context, either};
 use crate::model::due::Due;
 use crate::model::fault::Modes;
 use crate::source::{Span, Spanned};
 use crate::syntax::ast::{Expr, ExprKind, Field, FieldValue, Relation};
 use choose::{Choice, Runs};
 
-/// The modes that `field` chooses, by index; `None` where it has an error. Where `incomplete`, modes are missing that have
-/// errors of their own.
+/// The indices of the modes that `field` chooses; `None` where it has an error. `incomplete` says that modes with errors are
+/// missing from `modes`.
 pub(super) fn read<'a>(cx: &mut Context<'a>, field: &'a Field, modes: &Modes, incomplete: bool) -> Option<Vec<usize>> {
     let expr = match &field.value {
         FieldValue::Where { field, relation, value } => {
@@ -30,14 +30,15 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, field: &'a Field, modes: &Modes, in
     let choice = Choice::new(modes, expr, elements);
     match &expr.kind {
         ExprKind::Text(text) if text == "all" || choice.find(text).is_some() => {
-            let mended = if text == "all" { text.clone() } else { format!("[{text}]") };
-            let error = Diagnostic::error(CHOICE, expr.span, "`against` lists fault modes by name").here("a text");
-            cx.report(error.help(format!("write `{mended}`")).fix(expr.span, mended));
+            let corrected = if text == "all" { text.clone() } else { format!("[{text}]") };
+            let error =
+                Diagnostic::error(CHOICE, expr.span, "`against` takes fault modes by name").here("text in quotes");
+            cx.report(error.help(format!("write `{corrected}`")).fix(expr.span, corrected));
             return None;
         }
         ExprKind::List { unit: None, .. } | ExprKind::Name(_) | ExprKind::Range { .. } | ExprKind::Binary { .. } => {}
         _ => {
-            let message = "`against` takes `all`, fault modes, or `where` and a condition";
+            let message = "`against` takes `all`, fault modes, or `where` with a condition";
             let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
             cx.report(error.help("write `[M1, M2]`, `M1 .. M4`, or `where rpn >= 100`"));
             return None;
@@ -51,7 +52,7 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, field: &'a Field, modes: &Modes, in
     Some(all.filter(|&mode| !std::mem::replace(&mut taken[mode], true)).collect())
 }
 
-/// Where `field` is a list of nothing.
+/// The place of the value of `field` if it is the empty list.
 pub(super) fn empty_list(field: &Field) -> Option<Span> {
     match &field.value {
         FieldValue::Expr(Expr { kind: ExprKind::List { elements, .. }, span }) if elements.is_empty() => Some(*span),
@@ -59,7 +60,7 @@ pub(super) fn empty_list(field: &Field) -> Option<Span> {
     }
 }
 
-/// `where rpn >= 100`: the modes that have the number and meet the condition.
+/// `where rpn >= 100`: the modes that have this number and satisfy the condition.
 fn filter<'a>(
     cx: &mut Context<'a>,
     field: &'a Spanned<String>,
@@ -71,11 +72,11 @@ fn filter<'a>(
     let name = field.value.as_str();
     if !MODE_NUMBERS.contains(&name) {
         let error =
-            Diagnostic::error("mavc::name::unknown_field", field.span, format!("modes have no number `{name}`"));
-        let error = error.here("unknown here");
+            Diagnostic::error("mavc::name::unknown_field", field.span, format!("fault modes have no number `{name}`"));
+        let error = error.here("unknown number");
         cx.report(match nearest(name, MODE_NUMBERS) {
             Some(near) => error.help(format!("did you mean `{near}`?")).fix(field.span, near),
-            None => error.help(format!("`where` looks at {}", listed(&MODE_NUMBERS))),
+            None => error.help(format!("compare {}", either(&MODE_NUMBERS))),
         });
         return None;
     }
@@ -98,7 +99,7 @@ fn filter<'a>(
     if chosen.is_empty() && !incomplete {
         let without = modes.iter().filter(|m| number_of(m).is_none()).count();
         let warning =
-            Diagnostic::warning("mavc::plan::none_selected", field.span, "no fault mode meets this condition");
+            Diagnostic::warning("mavc::plan::none_selected", field.span, "no fault mode satisfies this condition");
         let have = if without == 1 { "has" } else { "have" };
         let help =
             format!("give the modes a `{name}`, or change the condition: {without} of {} {have} none", modes.len());
@@ -108,8 +109,8 @@ fn filter<'a>(
     Some(chosen)
 }
 
-/// Warns once a statement of whose modes none is among `looked_at`; once in all where `against` is the list of nothing at
-/// `empty` and nothing else looks at any.
+/// Warns of each statement none of whose modes is among `looked_at`, the modes that some block uses. If `against` is the
+/// empty list at `empty` and no block uses a mode, warns only once.
 pub(in crate::model) fn warn_unused(
     cx: &mut Context,
     modes: &Modes,
@@ -133,30 +134,31 @@ pub(in crate::model) fn warn_unused(
         let mode = &modes.modes[first];
         let count = of_statement().count();
         let message = match count {
-            1 => format!("the plan does not look at fault mode `{}`", mode.name),
-            n => format!("the plan looks at none of these {n} fault modes"),
+            1 => format!("fault mode `{}` is not used", mode.name),
+            n => format!("none of these {n} fault modes is used"),
         };
-        let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not planned against");
-        // What is chosen stays: a list of this mode alone would leave the others out.
+        let warning = Diagnostic::warning("mavc::fault::unused", mode.span, message).here("not in `against`");
+        // The suggested list keeps the modes already chosen.
         let mut all = modes.families.named(against, &modes.modes);
         all.push(mode.name.as_str());
-        // Which modes leave control the sets say, and here there are none.
+        // Which modes are controllable is known only from their sets, which this stage does not have.
         let list = format!("as in `[{}]`", all.join(", "));
         cx.report(warning.help(match count {
-            1 => format!("take it out, or add it to `against`, {list}, if `mavc analyze` calls it controllable and not on the edge"),
-            _ => format!("take them out, or add some to `against`, {list}, if `mavc analyze` calls them controllable and not on the edge"),
+            1 => format!("remove it, or add it to `against`, {list}, if `mavc analyze` calls it controllable and not on the edge"),
+            _ => format!("remove them, or add some to `against`, {list}, if `mavc analyze` calls them controllable and not on the edge"),
         }));
     }
 }
 
-/// Warns that the plan is against nothing, though there are modes that nothing else looks at.
+/// Warns of an empty `against` although modes are declared and no other block uses them.
 fn warn_none(cx: &mut Context, modes: &[FaultMode], list: Span) {
-    let warning = Diagnostic::warning("mavc::plan::none_selected", list, "the plan is against no fault mode");
+    let message = "`against` is empty although fault modes are declared";
+    let warning = Diagnostic::warning("mavc::plan::none_selected", list, message);
     let first = &modes[0];
     let (declared, some) = match modes.len() {
-        1 => ("the one that `faults` declares".to_string(), format!("`[{}]`", first.name)),
-        n => (format!("the first of {n} that `faults` declares"), format!("`all`, or some as in `[{}]`", first.name)),
+        1 => ("the only fault mode".to_string(), format!("`[{}]`", first.name)),
+        n => (format!("the first of {n} fault modes"), format!("`all`, or some as in `[{}]`", first.name)),
     };
-    let warning = warning.here("lists none").also(first.span, declared);
+    let warning = warning.here("lists no mode").also(first.span, declared);
     cx.report(warning.help(format!("write {some}; a plan for the healthy vehicle alone needs no `faults`")));
 }

@@ -1,4 +1,4 @@
-//! Whether the samples and the time of a plan fit the mission.
+//! Checks that the samples and the time of a plan fit the mission.
 
 use super::super::Mission;
 use super::super::context::Context;
@@ -7,7 +7,7 @@ use crate::number::{number, plural};
 use crate::source::Span;
 use crate::syntax::ast::Expr;
 
-/// Every leg and every hold takes at least one interval.
+/// Reports samples that are fewer than one for each leg and hold, and warns of fewer than legs need.
 pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, span: Span, mission: &Mission) {
     let holds = mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
     let least = mission.legs.len() + holds;
@@ -32,11 +32,11 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
     if samples < needed {
         let message = {
             let (samples, legs) = (plural(samples, "sample"), plural(mission.legs.len(), "leg"));
-            format!("{samples} are few for a mission with {legs}")
+            format!("{samples} may be too few for a mission with {legs}")
         };
-        let warning = Diagnostic::warning("mavc::plan::few_samples", span, message).here("few");
+        let warning = Diagnostic::warning("mavc::plan::few_samples", span, message).here("few samples");
         let warning = warning.also(mission.span, "this mission").help(format!(
-            "write `samples = {needed}` or more, so that legs from rest to rest get ten and others beside a rest five"
+            "write `samples = {needed}` or more: a leg from rest to rest needs 10 of them, a leg from or to rest 5"
         ));
         cx.report(match given {
             Some(expr) => warning.fix(expr.span, needed.to_string()),
@@ -45,10 +45,10 @@ pub fn check_samples(cx: &mut Context, samples: usize, given: Option<&Expr>, spa
     }
 }
 
-/// Where legs need more than this share of the samples, the times found depend on their number (docs/performance.md).
+/// If legs need more than this share of the samples, the times found depend on the number of samples (docs/performance.md).
 const MOST_NEEDED: f64 = 0.6;
 
-/// Warns where the planner searches for times and few samples are left for the longest legs.
+/// Warns if the planner searches for times and few samples are left for the longest legs.
 pub fn warn_of_dependence(cx: &mut Context, samples: usize, given: Option<&Expr>, span: Span, mission: &Mission) {
     let needed = mission.samples_needed();
     if samples < needed || needed as f64 <= MOST_NEEDED * samples as f64 {
@@ -57,7 +57,7 @@ pub fn warn_of_dependence(cx: &mut Context, samples: usize, given: Option<&Expr>
     let enough = (needed as f64 / MOST_NEEDED).ceil() as usize;
     let message =
         format!("the shortest time may depend on `samples`: legs and holds need at least {needed} of {samples}");
-    let warning = Diagnostic::warning("mavc::plan::coarse_grid", span, message).here("few for a search of times");
+    let warning = Diagnostic::warning("mavc::plan::coarse_grid", span, message).here("few for a search over times");
     let warning = warning.also(mission.span, "this mission").help(format!("write `samples = {enough}` or more"));
     cx.report(match given {
         Some(expr) => warning.fix(expr.span, enough.to_string()),
@@ -65,16 +65,16 @@ pub fn warn_of_dependence(cx: &mut Context, samples: usize, given: Option<&Expr>
     });
 }
 
-/// A search plans many times, so that it can have fewer samples than one plan.
+/// Reports too many samples for a search, which computes many plans and so is limited to fewer samples than a single plan.
 pub fn too_many_for_a_search(cx: &mut Context, samples: usize, given: Span) {
     const MOST: usize = super::MAX_SAMPLES_OF_A_SEARCH;
-    let message = format!("{samples} samples are too many where the planner looks for times: at most {MOST}");
+    let message = format!("{samples} samples are too many for a search over times: at most {MOST} are allowed");
     let error = Diagnostic::error("mavc::plan::samples", given, message).here("too many for a search");
     let help = format!("write `samples = {MOST}`, or give the mission a fixed `time` and `timing = proportional`");
     cx.report(error.help(help).fix(given, MOST.to_string()));
 }
 
-/// A fixed mission time leaves room for holds and fixed waypoint times, and agrees with the last one.
+/// Reports a fixed mission time that leaves no time after holds and fixed waypoint times, or contradicts the last one.
 pub fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
     const CODE: &str = "mavc::plan::time";
     let mut free_at = 0.0;
@@ -99,11 +99,10 @@ pub fn check_time(cx: &mut Context, time: f64, span: Span, mission: &Mission) {
     let fits = if ends_fixed { (time - free_at).abs() <= 1e-9 * time } else { time > free_at };
     if !fits {
         let ends = if ends_fixed { "ends at" } else { "lasts longer than" };
-        let message =
-            format!("the mission {ends} {} s, which a total of {} s does not fit", number(free_at), number(time));
-        let error = Diagnostic::error(CODE, span, message).here("the total");
+        let message = format!("the mission {ends} {} s, but `time` is {} s", number(free_at), number(time));
+        let error = Diagnostic::error(CODE, span, message).here("the mission time");
         let either = if fixed_by.contains(" or ") { "," } else { " or" };
-        let help = format!("change the total{either} {fixed_by}, or write `time = minimum`");
+        let help = format!("change this time{either} {fixed_by}, or write `time = minimum`");
         let error = match fixed_time.filter(|at| *at != reason) {
             Some(at) => error.also(at, "fixed here"),
             None => error,

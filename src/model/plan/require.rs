@@ -1,4 +1,4 @@
-//! `require risk <= 1e-6`: what a plan must hold to, whatever it takes.
+//! `require risk <= 1e-6`: a bound that the plan must satisfy.
 
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
@@ -10,7 +10,7 @@ use crate::syntax::ast::Statement;
 
 const CODE: &str = "mavc::plan::require";
 
-/// The statement's bound, `None` where it has an error, and its place.
+/// The bound of the statement, `None` where it has an error, and its place.
 pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(Option<f64>, Span)> {
     let mut found: Option<(Option<f64>, Span)> = None;
     for statement in body {
@@ -25,15 +25,15 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(O
                 if (0.0..1.0).contains(&value) {
                     return Some(value);
                 }
-                let error = Diagnostic::error(CODE, at_most.span, "a risk to be kept lies from 0 to below 1");
+                let error = Diagnostic::error(CODE, at_most.span, "the required risk must be from 0 to below 1");
                 let error = error.here(format!("this is {}", number(value)));
                 cx.report(error.help("write a probability for the whole mission, such as `1e-6`"));
                 None
             }),
             other => {
                 let error = Diagnostic::error(CODE, name.span, format!("`{other}` cannot be required"));
-                let error = error.here("only `risk` can");
-                cx.report(error.help("write `require risk <= 1e-6`; limits stand in the mission's `limits`"));
+                let error = error.here("only `risk` can be required");
+                cx.report(error.help("write `require risk <= 1e-6`; limits go into the mission's `limits` block"));
                 None
             }
         };
@@ -42,7 +42,8 @@ pub(super) fn read<'a>(cx: &mut Context<'a>, body: &'a [Statement]) -> Option<(O
     found
 }
 
-/// Whether the bound can be asked for: the planner is free to choose, and every mode has a rate.
+/// The bound, if it can be required: the planner is free to choose the modes, and every mode has a rate. Reports errors
+/// otherwise.
 pub(super) fn check(
     cx: &mut Context,
     bound: Option<f64>,
@@ -53,9 +54,9 @@ pub(super) fn check(
 ) -> Option<f64> {
     let mut fine = true;
     if let Some(kind) = planner.filter(|kind| *kind != PlannerKind::Rsp) {
-        let message = format!("planner {} leaves nothing to choose for `require risk`", kind.name());
-        let error = Diagnostic::error(CODE, place, message).here("chooses what to protect");
-        cx.report(error.help("take `planner` out or write `planner = rsp`"));
+        let message = format!("`require risk` cannot be combined with `planner = {}`", kind.name());
+        let error = Diagnostic::error(CODE, place, message).here("needs a planner that chooses what to protect");
+        cx.report(error.help("remove `planner`, or write `planner = rsp`"));
         fine = false;
     }
     let unrated: Vec<&FaultMode> =
@@ -63,18 +64,18 @@ pub(super) fn check(
     if let Some(first) = unrated.first() {
         let message = match unrated.as_slice() {
             [one] => format!("mode `{}` has no rate, so its risk is unknown", one.name),
-            all => format!("{} modes have no rate, `{}` among them, so their risk is unknown", all.len(), first.name),
+            all => format!("{} modes, such as `{}`, have no rate, so their risk is unknown", all.len(), first.name),
         };
-        let mut error = Diagnostic::error("mavc::plan::without_rate", place, message).here("asks for a risk");
-        let mut told: Vec<Span> = Vec::new();
+        let mut error = Diagnostic::error("mavc::plan::without_rate", place, message).here("a risk is required here");
+        let mut labelled: Vec<Span> = Vec::new();
         for mode in &unrated {
-            if !told.contains(&mode.span) && told.len() < 3 {
-                told.push(mode.span);
-                error = error.also(mode.span, "without a rate");
+            if !labelled.contains(&mode.span) && labelled.len() < 3 {
+                labelled.push(mode.span);
+                error = error.also(mode.span, "no rate");
             }
         }
         cx.report(
-            error.help("give each mode its failure rate, such as `rate = 1e-5 1/h`, or leave it out of `against`"),
+            error.help("give each mode its failure rate, such as `rate = 1e-5 1/h`, or remove it from `against`"),
         );
         fine = false;
     }

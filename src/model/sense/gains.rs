@@ -1,4 +1,4 @@
-//! Gains against the rates at which the controller acts and the motors follow: the phase margin of every loop.
+//! Whether the gains suit the controller's rate and the motors: the phase margin of every control loop.
 
 use nalgebra::Complex;
 
@@ -8,21 +8,22 @@ use crate::model::fields::Fields;
 use crate::model::{Rotor, Simulation, Vehicle};
 use crate::source::Span;
 
-/// Least phase margin, rad: 15 degrees. Autopilots are tuned to 30 to 60; with less than this a vehicle swings for long.
+/// Least phase margin, rad: 15 degrees. Autopilots are tuned to 30 to 60; with less than this a vehicle oscillates for long.
 const LEAST_MARGIN: f64 = 15.0 * std::f64::consts::PI / 180.0;
-/// A loop that crosses over below this, rad/s, or whose gains have a ratio below it, takes longer than ten seconds to come back.
+/// A loop with a crossover, rad/s, or a ratio of gains, 1/s, below this takes longer than ten seconds to recover.
 const SLOWEST: f64 = 0.1;
-/// Frequencies between which a crossover is looked for, rad/s, and how many a factor of ten.
+/// Lowest frequency at which a crossover is searched, rad/s.
 const LOWEST: f64 = 1e-6;
+/// How many factors of ten the search covers, and how many frequencies per factor of ten.
 const DECADES: usize = 14;
 const PER_DECADE: usize = 100;
 
-/// What stands between a command of the controller and the torque or thrust: the motors and the sampling.
+/// The dynamics between a command of the controller and the torque or thrust: motors and sampling.
 #[derive(Clone, Copy)]
 struct Actuator {
     /// Time constant of the slowest rotor, s.
     lag: f64,
-    /// A command is held for a period: half of it on the mean, s.
+    /// Mean delay because a command is held for a period, s: half the period.
     delay: f64,
 }
 
@@ -32,17 +33,17 @@ impl Actuator {
     }
 }
 
-/// One loop about a double integrator: gains on the deviation, 1/s^2, and on its rate, 1/s.
+/// One loop around a double integrator: gains on the deviation, 1/s^2, and on its rate, 1/s.
 struct Loop {
     name: &'static str,
     fields: [&'static str; 2],
     gains: [f64; 2],
-    /// The gains of the loop inside this one: a position is held by tilting.
+    /// The gains of the inner loop: position is controlled through tilt.
     inner: Option<[f64; 2]>,
 }
 
 impl Loop {
-    /// The open loop's response.
+    /// The frequency response of the open loop.
     fn response(&self, actuator: Actuator, frequency: f64) -> Complex<f64> {
         let own = controller(self.gains, frequency);
         match self.inner {
@@ -54,7 +55,7 @@ impl Loop {
         }
     }
 
-    /// The least phase margin at a crossover, rad, and that crossover, rad/s.
+    /// The smallest phase margin over all crossovers, rad, and that crossover, rad/s.
     fn margin(&self, actuator: Actuator) -> Option<(f64, f64)> {
         let frequency = |k: usize| LOWEST * 10f64.powf(k as f64 / PER_DECADE as f64);
         let size = |frequency: f64| self.response(actuator, frequency).norm();
@@ -62,7 +63,7 @@ impl Loop {
         let crossings = ends.filter(|(low, high)| (size(*low) - 1.0) * (size(*high) - 1.0) <= 0.0);
         let margins = crossings.map(|(low, high)| {
             let at = (low * high).sqrt();
-            // Past half a turn of lag the argument jumps up; an open loop of these never leads.
+            // The argument wraps at a lag of half a turn; these open loops never lead.
             let phase = self.response(actuator, at).arg();
             let phase = if phase > 0.0 { phase - 2.0 * std::f64::consts::PI } else { phase };
             (phase + std::f64::consts::PI, at)
@@ -88,8 +89,8 @@ fn loops(simulation: &Simulation) -> [Loop; 4] {
     ]
 }
 
-/// Warns of loops that oscillate, or hardly act, with these motors and this rate. `fields` are those of `simulate`, which
-/// stands at `block`.
+/// Warns of loops that oscillate or hardly act with these motors and this rate. `fields` are those of the `simulate` block at
+/// `block`.
 pub(in crate::model) fn check(
     cx: &mut Context,
     simulation: &Simulation,
@@ -101,7 +102,7 @@ pub(in crate::model) fn check(
     let actuator = Actuator { lag, delay: 0.5 / simulation.control_rate };
     let mut swings = false;
     for each in loops(simulation) {
-        // Where the vehicle cannot hold its attitude, it cannot hold its position either.
+        // A vehicle that cannot hold its attitude cannot hold its position either: one warning suffices.
         if each.inner.is_some() && swings {
             continue;
         }
@@ -109,13 +110,12 @@ pub(in crate::model) fn check(
         let (text, slip) = if margin < LEAST_MARGIN {
             swings = true;
             let degrees = margin.to_degrees();
-            let state = if margin <= 0.0 { "is unstable" } else { "hardly settles" };
-            let text = format!("{state}: its phase margin is {} degrees, where 30 to 60 is usual", short(degrees));
-            (text, "check the gains, or lower them until they fit motors and rates")
+            let state = if margin <= 0.0 { "is unstable" } else { "is poorly damped" };
+            let text = format!("{state}: its phase margin is {} degrees, 30 to 60 are usual", short(degrees));
+            (text, "check the gains, or lower them until they suit motors and rates")
         } else if let Some(rate) = [crossover, each.gains[0] / each.gains[1]].into_iter().find(|r| *r < SLOWEST) {
-            // With much damping a deviation goes with the ratio of the gains.
-            let text =
-                format!("hardly acts: it needs {} s to come back, where less than 10 s is usual", short(1.0 / rate));
+            // With strong damping a deviation decays at the ratio of the gains.
+            let text = format!("hardly acts: it needs {} s to recover, less than 10 s is usual", short(1.0 / rate));
             (text, "check the gains, which are per unit of mass or inertia")
         } else {
             continue;
@@ -132,10 +132,12 @@ pub(in crate::model) fn check(
         );
         let message = format!("the control of {} {text}", each.name);
         let warning = warning("mavc::sense::gains", span, message, slip).here(here);
-        let motors = format!("its rotors follow in {} ms", short(1e3 * lag));
+        let motors = format!("its rotors have a time constant of {} ms", short(1e3 * lag));
         let warning = warning.also(vehicle.span, motors);
         cx.report(match fields.span_of("control_rate") {
-            Some(rate) => warning.also(rate, format!("it acts every {} ms", short(1e3 / simulation.control_rate))),
+            Some(rate) => {
+                warning.also(rate, format!("the controller acts every {} ms", short(1e3 / simulation.control_rate)))
+            }
             None => warning,
         });
     }

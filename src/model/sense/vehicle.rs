@@ -1,4 +1,4 @@
-//! Whether a vehicle's numbers fit each other: thrust and weight, inertia and size, propellers and torque.
+//! Whether the numbers of a vehicle fit together: thrust and weight, inertia and size, propellers and torque.
 
 use std::f64::consts::PI;
 
@@ -8,23 +8,23 @@ use crate::model::context::Context;
 use crate::model::{Rotor, Vehicle};
 use crate::source::Span;
 
-/// Full thrust over weight: little below the range is left to climb and steer with; racing quadcopters reach 15.
+/// Full thrust over weight: below the range little is left to climb and steer; racing quadcopters reach 15.
 const THRUST_TO_WEIGHT: Usual = Usual::new(1.2, 20.0);
-/// An axis' inertia over m R^2, R the distance of the outermost rotor.
+/// Moment of inertia about an axis over m R^2, with R the distance of the outermost rotor.
 const INERTIA: Usual = Usual::new(0.02, 2.0);
 /// Distance of the outermost rotor over the diameter of the largest propeller.
 const ARM: Usual = Usual::new(0.3, 10.0);
 /// Torque per thrust over the propeller's diameter.
 const TORQUE: Usual = Usual::new(0.01, 0.3);
-/// The same in m, where the diameter cannot be estimated: of propellers from 15 mm to 4 m.
+/// Torque per thrust in m, where the diameter cannot be estimated: for propellers from 15 mm to 4 m.
 const TORQUE_ALONE: Usual = Usual::new(0.001, 0.3);
 /// Speed of a propeller's tips, m/s: the upper end is close to the speed of sound.
 const TIP_SPEED: Usual = Usual::new(30.0, 300.0);
 /// Time constant with which a rotor's speed follows, s.
 const TIME_CONSTANT: Usual = Usual::new(0.001, 1.0);
 
-/// Static thrust coefficient C_T = T/(rho n^2 D^4) that diameters are estimated with. The estimate goes with the fourth
-/// root: half or twice the coefficient changes it by 19 %.
+/// Static thrust coefficient C_T = T/(rho n^2 D^4) used to estimate diameters. The estimate depends on its fourth root: half
+/// or twice the coefficient changes the diameter by 19 %.
 const THRUST_COEFFICIENT: f64 = 0.1;
 /// Density of air at sea level, kg/m^3.
 const AIR_DENSITY: f64 = 1.225;
@@ -33,7 +33,7 @@ const AIR_DENSITY: f64 = 1.225;
 pub(in crate::model) struct Written {
     pub mass: Span,
     pub inertia: Span,
-    /// One for each rotor, in their order.
+    /// One for each rotor, in the same order.
     pub rotors: Vec<WrittenRotor>,
 }
 
@@ -55,18 +55,18 @@ impl Rotor {
         (self.thrust_coefficient * revolutions * revolutions / (THRUST_COEFFICIENT * AIR_DENSITY)).powf(0.25)
     }
 
-    /// Speed of its tips at full speed, by the estimated diameter, m/s.
+    /// Speed of its tips at full speed, from the estimated diameter, m/s.
     fn tip_speed(&self) -> f64 {
         0.5 * self.max_speed * self.diameter()
     }
 }
 
-/// Warns of what does not fit; each check once, of the first rotor that it finds.
+/// Warns of numbers that do not fit together; each check warns at most once, for the first rotor concerned.
 pub(in crate::model) fn check(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     thrust_to_weight(cx, vehicle, written);
     inertia(cx, vehicle, written);
     let odd_tips = tip_speed(cx, vehicle, written);
-    // The diameter of a rotor with odd tips says nothing.
+    // With an implausible tip speed the estimated diameter is meaningless.
     if !odd_tips {
         arm(cx, vehicle, written);
     }
@@ -78,12 +78,12 @@ fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
     let weight = vehicle.mass * cx.gravity;
     let ratio = thrust / weight;
-    // A vehicle that cannot lift itself has an error of its own.
+    // A vehicle that cannot lift itself is an error and is reported elsewhere.
     if THRUST_TO_WEIGHT.has(ratio) || ratio <= 1.0 {
         return;
     }
     let message = format!(
-        "the rotors of vehicle `{}` lift {} times its weight, where {} is usual",
+        "the rotors of vehicle `{}` lift {} times its weight, outside the usual range of {}",
         vehicle.name,
         short(ratio),
         THRUST_TO_WEIGHT.text("times")
@@ -92,7 +92,7 @@ fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
         true => {
             "look for `g` in place of `kg` in the mass, for `N` in place of `gf` and for a thrust coefficient without its e-6"
         }
-        false => "little thrust is left to climb and steer with: check mass and thrust",
+        false => "check mass and thrust: little thrust is left to climb and steer",
     };
     let at = written.rotors[0].thrust;
     let here = format!("{} kg weigh {} N", short(vehicle.mass), short(weight));
@@ -101,7 +101,7 @@ fn thrust_to_weight(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     cx.report(warning.also(at, format!("{rotors} rotors give {} N at full speed", short(thrust))));
 }
 
-/// The distance of the outermost rotor from the centre of gravity, m, and which it is.
+/// The distance of the outermost rotor from the centre of gravity, m, and its index.
 fn outermost(vehicle: &Vehicle) -> (f64, usize) {
     let distances = vehicle.rotors.iter().map(|rotor| rotor.position.iter().map(|p| p * p).sum::<f64>().sqrt());
     distances.enumerate().fold((0.0, 0), |far, (k, distance)| if distance > far.0 { (distance, k) } else { far })
@@ -114,32 +114,30 @@ fn inertia(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     let Some(axis) = (0..3).find(|&axis| !INERTIA.has(ratio(axis))) else { return };
     let name = ["x", "y", "z"][axis];
     let message = format!(
-        "the inertia of vehicle `{}` about {name} is {} m R^2, where {} is usual",
+        "the inertia of vehicle `{}` about {name} is {} m R^2, outside the usual range of {}",
         vehicle.name,
         short(ratio(axis)),
         INERTIA.text("m R^2")
     );
     let slip = match ratio(axis) > INERTIA.high {
         true => "look for `g` in place of `kg` in the mass, and check inertia and arm with their units",
-        false => {
-            "look for a prefix too many in the inertia (`g*m^2`, `kg*cm^2`), and check mass and arm with their units"
-        }
+        false => "look for a wrong prefix in the inertia (`g*m^2`, `kg*cm^2`), and check mass and arm with their units",
     };
     let (low, high) = (INERTIA.low * unit, INERTIA.high * unit);
-    let here =
-        format!("{} kg*m^2, where {} is usual", short(vehicle.inertia[axis]), Usual::new(low, high).text("kg*m^2"));
+    let usual = Usual::new(low, high).text("kg*m^2");
+    let here = format!("{} kg*m^2; {usual} is usual", short(vehicle.inertia[axis]));
     let warning = warning("mavc::sense::inertia", written.inertia, message, slip).here(here);
     let warning = warning.also(written.mass, format!("m is {} kg", short(vehicle.mass)));
     let farthest = format!("R is {} m, the distance of the outermost rotor", short(reach));
     cx.report(warning.also(written.rotors[rotor].place, farthest));
 }
 
-/// Whether the tips of some rotor are too slow or too fast.
+/// Warns of propeller tips that are too slow or too fast; whether there are some.
 fn tip_speed(cx: &mut Context, vehicle: &Vehicle, written: &Written) -> bool {
     let Some(k) = vehicle.rotors.iter().position(|rotor| !TIP_SPEED.has(rotor.tip_speed())) else { return false };
     let rotor = &vehicle.rotors[k];
     let message = format!(
-        "the tips of the propellers of vehicle `{}` move at about {} m/s, where {} is usual",
+        "the propeller tips of vehicle `{}` move at about {} m/s, outside the usual range of {}",
         vehicle.name,
         short(rotor.tip_speed()),
         TIP_SPEED.text("m/s")
@@ -151,7 +149,7 @@ fn tip_speed(cx: &mut Context, vehicle: &Vehicle, written: &Written) -> bool {
     let at = written.rotors[k];
     let here = format!("full speed is {} rad/s", short(rotor.max_speed));
     let diameter = format!(
-        "{} N at that speed are those of a propeller of about {} m",
+        "{} N at that speed suggest a propeller of about {} m",
         short(rotor.max_thrust()),
         short(rotor.diameter())
     );
@@ -167,7 +165,7 @@ fn arm(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
         return;
     }
     let message = format!(
-        "the rotors of vehicle `{}` are {} propeller diameters from its centre of gravity, where {} is usual",
+        "the rotors of vehicle `{}` are {} propeller diameters from its centre of gravity, outside the usual range of {}",
         vehicle.name,
         short(ratio),
         ARM.text("diameters")
@@ -185,7 +183,7 @@ fn torque_ratio(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     let rotor = &vehicle.rotors[k];
     let ratio = rotor.drag_coefficient / rotor.thrust_coefficient;
     let message = format!(
-        "the rotors of vehicle `{}` have a drag torque of {} m times their thrust, where {} is usual",
+        "the rotors of vehicle `{}` have a drag torque of {} m times their thrust, outside the usual range of {}",
         vehicle.name,
         short(ratio),
         usual.text("m")
@@ -202,11 +200,11 @@ fn torque_ratio(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     cx.report(warning.also(at.thrust, diameter.map_or(of_thrust.clone(), |d| format!("{of_thrust}: {}", estimate(d)))));
 }
 
-/// What is usual for a rotor that has not the usual torque.
+/// A rotor whose torque per thrust is outside the usual range.
 struct Odd {
-    /// m
+    /// The usual range for this rotor, m.
     usual: Usual,
-    /// m, where it can be estimated.
+    /// The propeller's diameter, m, where it can be estimated.
     diameter: Option<f64>,
 }
 
@@ -217,7 +215,7 @@ fn odd_torque(rotor: &Rotor) -> Option<Odd> {
 }
 
 fn estimate(diameter: f64) -> String {
-    format!("a propeller of about {} m by its thrust and speed", short(diameter))
+    format!("thrust and speed suggest a propeller of about {} m", short(diameter))
 }
 
 fn time_constant(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
@@ -225,7 +223,7 @@ fn time_constant(cx: &mut Context, vehicle: &Vehicle, written: &Written) {
     let odd = lags.enumerate().find_map(|(k, lag)| lag.filter(|lag| !TIME_CONSTANT.has(*lag)).map(|lag| (k, lag)));
     let Some((k, lag)) = odd else { return };
     let message = format!(
-        "the rotors of vehicle `{}` follow in {} ms, where {} is usual",
+        "the rotors of vehicle `{}` have a time constant of {} ms, outside the usual range of {}",
         vehicle.name,
         short(1e3 * lag),
         Usual::new(1e3 * TIME_CONSTANT.low, 1e3 * TIME_CONSTANT.high).text("ms")

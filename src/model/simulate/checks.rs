@@ -1,5 +1,5 @@
-//! What only several settings show together: rates that fit, steps that are fine enough and not too many, faults that
-//! strike before the flight is over.
+//! Checks that involve several settings: whether the rates divide each other, whether the time step is fine enough and the
+//! number of steps is not too large, and whether faults strike before the flight ends.
 
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
@@ -9,18 +9,18 @@ use crate::number::number;
 use crate::source::Span;
 use crate::syntax::ast::Expr;
 
-/// Fastest integration, Hz.
+/// The highest rate of integration, Hz.
 const MAX_RATE: f64 = 100_000.0;
-/// Most steps of one flight.
+/// The most steps of one flight.
 const MAX_STEPS: f64 = 1e8;
-/// Slowest controller and estimator, Hz: the vehicle is looked at when the controller acts.
+/// The lowest rates of controller and estimator, Hz. The state of the flight is examined when the controller acts.
 const MIN_RATES: [(&str, f64); 2] = [("control_rate", 10.0), ("estimator_rate", 1.0)];
 const RATES: &str = "mavc::simulate::rates";
 
-/// When the flight is over, s, where that is said, and what is said there.
+/// When the flight ends, s, the place that fixes this, and the text of its label.
 pub(super) type End = (f64, Span, &'static str);
 
-/// The end of the flight where the spec fixes it: by the plan's time or that of the last waypoint.
+/// The end of the flight, where the time of the plan or of the last waypoint fixes it.
 pub(super) fn fixed_end(plan_time: Option<(f64, Span)>, mission: Option<&Mission>) -> Option<End> {
     if let Some((time, span)) = plan_time {
         return Some((time, span, "the plan takes this time"));
@@ -29,25 +29,24 @@ pub(super) fn fixed_end(plan_time: Option<(f64, Span)>, mission: Option<&Mission
     Some((last.time? + last.hold, last.time_span.unwrap_or(last.span), "the mission ends with this waypoint"))
 }
 
-/// `mode` strikes at `at`, and the flight is over at `end`.
+/// The error for `mode`, which strikes at `at` s although the flight ends at `end` s.
 pub(super) fn late(mode: &str, at: f64, span: Span, end: f64) -> Diagnostic {
-    let message = format!("fault `{mode}` at {} s comes too late: the flight is over at {} s", number(at), number(end));
+    let message = format!("fault `{mode}` strikes at {} s, but the flight ends at {} s", number(at), number(end));
     Diagnostic::error("mavc::simulate::past_the_end", span, message)
         .here("never strikes")
-        .help(format!("write a time before {} s, or let the flight go on with a longer `duration`", number(end)))
+        .help(format!("write a time before {} s, or extend the flight with a longer `duration`", number(end)))
 }
 
-/// `mode` recovers at `until`, and the flight is over at `end`.
+/// The error for `mode`, which recovers at `until` s although the flight ends at `end` s.
 pub(super) fn late_recovery(mode: &str, until: f64, span: Span, end: f64) -> Diagnostic {
-    let message =
-        format!("fault `{mode}` is over at {} s, after the flight, which ends at {} s", number(until), number(end));
+    let message = format!("fault `{mode}` ends at {} s, but the flight ends at {} s", number(until), number(end));
     Diagnostic::error("mavc::simulate::past_the_end", span, message)
         .here("its rotors never recover")
-        .help(format!("write a time up to {} s, or take `until` out: the fault then stays", number(end)))
+        .help(format!("write a time up to {} s, or remove `until` for a fault that stays", number(end)))
 }
 
-/// The faults that strike or end after a flight of `end` seconds, for plans whose time is known only once they are
-/// made. A flight with a `duration` of its own has been checked against that.
+/// Errors for the faults that strike or end after a flight of `end` seconds. This is for plans whose time is known only
+/// after planning; a flight with its own `duration` has been checked against that.
 pub fn past_the_end(model: &Model, end: f64) -> Vec<Diagnostic> {
     let simulation = &model.simulation;
     if simulation.duration.is_some() {
@@ -62,28 +61,28 @@ pub fn past_the_end(model: &Model, end: f64) -> Vec<Diagnostic> {
         }
     };
     let takes = format!("the plan takes {} s", number(end));
-    let told = simulation.faults.iter().filter_map(past);
-    told.map(|error| error.also(model.plan.time_span, takes.clone())).collect()
+    let errors = simulation.faults.iter().filter_map(past);
+    errors.map(|error| error.also(model.plan.time_span, takes.clone())).collect()
 }
 
-/// The error of a flight of `end` seconds that takes too many steps, as [`past_the_end`].
+/// The error for a flight of `end` seconds that takes too many steps; used like [`past_the_end`].
 pub fn too_many_steps(model: &Model, end: f64) -> Option<Diagnostic> {
     steps(end, model.simulation.rate, model.simulation.rate_span)
 }
 
-/// More than [`MAX_STEPS`] in `duration` seconds is an error at `span`.
+/// The error at `span` for more than [`MAX_STEPS`] steps in `duration` seconds.
 pub(super) fn steps(duration: f64, rate: f64, span: Span) -> Option<Diagnostic> {
     let steps = duration * rate;
     (steps > MAX_STEPS && rate <= MAX_RATE).then(|| {
-        let message = format!("a flight takes at most 100 million steps, not {}", number(steps));
+        let message = format!("a flight may take at most 100 million steps, not {}", number(steps));
         Diagnostic::error("mavc::simulate::too_many_steps", span, message)
             .here(format!("{} s at {} Hz", number(duration), number(rate)))
             .help(format!("write a shorter `duration`, or a `rate` of {} Hz or less", number(MAX_STEPS / duration)))
     })
 }
 
-/// The error of steps that are too coarse for the rotors. A spec with neither `simulate` nor `campaign` is not checked
-/// until it is flown.
+/// The error for a time step that is too coarse for the rotors or the drag. A spec with neither `simulate` nor `campaign` is
+/// not checked until it is flown.
 pub fn coarse_step(model: &Model) -> Option<Diagnostic> {
     coarse(&model.simulation, &model.vehicle)
 }
@@ -93,23 +92,23 @@ pub(super) fn coarse(simulation: &Simulation, vehicle: &Vehicle) -> Option<Diagn
         .or_else(|| coarse_drag(simulation, vehicle))
 }
 
-/// Drag slows the vehicle at the rate drag/mass; two steps at least in its time constant, as for rotors.
+/// The error for a time step longer than half the time constant mass/drag with which drag slows the vehicle.
 pub(super) fn coarse_drag(simulation: &Simulation, vehicle: &Vehicle) -> Option<Diagnostic> {
     let slowing = simulation.drag / vehicle.mass;
     (2.0 * slowing > simulation.rate).then(|| {
         let message = format!(
-            "a step of {} ms is too coarse for a drag that stops the vehicle in {} ms",
+            "a time step of {} ms is too coarse for a drag that slows the vehicle with a time constant of {} ms",
             number(1e3 / simulation.rate),
             number(1e3 / slowing)
         );
         Diagnostic::error("mavc::simulate::coarse_step", simulation.span, message)
             .here(format!("`drag` is {} N*s/m here", number(simulation.drag)))
-            .help("look at the `drag`: that of a small multirotor is below 1 N*s/m")
+            .help("check `drag`: that of a small multirotor is below 1 N*s/m")
     })
 }
 
-/// Two steps at least in the time constant of the fastest rotor: beyond that the integration goes astray. `given` is
-/// where the rate is written.
+/// The error for a time step longer than half the time constant of the fastest rotor, with which the integration would be
+/// inaccurate. `given` is where the rate is written.
 fn coarse_for(rate: f64, control_rate: f64, span: Span, given: Option<Span>, vehicle: &Vehicle) -> Option<Diagnostic> {
     let fastest = vehicle.rotors.iter().min_by(|a, b| a.lag().total_cmp(&b.lag()))?;
     let least = 2.0 / fastest.lag();
@@ -118,17 +117,19 @@ fn coarse_for(rate: f64, control_rate: f64, span: Span, given: Option<Span>, veh
     }
     let milliseconds = |seconds: f64| number(seconds * 1e3);
     let lag = milliseconds(fastest.lag());
-    let message =
-        format!("a step of {} ms is too coarse for a rotor that follows in {lag} ms", milliseconds(1.0 / rate));
+    let message = format!(
+        "a time step of {} ms is too coarse for a rotor with a time constant of {lag} ms",
+        milliseconds(1.0 / rate)
+    );
     let said = match fastest.time_constant {
         Some(_) => format!("its fastest rotor has a time constant of {lag} ms"),
-        None => format!("its rotors follow in {lag} ms, as no `time_constant` is given"),
+        None => format!("its rotors have the default `time_constant` of {lag} ms"),
     };
-    // A rate that `control_rate` divides as well, if there is one.
+    // Preferably a multiple of `control_rate`.
     let enough = (least / control_rate * (1.0 - 1e-9)).ceil().max(1.0) * control_rate;
     let enough = if enough <= MAX_RATE { enough } else { least.ceil() };
     let error = Diagnostic::error("mavc::simulate::coarse_step", span, message)
-        .here("longer than half of its time constant")
+        .here("longer than half the time constant")
         .also(vehicle.span, said);
     Some(match enough <= MAX_RATE {
         true => {
@@ -139,13 +140,13 @@ fn coarse_for(rate: f64, control_rate: f64, span: Span, given: Option<Span>, veh
             }
         }
         false => {
-            error.help(format!("no rate up to {} kHz is enough: check the `time_constant`", number(MAX_RATE / 1e3)))
+            error.help(format!("check the `time_constant`: no rate up to {} kHz suffices", number(MAX_RATE / 1e3)))
         }
     })
 }
 
-/// Whether each rate divides the one before, and the steps are fine enough. `given` holds `rate`, `control_rate` and
-/// `estimator_rate`, `None` where one has an error.
+/// Whether each rate divides the one before it and the time step is fine enough; reports errors otherwise. `given` holds
+/// `rate`, `control_rate` and `estimator_rate`, `None` where one has an error.
 pub(super) fn rates<'a>(
     cx: &mut Context<'a>,
     fields: &Fields<'a>,
@@ -163,28 +164,29 @@ pub(super) fn rates<'a>(
     };
     let place = |name: &str| fields.get(name).map_or(block, |expr| expr.span);
     let too_fast = rate.filter(|rate| *rate > MAX_RATE).map(|rate| {
-        let error = Diagnostic::error(RATES, place("rate"), "`rate` is at most 100 kHz");
+        let error = Diagnostic::error(RATES, place("rate"), "`rate` must be at most 100 kHz");
         let error = error.here(format!("this is {} kHz", number(rate / 1e3))).help("write `rate = 100 kHz` or less");
         written(fields, "rate", error, "100 kHz".into())
     });
-    let mut told = report(cx, too_fast);
+    let mut reported = report(cx, too_fast);
     for ((name, least), given) in MIN_RATES.into_iter().zip([control_rate, estimator_rate]) {
         let too_slow = given.filter(|rate| *rate < least).map(|rate| {
-            let error = Diagnostic::error(RATES, place(name), format!("`{name}` is at least {} Hz", number(least)));
+            let error =
+                Diagnostic::error(RATES, place(name), format!("`{name}` must be at least {} Hz", number(least)));
             let error = error.here(format!("this is {} Hz", number(rate)));
-            let mended = format!("{} Hz", number(least));
-            written(fields, name, error.help(format!("write `{name} = {mended}` or more")), mended)
+            let corrected = format!("{} Hz", number(least));
+            written(fields, name, error.help(format!("write `{name} = {corrected}` or more")), corrected)
         });
-        told |= report(cx, too_slow);
+        reported |= report(cx, too_slow);
     }
-    // What `control_rate` is to be, where it has to change.
+    // Whether `control_rate` has to change, so that the estimator's rate cannot be checked against it.
     let mut undecided = false;
-    if let (Some(rate), Some(control_rate), Some(vehicle), false) = (rate, control_rate, vehicle, told) {
-        // Its help mends `rate` for `control_rate` too.
+    if let (Some(rate), Some(control_rate), Some(vehicle), false) = (rate, control_rate, vehicle, reported) {
+        // The suggested `rate` is a multiple of `control_rate` too.
         let given = fields.get("rate").map(|expr| expr.span);
-        told = report(cx, coarse_for(rate, control_rate, place("rate"), given, vehicle));
+        reported = report(cx, coarse_for(rate, control_rate, place("rate"), given, vehicle));
     }
-    if let (Some(rate), Some(control_rate), false) = (rate, control_rate, told) {
+    if let (Some(rate), Some(control_rate), false) = (rate, control_rate, reported) {
         let error = undivided(cx, fields, ("rate", rate), ("control_rate", control_rate), estimator_rate, block);
         undecided = report(cx, error);
     }
@@ -196,15 +198,15 @@ pub(super) fn rates<'a>(
     fine
 }
 
-/// With `mended` in the place of what is written for `name`.
-fn written(fields: &Fields, name: &str, error: Diagnostic, mended: String) -> Diagnostic {
+/// The error with a fix that replaces the value of `name` by `corrected`, if it is written.
+fn written(fields: &Fields, name: &str, error: Diagnostic, corrected: String) -> Diagnostic {
     match fields.get(name) {
-        Some(expr) => error.fix(expr.span, mended),
+        Some(expr) => error.fix(expr.span, corrected),
         None => error,
     }
 }
 
-/// The error of a rate that does not divide the faster one it runs in. `slower` is a rate that has to divide `part`.
+/// The error for a rate `part` that does not divide the faster rate `whole`. `slower` is a rate that must divide `part`.
 fn undivided(
     cx: &Context,
     fields: &Fields,
@@ -225,36 +227,35 @@ fn undivided(
     let error = error.here(match part.1 > whole.1 {
         true if part_given.is_some() => format!("faster than `{}`", whole.0),
         true => format!("slower than `{}`", part.0),
-        false => format!("{ratio}, no whole number"),
+        false => format!("{ratio}, not a whole number"),
     });
     let error = match (part_given, whole_given) {
-        (Some(_), Some(whole_given)) => error.also(whole_given.span, "to be divided"),
+        (Some(_), Some(whole_given)) => error.also(whole_given.span, "must be a whole multiple"),
         _ => error,
     };
-    // A part that nobody has written is a round number: the whole is the odd one.
+    // Where `part` is the default, a round number, `whole` is the one to change.
     if let (None, Some(given), true) = (part_given, whole_given, whole.1 > part.1) {
-        let mended = format!("{} Hz", number((whole.1 / part.1).round() * part.1));
-        let help = format!("write `{} = {mended}`; `{}` is {} Hz by default", whole.0, part.0, number(part.1));
-        return Some(error.help(help).fix(given.span, mended));
+        let corrected = format!("{} Hz", number((whole.1 / part.1).round() * part.1));
+        let help = format!("write `{} = {corrected}`; `{}` is {} Hz by default", whole.0, part.0, number(part.1));
+        return Some(error.help(help).fix(given.span, corrected));
     }
-    let mended = format!("{} Hz", number(nearest_part(part.1, whole.1, slower)));
+    let corrected = format!("{} Hz", number(nearest_part(part.1, whole.1, slower)));
     Some(match part_given {
-        Some(expr) => error.help(format!("write `{} = {mended}`", part.0)).fix(expr.span, mended),
+        Some(expr) => error.help(format!("write `{} = {corrected}`", part.0)).fix(expr.span, corrected),
         None => {
-            let error = error.help(format!("add `{} = {mended}`, which is {} Hz otherwise", part.0, number(part.1)));
-            fields.add(cx, error, &format!("{} = {mended}", part.0))
+            let error = error.help(format!("add `{} = {corrected}`; the default is {} Hz", part.0, number(part.1)));
+            fields.add(cx, error, &format!("{} = {corrected}", part.0))
         }
     })
 }
 
-/// Whether `whole` is a whole multiple of `part`, to rounding.
+/// Whether `whole` is a whole multiple of `part`, up to rounding.
 fn divides(part: f64, whole: f64) -> bool {
     let times = whole / part;
     times > 0.5 && (times - times.round()).abs() <= 1e-9 * times
 }
 
-/// The rate nearest to `part` that divides `whole` and can be written in a few digits; one that `slower` divides, if
-/// there is any near.
+/// The rate nearest to `part` that divides `whole` and can be written in few digits, preferably one that `slower` divides.
 fn nearest_part(part: f64, whole: f64, slower: Option<f64>) -> f64 {
     let times = (whole / part).round().max(1.0);
     let written = |times: f64| number(whole / times).parse::<f64>().is_ok_and(|rate| divides(rate, whole));

@@ -14,7 +14,7 @@ use crate::syntax::ast::{Block, Clauses, Expr, ExprKind, Statement};
 
 const CODE: &str = "mavc::simulate::fault_time";
 
-/// Every fault of the block in the order of time, `None` where one has an error.
+/// Every fault of the block in the order of time; `None` where one has an error.
 pub(super) fn read_all<'a>(
     cx: &mut Context<'a>,
     block: &'a Block,
@@ -25,10 +25,10 @@ pub(super) fn read_all<'a>(
     let mut fine = true;
     for statement in &block.body {
         let Statement::Strike(clauses) = statement else { continue };
-        let told = cx.diagnostics.len();
+        let before = cx.diagnostics.len();
         let strike = read(cx, clauses, around, end);
-        if cx.diagnostics.len() > told {
-            // What it was meant to say is unknown.
+        if cx.diagnostics.len() > before {
+            // A strike with an error is not compared with the others.
             fine = false;
             continue;
         }
@@ -45,21 +45,21 @@ pub(super) fn read_all<'a>(
     fine.then_some(strikes)
 }
 
-/// A mode strikes while it is in force already.
+/// The error for a mode that strikes while it is already active.
 fn again(mode: &str, new: &Strike, old: &Strike) -> Diagnostic {
     let (first, last) = (new.at.min(old.at), new.at.max(old.at));
     let message = match first == last {
         true => format!("fault `{mode}` strikes twice at {} s", number(first)),
-        false => format!("fault `{mode}` strikes at {} s and, still in force, at {} s", number(first), number(last)),
+        false => format!("fault `{mode}` strikes at {} s and, still active, at {} s", number(first), number(last)),
     };
     let in_force = |strike: &Strike| match strike.until {
-        Some(until) => format!("in force from {} s to {} s", number(strike.at), number(until)),
-        None => format!("in force from {} s on", number(strike.at)),
+        Some(until) => format!("active from {} s to {} s", number(strike.at), number(until)),
+        None => format!("active from {} s on", number(strike.at)),
     };
     Diagnostic::error("mavc::simulate::struck_twice", new.span, message)
         .here(in_force(new))
         .also(old.span, in_force(old))
-        .help("take one of the two out, or let the earlier one be over before the later one with `until`")
+        .help("remove one of the two, or end the earlier one before the later one with `until`")
 }
 
 fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Option<End>) -> Option<Strike> {
@@ -75,12 +75,12 @@ fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Op
     let (at, at_span) = (at?, at_expr?.span);
     let mut fine = true;
     if let Some((until, span)) = until.flatten().filter(|(until, _)| *until <= at) {
-        let message = format!("fault `{}` strikes at {} s and is over at {} s", name.value, number(at), number(until));
+        let message = format!("fault `{}` strikes at {} s but ends at {} s", name.value, number(at), number(until));
         let error = Diagnostic::error("mavc::simulate::recovery", span, message).here("not after the strike");
         cx.report(
             error
                 .also(at_span, "it strikes here")
-                .help(format!("write a time after {} s, or take `until` out: the fault then stays", number(at))),
+                .help(format!("write a time after {} s, or remove `until` for a fault that stays", number(at))),
         );
         fine = false;
     }
@@ -98,7 +98,7 @@ fn read<'a>(cx: &mut Context<'a>, clauses: &'a Clauses, around: &Around, end: Op
     fine.then_some(Strike { mode: mode?, at, until, span: clauses.span, at_span })
 }
 
-/// The time of a strike.
+/// The time of a strike, s.
 fn instant<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<f64> {
     if matches!(expr.kind, ExprKind::Range { .. }) {
         let error = Diagnostic::error(CODE, expr.span, "a fault strikes at one time, not over a range");
@@ -108,7 +108,7 @@ fn instant<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<f64> {
     cx.quantity(&table::AT, expr, CODE)
 }
 
-/// The index of the mode that is called `name`.
+/// The index of the mode `name`; `None` where there is no such mode, which is reported.
 fn mode(cx: &mut Context, name: &str, span: Span, around: &Around) -> Option<usize> {
     let index = around.modes.iter().position(|mode| mode.name == name);
     if index.is_some() || cx.modes_unnamed {
@@ -121,13 +121,13 @@ fn mode(cx: &mut Context, name: &str, span: Span, around: &Around) -> Option<usi
     }
     if let Some(family) = around.families.find(name) {
         let first = &around.modes[family.first()].name;
-        let message = format!("`{name}` names {} fault modes, and one strikes at a time", family.count());
-        let error = Diagnostic::error("mavc::simulate::choice", span, message).here("not one fault mode");
+        let message = format!("`{name}` names {} fault modes, but only one can strike at a time", family.count());
+        let error = Diagnostic::error("mavc::simulate::choice", span, message).here("not a single fault mode");
         cx.report(error.help(format!("name one of them, such as `{first}`")).fix(span, first.as_str()));
         return None;
     }
     let names: Vec<&str> = around.modes.iter().map(|mode| mode.name.as_str()).collect();
-    // A number is rarely misspelt.
+    // A name that differs only in its number is rarely a misspelling.
     cx.unknown_among("fault mode", name, span, &names, |mode| without_digits(mode) != without_digits(name));
     None
 }

@@ -22,11 +22,11 @@ impl<'a> Reader<'a> {
             Some("estimator") => Some(Detection::Estimator),
             Some("never") => Some(Detection::Never),
             Some(other) => {
-                let message = "`detection` is `estimator`, `never` or a delay such as `50 ms`";
+                let message = "`detection` must be `estimator`, `never` or a delay such as `50 ms`";
                 let error = Diagnostic::error(CHOICE, expr.span, message).here("none of these");
                 cx.report(match nearest(other, table::DETECTION.words().iter().copied()) {
                     Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
-                    None => error.help("write one of them, such as `estimator`"),
+                    None => error.help("write one of these, such as `estimator`"),
                 });
                 None
             }
@@ -34,16 +34,17 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// rad; `Some(None)`: off.
+    /// The angle in rad; `Some(None)` for `off`, `None` for an error.
     pub(super) fn lost_yaw(&mut self, cx: &mut Context<'a>) -> Option<Option<f64>> {
         let Some(expr) = self.fields.get("lost_yaw") else {
             return Some(self.default(&table::LOST_YAW, Some(table::LOST_YAW.value())));
         };
-        let error = Diagnostic::error(LOST_YAW, expr.span, "`lost_yaw` is an angle between 0 and 180 deg, or `off`");
+        let message = "`lost_yaw` must be an angle between 0 and 180 deg, or `off`";
+        let error = Diagnostic::error(LOST_YAW, expr.span, message);
         match word(cx, expr, &[OFF]) {
             Some(OFF) => Some(None),
             Some(other) => {
-                let error = error.here("neither");
+                let error = error.here("neither of these");
                 cx.report(match nearest(other, [OFF]) {
                     Some(near) => error.help(format!("did you mean `{near}`?")).fix(expr.span, near),
                     None => error.help("write `off`, or an angle such as `90 deg`"),
@@ -57,7 +58,7 @@ impl<'a> Reader<'a> {
                 }
                 let error = error.here(format!("this is {} deg", number(angle.to_degrees())));
                 cx.report(match angle > 0.0 {
-                    true => error.help("no heading is farther off than 180 deg: write `off`").fix(expr.span, OFF),
+                    true => error.help("write `off`: no heading error exceeds 180 deg").fix(expr.span, OFF),
                     false => error.help("write an angle such as `90 deg`"),
                 });
                 None
@@ -66,7 +67,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The word in place of a quantity, one of `known` or not; `None` for a quantity and for a name that may be a `let`.
+/// A word written instead of a quantity, one of `known` or not; `None` for a quantity and for a name that may be a `let`.
 fn word<'e>(cx: &Context, expr: &'e Expr, known: &[&str]) -> Option<&'e str> {
     match &expr.kind {
         ExprKind::Name(name) if known.contains(&name.as_str()) => Some(name),

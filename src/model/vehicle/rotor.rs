@@ -1,4 +1,4 @@
-//! What is said of rotors: for all of them, and by one of itself.
+//! The properties of rotors: those given for all, and those given for one.
 
 use super::{POSITIVE, Place};
 use crate::diagnostic::Diagnostic;
@@ -14,7 +14,7 @@ use crate::source::Span;
 
 const MIN_SPEED: &str = "mavc::vehicle::min_speed";
 
-/// Thrust, torque and speed of every rotor: its own clauses first, then what the `rotor` block says.
+/// Every rotor with its thrust, torque and speed: its own clauses override the `rotor` block.
 pub(super) fn give_all<'a>(
     cx: &mut Context<'a>,
     places: Vec<Place<'a>>,
@@ -22,7 +22,7 @@ pub(super) fn give_all<'a>(
     base: Option<Traits>,
 ) -> Option<Vec<Rotor>> {
     let mut rotors = Some(Vec::new());
-    let mut told = false;
+    let mut reported = false;
     for place in &places {
         let own = place.own.as_ref().map(|fields| Traits::read(cx, fields));
         let traits = match (&own, &base) {
@@ -32,7 +32,7 @@ pub(super) fn give_all<'a>(
             (None, None) => return None,
         };
         let owner = shared.filter(|_| own.is_none()).or(place.own.as_ref()).or(shared);
-        match (&mut rotors, traits.rotor(cx, place, owner, &mut told)) {
+        match (&mut rotors, traits.rotor(cx, place, owner, &mut reported)) {
             (Some(list), Some(rotor)) => list.push(rotor),
             (list, _) => *list = None,
         }
@@ -44,7 +44,7 @@ pub(super) fn give_all<'a>(
 }
 
 /// Where each rotor's numbers are written: in its own clauses, or else in the `rotor` block. `fields` are those of the
-/// vehicle, which has the arm of a ring.
+/// vehicle, which give the arm of a ring.
 pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>) -> Vec<WrittenRotor> {
     let one = |place: &Place| {
         let blocks = [place.own.as_ref(), shared, Some(fields)];
@@ -66,7 +66,7 @@ pub(super) fn written(places: &[Place], fields: &Fields, shared: Option<&Fields>
 /// A number and how well it is known.
 type Known = (f64, Spread);
 
-/// What is written of a rotor's performance. `Some(None)` stands for something with an error in it.
+/// The properties written for a rotor. `Some(None)` is a value with an error.
 #[derive(Clone, Default)]
 pub(super) struct Traits {
     thrust_coefficient: Option<Option<Known>>,
@@ -104,20 +104,20 @@ impl Traits {
         };
         for (a, b) in [("thrust_coefficient", "max_thrust"), ("drag_coefficient", "torque_per_thrust")] {
             if let (Some(first), Some(second)) = (fields.span_of(a), fields.span_of(b)) {
-                let message = format!("`{a}` and `{b}` say the same thing twice");
+                let message = format!("`{a}` and `{b}` cannot both be given");
                 let (first, second) = if first.start <= second.start { (first, second) } else { (second, first) };
                 cx.report(
                     Diagnostic::error("mavc::vehicle::conflict", second, message)
                         .here("one of the two")
                         .also(first, "the other")
-                        .help("keep the one you know"),
+                        .help("remove one of them"),
                 );
             }
         }
         traits
     }
 
-    /// What is said here goes before what is said for all; a thrust in one form replaces the other form.
+    /// These properties, completed by `base`; a thrust or torque in one form replaces the other form.
     fn over(&self, base: &Traits) -> Traits {
         let thrust = self.thrust_coefficient.is_some() || self.max_thrust.is_some();
         let torque = self.drag_coefficient.is_some() || self.torque_per_thrust.is_some();
@@ -137,7 +137,7 @@ impl Traits {
         cx: &mut Context<'a>,
         place: &Place<'a>,
         owner: Option<&Fields<'a>>,
-        told: &mut bool,
+        reported: &mut bool,
     ) -> Option<Rotor> {
         let mut missing = Vec::new();
         if self.max_speed.is_none() {
@@ -150,15 +150,15 @@ impl Traits {
             missing.push(("`drag_coefficient` or `torque_per_thrust`", "drag_coefficient = 1.5e-7 N*m*s^2/rad^2"));
         }
         if !missing.is_empty() {
-            if let Some(owner) = owner.filter(|_| !*told) {
+            if let Some(owner) = owner.filter(|_| !*reported) {
                 missing.iter().for_each(|(what, example)| owner.missing(cx, what, example));
-                *told = true;
+                *reported = true;
             }
             return None;
         }
         let (max_speed, of_speed) = self.max_speed??;
         let (square, slowest) = (of_speed.times(of_speed), of_speed.low);
-        // The full thrust is b w_max^2; where it is what is measured, b follows from it.
+        // Full thrust is b w_max^2: where the spec gives the thrust, b follows from it.
         let (thrust_coefficient, full_thrust, of_coefficient) = match self.thrust_coefficient {
             Some(given) => {
                 let (b, spread) = given?;
@@ -184,8 +184,8 @@ impl Traits {
             Some(given) => {
                 let (speed, span) = given?;
                 if speed >= max_speed * slowest {
-                    if !*told {
-                        *told = true;
+                    if !*reported {
+                        *reported = true;
                         cx.report(not_below(speed, max_speed * slowest, span));
                     }
                     return None;
@@ -211,10 +211,10 @@ impl Traits {
     }
 }
 
-/// A rotor whose lowest speed leaves it no range.
+/// The error for a rotor whose lowest speed is not below its full speed.
 fn not_below(min_speed: f64, max_speed: f64, at: Span) -> Diagnostic {
-    let message = "`min_speed` has to be below `max_speed`";
+    let message = "`min_speed` must be below `max_speed`";
     Diagnostic::error(MIN_SPEED, at, message)
-        .here(format!("{} rad/s against {} rad/s", number(min_speed), number(max_speed)))
-        .help("write the speed below which the rotor may not turn, or take it out for a rotor that may stop")
+        .here(format!("{} rad/s, not below {} rad/s", number(min_speed), number(max_speed)))
+        .help("write a lower speed, or remove `min_speed` for a rotor that may stop")
 }

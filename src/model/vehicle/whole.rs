@@ -1,11 +1,11 @@
-//! Errors of the whole vehicle: one that cannot hover, or cannot hold its yaw.
+//! Errors of the vehicle as a whole: it cannot hover, or cannot hold its yaw.
 
 use crate::diagnostic::Diagnostic;
-use crate::model::context::{Context, listed};
+use crate::model::context::Context;
 use crate::model::{Rotor, Vehicle};
 use crate::number::number;
 
-/// What only the whole vehicle shows: its weight against its thrust, and whether it can hold its yaw.
+/// Checks the weight against the thrust, and whether the vehicle can hold its yaw.
 pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {
     let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
     let weight = vehicle.mass * cx.gravity;
@@ -16,12 +16,12 @@ pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {
             false => (vehicle.mass_span, "the vehicle's weight"),
         };
         let error = Diagnostic::error("mavc::unit::not_finite", span, format!("{what} is too large for a number"));
-        cx.report(error.here("too much").help("check the numbers, their exponents and units"));
+        cx.report(error.here("overflows").help("check the numbers, their exponents and units"));
         return;
     }
     if thrust <= weight {
         let message = format!(
-            "vehicle `{}` cannot hover: it weighs {} N and its rotors lift {} N at full thrust",
+            "vehicle `{}` cannot hover: it weighs {} N, but its rotors lift only {} N at full thrust",
             vehicle.name,
             number(weight),
             number(thrust)
@@ -29,17 +29,14 @@ pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {
         cx.report(
             Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
                 .here("too heavy for these rotors")
-                .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
-                .help(format!(
-                    "write a mass well below {} kg, or give it stronger rotors",
-                    number(thrust / cx.gravity)
-                )),
+                .also(vehicle.span, format!("it has {} rotors", vehicle.rotors.len()))
+                .help(format!("write a mass well below {} kg, or stronger rotors", number(thrust / cx.gravity))),
         );
     }
     let idle: f64 = vehicle.rotors.iter().map(Rotor::idle_thrust).sum();
     if idle >= weight {
         let message = format!(
-            "vehicle `{}` cannot hover: it weighs {} N and its rotors lift {} N at their lowest speeds",
+            "vehicle `{}` cannot hover: it weighs {} N, but its rotors lift {} N even at their lowest speeds",
             vehicle.name,
             number(weight),
             number(idle)
@@ -47,8 +44,8 @@ pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {
         cx.report(
             Diagnostic::error("mavc::vehicle::too_light", vehicle.mass_span, message)
                 .here("too light for rotors that may not stop")
-                .also(vehicle.span, format!("it has these {} rotors", vehicle.rotors.len()))
-                .help("write a lower `min_speed`, or take it out for rotors that may stop"),
+                .also(vehicle.span, format!("it has {} rotors", vehicle.rotors.len()))
+                .help("write a lower `min_speed`, or remove it for rotors that may stop"),
         );
     }
     let same = vehicle.rotors.iter().all(|r| r.spin == vehicle.rotors[0].spin);
@@ -57,7 +54,7 @@ pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {
         cx.report(
             Diagnostic::error("mavc::vehicle::spin_balance", vehicle.span, message)
                 .here("every drag torque points the same way")
-                .help(format!("let some rotors turn the other way: {} are both needed", listed(&["P", "N"]))),
+                .help("make some rotors turn the other way: both `P` and `N` are needed"),
         );
     }
 }

@@ -1,25 +1,25 @@
-//! How far and how dear any plan can be at most, by what the healthy set allows: known without a program.
+//! Upper bounds on the reach and the cost of every plan, from the healthy set alone, without a program.
 
 use super::{FEASIBLE, HoverPlanner, Layout};
 use crate::actuation::Wrench;
 use crate::planner::transcription::UNBOUNDED;
 use crate::planner::yaw::YawPlan;
 
-/// Bounds on inputs are widened by this factor where they prove something: rows hold to tolerances.
+/// Bounds on inputs are widened by this factor in proofs, because rows hold to tolerances only.
 pub(in crate::planner) const LEEWAY: f64 = 1.001;
 
-/// Directions in which the largest torque is looked for.
+/// Number of directions in which the largest torque is evaluated.
 const DIRECTIONS: usize = 64;
 
 impl HoverPlanner<'_> {
-    /// An upper bound on (48) over all feasible plans: inputs that the healthy set allows, waypoints at the edge
-    /// of their tolerance. `None` where yaw was planned first, for then the rows hold states too.
+    /// An upper bound on (48) over all feasible plans: the largest inputs that the healthy set allows, waypoints at the edge
+    /// of their tolerance. `None` if yaw was planned first, because rows then depend on states too.
     pub(super) fn largest_cost(&self, layout: &Layout) -> Option<f64> {
         let bounded = self.mission.waypoints.iter().all(|w| w.within < UNBOUNDED || w.weight == 0.0);
         (bounded && matches!(layout.yaw, YawPlan::Free { .. })).then(|| self.cost_scale(layout))
     }
 
-    /// The bound itself; where yaw was planned first, only a figure of the right size.
+    /// The bound itself; if yaw was planned first, only an order of magnitude.
     pub(super) fn cost_scale(&self, layout: &Layout) -> f64 {
         let [snap, climb, turn] = self.largest_inputs();
         let plan = &self.model.plan;

@@ -1,23 +1,23 @@
-//! Rotors that lag, in the steps: the planning set's facets for the commanded wrench c = w + tau w'. It jumps where the inputs bend,
-//! so at a node rows stand on both its sides. Equalities of a flat set are not repeated: where w stays in a plane, w' does.
+//! Rotors that lag, in the subproblems: the planning set's facets for the commanded wrench c = w + tau w'. The commanded wrench
+//! jumps where the slope of the inputs does, so a node has rows for both its sides. Equalities of a flat set are not repeated:
+//! where w stays in a plane, w' does too.
 
 use super::*;
-use crate::flatness::LeadFlatState;
-use crate::motion::wrench_model::LEAD_FLAT;
+use crate::flatness::CommandFlatState;
+use crate::motion::wrench_model::COMMAND_DERIVATIVES;
 use crate::motion::{CommandState, with_slopes};
 use crate::planner::commands::{CommandAt, Slope, interval_of};
-use crate::planner::scp::phases::FINER;
 use crate::planner::scp::subproblem::{ORDER_OF_TIME, Step};
 use crate::planner::wrench_expression::WrenchExpression;
 use crate::qp::build::{Affine, Builder};
 
-/// What steps know of rotors that lag.
+/// What the planner keeps from one step to the next for rotors that lag.
 pub(super) struct Lag {
-    /// s
+    /// Time constant of the rotors, s.
     tau: f64,
-    /// What each row of the set keeps free for the commanded wrench beyond its tightening, because that bends between the instants.
+    /// Further tightening of each row of the set for the commanded wrench, where it is violated between the instants.
     pub local_tightening: Vec<f64>,
-    /// Of the last program: the sum of multiplier times normal of the rows on the commanded wrench, where they stand.
+    /// Of the last subproblem: the sum of multiplier times normal of the rows on the commanded wrench, by their place.
     pub multipliers: BTreeMap<CommandAt, Wrench>,
 }
 
@@ -27,25 +27,26 @@ impl Lag {
     }
 }
 
-/// The commanded wrench about an iterate, to first order.
-struct LeadLine {
+/// The commanded wrench linearised about an iterate at one place.
+struct LinearisedCommand {
     map: WrenchMap,
+    /// N and N m.
     wrench: Wrench,
-    /// Change per relative change of time.
-    duration_change: Wrench,
+    /// Change per relative change of the duration.
+    time_sensitivity: Wrench,
 }
 
-/// What one step needs of the commanded wrench.
+/// The commanded wrench about an iterate, for one subproblem.
 pub(super) struct CommandLinearisation {
-    lines: BTreeMap<CommandAt, LeadLine>,
+    linearised: BTreeMap<CommandAt, LinearisedCommand>,
     /// See [`Lag::local_tightening`].
     local_tightening: Vec<f64>,
-    /// Curvature of the Lagrangian, as in [`Step::curvature`], over [`LEAD_FLAT`].
-    curvature: Vec<(CommandAt, CommandState, Vec<LeadFlatState>)>,
+    /// Curvature of the Lagrangian, as in [`Step::curvature`], over [`COMMAND_DERIVATIVES`].
+    curvature: Vec<(CommandAt, CommandState, Vec<CommandFlatState>)>,
 }
 
 impl ScpPlanner<'_, '_> {
-    /// A state of an iterate within an interval, with the slopes there.
+    /// A state of an iterate within an interval, with the slopes of the inputs there.
     fn sloped(&self, iterate: &Iterate, interval: usize, state: &NodeState) -> CommandState {
         let times = &iterate.grid.node_times;
         let ends = [&iterate.states[interval], &iterate.states[interval + 1]];
@@ -58,19 +59,19 @@ impl ScpPlanner<'_, '_> {
         Some(self.sloped(iterate, interval, &iterate.at(at.0)))
     }
 
-    /// The violation of each row of the set for the commanded wrench, with what it keeps free between instants.
+    /// The violation of each row of the set by the commanded wrench, with its local tightening.
     fn command_violations<'s>(&'s self, lag: &'s Lag, state: &CommandState) -> impl Iterator<Item = f64> + 's {
-        let wrench = self.wrench.lead(&self.hover.model.vehicle, self.hover.model.gravity, lag.tau, state);
-        self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, bend))| {
+        let wrench = self.wrench.commanded(&self.hover.model.vehicle, self.hover.model.gravity, lag.tau, state);
+        self.set.rows.iter().zip(&lag.local_tightening).enumerate().map(move |(facet, (row, tightening))| {
             match row.equality {
                 true => f64::NEG_INFINITY,
-                false => self.violation_of_row(facet, &wrench) + bend,
+                false => self.violation_of_row(facet, &wrench) + tightening,
             }
         })
     }
 
-    /// The largest violation of the commanded wrench at an instant, on both its sides; below all others where no rotor lags.
-    pub(super) fn lead_excess_at(&self, iterate: &Iterate, instant: usize) -> f64 {
+    /// The largest violation by the commanded wrench at an instant, on both its sides; minus infinity where no rotor lags.
+    pub(super) fn command_violation_at(&self, iterate: &Iterate, instant: usize) -> f64 {
         let Some(lag) = &self.lag else { return f64::NEG_INFINITY };
         let sides = [Slope::Before, Slope::After].into_iter();
         let states = sides.filter_map(|slope| self.command_state(iterate, (instant, slope)));
@@ -79,13 +80,13 @@ impl ScpPlanner<'_, '_> {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The violation of one row on the commanded wrench, as it stands.
-    pub(super) fn lead_excess_of(&self, iterate: &Iterate, facet: usize, at: CommandAt) -> f64 {
+    /// The violation of one row by the commanded wrench, without tightening.
+    pub(super) fn command_violation_of(&self, iterate: &Iterate, facet: usize, at: CommandAt) -> f64 {
         let Some((lag, state)) = self.lag.as_ref().zip(self.command_state(iterate, at)) else {
             return f64::NEG_INFINITY;
         };
         let Model { vehicle, gravity, .. } = self.hover.model;
-        self.violation_of_row(facet, &self.wrench.lead(vehicle, *gravity, lag.tau, &state))
+        self.violation_of_row(facet, &self.wrench.commanded(vehicle, *gravity, lag.tau, &state))
     }
 
     /// Rows on the commanded wrench with a violation over `threshold`, on both sides of a node.
@@ -101,7 +102,7 @@ impl ScpPlanner<'_, '_> {
         found
     }
 
-    /// Within an interval each row on the commanded wrench that is passed, where it is passed most.
+    /// Within an interval each row that the commanded wrench violates, at the instant of its largest violation.
     pub(super) fn command_rows_between(&self, iterate: &Iterate, interval: usize) -> Vec<RowAt> {
         let Some(lag) = &self.lag else { return Vec::new() };
         let mut worst: Vec<(f64, usize)> = vec![(0.0, 0); self.set.rows.len()];
@@ -113,56 +114,59 @@ impl ScpPlanner<'_, '_> {
                 }
             }
         }
-        let passed = worst.into_iter().enumerate().filter(|(_, w)| w.0 > 0.0);
+        let violated = worst.into_iter().enumerate().filter(|(_, w)| w.0 > 0.0);
         let row = |facet| Row::Command { facet, slope: Slope::After };
-        passed.map(|(facet, (_, instant))| RowAt { row: row(facet), instant }).collect()
+        violated.map(|(facet, (_, instant))| RowAt { row: row(facet), instant }).collect()
     }
 
-    /// The largest violation of each row for the commanded wrench on a grid [`FINER`] times finer than the instants, as they stand.
+    /// The largest violation of each row by the commanded wrench on the finer grid of
+    /// [`settings::TighteningSettings::parts`], without tightening.
     pub(super) fn commands_between_instants(&self, iterate: &Iterate) -> Vec<f64> {
         let Some(lag) = &self.lag else { return Vec::new() };
         let mut worst = vec![f64::NEG_INFINITY; self.set.rows.len()];
-        let parts = PARTS * FINER;
+        let parts = PARTS * self.settings.tightening.parts;
         for interval in 0..iterate.grid.intervals() {
             for part in 0..=parts {
                 let state = iterate.inside(interval, part as f64 / parts as f64);
                 let violations = self.command_violations(lag, &self.sloped(iterate, interval, &state));
-                for ((worst, violation), bend) in worst.iter_mut().zip(violations).zip(&lag.local_tightening) {
-                    *worst = worst.max(violation - bend);
+                for ((worst, violation), tightening) in worst.iter_mut().zip(violations).zip(&lag.local_tightening) {
+                    *worst = worst.max(violation - tightening);
                 }
             }
         }
         worst
     }
 
-    /// The commanded wrench about an iterate where `working_set` has rows on it; `None` where no rotor lags.
-    pub(super) fn command_lines(
+    /// The commanded wrench linearised about an iterate where `working_set` has rows on it; `None` where no rotor lags.
+    pub(super) fn linearise_commands(
         &self,
         iterate: &Iterate,
         working_set: &BTreeSet<RowAt>,
     ) -> Option<CommandLinearisation> {
         let lag = self.lag.as_ref()?;
         let Model { vehicle, gravity, .. } = self.hover.model;
-        let mut lines = BTreeMap::new();
+        let mut linearised = BTreeMap::new();
         for &RowAt { row, instant } in working_set {
             let Row::Command { slope, .. } = row else { continue };
             let at = (instant, slope);
-            let Some(state) = self.command_state(iterate, at).filter(|_| !lines.contains_key(&at)) else { continue };
-            let map = self.wrench.lead_linearised(vehicle, *gravity, lag.tau, &state);
+            let Some(state) = self.command_state(iterate, at).filter(|_| !linearised.contains_key(&at)) else {
+                continue;
+            };
+            let map = self.wrench.commanded_linearised(vehicle, *gravity, lag.tau, &state);
             let change = |sum: Wrench, &(axis, order, c): &(usize, usize, Wrench)| {
                 let order: usize = order;
                 sum - c * (order as f64 * state[axis][order])
             };
-            let duration_change = map.terms.iter().fold(Wrench::zeros(), change);
-            lines.insert(at, LeadLine { wrench: map.at(&state), duration_change, map });
+            let time_sensitivity = map.terms.iter().fold(Wrench::zeros(), change);
+            linearised.insert(at, LinearisedCommand { wrench: map.at(&state), time_sensitivity, map });
         }
         let unit = self.transcription(&iterate.grid, &[]).mean_tau();
         let curvature = lag.multipliers.iter().filter_map(|(&at, n)| {
             let state = self.command_state(iterate, at)?;
-            Some((at, state, self.wrench.lead_curvature(vehicle, *gravity, lag.tau, &state, n, unit)))
+            Some((at, state, self.wrench.commanded_curvature(vehicle, *gravity, lag.tau, &state, n, unit)))
         });
         Some(CommandLinearisation {
-            lines,
+            linearised,
             local_tightening: lag.local_tightening.clone(),
             curvature: curvature.collect(),
         })
@@ -170,7 +174,7 @@ impl ScpPlanner<'_, '_> {
 }
 
 impl Transcription<'_> {
-    /// (71) for the commanded wrench, without sigma; `known` are the expressions made before.
+    /// The row (71) for the commanded wrench, without sigma; `known` holds the expressions made before.
     pub(super) fn command_row(
         &self,
         step: &Step,
@@ -179,29 +183,31 @@ impl Transcription<'_> {
         known: &mut BTreeMap<CommandAt, Option<WrenchExpression>>,
     ) -> Option<Affine> {
         let commands = step.commands?;
-        let line = commands.lines.get(&at)?;
+        let linearised = commands.linearised.get(&at)?;
         let row = &self.set.rows[facet];
-        let bend = |node: usize, axis: usize, order: usize| self.bend(step, node, axis, order);
-        let lead = known.entry(at).or_insert_with(|| self.command_expression(&line.map, at, &bend)).as_ref()?;
+        let jump = |node: usize, axis: usize, order: usize| self.jump(step, node, axis, order);
+        let lead = known.entry(at).or_insert_with(|| self.command_expression(&linearised.map, at, &jump)).as_ref()?;
         let kept = step.tightening[facet] + commands.local_tightening[facet];
         let mut slack = lead.along(&-row.normal).plus_constant(row.offset - kept);
-        let free = row.offset - row.normal.dot(&line.wrench);
-        let change = ORDER_OF_TIME * free - row.normal.dot(&line.duration_change);
+        let free = row.offset - row.normal.dot(&linearised.wrench);
+        let change = ORDER_OF_TIME * free - row.normal.dot(&linearised.time_sensitivity);
         let interval = interval_of(at, self.parts, self.grid.intervals())?;
         slack.add(&self.duration_change(step, self.leg_of(interval * self.parts + 1)), change);
         Some(slack)
     }
 
-    /// Adds the curvature of the Lagrangian in the commanded wrench to the objective.
-    pub(super) fn curve_commands(&self, builder: &mut Builder, commands: &CommandLinearisation) {
-        let straight = |_, _, _| Affine::default();
+    /// Adds the curvature of the Lagrangian by rows on the commanded wrench to the objective.
+    pub(super) fn add_curvature_of_commands(&self, builder: &mut Builder, commands: &CommandLinearisation) {
+        let no_jump = |_, _, _| Affine::default();
         for (at, from, factors) in &commands.curvature {
             let direction = |&(axis, order): &(usize, usize)| {
-                let now = self.command_derivative(*at, (axis, order), &straight)?;
+                let now = self.command_derivative(*at, (axis, order), &no_jump)?;
                 Some(now.plus_constant(-from[axis][order]))
             };
-            let Some(directions) = LEAD_FLAT.iter().map(direction).collect::<Option<Vec<Affine>>>() else { continue };
-            let change = |factor: &LeadFlatState| {
+            let Some(directions) = COMMAND_DERIVATIVES.iter().map(direction).collect::<Option<Vec<Affine>>>() else {
+                continue;
+            };
+            let change = |factor: &CommandFlatState| {
                 let mut change = Affine::default();
                 for (direction, weight) in directions.iter().zip(factor.iter()) {
                     change.add(direction, *weight);

@@ -1,25 +1,11 @@
-//! Fixed times of waypoints among free ones: the legs between two fixed times share what is between them anew, and only the
-//! legs after the last fixed time can take longer together.
+//! Fixed times of waypoints among free ones. The legs between two fixed times form a span: they can divide its time in another way,
+//! but only the legs after the last fixed time can take longer in all.
 
 use super::*;
 use crate::model::Mission;
 use crate::motion::time_grid::has_fixed_times;
-use crate::planner::scp::phases::{CLOSELY, FEASIBILITY_PHASE_WEIGHT, INPUT_WEIGHT};
 
-/// The largest relative change of a duration in the first step that divides spans anew, how it shrinks where a step gains
-/// nothing, and where that ends.
-const FIRST_REACH: f64 = 0.2;
-const SHRINK: f64 = 0.4;
-const LEAST_REACH: f64 = 0.01;
-
-/// Their proximity, and their steps at most.
-const PROXIMAL_WEIGHT: f64 = 0.1;
-const MOST_STEPS: usize = 20;
-
-/// An iterate whose durations have just changed is worth more patience than one at a time that stands.
-const HOPELESS: f64 = 0.3;
-
-/// The changes of durations nearest to these, as factors, that keep the sum of durations of each span.
+/// Relative changes of durations, scaled within each span so that its sum of durations does not change.
 pub(super) fn keep_sums(grid: &TimeGrid, mut changes: Vec<f64>, spans: &[Range<usize>]) -> Vec<f64> {
     for span in spans {
         let duration = |leg: usize| grid.segments[leg].duration;
@@ -33,7 +19,7 @@ pub(super) fn keep_sums(grid: &TimeGrid, mut changes: Vec<f64>, spans: &[Range<u
 }
 
 impl ScpPlanner<'_, '_> {
-    /// The legs before the last fixed time, by the fixed times that they lie between.
+    /// The spans: the legs before the last fixed time, by the fixed times that they lie between.
     pub(super) fn spans(&self) -> Vec<Range<usize>> {
         let mut spans = Vec::new();
         let mut from = 0;
@@ -46,7 +32,7 @@ impl ScpPlanner<'_, '_> {
         spans
     }
 
-    /// The same at one mission time, which the legs after the last fixed time share.
+    /// The spans at one mission time: the legs after the last fixed time are one more.
     fn spans_of_all(&self) -> Vec<Range<usize>> {
         let mut spans = self.spans();
         let (from, last) = (spans.last().map_or(0, |span| span.end), self.hover.mission.legs.len());
@@ -56,15 +42,15 @@ impl ScpPlanner<'_, '_> {
         spans
     }
 
-    /// The legs whose durations change, each by its own share: all but those that are alone in their span.
+    /// The index of each leg's duration among the variables; `None` for a leg that is alone in its span.
     pub(super) fn changing(&self, spans: &[Range<usize>]) -> Vec<Option<usize>> {
         let alone = |leg: usize| spans.iter().any(|span| span.len() == 1 && span.contains(&leg));
         let mut own = 0..;
         (0..self.hover.mission.legs.len()).map(|leg| if alone(leg) { None } else { own.next() }).collect()
     }
 
-    /// An iterate that takes `flown` s in all: slower or faster on all legs alike, or where times are fixed on those after the last
-    /// of them. The latter is joined at waypoints to first order only. As it is where there are no such legs.
+    /// An iterate of `flown` s in all: slower or faster on all legs alike, or where times are fixed on those after the last fixed
+    /// time, whose pieces then join at waypoints to first order only. Unchanged where there are no such legs.
     pub(super) fn lasting(&self, iterate: &Iterate, flown: f64) -> Iterate {
         let from = self.spans().last().map_or(0, |span| span.end);
         if from == 0 {
@@ -80,53 +66,51 @@ impl ScpPlanner<'_, '_> {
         iterate.stepped(&iterate.states, &changes)
     }
 
-    /// An iterate whose legs have just changed by different shares, joined at its waypoints by one step towards the least violation.
+    /// An iterate whose legs have changed by different shares, joined at its waypoints by one step that minimises the violation.
     pub(super) fn joined(&mut self, iterate: &Iterate, working_set: &mut BTreeSet<RowAt>) -> Option<Iterate> {
+        let settings = self.settings;
+        let proximal = ProximalWeight { weight: settings.feasibility.proximal_weight };
         // Where inputs are small their relative changes make programs that the solver cannot solve.
-        [INPUT_WEIGHT, 0.0].into_iter().find_map(|input_weight| {
-            let weights = Weights { objective: Objective::Violation, penalty: 1.0, smoothing: 0.0, input_weight };
-            let stepped = self.step(
-                iterate,
-                &self.durations_stand(),
-                ProximalWeight { weight: FEASIBILITY_PHASE_WEIGHT },
-                weights,
-                working_set,
-            )?;
-            Some(iterate.with_states(stepped.states)).filter(Iterate::is_joined)
+        [settings.proximal.input_weight, 0.0].into_iter().find_map(|input_weight| {
+            let weights = Weights { objective: Objective::Violation, penalty: 1.0, cost_weight: 0.0, input_weight };
+            let stepped = self.step(iterate, &self.fixed_durations(), proximal, weights, working_set)?;
+            let joined = iterate.with_states(stepped.states);
+            joined.is_joined(settings.subproblem.joined_within).then_some(joined)
         })
     }
 
-    /// A plan at a mission time whose legs divide the time between fixed times as no rule does: about as a mission without fixed
-    /// times does, and from there, and from the divisions `begun`, by steps towards the least violation.
-    pub(super) fn divided_anew(&mut self, total: f64, begun: &[TimeGrid]) -> Option<Planned> {
+    /// A plan at a mission time with another division of the time between fixed times than the rules give: the division of a short
+    /// motion without fixed times; then, from it and from `divisions`, the divisions that steps towards the least violation find.
+    pub(super) fn divided_anew(&mut self, total: f64, divisions: &[TimeGrid]) -> Option<Planned> {
         let samples = self.hover.model.plan.samples;
         let fastest = self.durations_without_fixed_times().and_then(|legs| self.lay_out(Some(&legs), total, samples));
-        if let Some(planned) = fastest.as_ref().and_then(|full| self.at_once(full, &[])) {
+        if let Some(planned) = fastest.as_ref().and_then(|full| self.on_grid(full, &[])) {
             return Some(planned);
         }
-        fastest.iter().chain(begun).find_map(|full| {
-            let smooth = self.smooth(&full.flown())?;
+        fastest.iter().chain(divisions).find_map(|full| {
+            let smooth = self.minimum_snap(&full.flown())?;
             let mut working_set = BTreeSet::new();
             let inside = self.restore_feasibility_dividing_anew(smooth, &mut working_set)?;
             let inside = self.on_its_own_grid(inside, &mut working_set);
-            self.kept_near(inside, total, CLOSELY, &mut working_set)
+            self.restored_plan(inside, total, self.settings.cost.close, &mut working_set)
         })
     }
 
-    /// The durations of legs of a short motion on the coarse grid if no waypoint had a fixed time.
+    /// The durations of the legs, s, of a short motion on the coarse grid without fixed times.
     fn durations_without_fixed_times(&mut self) -> Option<Vec<f64>> {
         let mut mission: Mission = self.hover.mission.clone();
         mission.waypoints.iter_mut().for_each(|w| w.time = None);
-        let mut engine = HoverPlanner::new(self.hover.model, &mission, self.hover.healthy);
-        engine.on_progress = self.hover.on_progress;
-        let iterate = ScpPlanner::new(&mut engine, self.wrench, self.set).first_coarse();
-        let effort = engine.effort;
+        let mut hover = HoverPlanner::new(self.hover.model, &mission, self.hover.healthy);
+        hover.on_progress = self.hover.on_progress;
+        let mut free = ScpPlanner::with_settings(&mut hover, self.wrench, self.set, self.settings);
+        let iterate = free.first_coarse();
+        let effort = hover.effort;
         self.hover.effort += effort;
         iterate.map(|iterate| iterate.grid.segments.iter().map(|s| s.duration).collect())
     }
 
-    /// Steps towards the least violation in which the legs of each span divide its time anew, until the iterate can be restored
-    /// with the durations that it has.
+    /// Steps towards the least violation in which the legs of each span change their division of its time, until the iterate can be
+    /// restored with its durations.
     fn restore_feasibility_dividing_anew(
         &mut self,
         mut iterate: Iterate,
@@ -134,15 +118,17 @@ impl ScpPlanner<'_, '_> {
     ) -> Option<Iterate> {
         let spans = self.spans_of_all();
         let legs = self.changing(&spans);
-        let weights =
-            Weights { objective: Objective::Violation, penalty: 1.0, smoothing: 0.0, input_weight: INPUT_WEIGHT };
+        let settings = self.settings.durations;
+        let patient = self.settings.feasibility.max_predicted_after_change;
+        let input_weight = self.settings.proximal.input_weight;
+        let weights = Weights { objective: Objective::Violation, penalty: 1.0, cost_weight: 0.0, input_weight };
         let mut violation = self.violation_by(&iterate, working_set);
-        let mut reach = FIRST_REACH;
-        for _ in 0..MOST_STEPS {
+        let mut radius = settings.initial_radius_between_fixed_times;
+        for _ in 0..settings.max_steps_between_fixed_times {
             self.forget_multipliers();
             working_set.extend(self.rows_between(&iterate));
-            let durations = Durations { legs: legs.clone(), range: (-reach, reach), spans: spans.clone() };
-            let proximal = ProximalWeight { weight: PROXIMAL_WEIGHT };
+            let durations = Durations { legs: legs.clone(), range: (-radius, radius), spans: spans.clone() };
+            let proximal = ProximalWeight { weight: settings.proximal_weight };
             let reached = self
                 .step(&iterate, &durations, proximal, weights, working_set)
                 .map(|stepped| iterate.stepped(&stepped.states, &stepped.changes))
@@ -150,25 +136,24 @@ impl ScpPlanner<'_, '_> {
             if let Some(reached) = reached {
                 working_set.extend(self.rows_violated_most(&reached));
                 let now = self.violation_by(&reached, working_set);
-                if let Some(inside) =
-                    self.restore_feasibility_unless(reached.clone(), HOPELESS, &mut working_set.clone())
-                {
-                    return Some(inside);
+                let restored = self.restore_feasibility_unless(reached.clone(), patient, &mut working_set.clone());
+                if restored.is_some() {
+                    return restored;
                 }
                 if now < violation {
                     (iterate, violation) = (reached, now);
                     continue;
                 }
             }
-            reach *= SHRINK;
-            if reach < LEAST_REACH {
+            radius *= settings.radius_shrink;
+            if radius < settings.min_radius {
                 break;
             }
         }
         None
     }
 
-    /// Whether durations between fixed times are the planner's.
+    /// Whether the planner chooses the durations between fixed times.
     pub(super) fn divides_spans(&self) -> bool {
         self.chooses_times() && has_fixed_times(self.hover.mission)
     }

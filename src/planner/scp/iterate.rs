@@ -1,17 +1,15 @@
-//! An iterate over a mission without its holds, and what changes of time do to it.
+//! An iterate over a mission without its holds, and how changes of durations act on it.
 
 use super::PARTS;
 use crate::motion::time_grid::TimeGrid;
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, Trajectory, between};
 
-/// Derivatives within this of each other are the same, SI units: the solver leaves less, a step of durations more.
-const JOINED: f64 = 1e-5;
-
-/// Derivatives at the nodes of a profile without holds.
+/// Derivatives at the nodes of a time grid without holds.
 #[derive(Debug, Clone)]
 pub struct Iterate {
     pub grid: TimeGrid,
+    /// At every node, SI units.
     pub states: Vec<NodeState>,
     pub model: WrenchModel,
 }
@@ -59,8 +57,8 @@ impl Iterate {
         }
     }
 
-    /// The iterate that a step leads to: its states are those of the old time, and each leg takes longer by its relative
-    /// change. Where legs change by different shares it is joined at waypoints to first order only.
+    /// The iterate that a step leads to: `states` belong to the old durations, and each leg's duration changes by its relative
+    /// change. Where legs change by different shares the pieces join at waypoints to first order only (72).
     pub fn stepped(&self, states: &[NodeState], changes: &[f64]) -> Iterate {
         let mut changed = states.to_vec();
         for s in &self.grid.segments {
@@ -73,15 +71,14 @@ impl Iterate {
         Iterate { grid: self.grid.with_durations_times(|leg| 1.0 + changes[leg]), states: changed, model: self.model }
     }
 
-    /// Whether each interval ends with the position, the velocity and so on at which the next begins, to 1e-5 of their largest size
-    /// (1e-5 in SI units where that is more; the solver is no more exact): an iterate of [`Self::stepped`] whose legs changed
-    /// by different shares does not.
-    pub fn is_joined(&self) -> bool {
+    /// Whether each interval ends with the derivatives below the input's at which the next begins, to `within` of their largest
+    /// size (of 1 in SI units where that is more). Not so after [`Self::stepped`] with legs that changed by different shares.
+    pub fn is_joined(&self, within: f64) -> bool {
         let times = &self.grid.node_times;
         let largest =
             |axis: usize, order: usize| self.states.iter().fold(1.0, |most, s| f64::max(most, s[axis][order].abs()));
         let allowed: [[f64; 5]; 4] =
-            std::array::from_fn(|axis| std::array::from_fn(|order| JOINED * largest(axis, order)));
+            std::array::from_fn(|axis| std::array::from_fn(|order| within * largest(axis, order)));
         self.states.windows(2).zip(times.windows(2)).all(|(pair, t)| {
             let h = t[1] - t[0];
             let reached = between(&pair[0], &pair[1], h, h, self.model);
@@ -91,12 +88,12 @@ impl Iterate {
         })
     }
 
-    /// The same profile with other states.
+    /// The same time grid with other states.
     pub fn with_states(&self, states: Vec<NodeState>) -> Iterate {
         Iterate { grid: self.grid.clone(), states, model: self.model }
     }
 
-    /// The same with inputs changed by as little as makes its pieces join ([`Trajectory::joined`]).
+    /// The same with the smallest changes of inputs that make its pieces join ([`Trajectory::joined`]).
     pub fn with_joined_pieces(&self) -> Iterate {
         self.with_states(self.trajectory().joined().nodes)
     }
@@ -109,7 +106,7 @@ impl Iterate {
         self.states.iter().zip(states).map(|(from, to)| blend(from, to)).collect()
     }
 
-    /// The same motion at the nodes of another profile: by shares of each leg's duration.
+    /// The same path interpolated at the nodes of another time grid, at the same shares of each leg's duration.
     pub fn on(&self, grid: &TimeGrid) -> Iterate {
         let trajectory = self.trajectory();
         let mut states = Vec::with_capacity(grid.nodes());

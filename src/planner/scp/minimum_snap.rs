@@ -1,4 +1,4 @@
-//! Motions that know no set, to begin from.
+//! The minimum-snap initial guess: the least cost through the waypoints, without the set.
 
 use super::*;
 use crate::planner::limits::Widening;
@@ -7,8 +7,8 @@ use crate::qp::QuadraticProgram;
 use crate::qp::build::{Affine, Builder};
 
 impl Transcription<'_> {
-    /// The least cost, and [`Self::gentleness`] beside it, with limits as chosen and no set.
-    fn smooth_program(&self, chosen: &[RowAt]) -> QuadraticProgram {
+    /// Minimises the cost and [`Self::gentleness`] subject to the limits in `chosen`, without the set.
+    fn minimum_snap_program(&self, chosen: &[RowAt]) -> QuadraticProgram {
         let mut builder = Builder::new(self.variables());
         let nothing = Affine::constant(0.0);
         self.dynamics(&mut builder, &|_, _, _| Affine::default());
@@ -26,16 +26,16 @@ impl Transcription<'_> {
 }
 
 impl ScpPlanner<'_, '_> {
-    /// A smooth motion through the waypoints that knows no set: the least cost with positions in their limits, and gentle
-    /// where it begins or ends as it likes.
-    pub(super) fn smooth(&mut self, grid: &TimeGrid) -> Option<Iterate> {
-        // On long legs snap is so small that the solver's tolerance leaves noise in it: solved as if a leg took a second.
+    /// The minimum-snap motion through the waypoints: the least cost with positions in their limits, without the set. Where an
+    /// end is free, [`Transcription::gentleness`] is added to the cost. `None` if the solver gives no point.
+    pub(super) fn minimum_snap(&mut self, grid: &TimeGrid) -> Option<Iterate> {
+        // On long legs snap is so small that the solver's tolerance leaves noise in it: the legs are scaled to a mean of 1 s.
         let slower = (grid.total / grid.segments.len() as f64).max(1.0);
         let quick = grid.with_durations_times(|_| 1.0 / slower);
         let form = self.transcription(&quick, &[]);
         let places: Vec<RowAt> = self.places(grid).into_iter().collect();
         let program = match form.free_ends().next().is_some() {
-            true => form.smooth_program(&places),
+            true => form.minimum_snap_program(&places),
             false => form.relaxed_program(Purpose::Plan { slack: 0.0 }, &places, f64::INFINITY),
         };
         let (outcome, effort) = solve_graded(&program);

@@ -1,6 +1,6 @@
-//! What any plan must satisfy whatever its attitude: a convex relaxation whose infeasibility is a proof.
+//! A convex relaxation (74), whose infeasibility proves that there is no plan.
 //!
-//! The iterate keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within the
+//! The motion keeps its waypoints, rests and limits (the tilt cone among them), and its thrust m |a + g| stays within the
 //! largest thrust of the set. Torques are left free.
 
 use super::*;
@@ -9,34 +9,33 @@ use crate::planner::transcription::Purpose;
 use crate::qp::build::{Affine, Builder};
 use crate::qp::{QuadraticProgram, RowOrigin};
 
-/// The largest thrust of a set, and why no wrench of it has more.
+/// The largest thrust of a set, with the multipliers that prove it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MostThrust {
     /// N
     pub newtons: f64,
-    /// Of the set's rows, N: `T <= sum of weight x offset`, for the normals weighed alike add up to the axis of T.
+    /// One per row of the set, N: `T <= sum of weight x offset`, because the normals with these weights add up to the axis of T.
     pub weights: Vec<f64>,
 }
 
 /// The relaxation as a program that is always feasible.
 pub struct Relaxed {
     pub program: QuadraticProgram,
-    /// Unit of time of its variables at each node, s.
+    /// The unit of time that scales its variables at each node, s.
     pub taus: Vec<f64>,
     pub thrust: MostThrust,
 }
 
-/// What the relaxation says of a profile.
+/// The outcome of the relaxation over a time grid.
 pub(super) enum Verdict {
-    /// It has no motion: multipliers checked in plain arithmetic say so. What its rows weigh in them is left in
-    /// [`HoverPlanner::weights`].
+    /// Proved infeasible by multipliers that are checked in plain arithmetic; they are left in [`HoverPlanner::weights`] by row.
     Infeasible,
-    /// Its motion of least cost, which keeps every limit at the nodes; `None` where none was found.
+    /// The solution of least cost, which keeps every limit at the nodes; `None` where none was found.
     Feasible(Option<Iterate>),
 }
 
 impl ScpPlanner<'_, '_> {
-    /// Solves the relaxation over a profile (without holds).
+    /// Solves the relaxation over a time grid (without holds).
     pub(super) fn relaxed(&mut self, grid: &TimeGrid) -> Verdict {
         self.hover.weights.clear();
         let thrust = self.most_thrust().newtons;
@@ -62,8 +61,8 @@ impl ScpPlanner<'_, '_> {
         Verdict::Feasible(iterate)
     }
 
-    /// The relaxation over a profile (without holds), asked how far waypoints would have to be overshot; `epsilon` weighs
-    /// the inputs' cost beside that.
+    /// The relaxation over a time grid (without holds) that minimises by how much waypoints are overshot, m, plus `epsilon` times
+    /// the inputs' cost.
     pub fn overshoot(&mut self, grid: &TimeGrid, epsilon: f64) -> Relaxed {
         let thrust = self.most_thrust();
         let form = self.transcription(grid, &[]);
@@ -86,7 +85,7 @@ impl ScpPlanner<'_, '_> {
             })
     }
 
-    /// The largest thrust that the set allows with any torques.
+    /// The largest thrust of the set over all torques.
     fn most_thrust(&mut self) -> MostThrust {
         let mut builder = Builder::new(4);
         let scale = self.hover.model.vehicle.rotors.iter().map(crate::model::Rotor::max_thrust).sum::<f64>();
@@ -107,7 +106,7 @@ impl ScpPlanner<'_, '_> {
         let (outcome, effort) = solve_graded(&builder.finish());
         self.hover.effort += effort;
         let mut weights = vec![0.0; self.set.rows.len()];
-        // No thrust is larger than the dual bound says.
+        // The dual objective bounds the thrust from above.
         let Outcome::Solved(solution) = outcome else { return MostThrust { newtons: scale, weights } };
         for (&(facet, factor), z) in of_row.iter().zip(&solution.z) {
             weights[facet] += factor * z;

@@ -1,31 +1,25 @@
 //! What limits the time of a plan: the first-order sensitivity of the shortest time to each statement of the spec.
 //!
-//! About the plan one step program is solved that minimises the relative time. Its multipliers z say by how much the optimum
-//! falls where a row gives way: with slacks s(x) = b - A x in the cone, d(optimum) = -z' ds (Boyd and Vandenberghe, *Convex
-//! Optimization*, section 5.6). The change ds is taken from the same program built for a spec that is relaxed by a unit
-//! throughout, so that no scaling of rows enters here.
+//! One subproblem about the plan minimises the relative time. Its multipliers z give the decrease of the optimum when a row is
+//! relaxed: with slacks s(x) = b - A x in the cone, d(optimum) = -z' ds (Boyd and Vandenberghe, *Convex Optimization*, section
+//! 5.6). The change ds comes from the same program built for a spec that is relaxed by a unit throughout, so that no scaling of
+//! rows enters here.
 
 use super::*;
 use crate::model::{LimitKind, Mission};
 use crate::qp::RowOrigin;
 
-/// By how much each statement is relaxed: a share of limits and tolerances, and of the healthy set's width for sets.
+/// The unit by which limits and tolerances are relaxed, as a share of themselves, and sets, as a share of the healthy set's width.
 pub const SHARE: f64 = 0.01;
 
-/// By how much places give way, m and rad, and rests, m/s.
+/// The unit by which limits on x, y and z are relaxed, m.
 pub const PLACE: f64 = 0.1;
+/// The unit by which limits on yaw are relaxed, rad: 1 degree.
 pub const YAW_PLACE: f64 = std::f64::consts::PI / 180.0;
+/// The unit by which rests are relaxed, m/s.
 pub const SPEED: f64 = 0.1;
 
-/// The relative weight of the cost, the weight of the violation, the proximal weight, and the largest relative change of a
-/// duration. With less weight on the cost the program is far from the plan, whose cost near the shortest time rises steeply, and
-/// gives acceleration limits too little (measured against plans of relaxed specs: tests/it/exact/binding.rs).
-const SMOOTHING: f64 = 0.05;
-const PENALTY: f64 = 100.0;
-const PROXIMAL_WEIGHT: f64 = 0.1;
-const REACH: f64 = 0.1;
-
-/// What of the spec a row comes from.
+/// The statement of the spec that a row comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Statement {
     /// `Mission::limits[_]`.
@@ -73,16 +67,17 @@ fn relaxed(mission: &Mission) -> Mission {
 }
 
 impl ScpPlanner<'_, '_> {
-    /// What limits each leg of a plan whose time was searched for; `None` where the program about it is not solved.
+    /// What limits each leg of a plan whose time was searched for; `None` if the subproblem about it is not solved.
     pub fn binding(&mut self, planned: &Planned) -> Option<Vec<LegBinding>> {
-        let iterate = self.motion_of(planned);
-        let mut working_set = self.rows_at_nodes(&iterate, -NEAR);
+        let iterate = self.iterate_of(planned);
+        let settings = self.settings;
+        let mut working_set = self.rows_at_nodes(&iterate, -settings.subproblem.slack_of_working_set);
         working_set.extend(self.rows_between(&iterate));
         working_set.extend(self.rows_everywhere(&iterate.grid));
         let chosen: Vec<RowAt> = working_set.iter().copied().collect();
         let linear = self.linearise(&iterate, &working_set);
         let curvature = self.curvature(&iterate);
-        let commands = self.command_lines(&iterate, &working_set);
+        let commands = self.linearise_commands(&iterate, &working_set);
         let legs = self.free_legs();
         let step = Step {
             from: &iterate.states,
@@ -90,12 +85,13 @@ impl ScpPlanner<'_, '_> {
             time_sensitivities: &linear.time_sensitivities,
             legs: &legs,
             curvature: &curvature,
-            proximal_weight: PROXIMAL_WEIGHT,
+            settings: &settings,
+            proximal_weight: settings.sensitivity.proximal_weight,
             objective: Objective::Time,
-            penalty: PENALTY,
-            smoothing: SMOOTHING,
+            penalty: settings.sensitivity.penalty,
+            cost_weight: settings.sensitivity.cost_weight,
             input_weight: 0.0,
-            range: (-REACH, REACH),
+            range: (-settings.sensitivity.radius, settings.sensitivity.radius),
             spans: &[],
             tightening: &self.tightening,
             local_tightening: &vec![0.0; chosen.len()],
@@ -104,9 +100,9 @@ impl ScpPlanner<'_, '_> {
         let form = self.transcription(&iterate.grid, &linear.maps);
         let (program, _) = form.step_program(&step, &chosen);
         let solved = [false, true].into_iter().find_map(|scaled| {
-            let (approached, effort) = approach(&program, scaled);
+            let (approached, effort) = solve_step(&program, scaled);
             self.hover.effort += effort;
-            approached.filter(|approached| approached.is_least)
+            approached.filter(|approached| approached.is_optimal)
         });
         let Solution { x, z, .. } = solved?.solution;
         let mission = relaxed(self.hover.mission);
@@ -131,8 +127,7 @@ impl ScpPlanner<'_, '_> {
             let Some(waypoint) = nodes.iter().position(|&n| n == node) else { continue };
             found.insert((waypoint.saturating_sub(1), Statement::Rest(waypoint)), square.sqrt());
         }
-        // Up to the last fixed time the mission lasts as long as the spec says; what rows there give back is cost, by way of the
-        // smoothing, and not time.
+        // Up to the last fixed time the mission lasts as long as the spec says; relaxed rows there lower the cost, not the time.
         let fixed = self.spans().last().map_or(0, |span| span.end);
         found.retain(|(leg, _), _| *leg >= fixed);
         let total = iterate.grid.total;
@@ -146,15 +141,15 @@ impl ScpPlanner<'_, '_> {
         Some(segments.iter().map(|s| LegBinding { duration: s.duration, statements: of_leg(s.from) }).collect())
     }
 
-    /// Which change of duration is each leg's own: none up to the last fixed time; one for each leg, or where they share the time
-    /// one for all.
+    /// The index of each leg's duration among the variables: none up to the last fixed time; after it one for each leg, or where the
+    /// legs' shares are given one for all.
     fn free_legs(&self) -> Vec<Option<usize>> {
         let fixed = self.spans().last().map_or(0, |span| span.end);
         let own = |leg: usize| if self.chooses_times() { leg - fixed } else { 0 };
         (0..self.hover.mission.legs.len()).map(|leg| (leg >= fixed).then(|| own(leg))).collect()
     }
 
-    /// The statement that a row of a step program comes from, and its leg: at a waypoint the one that ends there.
+    /// The statement that a row of the subproblem comes from, and its leg: at a waypoint the one that ends there.
     fn statement(&self, form: &Transcription, origin: &RowOrigin) -> Option<(usize, Statement)> {
         let leg = |node: usize| form.leg_of(node * PARTS);
         let set = |facet: usize| self.set.rows[facet].origin.first().map_or(0, |origin| origin.mode);

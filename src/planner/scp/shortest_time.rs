@@ -1,22 +1,13 @@
-//! The shortest mission time of a plan, and what is said where there is none.
+//! The search for the shortest mission time of a plan.
 
 use super::*;
 use crate::motion::time_grid::{determined, earliest, has_fixed_times};
 use crate::planner::hover::Decision;
-use crate::planner::scp::given_time::{FINE_STEP, LEAST_FINE, NOT_FOUND};
-use crate::planner::scp::phases::{CLOSELY, CLOSER, StoppingRule};
+use crate::planner::scp::given_time::NOT_FOUND;
 use crate::planner::scp::relaxation::Verdict;
 use crate::planner::timing::kinematics;
 use crate::planner::timing::search::{GRID, NoTime, Shortest};
-
-/// Times without a plan are not tried beyond this many times the first guess.
-const SLOWEST: f64 = 20.0;
-
-/// A time that is longer than that of a larger set by no more than this share is short enough.
-const AS_SHORT: f64 = 3e-3;
-
-/// Times after the last fixed time that a first plan is sought with, in initial durations of the legs there.
-const AMPLE: [f64; 4] = [1.0, 1.5, 2.5, 5.0];
+use settings::StoppingRule;
 
 fn shortest(time: f64, planned: Planned) -> Shortest {
     Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() }
@@ -27,9 +18,12 @@ fn not_found(at: f64) -> NoTime {
 }
 
 impl ScpPlanner<'_, '_> {
-    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there; begun from plans of
-    /// other sets where there are some. Shorter times are sought until one is nearly as short as `larger`, the time (s) found for a
-    /// larger set, and the cost is then lowered less closely.
+    /// The shortest mission time found, on multiples of [`GRID`], and the plan of least cost there. `initial_guesses` are plans of
+    /// other sets, for a warm start. Shorter times are sought until one is nearly as short as `larger`, the time (s) found for a
+    /// larger set; the cost is then minimised less closely.
+    ///
+    /// # Errors
+    /// [`NoTime`], if each time tried is proved infeasible or if no plan is found.
     pub fn shortest(&mut self, initial_guesses: &[&Planned], larger: Option<f64>) -> Result<Shortest, NoTime> {
         if let Some(total) = determined(self.hover.mission) {
             return match self.decide(total, initial_guesses) {
@@ -40,7 +34,7 @@ impl ScpPlanner<'_, '_> {
         }
         let (model, mission) = (self.hover.model, self.hover.mission);
         if kinematics::least_time_within(model, mission).too_early.is_some() {
-            // No mission time is long enough: one stands for all.
+            // A fixed time is too early whatever the mission time: one is named for all.
             let time = (self.hover.guess() / GRID).ceil() / (1.0 / GRID).round();
             return Err(NoTime::Infeasible { times: vec![time] });
         }
@@ -51,43 +45,48 @@ impl ScpPlanner<'_, '_> {
             };
         }
         let mut working_set = BTreeSet::new();
-        let slowed = self.slowed(initial_guesses, &mut working_set);
-        let enough = larger.map_or(0.0, |larger| (1.0 + AS_SHORT) * larger - self.held());
-        let care = if larger.is_some() { CLOSER } else { CLOSELY };
-        let has_good_times = slowed.is_some() || self.medium_grid().is_some();
-        let smoothing: &[f64] = if has_good_times { &durations::WARM_START } else { &durations::FULL_GRID };
+        let settings = self.settings;
+        let warm_start = self.warm_start(initial_guesses, &mut working_set);
+        let enough = larger.map_or(0.0, |larger| (1.0 + settings.search.short_enough) * larger - self.held());
+        let rule = if larger.is_some() { settings.cost.medium } else { settings.cost.close };
+        let has_good_times = warm_start.is_some() || self.medium_grid().is_some();
         let guess = self.hover.guess();
-        let Some(mut iterate) = slowed.or_else(|| self.first(0.0)) else { return Err(self.none_at_all(guess)) };
+        let Some(mut iterate) = warm_start.or_else(|| self.first_feasible(0.0)) else {
+            return Err(self.none_at_all(guess));
+        };
         if iterate.grid.total > enough {
             iterate = match self.chooses_times() {
-                true => self.optimise_durations(iterate, smoothing, enough, &mut working_set),
-                false => self.descend(iterate, (FINE_STEP, LEAST_FINE), enough, &mut working_set),
+                true => {
+                    let weights = settings.durations.weights_from(has_good_times);
+                    self.optimise_durations(iterate, weights, enough, &mut working_set)
+                }
+                false => self.descend(iterate, settings.descent.on_full_grid, enough, &mut working_set),
             };
         }
-        self.rounded_up(&iterate, care, &mut working_set)
+        self.rounded_up(&iterate, rule, &mut working_set)
     }
 
-    /// The plan of least cost about an iterate, at its time rounded up to [`GRID`]: flown a little slower a plan is one still, or
-    /// nearly always.
+    /// The plan of least cost from a feasible iterate, at its time rounded up to [`GRID`], or later by the first of
+    /// [`settings::SearchSettings::late`] at which there is one: a plan flown a little slower is nearly always still one.
     fn rounded_up(
         &mut self,
         iterate: &Iterate,
-        care: StoppingRule,
+        rule: StoppingRule,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Result<Shortest, NoTime> {
         let ticks = ((iterate.grid.total + self.held()) / GRID - 1e-6).ceil();
-        for late in [0.0, 1.0, 2.0, 4.0, 8.0, 16.0] {
+        for late in self.settings.search.late {
             let time = (ticks + late) / (1.0 / GRID).round();
             let slower = self.lasting(iterate, time - self.held());
-            if let Some(planned) = self.kept_near(slower, time, care, working_set) {
+            if let Some(planned) = self.restored_plan(slower, time, rule, working_set) {
                 return Ok(shortest(time, planned));
             }
         }
         Err(not_found(iterate.grid.total + self.held()))
     }
 
-    /// Where waypoints have fixed times and the others' are the planner's: the plan of another set, or one with ample time after
-    /// the last fixed time, and steps towards shorter times from there.
+    /// Where some waypoints have fixed times and the planner chooses the others': starts from the plan of another set, or from one
+    /// with ample time after the last fixed time, and shortens the durations.
     fn shortest_about_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
         let mission = self.hover.mission;
         let after = self.spans().last().map_or(0, |span| span.end);
@@ -95,11 +94,15 @@ impl ScpPlanner<'_, '_> {
         let mut tried: Vec<f64> = initial_guesses.iter().map(|planned| planned.grid.total).collect();
         tried.sort_by(f64::total_cmp);
         tried.dedup();
-        let begun = tried.len();
+        let of_other_sets = tried.len();
         tried.extend(
-            AMPLE.map(|factor| ((earliest(mission) + factor * unhurried) / GRID).ceil() / (1.0 / GRID).round()),
+            self.settings
+                .search
+                .ample
+                .map(|factor| ((earliest(mission) + factor * unhurried) / GRID).ceil() / (1.0 / GRID).round()),
         );
-        let mut found = (0..tried.len()).find_map(|nth| Some((nth, self.soon_decided(tried[nth], initial_guesses)?)));
+        let mut found =
+            (0..tried.len()).find_map(|nth| Some((nth, self.on_first_divisions(tried[nth], initial_guesses)?)));
         let ample = tried.len() - 1;
         if found.is_none()
             && let Decision::Feasible(planned) = self.decide(tried[ample], &[])
@@ -107,21 +110,22 @@ impl ScpPlanner<'_, '_> {
             found = Some((ample, *planned));
         }
         let Some((nth, planned)) = found else { return Err(not_found(tried[ample])) };
-        let smoothing: &[f64] = if nth < begun { &durations::WARM_START } else { &durations::FULL_GRID };
+        let settings = self.settings;
+        let weights = settings.durations.weights_from(nth < of_other_sets);
         let mut working_set = BTreeSet::new();
-        let iterate = self.optimise_durations(self.motion_of(&planned), smoothing, 0.0, &mut working_set);
-        let shorter = self.rounded_up(&iterate, CLOSELY, &mut working_set);
+        let iterate = self.optimise_durations(self.iterate_of(&planned), weights, 0.0, &mut working_set);
+        let shorter = self.rounded_up(&iterate, settings.cost.close, &mut working_set);
         match &shorter {
             Ok(found) if found.time < planned.grid.total => shorter,
             _ => Ok(shortest(planned.grid.total, planned)),
         }
     }
 
-    /// Why no plan was found about a time, nor slower: none was found, or there is none from a quarter of that flight on, at
-    /// times each twice the last.
+    /// The verdict where no plan was found from a first guess of the time, nor at slower ones: proved infeasible, if the relaxation
+    /// proves it from a quarter of that flight on, at times each twice the last; else not found.
     fn none_at_all(&mut self, time: f64) -> NoTime {
         let samples = self.hover.model.plan.samples;
-        let mut at = time - 0.75 * (time - earliest(self.hover.mission));
+        let mut at = time - self.settings.search.first_proof * (time - earliest(self.hover.mission));
         let mut proved = Vec::new();
         while !self.chooses_times() {
             let Some(full) = self.lay_out(None, at, samples) else { break };
@@ -129,7 +133,7 @@ impl ScpPlanner<'_, '_> {
                 break;
             }
             proved.push(at);
-            if at > SLOWEST * time {
+            if at > self.settings.search.max_multiple * time {
                 return NoTime::Infeasible { times: proved };
             }
             at *= 2.0;
@@ -137,12 +141,14 @@ impl ScpPlanner<'_, '_> {
         not_found(time)
     }
 
-    /// Where only the legs after the last fixed time are free: the time of another set's plan, or the first of ever longer times
-    /// with a plan, then bisection.
+    /// Where only the legs after the last fixed time are free: bisection, from the time of another set's plan or from the first of
+    /// ever longer times with a plan.
     fn shortest_after_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
         let floor = earliest(self.hover.mission);
+        let settings = self.settings.search;
+        let resolution = self.settings.descent.on_full_grid.min;
         let mut low = floor;
-        let mut stride = (0.25 * (self.hover.guess() - floor)).max(GRID);
+        let mut stride = (settings.first_stride * (self.hover.guess() - floor)).max(GRID);
         let mut best: Option<(f64, Planned)> = None;
         let (mut proved, mut all_proved) = (Vec::new(), true);
         let mut known: Vec<f64> = initial_guesses.iter().map(|planned| planned.grid.total).collect();
@@ -163,7 +169,7 @@ impl ScpPlanner<'_, '_> {
                 }
             }
         }
-        while best.as_ref().is_none_or(|b| b.0 - low > (LEAST_FINE * b.0).max(GRID)) {
+        while best.as_ref().is_none_or(|b| b.0 - low > (resolution * b.0).max(GRID)) {
             let try_at = best.as_ref().map_or(low + stride, |b| 0.5 * (low + b.0));
             let time = (try_at / GRID).ceil() / (1.0 / GRID).round();
             match self.decide(time, initial_guesses) {
@@ -177,8 +183,8 @@ impl ScpPlanner<'_, '_> {
                     low = time;
                 }
             }
-            stride *= 1.5;
-            if low > SLOWEST * self.hover.guess() {
+            stride *= settings.stride_growth;
+            if low > settings.max_multiple * self.hover.guess() {
                 return Err(if all_proved { NoTime::Infeasible { times: proved } } else { not_found(low) });
             }
         }

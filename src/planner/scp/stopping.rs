@@ -1,22 +1,11 @@
-//! Steps to an iterate that stops inside the set: short attempts, for they are asked by the dozen.
+//! Steps to an iterate that stops inside the set: short attempts, because risk figures need dozens of them.
 
 use super::*;
 
-/// Proximal weight of steps: where the wrench is linear in the motion a step need not stay near.
-const LINEAR: f64 = 1e-5;
-const CURVED: f64 = 0.1;
-
-/// Most steps; over each [`PATIENCE`] of them the violation has to fall by half.
-const MOST_STEPS: usize = 8;
-const PATIENCE: usize = 2;
-
-/// A step that keeps less than this share of itself is not worth a try.
-const LEAST_SHARE: f64 = 0.1;
-
 impl ScpPlanner<'_, '_> {
-    /// A stop over a profile, from the engine's `struck` on; `None` where the steps find none.
+    /// A stop over a time grid from the state [`HoverPlanner::struck`]; `None` where the steps find none.
     pub fn stop(&mut self, grid: &TimeGrid) -> Option<Iterate> {
-        let smooth = self.smooth(grid)?;
+        let smooth = self.minimum_snap(grid)?;
         let violation = self.violation(&smooth);
         self.stop_by_steps(smooth, violation)
     }
@@ -26,38 +15,44 @@ impl ScpPlanner<'_, '_> {
         self.stop_by_steps(other, f64::INFINITY)
     }
 
-    /// With an infinite `violation` the iterate is none of this mission, and the first step is taken whole.
+    /// With an infinite `violation` the iterate is not one of this mission, and the first step is taken whole.
     fn stop_by_steps(&mut self, mut iterate: Iterate, mut violation: f64) -> Option<Iterate> {
-        let durations = self.durations_stand();
+        let (settings, margin) = (self.settings.stops, self.settings.tightening.margin);
+        let proximal_settings = self.settings.proximal;
+        let durations = self.fixed_durations();
         let linear = matches!(self.wrench, WrenchModel::HoverAt(_));
-        let mut proximal = ProximalWeight { weight: if linear { LINEAR } else { CURVED } };
-        let weights = Weights { objective: Objective::Violation, penalty: 1.0, smoothing: 0.0, input_weight: 0.0 };
+        let mut proximal = ProximalWeight {
+            weight: if linear { settings.proximal_weight_if_linear } else { settings.proximal_weight },
+        };
+        let weights = Weights { objective: Objective::Violation, penalty: 1.0, cost_weight: 0.0, input_weight: 0.0 };
         let mut working_set = BTreeSet::new();
         let mut history: Vec<f64> = Vec::new();
         self.multipliers.clear();
         while violation > 0.0 {
             history.push(violation);
-            let stuck = !linear && history.len() > PATIENCE && violation > 0.5 * history[history.len() - 1 - PATIENCE];
-            if history.len() > MOST_STEPS || stuck || proximal.exhausted() {
+            let stuck = !linear
+                && history.len() > settings.patience
+                && violation > settings.required_fall * history[history.len() - 1 - settings.patience];
+            if history.len() > settings.max_steps || stuck || proximal.is_exhausted(&proximal_settings) {
                 return None;
             }
             working_set.extend(self.rows_between(&iterate));
             let stepped = self.step(&iterate, &durations, proximal, weights, &mut working_set)?;
-            if linear && stepped.sigma > 2.0 * TIGHTENING {
-                return None; // this program is no approximation, and lacks no row that could help
+            if linear && stepped.sigma > 2.0 * margin {
+                return None; // this program is not an approximation, and no row that it lacks would help
             }
             let mut share = 1.0;
             let (reached, now) = loop {
                 let reached = iterate.with_states(iterate.towards(&stepped.states, share));
                 let now = self.violation(&reached);
-                let enough = now <= violation - 0.2 * share * (violation - stepped.sigma);
-                if linear || violation.is_infinite() || enough || share < 2.0 * LEAST_SHARE {
+                let enough = now <= violation - settings.sufficient_decrease * share * (violation - stepped.sigma);
+                if linear || violation.is_infinite() || enough || share < 2.0 * settings.min_share {
                     break (reached, now);
                 }
                 share *= 0.5;
             };
             if share < 0.5 {
-                proximal = proximal.less();
+                proximal = proximal.increased(&proximal_settings);
             }
             if linear || now < violation {
                 (iterate, violation) = (reached, now);

@@ -1,11 +1,11 @@
-//! One convex program of the sequence: the wrench linear about the last iterate, time free or fixed.
+//! The convex subproblem (73) of one step: the wrench linear about the last iterate, durations free or fixed.
 //!
-//! Variables are the derivatives at the nodes as if no duration changed, the violation sigma, and a relative change
-//! delta of each leg's duration that may change. A derivative of order m in the new time is D (1 + delta)^-m, so
-//! the wrench along the leg changes by -m dw/dD D delta to first order. The variable is epsilon, with (1 + delta)^4 =
-//! 1 + 4 epsilon: rows times that factor hold the snap, whose torques bind first, without any error.
+//! Variables are the derivatives at the nodes as if no duration changed, the violation sigma, and epsilon for each leg whose
+//! duration may change. With its relative change delta, (1 + delta)^4 = 1 + 4 epsilon (69). A derivative of order m in the new
+//! time is D (1 + delta)^-m, so the wrench along the leg changes by -m dw/dD D delta to first order (70). Rows are multiplied
+//! by 1 + 4 epsilon (71), in which the snap, whose torques bind first, enters without linearisation error.
 
-use super::TIGHTENING;
+use super::settings::ScpSettings;
 use crate::actuation::Wrench;
 use crate::admissible::row::SetRow;
 use crate::flatness::FlatState;
@@ -21,7 +21,7 @@ use crate::qp::{Cone, QuadraticProgram, RowOrigin};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// What a step seeks; all objectives are relative and of order one.
+/// What a subproblem minimises; all objectives are relative and of order one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Objective {
     /// The shortest time.
@@ -32,34 +32,34 @@ pub enum Objective {
     Cost,
 }
 
-/// About what and how far a step goes.
+/// All that one subproblem depends on, except its rows.
 pub struct Step<'s> {
+    pub settings: &'s ScpSettings,
     pub objective: Objective,
-    /// Derivatives at the nodes.
+    /// The iterate: derivatives at the nodes.
     pub from: &'s [NodeState],
-    /// The wrench per instant, and by how much it changes per relative change of time; where there are rows.
+    /// The wrench per instant, and its change per relative change of the duration; where there are rows.
     pub wrenches: &'s [Wrench],
     pub time_sensitivities: &'s [Wrench],
-    /// Per leg: which change of duration is its own; `None` where its duration stands.
+    /// Per leg the index of its epsilon; `None` where its duration is fixed.
     pub legs: &'s [Option<usize>],
     /// Curvature of the Lagrangian: at each instant squares |factor . (s' - s)|^2 / 2 to be added to the objective.
     pub curvature: &'s [(usize, NodeState, Vec<FlatState>)],
-    /// Weight of the squared relative change of accelerations, which keeps the step where the linear model holds.
+    /// rho in (73): weight of the squared relative change of accelerations.
     pub proximal_weight: f64,
-    /// Weight of the squared relative change of inputs. On a fine grid accelerations that change by less than the solver can see
-    /// still hide inputs that change by much.
+    /// Weight of the squared relative change of inputs; see [`super::settings::ProximalSettings::input_weight`].
     pub input_weight: f64,
-    /// Weight of the violation.
+    /// mu in (73): weight of the violation.
     pub penalty: f64,
-    /// Weight of the cost (48), relative to that of the last iterate.
-    pub smoothing: f64,
+    /// kappa in (73): weight of the cost (48), relative to that of the last iterate.
+    pub cost_weight: f64,
     /// Least and largest relative change of a duration.
     pub range: (f64, f64),
     /// Legs whose durations keep their sum; see [`super::Durations::spans`].
     pub spans: &'s [Range<usize>],
-    /// What each row of the set keeps free, in widths of the healthy set.
+    /// The tightening of each row of the set, in widths of the healthy set.
     pub tightening: &'s [f64],
-    /// What each chosen row keeps free beyond that.
+    /// The further tightening of each chosen row.
     pub local_tightening: &'s [f64],
     /// Where rotors lag.
     pub commands: Option<&'s CommandLinearisation>,
@@ -68,21 +68,15 @@ pub struct Step<'s> {
 /// The highest derivative that the wrench depends on.
 pub const ORDER_OF_TIME: f64 = 4.0;
 
-/// The relative change of a duration that a value of its variable stands for.
+/// The relative change delta of a duration for a value of its variable epsilon (69).
 pub fn change(epsilon: f64) -> f64 {
     (1.0 + ORDER_OF_TIME * epsilon).max(0.0).powf(1.0 / ORDER_OF_TIME) - 1.0
 }
 
-/// The value of the variable that stands for a relative change of a duration.
+/// The inverse of [`change`].
 fn variable(change: f64) -> f64 {
     ((1.0 + change).powf(ORDER_OF_TIME) - 1.0) / ORDER_OF_TIME
 }
-
-/// A psi that changes by this much counts like an acceleration that changes by itself, rad.
-const TURN: f64 = 1.0;
-
-/// Accelerations are compared to at least this share of gravity.
-const LEAST_ACCELERATION: f64 = 0.05;
 
 impl Step<'_> {
     fn changes(&self) -> usize {
@@ -103,13 +97,13 @@ impl Transcription<'_> {
         step.legs[leg].map_or(Affine::default(), |i| Affine::term(self.variables() + 1 + i, 1.0))
     }
 
-    /// The program of one step, with the rows `chosen`; the set's equality rows always stand, at nodes. Also the row of
-    /// the program that each facet in `chosen` became, for the wrench or the commanded wrench.
+    /// The subproblem with the rows `chosen` and, at all nodes, the set's equality rows. Also, for each facet in `chosen`, the
+    /// index of its row in the program, on the wrench or the commanded wrench.
     pub(super) fn step_program(&self, step: &Step, chosen: &[RowAt]) -> (QuadraticProgram, Vec<Option<usize>>) {
         let sigma = self.variables();
         let violation = Affine::term(sigma, 1.0);
         let mut builder = Builder::new(sigma + 1 + step.changes());
-        self.dynamics(&mut builder, &|node, axis, order| self.bend(step, node, axis, order));
+        self.dynamics(&mut builder, &|node, axis, order| self.jump(step, node, axis, order));
         self.rest(&mut builder);
         self.waypoints(&mut builder, &Affine::constant(0.0));
         builder.nonnegative(violation.clone(), RowOrigin::Violation);
@@ -133,26 +127,27 @@ impl Transcription<'_> {
                 }
             }
         }
-        let widening = |instant: usize, bend: f64| {
-            let free = violation.clone().plus_constant(-TIGHTENING - bend);
-            Widening::by(&free).with_stretch(&self.duration_change(step, self.leg_of(instant)))
+        let margin = step.settings.tightening.margin;
+        let widening = |instant: usize, tightening: f64| {
+            let free = violation.clone().plus_constant(-margin - tightening);
+            Widening::by(&free).with_duration_change(&self.duration_change(step, self.leg_of(instant)))
         };
         let mut places = Vec::with_capacity(chosen.len());
-        for (&RowAt { row, instant }, &bend) in chosen.iter().zip(step.local_tightening) {
+        for (&RowAt { row, instant }, &local) in chosen.iter().zip(step.local_tightening) {
             places.push(matches!(row, Row::Facet(_) | Row::Command { .. }).then(|| builder.inequalities()));
             match row {
                 Row::Facet(facet) => {
-                    let free = step.tightening[facet] + bend;
+                    let free = step.tightening[facet] + local;
                     let mut expression = violation.clone().plus_constant(-free);
                     expression.add(&slack(instant, &self.set.rows[facet]), 1.0);
                     builder.nonnegative(expression, RowOrigin::Facet { facet, node: instant / self.parts });
                 }
                 Row::Limit(limit) => {
-                    self.limit(&mut builder, limit, instant, &widening(instant, bend));
+                    self.limit(&mut builder, limit, instant, &widening(instant, local));
                 }
-                Row::Upright => self.upright(&mut builder, instant, &widening(instant, bend)),
+                Row::Upright => self.upright(&mut builder, instant, &widening(instant, local)),
                 Row::Command { facet, slope } => {
-                    // Where no such interval is, a row that says nothing keeps the places in step.
+                    // Where there is no such interval, an empty row keeps the indices in order.
                     let mut expression =
                         self.command_row(step, facet, (instant, slope), &mut commands).unwrap_or_default();
                     expression.add(&violation, 1.0);
@@ -162,10 +157,10 @@ impl Transcription<'_> {
             }
         }
         self.durations(&mut builder, step);
-        self.stay_near(&mut builder, step);
+        self.add_proximal_term(&mut builder, step);
         builder.linear(sigma, step.penalty);
-        if step.smoothing > 0.0 {
-            self.cost(&mut builder, step.smoothing / self.cost_of(step.from).max(f64::MIN_POSITIVE));
+        if step.cost_weight > 0.0 {
+            self.cost(&mut builder, step.cost_weight / self.cost_of(step.from).max(f64::MIN_POSITIVE));
         }
         let program = builder.finish();
         let equal = match program.cones.first() {
@@ -176,9 +171,9 @@ impl Transcription<'_> {
         (program, places)
     }
 
-    /// What derivatives on the later side of a waypoint have more than on the earlier: both legs share the iterate in
-    /// the new time, `D (1 - m delta) = D' (1 - m delta')` to first order.
-    pub(super) fn bend(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
+    /// The jump (72) of a derivative at a waypoint, later side minus earlier side: in the new time both legs share one
+    /// trajectory, `D (1 - m delta) = D' (1 - m delta')` to first order.
+    pub(super) fn jump(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
         if node == 0 || order == 0 {
             return Affine::default();
         }
@@ -187,12 +182,13 @@ impl Transcription<'_> {
             return Affine::default();
         }
         let factor = order as f64 * step.from[node][axis][order];
-        let mut bend = self.duration_change(step, after).times(factor);
-        bend.add(&self.duration_change(step, before), -factor);
-        bend
+        let mut jump = self.duration_change(step, after).times(factor);
+        jump.add(&self.duration_change(step, before), -factor);
+        jump
     }
 
-    /// Durations change within the step's range; where a shorter time is sought, each counts by its share.
+    /// Durations change within the step's range, those of each span keep their sum, and where the objective is the time each
+    /// counts by its share.
     fn durations(&self, builder: &mut Builder, step: &Step) {
         for segment in self.grid.segments.iter() {
             let leg = segment.from;
@@ -225,7 +221,7 @@ impl Transcription<'_> {
     }
 
     /// `factor . (s' - s)` for each factor of the curvature at an instant; see [`Step::curvature`].
-    fn curved_changes(&self, (instant, from, factors): &(usize, NodeState, Vec<FlatState>)) -> Vec<Affine> {
+    fn changes_along_factors(&self, (instant, from, factors): &(usize, NodeState, Vec<FlatState>)) -> Vec<Affine> {
         let direction =
             |(axis, order): (usize, usize)| self.derivative(*instant, axis, order).plus_constant(-from[axis][order]);
         let directions = DIRECTIONS.map(direction);
@@ -239,8 +235,8 @@ impl Transcription<'_> {
         factors.iter().map(change).collect()
     }
 
-    /// Keeps the inputs near those of the last iterate; each is compared to its mean square, those of the coordinates together.
-    fn stay_near_inputs(&self, builder: &mut Builder, step: &Step) {
+    /// The proximal term of the inputs, relative to their mean square, that of x, y and z together.
+    fn add_proximal_term_of_inputs(&self, builder: &mut Builder, step: &Step) {
         let steps: Vec<f64> = self.grid.steps().collect();
         let square = |axis: usize, k: usize| {
             let [u0, u1] = [k, k + 1].map(|node| step.from[node][axis][self.orders[axis]]);
@@ -269,29 +265,30 @@ impl Transcription<'_> {
         }
     }
 
-    /// Keeps accelerations, and psi, near those of the last iterate: there the wrench's curvature lies.
-    fn stay_near(&self, builder: &mut Builder, step: &Step) {
-        let g = self.model.gravity;
+    /// The proximal term and the curvature of the Lagrangian, the last two lines of (73). The term is in accelerations and psi,
+    /// because the wrench is most curved in these.
+    fn add_proximal_term(&self, builder: &mut Builder, step: &Step) {
+        let (g, settings) = (self.model.gravity, &step.settings.proximal);
         let mut steps: Vec<f64> = self.grid.steps().collect();
         steps.push(0.0);
         // Instants of one interval share their variables.
         let interval = |instant: usize| instant.saturating_sub(1) / self.parts;
         for beside in step.curvature.chunk_by(|a, b| interval(a.0) == interval(b.0)) {
-            let changes: Vec<Affine> = beside.iter().flat_map(|curved| self.curved_changes(curved)).collect();
+            let changes: Vec<Affine> = beside.iter().flat_map(|curved| self.changes_along_factors(curved)).collect();
             builder.squares(&changes, 0.5);
         }
         if let Some(commands) = step.commands {
-            self.curve_commands(builder, commands);
+            self.add_curvature_of_commands(builder, commands);
         }
         if step.input_weight > 0.0 {
-            self.stay_near_inputs(builder, step);
+            self.add_proximal_term_of_inputs(builder, step);
         }
         let free: Vec<usize> = self.free_ends().collect();
         for (node, from) in step.from.iter().enumerate() {
             let around = 0.5 * (steps[node] + if node > 0 { steps[node - 1] } else { 0.0 });
             let (sin, cos) = from[YAW][0].sin_cos();
             let forward = cos * from[X][2] + sin * from[Y][2];
-            let acceleration = forward.hypot(from[Z][2] + g).max(LEAST_ACCELERATION * g);
+            let acceleration = forward.hypot(from[Z][2] + g).max(settings.min_acceleration * g);
             let share = 0.5 * step.proximal_weight * around / self.grid.total;
             let mut near = |axis: usize, order: usize, scale: f64| {
                 let change = self.at_node(node, axis, order).plus_constant(-from[axis][order]);
@@ -300,15 +297,15 @@ impl Transcription<'_> {
             for axis in [X, Y, Z] {
                 near(axis, 2, acceleration);
             }
-            near(YAW, 0, TURN);
-            // Values at all nodes leave a spline its slopes at the ends, and from there it may swing about between nodes.
+            near(YAW, 0, settings.yaw_unit);
+            // Values at all nodes leave a spline its slopes at the ends, from which it may oscillate between nodes.
             if free.contains(&node) {
                 let beside = 2.0 * around;
-                // Of an axis whose input is its acceleration all has been said.
+                // Where the input is the acceleration, the values at the nodes determine it.
                 for axis in [X, Y, Z].into_iter().filter(|&axis| self.orders[axis] > 2) {
                     near(axis, 3, acceleration / beside);
                 }
-                near(YAW, 1, TURN / beside);
+                near(YAW, 1, settings.yaw_unit / beside);
             }
         }
     }

@@ -1,4 +1,4 @@
-//! How far an iterate passes facets and limits, and which rows the next step needs for it.
+//! The violation of facets and limits by an iterate, and row generation: which rows the next subproblem needs.
 
 use super::*;
 use crate::model::LimitKind;
@@ -8,11 +8,12 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         self.wrench.wrench(&self.hover.model.vehicle, self.hover.model.gravity, state)
     }
 
-    /// How far a row is passed; a flat set's plane is kept to within [`TIGHTENING`] on both sides.
+    /// The violation of a row, in widths of the healthy set; a flat set's equalities hold to within the margin on both sides.
     pub(super) fn violation_of_row(&self, facet: usize, wrench: &Wrench) -> f64 {
         let row = &self.set.rows[facet];
-        let violation = if row.equality { row.violation(wrench) - TIGHTENING } else { row.violation(wrench) };
-        // A wrench that is not finite is outside of everything.
+        let violation =
+            if row.equality { row.violation(wrench) - self.settings.tightening.margin } else { row.violation(wrench) };
+        // A wrench that is not finite violates every row.
         if violation.is_nan() { f64::INFINITY } else { violation }
     }
 
@@ -24,7 +25,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     ) -> impl Iterator<Item = f64> + 's {
         let wrench = self.wrench_at(state);
         let facets = (0..self.set.rows.len()).map(move |facet| self.violation_of_row(facet, &wrench));
-        // Places have no width to keep a share of free.
+        // Limits on places have no width for a margin.
         let limits = self
             .hover
             .mission
@@ -35,7 +36,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         facets.chain(limits).chain(exact.then(|| form.violation_upright(state)))
     }
 
-    /// The same at an instant, each with its place and with what it keeps free between instants.
+    /// The same at an instant, each with its place and with its local tightening.
     pub(super) fn violations_at<'s>(
         &'s self,
         form: &'s Transcription<'s>,
@@ -43,8 +44,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         instant: usize,
     ) -> impl Iterator<Item = (usize, f64)> + 's {
         let local_tightening = self.local_tightening.get(&instant);
-        let bend = move |place: usize| local_tightening.and_then(|b| b.get(&place)).copied().unwrap_or(0.0);
-        self.violations(form, state).enumerate().map(move |(place, violation)| (place, violation + bend(place)))
+        let at = move |place: usize| local_tightening.and_then(|b| b.get(&place)).copied().unwrap_or(0.0);
+        self.violations(form, state).enumerate().map(move |(place, violation)| (place, violation + at(place)))
     }
 
     /// The largest violation of facets and limits at an instant.
@@ -55,21 +56,21 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
     /// The largest violation over all instants.
     pub(super) fn violation(&self, iterate: &Iterate) -> f64 {
         let form = self.transcription(&iterate.grid, &[]);
-        let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.lead_excess_at(iterate, i));
+        let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.command_violation_at(iterate, i));
         (0..form.instants()).map(at).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The largest violation at the nodes and at the instants of `working_set`, and where that is none, over all instants.
+    /// The largest violation at the nodes and at the instants of `working_set`; if there is none, over all instants.
     pub(super) fn violation_by(&self, iterate: &Iterate, working_set: &BTreeSet<RowAt>) -> f64 {
         let form = self.transcription(&iterate.grid, &[]);
         let between: BTreeSet<usize> = working_set.iter().map(|r| r.instant).filter(|i| i % PARTS != 0).collect();
         let known = (0..form.instants()).step_by(PARTS).chain(between);
-        let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.lead_excess_at(iterate, i));
+        let at = |i: usize| self.violation_at(&form, &iterate.at(i), i).max(self.command_violation_at(iterate, i));
         let violation = known.map(at).fold(f64::NEG_INFINITY, f64::max);
         if violation > 0.0 { violation } else { self.violation(iterate) }
     }
 
-    /// Place among the facets and limits of [`Self::violations`].
+    /// The row at a place among those of [`Self::violations`].
     pub(super) fn row(&self, place: usize) -> Row {
         let (facets, limits) = (self.set.rows.len(), self.hover.mission.limits.len());
         match place {
@@ -79,7 +80,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         }
     }
 
-    /// The inverse of [`Self::row`]; rows on the commanded wrench have no place there.
+    /// The inverse of [`Self::row`]; `None` for rows on the commanded wrench.
     pub(super) fn place(&self, row: Row) -> Option<usize> {
         match row {
             Row::Facet(facet) => Some(facet),
@@ -89,8 +90,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         }
     }
 
-    /// What a row keeps free between instants.
-    pub(super) fn bend(&self, RowAt { row, instant }: &RowAt) -> f64 {
+    /// The local tightening of a row at an instant.
+    pub(super) fn local_tightening_of(&self, RowAt { row, instant }: &RowAt) -> f64 {
         let local_tightening = self.local_tightening.get(instant);
         local_tightening
             .zip(self.place(*row))
@@ -99,7 +100,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             .unwrap_or(0.0)
     }
 
-    /// Rows with a violation over `threshold` at nodes. Equality rows always stand.
+    /// Rows with a violation over `threshold` at nodes. Equality rows are in every subproblem and are left out.
     pub(super) fn rows_at_nodes(&self, iterate: &Iterate, threshold: f64) -> BTreeSet<RowAt> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut found = BTreeSet::new();
@@ -113,8 +114,8 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         found
     }
 
-    /// Between nodes each row that is passed, where it is passed most in an interval. (With only the worst facet of each
-    /// interval programs are smaller, but fewer motions are restored: shortest times came out up to a fifth longer.)
+    /// Between nodes each violated row, in each interval at the instant of its largest violation. (With only the worst facet of
+    /// each interval programs are smaller, but fewer iterates are restored: shortest times came out up to a fifth longer.)
     pub(super) fn rows_between(&self, iterate: &Iterate) -> BTreeSet<RowAt> {
         let form = self.transcription(&iterate.grid, &[]);
         let mut found = BTreeSet::new();
@@ -169,13 +170,13 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
         })
     }
 
-    /// The rows of limits on places, at every node.
+    /// The rows of limits on x, y, z and yaw, at every node.
     pub(super) fn places(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
         self.limits_at_nodes(grid, |limit| place(limit.kind)).collect()
     }
 
-    /// The rows that each step has at every node: of limits on places, which do not depend on time, and on yaw. Yaw costs
-    /// little, and its acceleration would oscillate beyond its bounds wherever no row limits it.
+    /// The rows that each subproblem has at every node: limits on x, y, z and yaw, which do not depend on time, and on yaw rate
+    /// and yaw acceleration. Yaw costs little, and its acceleration would oscillate beyond its bounds wherever no row limits it.
     pub(super) fn rows_everywhere(&self, grid: &TimeGrid) -> BTreeSet<RowAt> {
         let is_yaw = |kind| matches!(kind, LimitKind::YawRate | LimitKind::YawAcceleration);
         self.limits_at_nodes(grid, |limit| place(limit.kind) || is_yaw(limit.kind)).collect()

@@ -1,4 +1,4 @@
-//! What each planner imposes on the wrench of one spec.
+//! The sets that each planner imposes on the wrench of one spec.
 
 use crate::admissible::row::SetRow;
 use crate::admissible::{AdmissibleSet, faults_only_take};
@@ -13,18 +13,21 @@ use crate::planner::selection::PlanningSet;
 pub struct PlanningSets {
     /// The whole healthy set, whose widths make rows dimensionless.
     pub healthy: AdmissibleSet,
-    /// The healthy set as planned against, and what RCP imposes for each mode of `against` and for all: their sets, and
-    /// the healthy one too where they need not lie inside it, for until a fault strikes the vehicle is healthy.
+    /// RIP's set: the healthy one as planned against.
     pub rip: PlanningSet,
+    /// RCP's set for each mode of `against` alone: the mode's, and the healthy one too if the mode's need not lie inside it, because
+    /// until a fault strikes the vehicle is healthy.
     pub singles: Vec<PlanningSet>,
+    /// RCP's set for all modes of `against`, in the same way.
     pub joint: PlanningSet,
-    /// Each mode's set alone, which plans are measured against.
+    /// Each mode's set alone, by which violations of plans are measured.
     pub modes: Vec<PlanningSet>,
-    /// Of the modes, in their order.
+    /// Names of the modes, in their order.
     pub names: Vec<String>,
 }
 
 impl PlanningSets {
+    /// The sets of the modes in `against` of the spec's plan.
     pub fn of(model: &Model) -> Self {
         let healthy = AdmissibleSet::healthy(model);
         let planned = |set: AdmissibleSet| set.guaranteed(model).with_reserve(model.plan.reserve);
@@ -45,13 +48,13 @@ impl PlanningSets {
         }
     }
 
-    /// Step (e) of section 5.3: the facets of the modes' sets that a plan violates at some node, in the exact model at some
-    /// instant, where its rows can stand too.
+    /// Step (e) of section 5.3 of the paper: the facets of the modes' sets that a plan violates at some node, in the exact model at
+    /// some instant, because its rows are imposed at instants too.
     pub fn violated(&self, model: &Model, planned: &Planned) -> Vec<SetRow> {
         let trajectory = planned.trajectory();
         let of = |set: &PlanningSet| {
             let found = outside(&trajectory, &model.vehicle, model.gravity, &set.rows);
-            let rows = if planned.model == WrenchModel::Exact { found.passed } else { found.facets };
+            let rows = if planned.model == WrenchModel::Exact { found.violated } else { found.facets };
             rows.into_iter().map(|row| set.rows[row].clone()).collect::<Vec<_>>()
         };
         self.modes.iter().flat_map(of).collect()

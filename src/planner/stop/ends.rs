@@ -1,4 +1,4 @@
-//! Where a stop begins and where it ends, as rows.
+//! The initial and the final state of a stop, as rows.
 
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::transcription::Transcription;
@@ -6,8 +6,8 @@ use crate::qp::RowOrigin;
 use crate::qp::build::{Affine, Builder};
 
 impl Transcription<'_> {
-    /// From the state in which a fault strikes to rest. In the hover model z'' is the thrust and the derivatives of x and y
-    /// up to the third are attitude and body rates. In the exact one these are the direction of `a + g` and how it turns.
+    /// The rows from the state in which a fault strikes to rest. In the hover model z'' is the thrust, and the derivatives of x and y
+    /// up to the third are attitude and body rates. In the exact model these are the direction of `a + g` and its rate of change.
     pub(in crate::planner) fn stopping(&self, builder: &mut Builder, struck: &NodeState) {
         for axis in [X, Y, Z, YAW] {
             for order in 0..=1 {
@@ -30,16 +30,16 @@ impl Transcription<'_> {
         }
     }
 
-    /// A derivative that no fault changes.
+    /// The row of a derivative that no fault changes.
     fn remains(&self, builder: &mut Builder, struck: &NodeState, axis: usize, order: usize) {
         let row = self.at_node(0, axis, order).plus_constant(-struck[axis][order]);
         let origin = RowOrigin::Stop { node: 0, axis, derivative: order };
         builder.zero(row.times(self.tau_at(0).powi(order as i32)), origin);
     }
 
-    /// With A, J the acceleration with gravity and the jerk of the plan, a, j those of the stop, and e any direction across
-    /// A: the thrust's direction n = A/|A| remains where `e.a = 0`, and turns as it did, `e.n' = e.J/|A| = e.j/|a|`, where
-    /// `e.j = (n.a/|A|) e.J`. Two such directions say it all.
+    /// The rows that keep attitude and body rates. Let A, J be the acceleration with gravity and the jerk of the plan, a, j those of
+    /// the stop, and e any direction normal to A. The thrust's direction n = A/|A| is kept if `e.a = 0`, and its rate
+    /// `e.n' = e.J/|A| = e.j/|a|` if `e.j = (n.a/|A|) e.J`. Two such directions suffice.
     fn direction_remains(&self, builder: &mut Builder, struck: &NodeState) {
         let gravity = self.model.gravity;
         let across = nalgebra::Vector3::new(struck[X][2], struck[Y][2], struck[Z][2] + gravity);

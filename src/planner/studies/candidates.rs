@@ -1,10 +1,8 @@
 //! Which plans serve as initial guesses of a search. Every command uses the same ones, so that `plan`, `compare` and a campaign
 //! find the same plan for a planner at a time.
 
-use super::{Found, Setting, plan_found, planned_of, time};
-use crate::model::PlanModel;
-use crate::motion::outside::outside;
-use crate::planner::hover::ACCEPTED;
+use super::Setting;
+use super::found::Found;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::{Hint, Shortest};
@@ -12,9 +10,9 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::Effort;
 
 impl Setting<'_> {
-    /// RIP's plan at one time: from `rcp` if that is a plan at this time, else from nothing. Where candidates are shared, the joint
-    /// RCP's plan at that time, whose set lies inside RIP's, is the next initial guess if it costs less than RIP's or RIP has none;
-    /// and if none is found still, the plan at RIP's shortest time (`own`, or a new search) if that is no longer.
+    /// RIP's plan at one mission time, s. The initial guess is `rcp`, if given. Where candidates are shared, the joint RCP's plan at
+    /// that time, whose set lies inside RIP's, is the next if it costs less than RIP's or RIP has none; if still no plan is found,
+    /// the plan at RIP's shortest time (`own`, or a new search) if that is no longer.
     pub(super) fn rip_at(
         &self,
         name: &str,
@@ -39,7 +37,7 @@ impl Setting<'_> {
                 Decision::Infeasible => false,
                 Decision::Inconclusive(_) => true,
             };
-            if let Some(rcp) = planned_of(joint).filter(costs_less) {
+            if let Some(rcp) = joint.planned().filter(costs_less) {
                 let (again, spent) = rip(Some(rcp));
                 effort += spent;
                 if let Decision::Feasible(_) = again {
@@ -52,23 +50,22 @@ impl Setting<'_> {
         }
         let searched = own.is_none().then(|| self.search(name, set, Hint::default(), WorkingSet::default()));
         effort += searched.as_ref().map_or(Effort::default(), |found| found.effort);
-        let own = own.or(searched.as_ref().and_then(plan_found)).filter(|plan| plan.grid.total <= time);
+        let own = own.or(searched.as_ref().and_then(Found::planned)).filter(|plan| plan.grid.total <= time);
         let Some(own) = own else { return (decision, effort) };
         let (found, spent) = rip(Some(own));
         effort += spent;
         (found, effort)
     }
 
-    /// The joint RCP's plan as an initial guess at T_d: only if T_d is its own time, and not one that the spec fixes.
+    /// The joint RCP's plan as an initial guess at T_d: only if T_d is its own time and not one that the spec fixes.
     pub(super) fn at_its_time<'p>(&self, rcp: Option<&'p Planned>) -> Option<&'p Planned> {
         rcp.filter(|_| self.fixed_time().is_none())
     }
 
-    /// Whether plans of smaller sets are initial guesses for larger ones. In the hover model a search proves that nothing shorter
-    /// exists on its grid, and where legs share the time by the paper's rule plans are those of that rule.
+    /// Whether plans of smaller sets are initial guesses for larger ones. Not in the hover model, whose search proves that nothing
+    /// shorter exists on its grid, and not where legs share the time by the paper's rule, which the plans then reproduce.
     fn shares_candidates(&self) -> bool {
-        let is_exact = self.model.plan.model == PlanModel::Exact;
-        is_exact && (self.model.plan.chooses_times || !self.mission.leaves_times_free())
+        self.finds_local_optima() && (self.model.plan.chooses_times || !self.mission.leaves_times_free())
     }
 
     /// RIP's shortest time. A search for waypoint times proves nothing and may end longer than RCP's, which RIP never needs to be:
@@ -84,39 +81,18 @@ impl Setting<'_> {
         };
         let (mut rip, joint) = rayon::join(rip, joint);
         rip.effort += joint.as_ref().map_or(Effort::default(), |found| found.effort);
-        self.at_most(rip, joint.as_ref().and_then(plan_found))
+        self.at_most(rip, joint.as_ref().and_then(Found::planned))
     }
 
-    /// Plans against single modes that stay inside another mode's set as well, and are shorter than its own, are that mode's too.
-    pub(super) fn share(&self, singles: &mut [Found]) {
-        // With rotors that lag a wrench inside is not enough.
-        if self.model.thrust_lag().is_some() {
-            return;
-        }
-        let plans: Vec<Planned> = singles.iter().filter_map(plan_found).cloned().collect();
-        for (found, set) in singles.iter_mut().zip(&self.sets.singles) {
-            let own = time(found).unwrap_or(f64::INFINITY);
-            let stays_inside = |plan: &&Planned| {
-                let trajectory = plan.trajectory();
-                let out = outside(&trajectory, &self.model.vehicle, self.model.gravity, &set.rows);
-                out.max_violation <= ACCEPTED
-            };
-            let shorter = plans.iter().filter(|plan| plan.grid.total < own).filter(stays_inside);
-            if let Some(plan) = shorter.min_by(|a, b| a.grid.total.total_cmp(&b.grid.total)) {
-                *found = found.clone().or_shorter(plan);
-            }
-        }
-    }
-
-    /// RSP's shortest time; `hint.begins` holds the RIP plan that selects, then plans that RSP's set allows.
+    /// RSP's shortest time; `hint.initial_guesses` holds the RIP plan that selects, then plans that RSP's set allows.
     pub(super) fn rsp_own(&self, name: &str, set: &PlanningSet, hint: Hint, working_set: WorkingSet) -> Found {
         let allowed: Vec<Planned> = hint.initial_guesses.iter().skip(1).cloned().collect();
         let found = self.search(name, set, hint, working_set);
         allowed.iter().fold(found, Found::or_shorter)
     }
 
-    /// RSP's plan at one time from the initial guesses `begins`, and if that finds none from the joint RCP's plan at that time,
-    /// which RSP's set allows: `rcp`, or a new one.
+    /// RSP's plan at one mission time, s, from `initial_guesses`, and if that finds none from the joint RCP's plan at that time, which
+    /// RSP's set allows: `rcp`, or a new one.
     pub(super) fn rsp_at(
         &self,
         name: &str,
@@ -134,7 +110,7 @@ impl Setting<'_> {
             None => self.at("RCP", &self.sets.joint, time, WorkingSet::default(), &[]),
         };
         effort += spent;
-        let Some(rcp) = planned_of(&joint) else { return (decision, effort) };
+        let Some(rcp) = joint.planned() else { return (decision, effort) };
         let (again, spent) = self.at(name, set, time, WorkingSet::default(), &[rcp]);
         effort += spent;
         (again, effort)
@@ -143,7 +119,7 @@ impl Setting<'_> {
     /// RIP's search, or a further one warm-started from `shortest` if that is shorter: every set lies inside the healthy one, so
     /// its plan is one of RIP's.
     pub(super) fn at_most(&self, rip: Found, shortest: Option<&Planned>) -> Found {
-        let is_shorter = |plan: &&Planned| time(&rip).is_none_or(|t| plan.grid.total < t);
+        let is_shorter = |plan: &&Planned| rip.time().is_none_or(|t| plan.grid.total < t);
         let Some(better) = shortest.filter(is_shorter) else { return rip };
         let again = self.search(
             "RIP",
@@ -158,8 +134,8 @@ impl Setting<'_> {
     }
 }
 
-/// RSP's shortest time where nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one would be
-/// RIP's alone, without anything that guards against faults.
+/// RSP's shortest time if nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one would be RIP's
+/// alone, which nothing protects against faults.
 pub(super) fn nothing_selected_at(rip: &Planned) -> Found {
     let shortest =
         Shortest { time: rip.grid.total, planned: rip.clone(), infeasible_at: None, infeasible_above: Vec::new() };

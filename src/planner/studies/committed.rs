@@ -3,15 +3,16 @@
 use super::Setting;
 use crate::model::AfterFault;
 use crate::motion::Trajectory;
-use crate::motion::outside::{Outside, stretches};
+use crate::motion::outside::{Outside, violation_intervals};
 use crate::planner::selection::PlanningSet;
 use crate::planner::stop::Stops;
 use rayon::prelude::*;
 use std::sync::PoisonError;
 
 impl Setting<'_> {
-    /// Until when a fault of each mode is met by what comes, s: where the mission goes on after it, the last instant outside
-    /// the mode's set; where it holds, the last one from which no stop inside it was found. In the order of `against`.
+    /// The last time, s, at which a fault of each mode would still meet a violation: if the mission goes on after the fault, the last
+    /// instant outside the mode's set; if it holds, the last one from which no stop inside the set was found. In the order of
+    /// `against`.
     pub(super) fn committed(&self, trajectory: &Trajectory, outside: &[Outside]) -> Vec<f64> {
         let against = self.model.plan.against.par_iter().zip(&self.sets.modes).zip(outside);
         against
@@ -24,8 +25,8 @@ impl Setting<'_> {
 
     /// The last instant from which no stop was found, s; 0 where there is none.
     ///
-    /// From the end backwards, to the first node without one. While the plan stays inside, flying on to where there is a stop
-    /// is part of one, so stops are sought only at nodes after which the plan leaves the set.
+    /// Searched from the end backwards, to the first node without a stop. While the plan stays inside the set, it can be flown on
+    /// until a stop begins, so stops are sought only at nodes after which the plan leaves the set.
     fn without_stop(&self, trajectory: &Trajectory, set: &PlanningSet) -> f64 {
         let model = self.model;
         let mut stops = Stops::new(model, self.mission, &self.sets.healthy, set, trajectory.model);
@@ -37,7 +38,7 @@ impl Setting<'_> {
             committed = trajectory.duration();
         } else {
             for node in (0..last).rev() {
-                let (outside, _) = stretches(trajectory, &model.vehicle, model.gravity, &set.rows, node);
+                let (outside, _) = violation_intervals(trajectory, &model.vehicle, model.gravity, &set.rows, node);
                 let left = outside.iter().map(|s| s.to).max_by(f64::total_cmp);
                 if let Some(left) = left.filter(|_| !sought(node)) {
                     committed = left;

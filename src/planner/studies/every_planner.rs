@@ -1,10 +1,8 @@
 //! Every planner at its own shortest time and at T_d.
 
-use super::{
-    Comparison, Found, NOTHING_TO_SELECT_BY, PlanOutcome, Run, Setting, hint_from, label, plan_found, planned_of, time,
-    time_below,
-};
-use crate::model::{PlanModel, PlannerKind};
+use super::found::{Found, hint_from};
+use super::{Comparison, NOTHING_TO_SELECT_BY, PlanOutcome, Run, Setting, label};
+use crate::model::PlannerKind;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::candidates::nothing_selected_at;
@@ -24,7 +22,7 @@ impl Setting<'_> {
 
     /// RIP, RCP per mode, RCP jointly and RSP, at their own shortest times and at T_d.
     pub(super) fn everything(&self) -> Comparison {
-        // RIP and the tightest RCP first, side by side: they bound all others.
+        // RIP and the tightest RCP first, in parallel: their times bound all others.
         let several = self.sets.names.len() > 1;
         let (rip, tightest) = rayon::join(
             || {
@@ -42,26 +40,26 @@ impl Setting<'_> {
         );
         let mut effort = Effort::default();
         effort += tightest.as_ref().map_or(Effort::default(), |f| f.effort);
-        let above_rip = Hint { infeasible: time_below(&rip), near: time(&rip), ..Hint::default() };
+        let above_rip = Hint { infeasible: rip.time_below(), near: rip.time(), ..Hint::default() };
         let mut singles: Vec<Found> = Vec::new();
         if let Some(joint) = tightest.as_ref().filter(|_| several) {
-            let initial_guesses = plan_found(joint).cloned().into_iter().collect();
-            singles = self.singles_own(&rip, Hint { feasible: time(joint), initial_guesses, ..above_rip.clone() });
+            let initial_guesses = joint.planned().cloned().into_iter().collect();
+            singles = self.singles_own(&rip, Hint { feasible: joint.time(), initial_guesses, ..above_rip.clone() });
             singles.iter().for_each(|f| effort += f.effort);
-            if let Some(plan) = plan_found(joint) {
+            if let Some(plan) = joint.planned() {
                 singles = singles.into_iter().map(|single| single.or_shorter(plan)).collect();
             }
             self.share(&mut singles);
         }
         let singles: Vec<&Found> = if several { singles.iter().collect() } else { tightest.iter().collect() };
         let joint = tightest.as_ref().filter(|_| several);
-        let others = singles.iter().copied().chain(joint).filter_map(plan_found);
+        let others = singles.iter().copied().chain(joint).filter_map(Found::planned);
         let shortest = others.min_by(|a, b| a.grid.total.total_cmp(&b.grid.total));
         let rip = self.at_most(rip, shortest);
         effort += rip.effort;
 
-        let longest_single = singles.iter().filter_map(|f| time(f)).max_by(f64::total_cmp);
-        let common_time = self.fixed_time().or(joint.and_then(time)).or(longest_single);
+        let longest_single = singles.iter().filter_map(|f| f.time()).max_by(f64::total_cmp);
+        let common_time = self.fixed_time().or(joint.and_then(Found::time)).or(longest_single);
 
         let none: &[String] = &[];
         let mut runs = vec![self.run(PlannerKind::Rip, none, Run::Own, self.own(&rip), &self.sets.rip)];
@@ -74,15 +72,15 @@ impl Setting<'_> {
         for (against, set, found) in &conservative {
             runs.push(self.run(PlannerKind::Rcp, against, Run::Own, self.own(found), set));
         }
-        let of_exact = self.model.plan.model == PlanModel::Exact;
-        let own = [Some(&rip).filter(|_| !of_exact || self.fixed_time().is_some()), tightest.as_ref()];
-        let known = own.into_iter().flatten().filter_map(plan_found).cloned().collect();
-        let mut out = Comparison { runs, common_time, known, effort, ..self.begun() };
+        let is_local = self.finds_local_optima();
+        let own = [Some(&rip).filter(|_| !is_local || self.fixed_time().is_some()), tightest.as_ref()];
+        let known = own.into_iter().flatten().filter_map(Found::planned).cloned().collect();
+        let mut out = Comparison { runs, common_time, known, effort, ..self.without_runs() };
         if let Some(at) = common_time {
-            let binding = tightest.as_ref().and_then(plan_found);
-            let (decision, spent) = match self.model.plan.model {
-                PlanModel::Exact => self.rip_at("RIP", at, self.at_its_time(binding), plan_found(&rip)),
-                PlanModel::Hover => self.at_or_own("RIP", &self.sets.rip, at, &rip, binding),
+            let binding = tightest.as_ref().and_then(Found::planned);
+            let (decision, spent) = match is_local {
+                true => self.rip_at("RIP", at, self.at_its_time(binding), rip.planned()),
+                false => self.at_or_own("RIP", &self.sets.rip, at, &rip, binding),
             };
             out.effort += spent;
             self.ended(1);
@@ -113,9 +111,9 @@ impl Setting<'_> {
                 || {
                     let work = |&(against, set, found): &(&[String], &PlanningSet, &Found)| {
                         let label = label(PlannerKind::Rcp, against);
-                        let (decision, spent) = match planned_of(&decision).filter(|plan| self.is_inside(plan, set)) {
-                            // Least cost in the healthy set is least cost in every set inside it that holds the plan.
-                            Some(rip) if of_exact => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
+                        let (decision, spent) = match decision.planned().filter(|plan| self.is_inside(plan, set)) {
+                            // The plan of least cost in the healthy set is that of every smaller set that contains it.
+                            Some(rip) if is_local => (Decision::Feasible(Box::new(rip.clone())), Effort::default()),
                             _ => self.at_or_own(&label, set, at, found, binding),
                         };
                         let outcome = self.common(at, &decision);
@@ -138,10 +136,9 @@ impl Setting<'_> {
         out
     }
 
-    /// RSP at T_d and at its own shortest time: not below RIP's, and not above T_d where it has a plan there. `rip_at` is RIP's
-    /// decision at T_d, which RSP's is where `nothing_selected` is that decision too; `rcp` is the joint RCP's plan at its own time,
-    /// which RSP's set allows. Without a plan of RIP there is nothing to select by, and RSP's own time is not searched for. The
-    /// own time's ending, then that at T_d.
+    /// RSP at its own shortest time and at T_d, in this order. The own time is not below RIP's, and not above T_d if there is a plan
+    /// at T_d. `rip_at` is RIP's decision at T_d, and RSP's too if it is given as `nothing_selected`; `rcp` is the joint RCP's plan at
+    /// its own time, which RSP's set allows. Without a plan of RIP there is nothing to select by, and no own time is searched for.
     fn rsp_own_and_common(
         &self,
         set: &PlanningSet,
@@ -162,12 +159,12 @@ impl Setting<'_> {
             };
             return (own, common, Effort::default());
         }
-        if self.model.plan.model == PlanModel::Exact {
-            let first: Vec<&Planned> = planned_of(rip_at).into_iter().chain(self.at_its_time(rcp)).collect();
+        if self.finds_local_optima() {
+            let first: Vec<&Planned> = rip_at.planned().into_iter().chain(self.at_its_time(rcp)).collect();
             let (decision, mut effort) = self.rsp_at("RSP", set, at, &first, None);
             self.ended(1);
             let outcome = self.common(at, &decision);
-            let initial_guesses = planned_of(rip_at).into_iter().chain(rcp).cloned().collect();
+            let initial_guesses = rip_at.planned().into_iter().chain(rcp).cloned().collect();
             let hint = match self.at_its_time(rcp) {
                 Some(rcp) => hint_from(at, Decision::Feasible(Box::new(rcp.clone()))),
                 None => hint_from(at, decision),
@@ -177,7 +174,7 @@ impl Setting<'_> {
             effort += own.effort;
             return (self.own(&own), outcome, effort);
         }
-        // Where T_d is a mode's shortest time it is most often RSP's too: the time below is tried at once.
+        // If T_d is a mode's shortest time it is most often RSP's too: the time below is tried in parallel.
         let below = at - RESOLUTION;
         let ((decision, mut effort), shorter) = rayon::join(
             || self.at("RSP", set, at, working_set.clone(), &[]),

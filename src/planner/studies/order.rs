@@ -1,14 +1,15 @@
 //! The order of times: a plan inside a smaller set is one inside a larger set, so that RIP takes no longer than RSP, RSP no
 //! longer than the joint RCP, and RCP against one mode no longer than against all.
 
-use super::{Found, MissionPlan, NotFound, PlanOutcome, PlannerRun, Run};
+use super::found::Found;
+use super::{MissionPlan, NotFound, PlanOutcome, PlannerRun, Run};
 use crate::model::PlannerKind;
 use crate::planner::hover::Planned;
 use crate::planner::timing::search::Shortest;
 
 impl Found {
-    /// The same, or another set's plan where that is shorter and this set allows what that one does: steps that find and do not
-    /// prove can end with a longer plan for the larger set.
+    /// The same, or the plan of a smaller set if that is shorter: a search that proves nothing can end with a longer plan for the
+    /// larger set.
     pub(super) fn or_shorter(mut self, other: &Planned) -> Found {
         let (own, proved) = match &self.result {
             Ok(s) => (s.time, s.infeasible_at),
@@ -23,8 +24,8 @@ impl Found {
     }
 }
 
-/// The order of own times, exactly. A planner's plan at T_d may be shorter than what its own search found; and from the smallest
-/// set to the largest a shorter plan of an inner set takes the place of a longer one: the joint RCP's, single modes', RSP's, RIP's.
+/// Puts own times in order. A planner's plan at T_d may be shorter than the one that its own search found, and replaces it; then,
+/// from the smallest set to the largest (joint RCP, single modes, RSP, RIP), a shorter plan of an inner set replaces a longer one.
 pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize) {
     let common: Vec<PlannerRun> = runs.iter().filter(|run| run.run == Run::Common).cloned().collect();
     for own in runs.iter_mut().filter(|run| run.run == Run::Own) {
@@ -33,7 +34,7 @@ pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize) {
             own.outcome = shorter(&own.outcome, at);
         }
     }
-    // How many sets a plan keeps to, as a rank: who keeps to fewer may take the plans of those who keep to more.
+    // The rank grows with the number of sets that a plan stays in: a planner may take plans of higher rank.
     let rank = |run: &PlannerRun| match run.planner {
         PlannerKind::Rcp if run.against.len() == modes => 3,
         PlannerKind::Rcp => 2,
@@ -55,13 +56,13 @@ pub(super) fn put_in_order(runs: &mut [PlannerRun], modes: usize) {
     }
 }
 
-/// An own time's ending, or another plan that its set allows where that is shorter.
+/// The outcome of an own search, or another plan that its set allows if that is shorter.
 fn shorter(own: &PlanOutcome, other: &MissionPlan) -> PlanOutcome {
     let proved = match own {
         PlanOutcome::Planned(solved) if solved.time <= other.time => return own.clone(),
         PlanOutcome::Planned(solved) => solved.infeasible_at.filter(|&below| below < other.time),
         PlanOutcome::NotFound(NotFound::Search { .. }) => None,
-        // RSP that has nothing to select by is not attempted, whatever plans there are.
+        // RSP without a RIP plan to select by stays not attempted, whatever plans there are.
         _ => return own.clone(),
     };
     PlanOutcome::Planned(Box::new(MissionPlan { infeasible_at: proved, infeasible_above: Vec::new(), ..other.clone() }))

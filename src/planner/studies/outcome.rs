@@ -1,4 +1,4 @@
-//! What comes of planners side by side.
+//! The outcomes of planners, alone or side by side.
 
 use crate::admissible::row::SetRow;
 use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
@@ -56,6 +56,7 @@ pub enum NotFound {
 }
 
 impl PlanOutcome {
+    /// The verdict in the words that reports use.
     pub fn verdict(&self) -> Verdict {
         match self {
             PlanOutcome::Planned(_) => Verdict::Found,
@@ -75,7 +76,7 @@ impl PlanOutcome {
         }
     }
 
-    /// A proof that is not about all that the spec leaves open is none, unless there is one for its longest time by itself.
+    /// Withdraws a proof that is confined to a part of the spec's freedom, unless its longest time is hopeless in any case.
     pub(super) fn weaken(&mut self, about: &'static str, is_hopeless: impl Fn(f64) -> bool) {
         if let PlanOutcome::Planned(solved) = self
             && about == THESE_TIMES
@@ -99,9 +100,9 @@ impl PlanOutcome {
     }
 }
 
-/// What a proof is about where it is not about the spec: times of waypoints that were chosen, or a yaw that was planned before
-/// the rest.
+/// A proof that is confined to the waypoint times chosen.
 pub const THESE_TIMES: &str = "with the waypoint times that were tried";
+/// A proof that is confined to the yaw planned first.
 pub const THIS_YAW: &str = "with the yaw that is planned first";
 
 /// The part of the spec's freedom that a proof of no plan is confined to, if there is one.
@@ -125,22 +126,22 @@ pub struct MissionPlan {
     /// Against every mode of the comparison, in their order.
     pub outside: Vec<Outside>,
     /// How long the mission is committed to each of them, s, by what it does after a fault
-    /// ([`crate::model::Model::after_fault`]). Empty under [`Scope::Common`] and for rounds, which weigh no risk.
+    /// ([`crate::model::Model::after_fault`]). Empty under [`Scope::Common`] and for rounds, which compute no risk.
     pub committed: Vec<f64>,
-    /// What the check of plans said of it ([`crate::certify::check`]).
+    /// The result of the check of plans ([`crate::certify::check`]).
     pub verification: Verification,
-    /// What limits the time of each leg, in the order of flight: of `mavc plan` with a time that is searched for.
+    /// What limits the time of each leg, in the order of flight: only of `mavc plan` with a time that is searched for.
     pub binding: Vec<LegBinding>,
-    /// For an own shortest time: the shorter time shown infeasible.
+    /// For an own shortest time: the shorter time proved infeasible, s.
     pub infeasible_at: Option<f64>,
-    /// Longer times that were tried and found infeasible.
+    /// Longer times that were tried and proved infeasible, s.
     pub infeasible_above: Vec<f64>,
 }
 
-/// What the check of a finished plan found. One that fails is not kept as a plan.
+/// The result of the check of a finished plan. A trajectory that fails it is not kept as a plan.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Verification {
-    /// Not made: plans within a search.
+    /// Not checked: plans within a search.
     #[default]
     None,
     /// Every row of the spec holds at the nodes.
@@ -156,6 +157,7 @@ impl MissionPlan {
     }
 }
 
+/// One planner's run: at its own shortest time or at T_d.
 #[derive(Debug, Clone)]
 pub struct PlannerRun {
     pub planner: PlannerKind,
@@ -163,14 +165,14 @@ pub struct PlannerRun {
     pub against: Vec<String>,
     pub run: Run,
     pub outcome: PlanOutcome,
-    /// What is imposed on the wrench at each node.
+    /// The set imposed on the wrench at each node.
     pub set: PlanningSet,
 }
 
 /// All runs of one spec.
 #[derive(Debug, Clone)]
 pub struct Comparison {
-    /// Names of the modes the plan must stand, in the order of `against`.
+    /// Names of the modes that the plan must tolerate, in the order of `against`.
     pub modes: Vec<String>,
     pub runs: Vec<PlannerRun>,
     /// T_d, s: the spec's time, else the joint RCP's shortest, else the largest single-mode one.
@@ -182,17 +184,16 @@ pub struct Comparison {
     pub selected: Vec<SetRow>,
     /// The plans at T_d that RSP selects them by: the RIP plan, then one for each further round.
     pub selected_by: Vec<Trajectory>,
-    /// Where the spec requires a risk: the plan without protection, then what each addition gives.
+    /// If the spec requires a risk: the plan without protection, then the result of each addition.
     pub trade_off: Vec<Addition>,
-    /// The plans of RIP and of the tightest RCP at their own shortest times, where they were sought: what further plans can
-    /// be begun from.
+    /// The plans of RIP and of the tightest RCP at their own shortest times, if they were sought: initial guesses of further plans.
     pub known: Vec<Planned>,
     pub effort: Effort,
 }
 
 impl Comparison {
-    /// Whether there is a plan at the time that the spec asks for, or at any planner's own time where it asks for none. A
-    /// run that found nothing leaves the question open, whatever the others gave.
+    /// Whether there is a plan at the spec's mission time, or at any planner's own time if the spec gives none. A run that found
+    /// nothing leaves the question open, whatever the others found.
     pub fn verdict(&self, model: &Model, mission: &Mission) -> Verdict {
         let is_fixed = determined(mission).is_some() || matches!(model.plan.time, MissionTime::Fixed(_));
         let asked = |run: &&PlannerRun| !is_fixed || run.run == Run::Common;
@@ -205,7 +206,7 @@ impl Comparison {
     }
 }
 
-/// Which runs are wanted.
+/// Which planners are run at which times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
     /// Only what the spec's planner needs for its one trajectory.

@@ -1,13 +1,13 @@
-//! `require risk <= bound`: what to protect, chosen greedily.
+//! `require risk <= bound`: which facets to impose, chosen greedily.
 //!
-//! Beginning with the healthy set alone, each step tries, for the modes that weigh most, the one facet passed last, all the
-//! facets that the plan passes, and the mode's whole set, and adds what takes away most risk per second of mission time.
-//! Greedy: a cleverer order or choice may need less time, and none is claimed to be the shortest.
+//! Starting with the healthy set alone, each step tries, for the modes with the largest risk, the facet violated last, all
+//! facets that the plan violates, and the mode's whole set, and adds the one that removes most risk per second of mission time.
+//! Another order or choice may need less time: the result is not claimed to be the shortest.
 
-use super::{Comparison, MissionPlan, NotFound, PlanOutcome, Run, Setting, planned_of};
+use super::{Comparison, MissionPlan, NotFound, PlanOutcome, Run, Setting};
 use crate::admissible::row::SetRow;
 use crate::model::PlannerKind;
-use crate::motion::outside::{Stretch, stretches};
+use crate::motion::outside::{ViolationInterval, violation_intervals};
 use crate::motion::risk::risk;
 use crate::planner::hover::{Decision, Planned};
 use crate::planner::selection::PlanningSet;
@@ -16,25 +16,25 @@ use crate::planner::working_set::WorkingSet;
 use crate::solve::Effort;
 use rayon::prelude::*;
 
-/// Modes tried in a step: those that weigh most.
+/// Modes tried in a step: those with the largest risk.
 const MOST_MODES: usize = 4;
 
-/// Single facets added; after them facets are only tried together, so that the steps stay few.
+/// Most single facets added; after them facets are only tried together, which bounds the number of steps.
 const MOST_SINGLES: usize = 8;
 
-/// What is said where the required risk is not met.
+/// The status if the required risk is not met.
 pub const UNMET: &str = "the required risk is not met";
 
-/// What a step protects.
+/// What a step protects against.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Protection {
     /// The healthy set alone.
     Nothing,
-    /// The facets of a mode's set that the plan before passes at nodes, or the one that it passes last.
+    /// The facets of a mode's set that the plan before violates at nodes, or the one that it violates last.
     Facets { mode: String, facets: usize },
     /// A mode's whole set.
     Mode { mode: String },
-    /// Every mode's, where no single addition takes any risk away.
+    /// The sets of all modes, if no single addition removes any risk.
     All,
 }
 
@@ -47,13 +47,13 @@ pub struct Addition {
     pub risk: f64,
 }
 
-/// What a step may add.
+/// Rows that a step may add.
 struct Candidate {
     added: Protection,
     rows: Vec<SetRow>,
     /// The modes whose whole sets these are.
     whole: Vec<usize>,
-    /// Whether it is the one facet that the plan passes last.
+    /// Whether it is the one facet that the plan violates last.
     single: bool,
 }
 
@@ -75,14 +75,14 @@ impl Setting<'_> {
         risk(self.weights(solved))
     }
 
-    /// Rate (1/s) and committed time (s) of each mode; one without a rate, which the spec refuses, counts for nothing.
+    /// Rate (1/s) and committed time (s) of each mode. (The spec refuses modes without a rate; they would count as 0.)
     fn weights(&self, solved: &MissionPlan) -> Vec<(f64, f64)> {
         let rates = self.model.plan.against.iter().map(|&mode| self.model.modes[mode].rate.unwrap_or(0.0));
         rates.zip(solved.committed.iter().copied()).collect()
     }
 
-    /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before.
-    /// `what` is tried, for whoever follows the progress.
+    /// The plan of a set at the spec's time, or at its shortest, which is not below that of the step before. `what` names the
+    /// attempt in progress reports.
     fn plan_of(
         &self,
         what: &str,
@@ -96,8 +96,8 @@ impl Setting<'_> {
         if let Some(time) = time {
             let (decision, spent) = self.at(what, set, time, WorkingSet::default(), initial_guesses.as_slice());
             effort += spent;
-            if let Some(planned) = planned_of(&decision) {
-                // What was shown infeasible for the larger set is so for this one.
+            if let Some(planned) = decision.planned() {
+                // A time that is infeasible for the larger set is so for this one.
                 let infeasible_at = before.and_then(|step| step.solved.infeasible_at);
                 return (Ok((MissionPlan { infeasible_at, ..self.solved(time, planned) }, planned.clone())), effort);
             }
@@ -121,7 +121,7 @@ impl Setting<'_> {
         }
     }
 
-    /// What a step may add.
+    /// The candidates of a step.
     fn candidates(&self, step: &Step) -> Vec<Candidate> {
         let weights = self.weights(&step.solved);
         let mut modes: Vec<(usize, f64)> =
@@ -141,7 +141,8 @@ impl Setting<'_> {
             if !passed.is_empty() {
                 facets(passed, false);
             }
-            let last = self.passed_last(&step.solved, m).filter(|f| step.singles < MOST_SINGLES && passed[..] != [*f]);
+            let last =
+                self.violated_last(&step.solved, m).filter(|f| step.singles < MOST_SINGLES && passed[..] != [*f]);
             if let Some(facet) = last {
                 facets(&[facet], true);
             }
@@ -151,17 +152,17 @@ impl Setting<'_> {
         all
     }
 
-    /// The facet of a mode's set that commits the mission longest: the one passed last, up to the last instant from which the
-    /// mission is committed. Protecting any other leaves that instant as it is.
-    fn passed_last(&self, solved: &MissionPlan, mode: usize) -> Option<usize> {
+    /// The facet of a mode's set that commits the mission longest: the one violated last, up to the last instant from which the
+    /// mission is committed. Imposing any other facet does not change that instant.
+    fn violated_last(&self, solved: &MissionPlan, mode: usize) -> Option<usize> {
         let (trajectory, until) = (&solved.trajectory, solved.committed[mode]);
         let rows = &self.sets.modes[mode].rows;
         let before = (0..trajectory.intervals()).rev().filter(|&k| trajectory.times[k] < until);
-        let last = |k: usize| -> Option<Stretch> {
-            let (found, _) = stretches(trajectory, &self.model.vehicle, self.model.gravity, rows, k);
+        let last = |k: usize| -> Option<ViolationInterval> {
+            let (found, _) = violation_intervals(trajectory, &self.model.vehicle, self.model.gravity, rows, k);
             found.into_iter().filter(|s| s.from < until).max_by(|a, b| a.to.total_cmp(&b.to))
         };
-        before.into_iter().find_map(last).map(|stretch| stretch.row)
+        before.into_iter().find_map(last).map(|interval| interval.row)
     }
 
     fn tried(&self, before: &Step, candidate: Candidate) -> (Result<Step, PlanOutcome>, Effort) {
@@ -178,7 +179,7 @@ impl Setting<'_> {
 
     /// Protects until the risk is at most `bound`.
     pub(super) fn protect(&self, bound: f64) -> Comparison {
-        let mut out = self.begun();
+        let mut out = self.without_runs();
         let which = if self.fixed_time().is_some() { Run::Common } else { Run::Own };
         let finish = |mut out: Comparison, outcome: PlanOutcome, set: &PlanningSet| {
             out.runs.push(self.run(PlannerKind::Rsp, &self.sets.names, which, outcome, set));
@@ -229,7 +230,7 @@ impl Setting<'_> {
 }
 
 impl Step {
-    /// What is tried next, for whoever follows the progress.
+    /// The next attempt, as progress reports name it.
     fn trying(&self, added: &Protection) -> String {
         let protected = match added {
             Protection::Nothing => "nothing".into(),
@@ -245,7 +246,7 @@ fn unmet(step: &Step) -> PlanOutcome {
     PlanOutcome::NotFound(NotFound::Search { at: step.solved.time, status: UNMET.into() })
 }
 
-/// Risk taken away per second of mission time, then at all: what costs no time comes first.
+/// Risk removed per second of mission time, then in all: additions that cost no time come first.
 fn price(before: &Step, after: &Step) -> (f64, f64) {
     let (gain, seconds) = (before.risk - after.risk, after.solved.time - before.solved.time);
     (if seconds > 0.0 { gain / seconds } else { f64::INFINITY }, gain)

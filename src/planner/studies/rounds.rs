@@ -1,8 +1,8 @@
-//! Rounds of selection, the paper's dial: step (e) of section 5.3 done again and again at one mission time.
+//! Rounds of selection: step (e) of section 5.3 of the paper, repeated at one mission time.
 //!
-//! RIP is no round, RSP one. Facets passed at any node are selected, in the exact model at any instant, and stand at all of
-//! them. In the hover model, at a time at which RCP has a plan, rounds end at RCP's plan: each program is a relaxation of
-//! RCP's, and a plan that passes no facet solves it.
+//! RIP is zero rounds, RSP one. Facets violated at any node, in the exact model at any instant, are selected and imposed at all
+//! of them. In the hover model, at a time at which RCP has a plan, rounds end at RCP's plan: each program is a relaxation of
+//! RCP's, and a plan that violates no facet solves it.
 
 use super::{Comparison, NotFound, PlanOutcome, Progress, Setting};
 use crate::admissible::row::SetRow;
@@ -17,10 +17,10 @@ use crate::solve::Effort;
 use std::collections::BTreeMap;
 use std::iter;
 
-/// Steps in which a time with a plan is looked for beyond T_d, each 5 % longer.
+/// Most times tried beyond T_d until one has a plan, each 5 % longer than the last.
 const MOST_STEPS: usize = 20;
 
-/// What one number of rounds gives.
+/// The result of one number of rounds.
 #[derive(Debug, Clone)]
 pub struct Round {
     pub rounds: usize,
@@ -35,12 +35,12 @@ pub struct Round {
     pub own_selected_by: Vec<Trajectory>,
 }
 
-/// The plans of rounds 0, 1, ... at one time, each with the facets selected for it. Where nothing new is passed the last
-/// stands for all further rounds; where there is no plan, no further round has one.
+/// The decisions of rounds 0, 1, ... at one time, each with the facets selected for it. The last holds for all further rounds: it
+/// violates nothing new, or it is not a plan.
 type Chain = Vec<(Vec<SetRow>, Decision)>;
 
 /// Rounds `first..=last` at T_d, and each at its own shortest time with the selection redone there. `common_time` is
-/// T_d; none where no mode has a plan at any time. `progress` is told the round and each mission time tried.
+/// T_d; no rounds if no mode has a plan at any time. `progress` receives the round and each mission time, s, before it is tried.
 pub fn rounds(
     model: &Model,
     mission: &Mission,
@@ -60,7 +60,7 @@ pub fn rounds(
     for k in first..=last {
         let (selected, decision) = &at_common[k.min(at_common.len() - 1)];
         // The plan of the round before, which this one's facets are selected by, is missing.
-        let is_beyond = k >= at_common.len() && super::planned_of(decision).is_none();
+        let is_beyond = k >= at_common.len() && decision.planned().is_none();
         let outcome = match is_beyond {
             true => setting.without_rip(common, decision),
             false => setting.common(common, decision),
@@ -85,13 +85,13 @@ pub fn rounds(
 
 /// The plans that `rounds` rounds select by: those of the rounds before, as far as they go.
 fn selected_by(chain: &Chain, rounds: usize) -> Vec<Trajectory> {
-    chain.iter().take(rounds).filter_map(|(_, decision)| super::planned_of(decision)).map(Planned::trajectory).collect()
+    chain.iter().take(rounds).filter_map(|(_, decision)| decision.planned()).map(Planned::trajectory).collect()
 }
 
 struct Search<'s, 'a> {
     setting: &'s Setting<'a>,
     last: usize,
-    /// What plans can be begun from.
+    /// Plans for warm starts.
     known: &'s [Planned],
     /// By mission time in multiples of [`RESOLUTION`].
     chains: BTreeMap<i64, Chain>,
@@ -102,11 +102,11 @@ impl Search<'_, '_> {
     fn at(&mut self, ticks: i64, rounds: usize) -> Option<&Planned> {
         let (setting, last, known, effort) = (self.setting, self.last, self.known, &mut self.effort);
         let chain = self.chains.entry(ticks).or_insert_with(|| setting.chain(seconds(ticks), last, known, effort));
-        super::planned_of(&chain[rounds.min(chain.len() - 1)].1)
+        chain[rounds.min(chain.len() - 1)].1.planned()
     }
 
-    /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, for the
-    /// selection is another at each: the time found is one below which, by [`RESOLUTION`], no plan was found.
+    /// Bisection from T_d, or from the first longer time with a plan. Feasibility need not be monotone in time, because each time
+    /// has its own selection: the time found is one at which a plan was found, and none was [`RESOLUTION`] below it.
     fn shortest(&mut self, rounds: usize, common: f64) -> (PlanOutcome, Vec<Trajectory>) {
         let mut high = (common / RESOLUTION - 1e-6).ceil() as i64;
         let mut tried = 0;
@@ -155,8 +155,8 @@ fn seconds(ticks: i64) -> f64 {
 }
 
 impl Setting<'_> {
-    /// Step (e) as often as the spec says, from the RIP plan at T_d: RSP's set. What is selected goes to `out`.
-    /// `rcp` is a plan of the joint set, where one is known.
+    /// Step (e) for the spec's number of rounds, from the RIP plan at T_d: RSP's set. The selected facets go to `out`. `rcp` is a plan
+    /// of the joint set, if one is known.
     pub(super) fn select(&self, time: f64, rip: &Planned, rcp: Option<&Planned>, out: &mut Comparison) -> PlanningSet {
         let mut planned = rip.clone();
         for round in 1..=self.model.plan.rounds {
@@ -182,7 +182,7 @@ impl Setting<'_> {
         self.sets.rip.with(out.selected.clone())
     }
 
-    /// Rounds 0 to `last` at one time, each begun from the one before or from plans that are known.
+    /// Rounds 0 to `last` at one time, each warm-started from the one before or from plans that are known.
     fn chain(&self, time: f64, last: usize, known: &[Planned], effort: &mut Effort) -> Chain {
         let mut selected: Vec<SetRow> = Vec::new();
         let mut chain: Chain = Vec::new();
@@ -190,7 +190,7 @@ impl Setting<'_> {
         for _ in 0..=last {
             let set = self.sets.rip.with(selected.clone());
             let name = format!("round {}", chain.len());
-            // As `everything` does, so that both have one plan.
+            // As in `everything`, so that both find the same plan.
             let rcp = self.at_its_time(known.last());
             let (decision, spent) = match &before {
                 None => self.rip_at(&name, time, rcp, known.first()),
@@ -200,7 +200,7 @@ impl Setting<'_> {
                 }
             };
             *effort += spent;
-            before = super::planned_of(&decision).cloned();
+            before = decision.planned().cloned();
             chain.push((selected.clone(), decision));
             let new = before.as_ref().map_or(Vec::new(), |planned| self.sets.violated(self.model, planned));
             if new.is_empty() {

@@ -1,11 +1,11 @@
-//! How long each leg takes at least, from distances, limits and thrust alone: lower bounds for motions that keep the
-//! spec's limits at every instant, whatever the division of the time, and the planner's initial durations.
+//! Lower bounds on the duration of each leg, from distances, limits and thrust alone. They hold for motions that keep the spec's
+//! limits at every instant, whatever the division of the time. The planner's initial durations come from them.
 //!
 //! Between two waypoints the displacement in a direction is the integral of the velocity in it. If the velocity is at most v
 //! and the acceleration at most a in size, a leg of length d takes at least d/v; if the vehicle rests at k of its two ends, at
 //! least `d/v + k v/(2a)` where it reaches v, and `sqrt(2 k d/a)` where it does not (time-optimal control of the double
 //! integrator; Bryson and Ho, *Applied Optimal Control*, 1975). At rest the acceleration vanishes too, so that a jerk of at
-//! most j asks for `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
+//! most j needs `(6 d/j)^(1/3)` from rest and `(32 d/j)^(1/3)` from rest to rest.
 
 use crate::model::{Limit, LimitKind, Mission, Model, PlanModel, Waypoint};
 use crate::planner::transcription::UNBOUNDED;
@@ -38,7 +38,7 @@ impl Pace {
     }
 }
 
-/// What the limits and the thrust allow.
+/// The bounds that limits and thrust set for each displacement.
 #[derive(Debug, Clone, Copy)]
 struct Paces {
     whole: Pace,
@@ -49,8 +49,8 @@ struct Paces {
 }
 
 impl Paces {
-    /// Of a mission under its vehicle's full thrust, with intervals at the ends that allow most; each limit widened by
-    /// `past`, in its SI unit, and all by what the check of plans lets pass ([`tolerance`]).
+    /// The bounds of a mission under its vehicle's full thrust, with intervals at the ends that allow most. Each limit is widened
+    /// by `past`, in its SI unit, and by the tolerance of the check of plans ([`tolerance`]).
     fn of(model: &Model, mission: &Mission, past: &[f64]) -> Self {
         let upper =
             |(limit, past): (&Limit, &f64)| Some(limit.upper? + past + tolerance::MOST_PAST_LIMIT * limit.size());
@@ -93,7 +93,7 @@ impl Paces {
         }
     }
 
-    /// The least time from one waypoint to the next with rest at `rests` of them, and along what.
+    /// The least time from one waypoint to the next with rest at `rests` of them, and the displacement that determines it.
     fn leg(&self, from: &Waypoint, to: &Waypoint, rests: usize) -> LeastLeg {
         let room = from.within + to.within + 2.0 * tolerance::MOST_MISS;
         let yaw_room = from.yaw_within + to.yaw_within + 2.0 * tolerance::MOST_MISS;
@@ -113,7 +113,7 @@ impl Paces {
     }
 }
 
-/// The displacement that a least duration rests on.
+/// The displacement that determines a least duration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Along {
     Line,
@@ -124,7 +124,7 @@ pub enum Along {
 }
 
 impl Along {
-    /// As reports call it.
+    /// Its name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Along::Line => "distance",
@@ -147,21 +147,21 @@ pub struct LeastLeg {
 /// A lower bound on a mission's time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeastTime {
-    /// With holds, s.
+    /// Of the whole mission with its holds, s.
     pub seconds: f64,
     pub legs: Vec<LeastLeg>,
-    /// The first waypoint with a fixed time before which it cannot be reached, and how soon it can be, s.
+    /// The first waypoint that cannot be reached by its fixed time, and the earliest time at which it can, s.
     pub too_early: Option<(usize, f64)>,
 }
 
 /// Sums are rounded down by this share.
 pub const ROUNDING: f64 = 1e-10;
 
-/// Two instants are one within this share of them.
+/// Two times are equal within this share of them.
 const SAME_TIME: f64 = 1e-9;
 
-/// The least time in which motions fly a mission that meet its waypoints, fixed times and holds and keep its limits at every
-/// instant, however the time is divided among the legs. `past` widens each limit, in its SI unit.
+/// A lower bound on the time of every motion that meets the mission's waypoints, fixed times and holds and keeps its limits at
+/// every instant, for every division of the time among the legs. `past` widens each limit, in its SI unit.
 pub fn least_time(model: &Model, mission: &Mission, past: &[f64]) -> LeastTime {
     let points = &mission.waypoints;
     let last = points.len().saturating_sub(1);
@@ -170,9 +170,9 @@ pub fn least_time(model: &Model, mission: &Mission, past: &[f64]) -> LeastTime {
     let mut legs = vec![LeastLeg { seconds: 0.0, along: Along::Line }; last];
     let mut from = 0;
     for to in 1..=last {
-        // A waypoint that asks for nothing divides no leg.
-        let asks = points[to].within < UNBOUNDED || points[to].time.is_some() || points[to].hold > 0.0;
-        if asks || to == last {
+        // A waypoint that requires nothing does not end a leg.
+        let is_required = points[to].within < UNBOUNDED || points[to].time.is_some() || points[to].hold > 0.0;
+        if is_required || to == last {
             let resting = usize::from(rests(from)) + usize::from(rests(to));
             legs[to - 1] = paces.leg(&points[from], &points[to], resting);
             from = to;
@@ -193,23 +193,23 @@ pub fn least_time(model: &Model, mission: &Mission, past: &[f64]) -> LeastTime {
 }
 
 impl LeastTime {
-    /// Whether a mission of `total` s is shorter than any can be.
+    /// Whether the bound exceeds a mission time of `total` s.
     pub fn is_above(&self, total: f64) -> bool {
         self.too_early.is_some() || self.seconds > total + 2.0 * SAME_TIME * total.max(1.0)
     }
 }
 
-/// The same within the limits as the spec has them.
+/// The same with the spec's limits.
 pub fn least_time_within(model: &Model, mission: &Mission) -> LeastTime {
     least_time(model, mission, &vec![0.0; mission.limits.len()])
 }
 
-/// Of the least duration of a leg, and of what flying it from rest to rest at half of g takes, the larger is its initial
-/// duration.
+/// The initial duration of a leg is at least this many times its least duration.
 const UNHURRIED: f64 = 1.25;
+/// It is also at least this many times the flight from rest to rest at half of g.
 const FLOWN_THROUGH: f64 = 0.7;
 
-/// Initial durations of the legs, s: each as long as its own distance, turn and limits ask for.
+/// Initial durations of the legs, s: by the distance, turn and limits of each leg.
 pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
     let least = least_time_within(model, mission).legs;
     let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity, jerk: f64::INFINITY };
@@ -218,7 +218,7 @@ pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
         (UNHURRIED * least.seconds).max(FLOWN_THROUGH * half.least(apart, 2))
     });
     let durations: Vec<f64> = legs.collect();
-    // No leg is without time, as none is without a share.
+    // Every leg has some time, as every leg has a share.
     let mean = durations.iter().sum::<f64>() / durations.len().max(1) as f64;
     durations.into_iter().map(|d| if mean > 0.0 { d.max(0.05 * mean) } else { 1.0 }).collect()
 }

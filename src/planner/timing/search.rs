@@ -1,32 +1,30 @@
-//! The smallest mission time at which a planner's program is feasible, and what shows it.
+//! The smallest mission time at which the hover planner's program is feasible, and what proves it.
 //!
-//! An excess on a coarse grid tells where to look, the full program decides. Times are tried on multiples of
-//! [`RESOLUTION`], and on the finer [`GRID`] only where the solver gives no verdict at one of those.
+//! The violation on a coarse grid gives an estimate, the full program decides. Times are tried on multiples of [`RESOLUTION`],
+//! and on the finer [`GRID`] only where the solver gives no verdict at one of those.
 
 use crate::motion::time_grid::{determined, earliest};
 use crate::planner::hover::{Decision, HoverPlanner, Planned};
 use crate::planner::selection::PlanningSet;
+use crate::planner::timing::MAX_MISSION_TIME;
 use crate::planner::working_set::WorkingSet;
 
 /// Shortest times are multiples of this, s (unless the spec determines the time).
 pub const GRID: f64 = 0.01;
 
-/// A shortest time is claimed only where a time shorter by at most this was shown infeasible, s.
+/// A shortest time is claimed only if a time shorter by at most this was proved infeasible, s.
 pub const RESOLUTION: f64 = 0.05;
 
-/// No mission is searched beyond this, s.
-const LONGEST: f64 = 100_000.0;
-
-/// A shortest time and what shows it.
+/// A shortest time with its plan and its proof.
 #[derive(Debug, Clone)]
 pub struct Shortest {
     /// s
     pub time: f64,
     pub planned: Planned,
-    /// A time shorter by at most [`RESOLUTION`] that was shown infeasible; `None` where fixed times and holds
-    /// leave no shorter one.
+    /// A time shorter by at most [`RESOLUTION`] that was proved infeasible, s; `None` where fixed times and holds leave no
+    /// shorter one, and in the exact model.
     pub infeasible_at: Option<f64>,
-    /// Longer times that were tried and found infeasible: feasibility is not monotone here.
+    /// Longer times that were tried and proved infeasible, s: feasibility is not monotone here.
     pub infeasible_above: Vec<f64>,
 }
 
@@ -39,20 +37,20 @@ pub enum NoTime {
     Inconclusive { at: f64, status: String },
 }
 
-/// What is known before a search.
+/// What a search can use of earlier results.
 #[derive(Debug, Clone, Default)]
 pub struct Hint {
-    /// Where to start looking, s.
+    /// A first guess, s.
     pub near: Option<f64>,
-    /// A time shown infeasible (for a larger set), s.
+    /// A time proved infeasible (for a larger set), s.
     pub infeasible: Option<f64>,
-    /// A time shown feasible (for a smaller set), s.
+    /// A time known to be feasible (from a smaller set), s.
     pub feasible: Option<f64>,
     /// A plan of this very set at `feasible`.
     pub planned: Option<Box<Planned>>,
-    /// Plans of any set that are worth beginning from, where the planner works by steps.
+    /// Plans of any set, for the warm start of the SCP planner.
     pub initial_guesses: Vec<Planned>,
-    /// The time found for a larger set, s: where the planner works by steps, a plan nearly as short is not improved.
+    /// The time found for a larger set, s: the SCP planner does not shorten a plan that is nearly as short.
     pub larger: Option<f64>,
 }
 
@@ -67,19 +65,6 @@ fn seconds(t: Ticks) -> f64 {
     t as f64 / (1.0 / GRID).round()
 }
 
-/// Relative precision of estimates.
-const PRECISION: f64 = 0.005;
-
-/// With k intervals a leg shortest times are longer by about this share of 1/k^2 (measured on Viviani's curve; a
-/// hint only).
-const GRID_ERROR: f64 = 0.85;
-
-/// An estimate is given up after this many times tried.
-const MOST_STEPS: usize = 60;
-
-/// Times without a verdict after which a search gives up.
-const MOST_UNKNOWN: usize = 20;
-
 /// What a search on the full grid starts from.
 struct Known {
     low: Option<Ticks>,
@@ -88,7 +73,7 @@ struct Known {
 }
 
 struct Search<'e, 'a> {
-    engine: &'e mut HoverPlanner<'a>,
+    planner: &'e mut HoverPlanner<'a>,
     set: &'e PlanningSet,
     working_set: &'e mut WorkingSet,
     /// The largest time known to leave some leg no time.
@@ -97,6 +82,9 @@ struct Search<'e, 'a> {
 
 impl<'a> HoverPlanner<'a> {
     /// The shortest mission time for a set.
+    ///
+    /// # Errors
+    /// [`NoTime`], if each time tried is proved infeasible or the search ends without a proof.
     pub fn shortest(
         &mut self,
         set: &PlanningSet,
@@ -115,7 +103,7 @@ impl<'a> HoverPlanner<'a> {
         }
         let floor = (earliest(self.mission) / GRID).floor() as Ticks;
         let floor = floor - floor.rem_euclid(STEP);
-        let mut search = Search { engine: self, set, working_set, floor };
+        let mut search = Search { planner: self, set, working_set, floor };
         let ticks = |t: Option<f64>| t.map(|t| (t / GRID).round() as Ticks);
         let (low, high) = (ticks(hint.infeasible), ticks(hint.feasible));
         let start = match (low, high) {
@@ -129,12 +117,12 @@ impl<'a> HoverPlanner<'a> {
                 Some(start.clamp(least, high.unwrap_or(start).max(least)))
             }
         };
-        let mut found = search.exact(start, Known { low, high, planned: hint.planned }, samples)?;
+        let mut found = search.bisect(start, Known { low, high, planned: hint.planned }, samples)?;
         found.infeasible_above = search.scan_above(&found, samples);
         Ok(found)
     }
 
-    /// A first guess, s: each leg flown from rest to rest at half of g.
+    /// A first guess of the mission time, s: each leg flown from rest to rest at half of g.
     pub fn guess(&self) -> f64 {
         let points = &self.mission.waypoints;
         let legs: f64 = points
@@ -153,37 +141,39 @@ impl Search<'_, '_> {
         if t <= self.floor {
             return Decision::Infeasible;
         }
-        self.engine.progress(seconds(t));
-        self.engine.decide(seconds(t), samples, self.set, self.working_set)
+        self.planner.progress(seconds(t));
+        self.planner.decide(seconds(t), samples, self.set, self.working_set)
     }
 
-    /// A time near the shortest, s, found on a coarse grid and moved to where the full one's should lie. Claims
-    /// nothing.
+    /// An estimate of the shortest time, s, from the coarse grid, corrected for the error of that grid. It proves nothing.
     fn estimate(&mut self, guess: Option<f64>, samples: usize) -> f64 {
-        let coarse = self.engine.coarse_samples();
+        let coarse = self.planner.coarse_samples();
         let floor = seconds(self.floor);
-        let near = guess.unwrap_or_else(|| self.engine.guess());
+        let near = guess.unwrap_or_else(|| self.planner.guess());
         let found = self.root(near, coarse);
-        // The error of a grid goes with the square of its step.
-        let legs = self.engine.mission.legs.len() as f64;
-        let late = |n: usize| 1.0 + GRID_ERROR * (legs / n as f64).powi(2);
+        // The error of a grid is proportional to the square of its step.
+        let legs = self.planner.mission.legs.len() as f64;
+        let grid_error = self.planner.settings.search.grid_error;
+        let late = |n: usize| 1.0 + grid_error * (legs / n as f64).powi(2);
         floor + (found - floor) * late(samples) / late(coarse)
     }
 
-    /// The time at which the excess vanishes, by interpolation in 1/T^2: an acceleration goes with 1/T^2, and the
-    /// wrench with acceleration where torques are small.
+    /// The time at which the violation vanishes, by interpolation in 1/T^2: accelerations are proportional to 1/T^2, and the
+    /// wrench to accelerations where torques are small.
     fn root(&mut self, guess: f64, samples: usize) -> f64 {
+        let settings = self.planner.settings.search;
         let floor = seconds(self.floor);
-        let hover = self.engine.hover_margin(self.set).max(1e-3);
-        // Far away, standing still is as far inside as can be.
+        let hover = self.planner.hover_margin(self.set).max(1e-3);
+        // For very long times the plan has the slack of hover.
         let mut known: Vec<(f64, f64)> = vec![(0.0, -hover)];
         let (mut low, mut high) = (0.0_f64, f64::INFINITY);
         let mut time = (guess - floor).max(GRID);
-        for _ in 0..MOST_STEPS {
-            if floor + time > LONGEST {
+        for _ in 0..settings.max_steps {
+            if floor + time > MAX_MISSION_TIME {
                 return guess; // the full grid decides whether there is any time at all
             }
-            let violation = self.engine.violation(floor + time, samples, self.set, self.working_set, PRECISION * hover);
+            let violation =
+                self.planner.violation(floor + time, samples, self.set, self.working_set, settings.precision * hover);
             match violation {
                 Some(e) if e.sigma <= 0.0 => high = high.min(time),
                 _ => low = low.max(time),
@@ -198,7 +188,7 @@ impl Search<'_, '_> {
                 _ if low == 0.0 => 0.7 * high,
                 _ => 0.5 * (low + high),
             };
-            if (next - time).abs() <= PRECISION * time {
+            if (next - time).abs() <= settings.precision * time {
                 return floor + next;
             }
             time = next;
@@ -210,15 +200,15 @@ impl Search<'_, '_> {
         if t <= self.floor {
             return false;
         }
-        self.engine.progress(seconds(t));
-        matches!(self.engine.decide_roughly(seconds(t), self.set, self.working_set), Decision::Feasible(_))
+        self.planner.progress(seconds(t));
+        matches!(self.planner.decide_roughly(seconds(t), self.set, self.working_set), Decision::Feasible(_))
     }
 
-    /// Brackets and bisects on the full grid, from a time thought near the shortest; from none where all is known.
-    fn exact(&mut self, start: Option<Ticks>, known: Known, samples: usize) -> Result<Shortest, NoTime> {
+    /// Brackets and bisects on the full grid, from an estimate of the shortest time; without one if both ends are known.
+    fn bisect(&mut self, start: Option<Ticks>, known: Known, samples: usize) -> Result<Shortest, NoTime> {
         let mut high: Option<(Ticks, Planned)> = known.high.and_then(|h| Some((h, *known.planned?)));
         let mut low = known.low;
-        // A lower end known beforehand may lie far off; one found here lies near, and halving pays.
+        // A lower end known beforehand may be far below; one found here is near, and bisection pays.
         let mut near = false;
         let mut unknown: Vec<(Ticks, String)> = Vec::new();
         let mut proved: Vec<f64> = low.map(seconds).into_iter().collect();
@@ -235,11 +225,11 @@ impl Search<'_, '_> {
             }
             let highest = unknown.iter().map(|u| u.0).chain(low).max().unwrap_or(self.floor);
             next = match (low, &high) {
-                _ if unknown.len() > MOST_UNKNOWN => None,
-                (_, None) if seconds(highest) > LONGEST && unknown.is_empty() => {
+                _ if unknown.len() > self.planner.settings.search.max_without_verdict => None,
+                (_, None) if seconds(highest) > MAX_MISSION_TIME && unknown.is_empty() => {
                     return Err(NoTime::Infeasible { times: proved });
                 }
-                (_, None) if seconds(highest) > LONGEST => None,
+                (_, None) if seconds(highest) > MAX_MISSION_TIME => None,
                 (_, None) => {
                     let up = highest + stride;
                     stride *= 2;
@@ -268,13 +258,13 @@ impl Search<'_, '_> {
         Ok(Shortest { time: seconds(time), planned, infeasible_at, infeasible_above: Vec::new() })
     }
 
-    /// Longer times without a plan. Where the plan found is still one when flown slower there is one; else the coarse
-    /// grid is tried, and where that finds none the full one.
+    /// Longer times proved infeasible. A time at which the plan found is still one when flown slower is not tried; at the others
+    /// the coarse grid is tried first and, if it finds no plan, the full one.
     fn scan_above(&mut self, found: &Shortest, samples: usize) -> Vec<f64> {
         let first = (found.time / GRID).round();
-        let longer = [1.05, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0].map(|f| steps(first * f));
+        let longer = self.planner.settings.search.longer.map(|f| steps(first * f));
         let mut infeasible = |t: &Ticks| {
-            !self.engine.slowed_down_keeps(&found.planned, self.set, seconds(*t) / found.time)
+            !self.planner.is_plan_when_slowed(&found.planned, self.set, seconds(*t) / found.time)
                 && !self.roughly_feasible(*t)
                 && matches!(self.try_at(*t, samples), Decision::Infeasible)
         };

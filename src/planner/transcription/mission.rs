@@ -1,4 +1,4 @@
-//! Rows that stand in every program: how nodes follow from each other, rests, and waypoints.
+//! The rows of every program: dynamics between nodes, rests and waypoints.
 
 use super::{Form, Transcription, UNBOUNDED};
 use crate::motion::{X, Y, YAW, Z};
@@ -9,11 +9,11 @@ impl Transcription<'_> {
     /// Exact steps under first-order hold: with m = r - i,
     /// `d_i(k+1) = sum_{j=i}^{r-1} h^(j-i)/(j-i)! d_j + h^m [(1/m! - 1/(m+1)!) u_k + u_{k+1}/(m+1)!]`.
     ///
-    /// Where the leg that begins at a node may change its duration by another share than the one that ends there, the
-    /// derivatives `d_j` on its side differ by what `bend` says for (node, axis, j), in SI units.
+    /// If the leg that begins at a node may change its duration by another share than the one that ends there, the derivatives `d_j`
+    /// on its side differ by `jump` of (node, axis, j), in SI units (72).
     pub(in crate::planner) fn dynamics(&self, builder: &mut Builder, jump: &dyn Fn(usize, usize, usize) -> Affine) {
         if let Form::Splines(_) = self.form {
-            return; // the splines are the motions that keep these rows
+            return; // splines keep these rows by construction
         }
         const FACTORIAL: [f64; 6] = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0];
         for (interval, h) in self.grid.steps().enumerate() {

@@ -1,4 +1,4 @@
-//! Runs with one plan, told in one line that names them all.
+//! Runs with the same plan, joined into one line that names them all.
 
 use super::name_of;
 use crate::model::PlannerKind;
@@ -6,20 +6,22 @@ use crate::motion::outside::Outside;
 use crate::planner::studies::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Proof, Run};
 use crate::report::terminal::WIDTH;
 
-/// Names in the first column take no more room than this; where they need more, a note below the table has them.
+/// Longest name in the first column; longer ones are written out in a note below the table.
 const LONGEST_NAME: usize = 36;
 
-/// Plans of one motion count as one that differ by no more than this: shares of the healthy set's width; s.
+/// Two plans with the same trajectory are the same if their margins differ by at most this share of the healthy set's
+/// width
 const MARGIN: f64 = 1e-5;
+/// and their times by at most this, s.
 const SECONDS: f64 = 1e-3;
 
-/// Runs that ended alike, in their order; at least one.
+/// Runs with the same result, in their order; at least one.
 pub struct Fold<'c> {
     pub runs: Vec<&'c PlannerRun>,
     modes: &'c [String],
 }
 
-/// The runs of one kind, those with one plan together, where the first of them stands.
+/// The runs of one kind; runs with the same plan are joined at the position of the first of them.
 pub fn folded(comparison: &Comparison, which: Run) -> Vec<Fold<'_>> {
     let mut folds: Vec<Fold> = Vec::new();
     for run in comparison.runs.iter().filter(|run| run.run == which) {
@@ -31,7 +33,7 @@ pub fn folded(comparison: &Comparison, which: Run) -> Vec<Fold<'_>> {
     folds
 }
 
-/// Whether two runs have one plan, or are RCP for single modes that ended without one in the same way.
+/// Whether two runs have the same plan, or are RCP runs for single modes that failed in the same way.
 fn are_alike(one: &PlannerRun, other: &PlannerRun) -> bool {
     match (&one.outcome, &other.outcome) {
         (PlanOutcome::Planned(a), PlanOutcome::Planned(b)) => have_one_plan(a, b),
@@ -43,7 +45,7 @@ fn are_alike(one: &PlannerRun, other: &PlannerRun) -> bool {
     }
 }
 
-/// Whether two plans are one but for what the solver's last digits differ by: at every node, and in what is said of the sets.
+/// Whether two plans are the same up to the solver's last digits: at every node, and in their violations of the sets.
 fn have_one_plan(a: &MissionPlan, b: &MissionPlan) -> bool {
     let same_outside = |(p, q): (&Outside, &Outside)| {
         near(p.max_violation, q.max_violation, MARGIN)
@@ -69,18 +71,18 @@ impl Fold<'_> {
         &self.runs[0].outcome
     }
 
-    /// `RIP, RCP M1, M3 .. M6, RSP`: all runs by name, modes that follow each other as ranges.
+    /// `RIP, RCP M1, M3 .. M6, RSP`: all runs by name, consecutive modes as ranges.
     pub fn name(&self) -> String {
         let single: Vec<usize> =
             self.runs.iter().filter(|run| is_of_one_mode(run)).filter_map(|r| self.place(r)).collect();
         let mut names = Vec::new();
-        let mut told = false;
+        let mut listed = false;
         for run in &self.runs {
             match is_of_one_mode(run) {
                 false => names.push(name_of(run)),
-                true if told => {}
+                true if listed => {}
                 true => {
-                    told = true;
+                    listed = true;
                     names.push(format!("RCP {}", self.ranges(&single).join(", ")));
                 }
             }
@@ -88,7 +90,7 @@ impl Fold<'_> {
         names.join(", ")
     }
 
-    /// The name where it is short; otherwise that of the first run and how many more there are.
+    /// The name if it is short; otherwise that of the first run and the number of others.
     pub fn short_name(&self) -> String {
         let whole = self.name();
         match self.runs.len() - 1 {
@@ -99,7 +101,7 @@ impl Fold<'_> {
         }
     }
 
-    /// What the short name leaves out, as a paragraph; nothing where it is whole.
+    /// A paragraph with the whole name if the short name omits something; otherwise empty.
     pub fn note(&self) -> String {
         let (whole, short) = (self.name(), self.short_name());
         if whole == short {
@@ -109,7 +111,7 @@ impl Fold<'_> {
         format!("{}\n", textwrap::fill(&format!("{short}: {whole}."), options))
     }
 
-    /// The rows at each node, of which runs with one plan may have different numbers: `52`, `52 to 60`.
+    /// The number of rows at each node, which may differ between runs with the same plan: `52`, `52 to 60`.
     pub fn rows(&self) -> String {
         let rows = || self.runs.iter().map(|run| run.set.rows.len());
         match (rows().min().unwrap_or(0), rows().max().unwrap_or(0)) {
@@ -118,12 +120,12 @@ impl Fold<'_> {
         }
     }
 
-    /// The place of a run's one mode among those of the comparison.
+    /// The index of a run's single mode among those of the comparison.
     fn place(&self, run: &PlannerRun) -> Option<usize> {
         self.modes.iter().position(|mode| *mode == run.against[0])
     }
 
-    /// Places as names, three and more of one `every` that follow each other as a range.
+    /// Modes by name; three or more consecutive modes of one `every` statement as a range.
     fn ranges(&self, places: &[usize]) -> Vec<String> {
         let name = |place: usize| self.modes[place].clone();
         let family = |place: usize| self.modes[place].trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');

@@ -1,4 +1,4 @@
-//! The table of what limits the time of each leg.
+//! The table of constraints that limit the time of each leg.
 
 use super::document::Section;
 use super::prose::unbroken;
@@ -8,24 +8,24 @@ use crate::report::binding::{BindingRecord, HEADLINE, StatementRecord, notes};
 use crate::report::record::PlannerRecord;
 use maud::html;
 
-/// Rows at most; the report has all.
+/// Rows at most; the JSON report has all.
 const MOST_ROWS: usize = 200;
 
-/// Of a plan whose time was searched for; nothing where nothing limits it.
+/// For a plan whose time was searched for; `None` if no statement limits it.
 pub fn section(mission: &Mission, planner: &PlannerRecord) -> Option<Section> {
     let limited: Vec<&BindingRecord> = planner.limited_by.iter().filter(|leg| !leg.statements.is_empty()).collect();
     let left_out = limited.len().saturating_sub(MOST_ROWS);
     let most = limited.iter().flat_map(|leg| leg.statements.iter().map(move |statement| (leg, statement)));
-    let (leg, first) = most.max_by(|a, b| a.1.gives_back_s.total_cmp(&b.1.gives_back_s))?;
+    let (leg, first) = most.max_by(|a, b| a.1.time_saved_s.total_cmp(&b.1.time_saved_s))?;
     let body = html! {
-        h2 { (unbroken(&format!("Leg {}: relaxing {} by {} would save the most, {} s", leg.label(), first.statement, first.per, significant(first.gives_back_s, 2)))) }
+        h2 { (unbroken(&format!("Leg {}: relaxing {} by {} would save the most, {} s", leg.label(), first.statement, first.relaxed_by, significant(first.time_saved_s, 2)))) }
         div.scroll tabindex="0" role="region" aria-label="Table of what limits the time" {
             table {
                 caption { span { (unbroken(HEADLINE)) } }
                 thead {
                     tr {
                         th scope="col" { "Leg" }
-                        th.n scope="col" { "Takes" br; span.unit { "s" } }
+                        th.n scope="col" { "Time" br; span.unit { "s" } }
                         th scope="col" { "Limited by" }
                     }
                 }
@@ -41,7 +41,7 @@ pub fn section(mission: &Mission, planner: &PlannerRecord) -> Option<Section> {
             }
         }
         @for note in notes(mission) { p.note { (unbroken(&note)) } }
-        @if left_out > 0 { p.note { (left_out) " more legs are left out here; " code { "--report" } " lists all." } }
+        @if left_out > 0 { p.note { (left_out) " more legs are omitted here; " code { "--report" } " lists all." } }
     };
     Some(Section::new("limits", "What limits the time", body))
 }

@@ -1,9 +1,9 @@
-//! Charts of a motion over time: which curves, in which unit, with which limits, under which headline.
+//! Charts of a trajectory over time: curves, unit, limits and headline.
 
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Numbers over the instants of a motion, by name; `t` is time in s.
+/// Numbers over the instants of a trajectory, by name; `t` is time in s.
 pub type Columns = BTreeMap<String, Vec<f64>>;
 
 /// One chart.
@@ -11,18 +11,18 @@ pub type Columns = BTreeMap<String, Vec<f64>>;
 pub struct Chart {
     pub id: &'static str,
     pub title: &'static str,
-    /// A fact: what the curves come to.
+    /// The fact that the curves show.
     pub headline: String,
-    /// For people, with the numbers of the columns in it.
+    /// Unit of the columns' numbers.
     pub unit: &'static str,
     pub lines: Vec<Line>,
     pub bounds: Vec<Bound>,
-    /// The wrench's axis (0 to 3) that it shows, whose room in a mode's set can be drawn around it.
+    /// The component of the wrench (0 to 3) that it shows, around which the range left by a mode's set can be drawn.
     pub axis: Option<usize>,
 }
 
 impl Chart {
-    /// The same, its headline with numbers and units on one line.
+    /// The same with a headline that does not break between a number and its unit.
     pub fn set(mut self) -> Self {
         self.headline = super::prose::unbroken(&self.headline);
         self
@@ -33,30 +33,31 @@ impl Chart {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Line {
     pub label: String,
-    /// Of the columns.
+    /// Name of its column.
     pub column: String,
-    /// What the line before it was to be.
+    /// Whether it is the reference of the line before it.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub aim: bool,
 }
 
 impl Line {
+    /// A curve of its own.
     pub fn new(label: impl Into<String>, column: impl Into<String>) -> Self {
         Line { label: label.into(), column: column.into(), aim: false }
     }
 
-    /// What the line before it was to be.
+    /// The reference of the line before it.
     pub fn aim(label: impl Into<String>, column: impl Into<String>) -> Self {
         Line { aim: true, ..Line::new(label, column) }
     }
 }
 
-/// A level that may not be passed, or one to compare with.
+/// A level that must not be exceeded, or a reference level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Bound {
     pub label: String,
     pub value: f64,
-    /// A level to compare with, which no rule keeps.
+    /// A level for comparison, which is not a constraint.
     pub is_reference: bool,
 }
 
@@ -70,7 +71,7 @@ impl Bound {
     }
 }
 
-/// A length in m, below one in cm, as errors are told in the terminal.
+/// A length in m, or in cm below 1 m, as in the terminal.
 pub fn length(metres: f64) -> String {
     match metres.abs() {
         m if m >= 1.0 => format!("{} m", crate::number::significant(metres, 3)),
@@ -78,12 +79,12 @@ pub fn length(metres: f64) -> String {
     }
 }
 
-/// The nearest number with six significant digits, no `-0`: what a chart can show, in short text.
+/// The nearest number with six significant digits, no `-0`: enough for a chart, and short as text.
 pub fn rounded(x: f64) -> f64 {
     significant(x, 5)
 }
 
-/// Numbers of one column, without digits that no chart shows: a hundred thousandth of the largest is the least.
+/// The numbers of one column, rounded to a hundred thousandth of the largest: charts show no more.
 pub fn column(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let values: Vec<f64> = values.collect();
     let largest = values.iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
@@ -94,7 +95,7 @@ pub fn column(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values.into_iter().map(|v| rounded((v / least).round() * least)).collect()
 }
 
-/// The same with nine digits, for the rows of sets.
+/// The nearest number with nine significant digits, for the rows of sets.
 pub fn precise(x: f64) -> f64 {
     significant(x, 8)
 }

@@ -1,4 +1,4 @@
-//! What the page's script is given.
+//! The data for the page's script.
 
 use super::chart::{Chart, Columns, rounded};
 use super::opening::{Opening, opening};
@@ -19,13 +19,13 @@ const CELLS: usize = 240;
 const MOST_NUMBERS: usize = 130_000;
 const MOST_INSTANTS: usize = 1_000;
 
-/// A run gets at least so many instants, or its curves are left out.
+/// Fewest instants of a run; if there is no room for them, its curves are omitted.
 const FEWEST_INSTANTS: usize = 80;
 
-/// Bytes of the machine-readable report, within which the page carries it.
+/// Largest JSON report that the page includes, bytes.
 const MOST_RECORD: usize = 300_000;
 
-/// Waypoints drawn at most.
+/// Most waypoints that are drawn.
 const MOST_WAYPOINTS: usize = 400;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -35,16 +35,16 @@ pub struct Content {
     pub hover: [f64; 4],
     /// `[least, most]` of each component over the whole healthy set.
     pub extents: [[f64; 2]; 4],
-    /// The share of each set that is kept for feedback: rows are shrunk by it about hover.
+    /// The share of each set that is reserved for feedback: rows are shrunk by it about hover.
     pub reserve: f64,
     /// Healthy first.
     pub sets: Vec<SetContent>,
     pub runs: Vec<RunContent>,
-    /// Of `runs`: what is shown first.
+    /// Index into `runs` of the one shown first.
     pub first: usize,
     /// The instant and the set shown first.
     pub opens: Opening,
-    /// What `--report` gives, or nothing where it is large.
+    /// The JSON report; `None` if it is large.
     pub record: Option<serde_json::Value>,
 }
 
@@ -56,25 +56,25 @@ pub struct WaypointContent {
     pub within: f64,
 }
 
-/// One plan.
+/// One plan or flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RunContent {
     pub label: String,
-    /// What its figures' names end with (`--svg`); none where it has none.
+    /// End of its figures' names (`--svg`); `None` if it has no figures.
     #[serde(skip)]
     pub figures: Option<String>,
-    /// What its wrench is called.
+    /// Name of its wrench.
     pub wrench: &'static str,
     pub columns: Columns,
     pub charts: Vec<Chart>,
     /// When each waypoint is passed, s.
     pub passed: Vec<f64>,
-    /// For every set that plans are measured against: its place in `sets`, and its smallest margin in each cell of the flight, in
-    /// percent of the healthy set's width.
+    /// For every set that plans are measured against: its index in `sets`, and the smallest margin in each cell of the
+    /// flight, in percent of the healthy set's width.
     pub strips: Vec<Strip>,
-    /// What happened when.
+    /// Events.
     pub marks: Vec<Mark>,
-    /// Of a flight: which faults it flies under, in order of time, the first from 0 s.
+    /// For a flight: the faults in force, in order of time, the first from 0 s.
     pub phases: Vec<Phase>,
 }
 
@@ -85,15 +85,16 @@ pub struct Phase {
     pub label: String,
 }
 
-/// The labels of marks where a flight was lost, and where its integration broke down.
+/// Label of the mark at which a flight was lost.
 pub const LOST: &str = "lost";
+/// Label of the mark at which the integration broke down.
 pub const DIVERGED: &str = "diverged";
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mark {
     /// s
     pub t: f64,
-    /// Empty where a line is enough.
+    /// Empty if a line is enough.
     pub label: String,
 }
 
@@ -104,7 +105,7 @@ pub struct Strip {
 }
 
 impl Content {
-    /// Names where hover lies relative to each set.
+    /// Adds where hover lies relative to each set.
     pub fn with_places(mut self, analyses: &[ModeAnalysis]) -> Self {
         for set in &mut self.sets {
             set.hover = analyses.iter().find(|a| a.name == set.name).map(ModeAnalysis::hover_all_axes);
@@ -112,7 +113,7 @@ impl Content {
         self
     }
 
-    /// Of plans: those that have a place on a page of reasonable size, the first ones first, and always the one shown first.
+    /// The data for plans: as many as fit on a page of reasonable size, always including the one shown first.
     pub fn of_plans(subject: &Subject, comparison: &Comparison, shown: &[ShownSet], record: &impl Serialize) -> Self {
         let first = shown_first(subject.model, comparison);
         let solved: Vec<(usize, &PlannerRun, &MissionPlan)> = comparison
@@ -128,7 +129,7 @@ impl Content {
         let places = (MOST_NUMBERS / (width * FEWEST_INSTANTS)).max(1);
         let mut kept = solved;
         if kept.len() > places {
-            // Joint planners say more than those of one mode.
+            // Plans against several modes are more informative than plans against one.
             kept.sort_by_key(|(i, run, _)| (Some(*i) != first, run.run == Run::Own, run.against.len() == 1));
             kept.truncate(places);
             kept.sort_by_key(|(i, ..)| *i);
@@ -151,7 +152,7 @@ impl Content {
         Content { first, opens, ..self }
     }
 
-    /// Where nothing is planned.
+    /// The data if nothing was planned.
     pub fn of_sets(subject: &Subject, shown: &[ShownSet], record: &impl Serialize) -> Self {
         let Subject { model, mission, .. } = *subject;
         let step = mission.waypoints.len().div_ceil(MOST_WAYPOINTS);
@@ -185,7 +186,7 @@ fn extents(model: &Model) -> [[f64; 2]; 4] {
     })
 }
 
-/// `RSP, own time 16 s`, `RCP jointly, at T_d = 16.4 s`; of a single plan `RSP, 16 s`.
+/// `RSP, own time 16 s`, `RCP jointly, at T_d = 16.4 s`; for a single plan `RSP, 16 s`.
 pub fn run_label(comparison: &Comparison, index: usize, time: f64) -> String {
     let run = &comparison.runs[index];
     let name = planner_name(run);
@@ -203,7 +204,7 @@ fn planner_name(run: &PlannerRun) -> String {
     }
 }
 
-/// Of several plans those at one time are drawn, which can be laid side by side, or all where there is no such time.
+/// Of several plans, only those at the common time are drawn, because they can be compared; all if there is no such time.
 fn figures_of(run: &PlannerRun, among: &[(usize, &PlannerRun, &MissionPlan)]) -> Option<String> {
     let is_common = |run: &PlannerRun| run.run == Run::Common;
     match among {
@@ -222,7 +223,7 @@ fn run_content(subject: &Subject, label: String, solved: &MissionPlan, shown: &[
         set,
         margins: nearness(trajectory, &model.vehicle, model.gravity, &s.set.rows, CELLS)
             .into_iter()
-            // Two decimals of a percent are what a cell can show.
+            // A cell shows no more than two decimals of a percent.
             .map(|m| (1e4 * m).round() / 100.0)
             .collect(),
     };

@@ -1,4 +1,4 @@
-//! The page's skeleton: head, sections in order, the time slider, and what the script needs.
+//! The page's skeleton: head, sections in order, the time slider, and the data for the script.
 
 use super::content::Content;
 use super::prose::{prose, unbroken};
@@ -10,7 +10,7 @@ use crate::report::terminal::vehicle_line;
 use crate::source::visible;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// A part of the page that the contents lead to.
+/// A section of the page, which the contents link to.
 pub struct Section {
     pub id: &'static str,
     pub name: &'static str,
@@ -23,7 +23,7 @@ impl Section {
     }
 }
 
-/// All that goes into a page.
+/// Everything that goes into a page.
 pub struct Document<'a> {
     pub subject: Subject<'a>,
     pub comparison: Option<&'a Comparison>,
@@ -33,6 +33,7 @@ pub struct Document<'a> {
 }
 
 impl Document<'_> {
+    /// The page as HTML.
     pub fn render(&self) -> String {
         let mission = self.subject.mission;
         let moves = !self.content.runs.is_empty();
@@ -69,8 +70,8 @@ impl Document<'_> {
                     @if moves || !self.content.sets.is_empty() {
                         noscript {
                             p.warning {
-                                "This browser runs no scripts, so the path, the sets and the charts are not drawn. Text, tables and the "
-                                "spec stand below."
+                                "This browser does not run scripts, so the path, the sets and the charts are not drawn. Text, tables and "
+                                "the spec follow below."
                             }
                         }
                     }
@@ -81,8 +82,8 @@ impl Document<'_> {
                     @if moves { (player()) }
                     footer {
                         p {
-                            "Written by mavc " (env!("CARGO_PKG_VERSION")) ". Lengths in m, times in s, SI units but for angles in degrees. "
-                            "Charts by uPlot and three.js (MIT); their licences stand in the source of this page."
+                            "Written by mavc " (env!("CARGO_PKG_VERSION")) ". Lengths in m, times in s, SI units except angles in degrees. "
+                            "Charts by uPlot and three.js (MIT); the source of this page contains their licences."
                         }
                     }
                     script #content type="application/json" { (PreEscaped(embed::json(&self.content))) }
@@ -90,7 +91,7 @@ impl Document<'_> {
                 }
             }
         };
-        // Script and style, which have hashes, hold no such character.
+        // Script and style, whose hashes must not change, contain no such character.
         visible::text(&page.into_string()).into_owned()
     }
 
@@ -149,15 +150,15 @@ pub fn drawn(has_modes: bool) -> Vec<Section> {
         p #space-readout .readout { }
     };
     let strips = html! {
-        h2 #strips-headline { "How near the plan comes to the edge of each mode's set" }
+        h2 #strips-headline { "Margin of the plan to each mode's admissible set" }
         div #strips-legend .legend { }
         div #strips { }
     };
     let charts = html! {
-        h2 { "The motion and its limits over time" }
+        h2 { "The trajectory and its limits over time" }
         p.note {
-            "Dashed lines are limits. Shaded bands in the charts of thrust and torques: how far that axis alone may go in the set of the "
-            "mode chosen above, the other three as at that instant."
+            "Dashed lines are limits. Shaded bands in the charts of thrust and torques: the range of that component in the set of the mode "
+            "selected above, with the other three components fixed at their values at that instant."
         }
         div #charts { }
     };
@@ -166,14 +167,14 @@ pub fn drawn(has_modes: bool) -> Vec<Section> {
         sections.push(Section::new("heat", "Margins", strips));
     }
     sections.push(sets());
-    sections.push(Section::new("motion", "Motion", charts));
+    sections.push(Section::new("motion", "Trajectory", charts));
     sections
 }
 
 /// The section of admissible sets.
 pub fn sets() -> Section {
     let body = html! {
-        h2 #sets-headline { "What each mode leaves of the admissible set" }
+        h2 #sets-headline { "The admissible set of each mode" }
         p.note #sets-note { }
         div.tools {
             label { "Mode " select #set { } }
@@ -189,7 +190,7 @@ pub fn sets() -> Section {
             div .canvas tabindex="0" role="application" aria-label="The admissible set as a body; arrow keys turn it, plus and minus zoom" { }
             p.note.none hidden { "Hover does not lie inside this mode's set, so no body is drawn." }
         }
-        div #room .room tabindex="0" role="region" aria-label="Room of each component" { }
+        div #room .room tabindex="0" role="region" aria-label="Range of each component" { }
         }
         h3 { "All modes: torques about x and y" }
         div #multiples .multiples { }
@@ -197,7 +198,7 @@ pub fn sets() -> Section {
     Section::new("sets", "Sets", body)
 }
 
-/// The instant that all charts show.
+/// The controls for the instant that all charts show.
 fn player() -> Markup {
     html! {
         div #player role="region" aria-label="Instant shown" hidden {

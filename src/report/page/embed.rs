@@ -1,4 +1,4 @@
-//! Script, style and data inside a page, so that nothing in a spec can become either.
+//! Script, style and data embedded in a page, such that no text of a spec can act as script or markup.
 
 use crate::source::visible;
 use base64::Engine;
@@ -6,11 +6,11 @@ use base64::engine::general_purpose::STANDARD;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-/// Bundled from `assets/page` with the licences of what is in it.
+/// Bundled from `assets/page`, with the licences of its dependencies.
 pub const SCRIPT: &str = include_str!("../../../assets/page/dist/page.js");
 pub const STYLE: &str = include_str!("../../../assets/page/dist/page.css");
 
-/// What the page may load: nothing from anywhere, and only the script and style it came with.
+/// The page's content security policy: nothing may be loaded, and only the embedded script and style are used.
 pub fn policy() -> String {
     let hash = |text: &str| format!("'sha256-{}'", STANDARD.encode(Sha256::digest(text.as_bytes())));
     format!(
@@ -20,7 +20,7 @@ pub fn policy() -> String {
     )
 }
 
-/// JSON that stands in a `script` element: no `<`, `>` or `&` of it is markup, and no line ends where JSON does not.
+/// JSON for a `script` element: `<`, `>` and `&` are escaped, so that none of them is markup.
 pub fn json(content: &impl Serialize) -> String {
     let text = visible::json(serde_json::to_string(content).expect("texts and finite numbers always serialise"));
     let mut safe = String::with_capacity(text.len());

@@ -1,4 +1,4 @@
-//! A flight as a run of the page: what was flown, beside what was planned.
+//! A flight as a run of the page, compared with its plan.
 
 use super::chart::{Bound, Chart, Columns, Line, column};
 use super::content::{DIVERGED as DIVERGED_AT, LOST, Mark, Phase, RunContent};
@@ -8,19 +8,19 @@ use crate::flight::{Sample, Sortie};
 use crate::model::Model;
 use crate::motion::Trajectory;
 use crate::number::{fixed, number, significant};
-use crate::report::flight::{
+use crate::report::simulation::{
     DIVERGED, FaultRecord, FlightRecord, OutcomeRecord, detection, duration, length, loss, to_its_end, turned,
 };
 use maud::{Markup, html};
 
-/// Instants kept at most.
+/// Most instants that are kept.
 const MOST_INSTANTS: f64 = 1_000.0;
 
-/// Collects what a page shows of a flight.
+/// Collects the data that a page shows of a flight.
 #[derive(Debug, Clone)]
 pub struct Track {
     columns: Columns,
-    /// Every so many samples are kept.
+    /// One of this many samples is kept.
     every: usize,
     count: usize,
 }
@@ -37,6 +37,7 @@ impl Track {
         Track { columns: Columns::new(), every: (samples / MOST_INSTANTS).ceil().max(1.0) as usize, count: 0 }
     }
 
+    /// Adds a sample if one is due, or if it is the last.
     pub fn add(&mut self, sample: &Sample) {
         self.count += 1;
         if !(self.count - 1).is_multiple_of(self.every) && !sample.is_last {
@@ -71,14 +72,14 @@ impl Track {
         }
     }
 
-    /// The flight as the page shows it; `record` says what became of it.
+    /// The flight as the page shows it; `record` has its outcome.
     pub fn run(self, model: &Model, record: &FlightRecord) -> RunContent {
         let columns: Columns = self.columns.into_iter().map(|(name, v)| (name, column(v.into_iter()))).collect();
         let charts = charts(model, &columns, record).into_iter().map(Chart::set).collect();
         RunContent {
             label: "the flight".into(),
             figures: None,
-            wrench: "wrench given",
+            wrench: "actual wrench",
             columns,
             charts,
             passed: Vec::new(),
@@ -89,7 +90,7 @@ impl Track {
     }
 }
 
-/// What became of it, in one sentence.
+/// The outcome in one sentence.
 pub fn headline(model: &Model, record: &FlightRecord) -> String {
     match record.outcome {
         OutcomeRecord::Flown => to_its_end(model, record),
@@ -120,7 +121,7 @@ fn marks(record: &FlightRecord) -> Vec<Mark> {
     marks
 }
 
-/// Stretches of the flight under the same faults.
+/// Periods of the flight with the same faults in force.
 fn phases(record: &FlightRecord) -> Vec<Phase> {
     let changes = struck(record)
         .flat_map(|f| [Some(f.at_s), f.detected_after_s.map(|d| f.at_s + d), f.until_s].into_iter().flatten());
@@ -128,7 +129,7 @@ fn phases(record: &FlightRecord) -> Vec<Phase> {
     instants.sort_by(f64::total_cmp);
     let mut phases: Vec<Phase> =
         instants.into_iter().map(|from| Phase { from, label: faults_at(record, from) }).collect();
-    // Of changes at one instant the last says what holds.
+    // Of several changes at one instant, the last applies.
     phases.reverse();
     phases.dedup_by(|next, kept| next.from == kept.from);
     phases.reverse();
@@ -136,7 +137,7 @@ fn phases(record: &FlightRecord) -> Vec<Phase> {
     phases
 }
 
-/// `no fault`, `M3 undetected`, `M3 detected`; just `M3` where nothing is there to detect it.
+/// `no fault`, `M3 undetected`, `M3 detected`; just `M3` if faults are never detected.
 fn faults_at(record: &FlightRecord, t: f64) -> String {
     let present = struck(record).filter(|f| f.at_s <= t && f.until_s.is_none_or(|until| t < until));
     let words: Vec<String> = present
@@ -166,7 +167,7 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
         plain(
             "position",
             "Position",
-            format!("The vehicle is {rms} off its place, root mean square; largest {}", length(record.max_error_m)),
+            format!("The position error is {rms} root mean square; largest {}", length(record.max_error_m)),
             "m",
             places.flat_map(|n| [Line::new(n, n), Line::aim(format!("{n} planned"), format!("{n}_ref"))]).collect(),
         ),
@@ -174,13 +175,13 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
             bounds: vec![Bound::limit("lost beyond", model.simulation.lost_beyond)],
             ..plain(
                 "error",
-                "Distance from its place",
+                "Position error",
                 match record.rms_error_after_m {
-                    Some(e) => format!("Since the first fault it is {} off, root mean square", length(e)),
-                    None => format!("It is {rms} off, root mean square"),
+                    Some(e) => format!("Since the first fault the error is {} root mean square", length(e)),
+                    None => format!("The error is {rms} root mean square"),
                 },
                 "m",
-                vec![Line::new("distance", "error")],
+                vec![Line::new("error", "error")],
             )
         },
         plain(
@@ -217,9 +218,9 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
         ..plain(
             id,
             title,
-            format!("{title} given reaches {} {unit}", significant(most(id), 3)),
+            format!("{title} reaches {} {unit}", significant(most(id), 3)),
             unit,
-            vec![Line::new("given", id), Line::aim("asked for", format!("{id}_cmd"))],
+            vec![Line::new("actual", id), Line::aim("commanded", format!("{id}_cmd"))],
         )
     }));
     let rotors = model.vehicle.rotors.len();
@@ -229,28 +230,22 @@ fn charts(model: &Model, columns: &Columns, record: &FlightRecord) -> Vec<Chart>
     charts.push(plain(
         "rotors",
         "Rotor speeds",
-        format!("Rotors turn at up to {} rad/s", significant(fastest, 3)),
+        format!("Rotor speeds reach {} rad/s", significant(fastest, 3)),
         "rad/s",
         numbered("omega"),
     ));
     if columns.contains_key("theta_1") {
-        charts.push(plain(
-            "estimates",
-            "Estimated capacities of the rotors",
-            estimates(record),
-            "share",
-            numbered("theta"),
-        ));
+        charts.push(plain("estimates", "Estimated rotor capacities", estimates(record), "share", numbered("theta")));
     }
     charts
 }
 
-/// How far the heading is off, and how often the vehicle turned.
+/// The heading error, and the number of whole turns.
 fn yaw_headline(record: &FlightRecord) -> String {
     let degrees = |angle: f64| significant(angle.to_degrees(), 3);
     let rms = degrees(record.rms_heading_error_rad);
     let largest = degrees(record.max_heading_error_rad);
-    format!("The heading is {rms} deg off, root mean square; largest {largest} deg{}", turned(record.turns))
+    format!("The heading error is {rms} deg root mean square; largest {largest} deg{}", turned(record.turns))
 }
 
 fn estimates(record: &FlightRecord) -> String {

@@ -2,7 +2,7 @@
 
 use crate::motion::Trajectory;
 
-/// A fixed rate in Hz, with the waypoints' nodes and the end kept.
+/// Instants at a fixed rate (Hz), together with the waypoints' nodes and the end, s.
 pub fn instants(trajectory: &Trajectory, rate: f64) -> Vec<f64> {
     let end = trajectory.duration();
     let waypoints: Vec<f64> = trajectory.waypoint_nodes.iter().map(|&n| trajectory.times[n]).collect();
@@ -10,7 +10,7 @@ pub fn instants(trajectory: &Trajectory, rate: f64) -> Vec<f64> {
     times.extend(&waypoints);
     times.push(end);
     times.sort_by(f64::total_cmp);
-    // A waypoint that falls on the raster up to rounding is kept, the raster's instant is not.
+    // Where a waypoint coincides with a regular instant up to rounding, the waypoint is kept.
     let near = 1e-9 * end.max(1.0);
     let mut kept: Vec<f64> = Vec::with_capacity(times.len());
     for t in times {

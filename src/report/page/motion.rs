@@ -1,4 +1,4 @@
-//! A plan's motion as columns and charts.
+//! A planned trajectory as columns and charts.
 
 use super::chart::{Bound, Chart, Columns, Line, column, length, rounded};
 use super::instants::instants;
@@ -13,10 +13,10 @@ use crate::number::{fixed, percent, significant};
 use crate::planner::studies::MissionPlan;
 use crate::report::record::errors;
 
-/// Where the plan leaves its nodes farther apart, instants between them are shown too, so that curves look as they are.
+/// Fewest instants of a curve: if there are fewer nodes, instants between them are added so that curves have their shape.
 const FEWEST: usize = 400;
 
-/// A norm of derivatives, its column and its kinds of limits.
+/// Limits on norms of derivatives: kind, column, axes, order of the derivative.
 const NORMS: [(LimitKind, &str, &[usize], usize); 5] = [
     (LimitKind::Speed, "speed", &[X, Y, Z], 1),
     (LimitKind::SpeedHorizontal, "speed_horizontal", &[X, Y], 1),
@@ -29,7 +29,7 @@ fn norm(state: &NodeState, axes: &[usize], order: usize) -> f64 {
     axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt()
 }
 
-/// States at about [`FEWEST`] instants or at the nodes, at most about `most`; waypoints keep theirs.
+/// States at about [`FEWEST`] instants or at the nodes, at most about `most`; always including the waypoints.
 fn states(trajectory: &Trajectory, most: usize) -> Vec<(f64, NodeState)> {
     if trajectory.times.len() > most {
         let rate = most as f64 / trajectory.duration();
@@ -44,7 +44,7 @@ fn states(trajectory: &Trajectory, most: usize) -> Vec<(f64, NodeState)> {
     (0..trajectory.intervals()).flat_map(within).chain([(end, trajectory.at(end))]).collect()
 }
 
-/// Columns of a motion: SI units but for angles, which are in degrees, and margins in percent of the healthy set's width.
+/// Columns of a trajectory: SI units, except angles in degrees and margins in percent of the healthy set's width.
 pub fn columns(model: &Model, solved: &MissionPlan, shown: &[ShownSet], most: usize) -> Columns {
     let trajectory = &solved.trajectory;
     let states = states(trajectory, most);
@@ -94,12 +94,12 @@ fn limited(model: &Model, kinds: &[LimitKind]) -> bool {
     model.mission.iter().flat_map(|m| &m.limits).any(|l| kinds.contains(&l.kind))
 }
 
-/// The bounds of the mission's limits of these kinds, in the units of people.
+/// The bounds of the mission's limits of these kinds, in display units.
 fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
     let mut found = Vec::new();
     for limit in mission.limits.iter().filter(|l| kinds.contains(&l.kind)) {
         let (name, _, factor) = limit.kind.name_and_unit();
-        // A descent is drawn as a climb below zero.
+        // A descent is drawn as a negative climb.
         let (name, factor, words) = match limit.kind {
             LimitKind::Descent => (LimitKind::Climb.name_and_unit().0, -factor, ["at least", "at most"]),
             _ => (name, factor, ["at most", "at least"]),
@@ -110,7 +110,7 @@ fn bounds(mission: &Mission, kinds: &[LimitKind]) -> Vec<Bound> {
     found
 }
 
-/// The charts of a plan, each with what it shows as its headline.
+/// The charts of a plan, each with its main fact as the headline.
 pub fn charts(model: &Model, mission: &Mission, solved: &MissionPlan, shown: &[ShownSet]) -> Vec<Chart> {
     let mut charts = Vec::new();
     if shown.iter().any(|s| s.against.is_some()) {
@@ -151,17 +151,17 @@ fn margins(solved: &MissionPlan, shown: &[ShownSet]) -> Chart {
     }
 }
 
-/// Of the modes planned against the one with the smallest margin; of those that no report tells apart the first.
+/// Index of the mode planned against with the smallest margin; the first of several whose margins print the same.
 pub fn nearest(solved: &MissionPlan) -> Option<usize> {
     let worst = solved.outside.iter().map(|o| o.max_violation).max_by(f64::total_cmp)?;
-    // Thousandths of a percent, as the columns of margins have them.
+    // Thousandths of a percent, as in the columns of margins.
     solved.outside.iter().position(|o| o.max_violation >= worst - 1e-5)
 }
 
-/// `+3.2 %`, `−14.6 %`: margins have a sign.
+/// A margin in percent with its sign: `+3.2 %`, `−14.6 %`.
 pub fn signed_percent(share: f64) -> String {
     match share {
-        // What counts as no violation is none.
+        // Smaller than what counts as a violation.
         s if s.abs() < VIOLATED / 2.0 => "0 %".into(),
         s if s < 0.0 => format!("\u{2212}{}", percent(-s)),
         s => format!("+{}", percent(s)),
@@ -174,7 +174,7 @@ fn position(mission: &Mission, solved: &MissionPlan) -> Chart {
     Chart {
         id: "position",
         title: "Position",
-        headline: format!("{n} waypoints are met, the worst within {}", length(e.largest)),
+        headline: format!("{n} waypoints are met, with errors of at most {}", length(e.largest)),
         unit: "m",
         lines: ["x", "y", "z"].map(|name| Line::new(name, name)).to_vec(),
         bounds: bounds(mission, &[LimitKind::X, LimitKind::Y, LimitKind::Z]),
@@ -182,7 +182,7 @@ fn position(mission: &Mission, solved: &MissionPlan) -> Chart {
     }
 }
 
-/// `of 6 m/s allowed`, or that nothing limits it.
+/// `, of 6 m/s allowed`, or `, without a limit`.
 fn allowed(mission: &Mission, kind: LimitKind) -> String {
     let (_, unit, factor) = kind.name_and_unit();
     match mission.limits.iter().find(|l| l.kind == kind).and_then(|l| l.upper) {
@@ -230,7 +230,7 @@ fn yaw(mission: &Mission, solved: &MissionPlan) -> Option<Chart> {
     (!fixed).then(|| Chart {
         id: "yaw",
         title: "Yaw",
-        headline: format!("Yaw turns at up to {}", at(top.value.to_degrees(), "deg/s", top.at)),
+        headline: format!("The yaw rate reaches {}", at(top.value.to_degrees(), "deg/s", top.at)),
         unit: "deg",
         lines: vec![Line::new("yaw", "yaw")],
         bounds: bounds(mission, &[LimitKind::Yaw]),
@@ -238,7 +238,7 @@ fn yaw(mission: &Mission, solved: &MissionPlan) -> Option<Chart> {
     })
 }
 
-/// Charts that are only there where something is limited: their curves are those of the limits.
+/// Charts that are drawn only if their quantity is limited.
 const RARE: [(&str, &str, &str, &[LimitKind]); 4] = [
     ("yaw_rate", "Yaw rate", "deg/s", &[LimitKind::YawRate]),
     ("yaw_acceleration", "Yaw acceleration", "deg/s^2", &[LimitKind::YawAcceleration]),
@@ -317,7 +317,7 @@ fn wrench(model: &Model, solved: &MissionPlan) -> Vec<Chart> {
             id,
             title,
             headline: format!(
-                "{title} stays within \u{b1}{} N m, farthest at {} s",
+                "{title} stays within \u{b1}{} N m, largest at {} s",
                 significant(top.value, 3),
                 fixed(top.at, 2)
             ),
@@ -344,18 +344,14 @@ fn rotors(model: &Model, solved: &MissionPlan) -> Chart {
         let mut values: Vec<f64> = (0..rotors.len()).map(of).collect();
         values.sort_by(f64::total_cmp);
         values.dedup();
-        // That a rotor does not turn backwards need not be said.
+        // A lowest speed of zero is not worth a line.
         values.retain(|&v| v > 0.0);
         bounds.extend(values.into_iter().map(|v| Bound::limit(format!("{word} speed"), v)));
     }
     Chart {
         id: "rotors",
         title: "Rotor speeds, healthy",
-        headline: format!(
-            "The fastest rotor turns at {} of its top speed, at {} s",
-            percent(top.value),
-            fixed(top.at, 2)
-        ),
+        headline: format!("Rotors reach at most {} of their top speed, at {} s", percent(top.value), fixed(top.at, 2)),
         unit: "rad/s",
         lines: (1..=rotors.len()).map(|k| Line::new(format!("rotor {k}"), format!("omega_{k}"))).collect(),
         bounds,

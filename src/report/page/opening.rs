@@ -1,23 +1,23 @@
-//! Where a page opens: at what is worst about the run shown first.
+//! The instant and set with which a page opens: the worst ones of the run shown first.
 
 use super::content::{DIVERGED, LOST, RunContent};
 use super::sets::SetContent;
 use serde::Serialize;
 
-/// Margins closer than this, in percent of the healthy set's width, are told as one.
+/// Margins that differ by less than this, in percent of the healthy set's width, count as equal.
 const ALIKE: f64 = 1e-3;
 
-/// The instant and the set that a page shows before anything is chosen.
+/// The instant and the set that a page shows before the reader selects others.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Opening {
-    /// Place among the page's sets.
+    /// Index into the page's sets.
     pub set: usize,
     /// s
     pub t: f64,
 }
 
-/// Of a plan the smallest margin and the mode whose set it is to, the first of those alike; of a flight its loss, or else the largest
-/// distance from its place, and the fault that is in force then. The start and the first mode where neither is known.
+/// For a plan: the instant and mode of the smallest margin, the first of several equal ones. For a flight: its loss or
+/// otherwise the largest position error, and the fault in force then. The start and the first mode if neither is known.
 pub fn opening(run: Option<&RunContent>, sets: &[SetContent]) -> Opening {
     let first = Opening { set: sets.len().saturating_sub(1).min(1), t: 0.0 };
     let Some(run) = run else { return first };
@@ -37,11 +37,11 @@ fn smallest_margin(run: &RunContent, sets: &[SetContent]) -> Option<Opening> {
     all.into_iter().find(|(_, margin)| *margin <= least + ALIKE).map(|(opening, _)| opening)
 }
 
-/// Of a flight.
+/// For a flight.
 fn farthest(run: &RunContent, sets: &[SetContent], otherwise: usize) -> Option<Opening> {
     let (times, errors) = (run.columns.get("t")?, run.columns.get("error")?);
     let lost = run.marks.iter().find(|mark| mark.label == LOST || mark.label == DIVERGED).map(|mark| mark.t);
-    // Of equal ones the first.
+    // The first of several equal ones.
     let farthest = (0..errors.len()).reduce(|best, k| if errors[k] > errors[best] { k } else { best })?;
     let t = lost.or_else(|| times.get(farthest).copied())?;
     let phase = run.phases.iter().rev().find(|phase| phase.from <= t)?;

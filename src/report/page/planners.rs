@@ -1,14 +1,14 @@
-//! Planners side by side.
+//! The comparison of planners.
 
 use super::motion::signed_percent;
 use super::prose::terms;
-use super::verdicts::outside_cells;
+use super::verdicts::violation_cells;
 use crate::number::{down, number, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run};
 use crate::report::record::{PlannerRecord, Record};
 use maud::{Markup, html};
 
-/// The tables of section 5.4: each planner at its own shortest time, and all at T_d.
+/// The tables of the paper's section 5.4: each planner at its own shortest time, and all planners at T_d.
 pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     let runs: Vec<(&PlannerRun, &PlannerRecord)> = comparison.runs.iter().zip(&record.planners).collect();
     let has_modes = !comparison.modes.is_empty();
@@ -21,8 +21,8 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     };
     html! {
         h2 { (headline(comparison)) }
-        @if let Some(bound) = record.planners.iter().filter(|told| told.time_s.is_some()).find_map(|told| told.time_bound_s) {
-            p.note { "No motion that keeps the limits and fixed times takes less than " (down(bound, 4)) " s." }
+        @if let Some(bound) = record.planners.iter().filter(|planner| planner.time_s.is_some()).find_map(|planner| planner.time_lower_bound_s) {
+            p.note { "No motion within the limits and at the fixed times takes less than " (down(bound, 4)) " s." }
         }
         @for which in [Run::Common, Run::Own] {
             @if has_solved(which) {
@@ -35,20 +35,20 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
                                 th.n scope="col" { "Time" br; span.unit { "s" } }
                                 @if has_modes {
                                     th.n scope="col" { "Smallest margin" br; span.unit { "healthy widths" } }
-                                    th.n scope="col" { "Outside, longest" br; span.unit { "s" } }
-                                    th.n scope="col" { "Last outside" br; span.unit { "s" } }
+                                    th.n scope="col" { "Longest violation" br; span.unit { "s" } }
+                                    th.n scope="col" { "Last violation" br; span.unit { "s" } }
                                 }
                                 th.n scope="col" { "Sum of errors" br; span.unit { "m" } }
                                 th.n scope="col" { "Largest error" br; span.unit { "cm" } }
                                 th.n scope="col" { "Yaw errors" br; span.unit { "rad" } }
                                 th.n scope="col" { "Objective" }
-                                th.n scope="col" { "Rows a node" }
+                                th.n scope="col" { "Rows per node" }
                                 @if has_risk { th.n scope="col" { "Risk" } }
                             }
                         }
                         tbody {
-                            @for (run, told) in runs.iter().filter(|(r, _)| r.run == which) {
-                                (row(run, told, has_modes, has_risk))
+                            @for (run, record) in runs.iter().filter(|(r, _)| r.run == which) {
+                                (row(run, record, has_modes, has_risk))
                             }
                         }
                     }
@@ -59,29 +59,29 @@ pub fn section(comparison: &Comparison, record: &Record) -> Markup {
     }
 }
 
-/// What the tables' columns mean.
+/// The meaning of the tables' columns.
 fn meanings(has_modes: bool, has_risk: bool) -> Vec<(&'static str, &'static str)> {
     let mut found = Vec::new();
     if has_modes {
         found.extend([
-            ("Smallest margin", "over the flight and all modes, negative outside."),
-            ("Outside, longest", "for how long the plan asks for more than a mode leaves, in the worst mode."),
-            ("Last outside", "of any mode's set; a fault before this instant still meets the plan outside."),
+            ("Smallest margin", "over the flight and all modes; negative outside a set."),
+            ("Longest violation", "how long the plan is outside the admissible set of the worst mode."),
+            ("Last violation", "of any mode's set; a fault before this instant still meets a violation."),
         ]);
     }
     found.extend([
         ("Sum of errors", "distances from the waypoints when they are passed."),
         ("Yaw errors", "the same for yaw."),
-        ("Objective", "what the planners minimise."),
-        ("Rows a node", "inequalities on the wrench at each node."),
+        ("Objective", "the cost that the planners minimise."),
+        ("Rows per node", "inequalities on the wrench at each node."),
     ]);
     if has_risk {
-        found.push(("Risk", "that a fault strikes while the mission is committed to it."));
+        found.push(("Risk", "probability that a fault strikes while the mission is committed to it."));
     }
     found
 }
 
-/// What the comparison comes to.
+/// The main result of the comparison.
 fn headline(comparison: &Comparison) -> String {
     let stays = |s: &MissionPlan| s.outside.iter().all(|o| o.last.is_none());
     let common: Vec<(&PlannerRun, &MissionPlan)> = comparison
@@ -95,7 +95,7 @@ fn headline(comparison: &Comparison) -> String {
         .collect();
     let inside = common.iter().filter(|(_, s)| stays(s)).count();
     match common.len() {
-        0 => "No planner's plan was found at a common time".into(),
+        0 => "No plan was found at a common time".into(),
         n if comparison.modes.is_empty() => format!("{n} plans at one time"),
         n => {
             let stay = if inside == 1 { "stays" } else { "stay" };
@@ -104,18 +104,18 @@ fn headline(comparison: &Comparison) -> String {
     }
 }
 
-fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) -> Markup {
-    let name = match (run.against.len(), told.name) {
+fn row(run: &PlannerRun, record: &PlannerRecord, has_modes: bool, has_risk: bool) -> Markup {
+    let name = match (run.against.len(), record.name) {
         (n, "rcp") if n > 1 => "RCP jointly".to_string(),
         _ => crate::planner::studies::label(run.planner, &run.against),
     };
     let PlanOutcome::Planned(solved) = &run.outcome else {
         let columns = 6 + if has_modes { 3 } else { 0 } + usize::from(has_risk);
-        return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (told.verdict) } } };
+        return html! { tr { th scope="row" { (name) } td.bad colspan=(columns) { (record.verdict) } } };
     };
     let longest = solved.outside.iter().map(|o| o.seconds).fold(0.0, f64::max);
     let last = solved.outside.iter().filter_map(|o| o.last).max_by(f64::total_cmp);
-    let [seconds, last_outside] = outside_cells(longest, last);
+    let [seconds, last_violation] = violation_cells(longest, last);
     let value = |x: Option<f64>, digits: usize| x.map_or("\u{2013}".into(), |v| significant(v, digits));
     html! {
         tr {
@@ -124,14 +124,14 @@ fn row(run: &PlannerRun, told: &PlannerRecord, has_modes: bool, has_risk: bool) 
             @if has_modes {
                 td.n.bad[last.is_some()] { (solved.smallest_margin().map_or("\u{2013}".into(), signed_percent)) }
                 td.n { (seconds) }
-                td.n { (last_outside) }
+                td.n { (last_violation) }
             }
-            td.n { (value(told.position_error_m, 4)) }
-            td.n { (value(told.max_waypoint_error_m.map(|e| 100.0 * e), 3)) }
-            td.n { (value(told.yaw_error_rad, 3)) }
+            td.n { (value(record.position_error_m, 4)) }
+            td.n { (value(record.max_waypoint_error_m.map(|e| 100.0 * e), 3)) }
+            td.n { (value(record.yaw_error_rad, 3)) }
             td.n { (number(solved.objective)) }
             td.n { (run.set.rows.len()) }
-            @if has_risk { td.n { (value(told.risk, 3)) } }
+            @if has_risk { td.n { (value(record.risk, 3)) } }
         }
     }
 }

@@ -1,8 +1,8 @@
-//! Words as the page sets them.
+//! Typesetting of texts on the page.
 
 use maud::{Markup, html};
 
-/// What the columns of a table mean, below it; the table refers to `id` by `aria-describedby`.
+/// A list below a table that explains its columns; the table refers to `id` by `aria-describedby`.
 pub fn terms<'a>(id: &str, terms: impl IntoIterator<Item = (&'a str, &'a str)>) -> Markup {
     html! {
         dl.terms id=(id) {
@@ -11,11 +11,11 @@ pub fn terms<'a>(id: &str, terms: impl IntoIterator<Item = (&'a str, &'a str)>) 
     }
 }
 
-/// Units that a number is followed by.
+/// Units that may follow a number.
 const UNITS: [&str; 15] =
     ["s", "ms", "m", "cm", "m/s", "m/s^2", "N", "kg", "deg", "deg/s", "rad", "rad/s", "Hz", "%", "/"];
 
-/// Text in which what stands between backticks is code.
+/// Text in which passages between backticks are code.
 pub fn prose(text: &str) -> Markup {
     let whole = text.matches('`').count().is_multiple_of(2);
     html! {
@@ -27,7 +27,7 @@ pub fn prose(text: &str) -> Markup {
     }
 }
 
-/// The same text where no line ends between a number and its unit.
+/// The same text without line breaks between a number and its unit.
 pub fn unbroken(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut joins = false;
@@ -44,7 +44,7 @@ pub fn unbroken(text: &str) -> String {
     out
 }
 
-/// The same text with a minus sign where a hyphen stands before a negative number.
+/// The same text with a minus sign in place of a hyphen before a negative number.
 pub fn true_minus(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut before = ' ';

@@ -1,4 +1,4 @@
-//! The sets that the page draws: rows of a mode's admissible set, as planned against.
+//! The sets that the page draws: rows of a mode's admissible set, as used for planning.
 
 use super::MOST_MODES;
 use super::chart::precise;
@@ -18,9 +18,9 @@ const MOST_ROWS: usize = 16_000;
 #[derive(Debug, Clone)]
 pub struct ShownSet {
     pub name: String,
-    /// What the spec calls it.
+    /// Its title in the spec.
     pub title: Option<String>,
-    /// Its place in the comparison, where plans are measured against it.
+    /// Index of the mode in the comparison, if plans are measured against it.
     pub against: Option<usize>,
     pub set: PlanningSet,
 }
@@ -37,9 +37,9 @@ impl ShownSet {
 pub struct SetContent {
     pub name: String,
     pub title: Option<String>,
-    /// Where hover lies relative to the mode's whole set, every axis held: the word of `mavc analyze`. `None` where that is not known.
+    /// Where hover lies relative to the mode's whole set of full wrenches, as `mavc analyze` reports it; `None` if unknown.
     pub hover: Option<Place>,
-    /// The number in its margins' column, where plans are measured against it.
+    /// Whether plans are measured against it, so that it has a column of margins.
     pub planned: bool,
     /// `[n_T, n_x, n_y, n_z, e]`, made dimensionless by the healthy set's widths: `n . w <= e`.
     pub rows: Vec<[f64; 5]>,
@@ -62,8 +62,8 @@ impl SetContent {
     }
 }
 
-/// The healthy set first, then those of modes that plans are measured against, in the comparison's order (of many those
-/// that some plan comes nearest to the edges of), then other declared modes as long as there is room.
+/// The healthy set first, then those of the modes planned against, in the comparison's order (of many modes, those with the
+/// smallest margins), then other declared modes as far as they fit.
 pub fn shown(model: &Model, comparison: &Comparison) -> Vec<ShownSet> {
     let nearest = |against: &usize| {
         let margins = comparison.runs.iter().filter_map(|run| match &run.outcome {
@@ -87,7 +87,7 @@ pub fn shown(model: &Model, comparison: &Comparison) -> Vec<ShownSet> {
     within_reason(std::iter::once(whole(model, &healthy)).chain(measured).chain(others))
 }
 
-/// The healthy set and those of declared modes, where nothing was planned.
+/// The healthy set and those of declared modes, if nothing was planned.
 pub fn declared(model: &Model) -> Vec<ShownSet> {
     let healthy = AdmissibleSet::healthy(model);
     let against = model.plan.against.iter().copied();

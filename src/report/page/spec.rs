@@ -1,4 +1,4 @@
-//! The spec as it was read, with every diagnostic below the line that it points to.
+//! The text of the spec, with every diagnostic below its line.
 
 use super::Subject;
 use super::prose::prose;
@@ -8,27 +8,28 @@ use crate::source::{FileId, Source, Span};
 use maud::{Markup, html};
 use std::ops::Range;
 
-/// Diagnostics shown at most.
+/// Most diagnostics that are shown.
 const MOST_DIAGNOSTICS: usize = 200;
 
-/// Characters of a line shown at most.
+/// Most characters of a line that are shown.
 const LONGEST_LINE: usize = 400;
 
-/// Bytes of text shown of all files together: any line, and those about a diagnostic.
+/// Most bytes of text that are shown, over all files: lines that are not near a diagnostic
 const MOST_TEXT: usize = 250_000;
+/// and lines near one.
 const MOST_NEAR: usize = 400_000;
 
-/// Lines about a diagnostic that are shown in any case.
+/// Lines before and after a diagnostic that count as near it.
 const NEAR: usize = 3;
 
-/// A place with what is said of it.
+/// A message at a place of the spec.
 struct Remark<'a> {
     span: Span,
     severity: Severity,
-    said: Said<'a>,
+    message: Message<'a>,
 }
 
-enum Said<'a> {
+enum Message<'a> {
     /// The diagnostic as a whole, at its own place.
     Diagnostic(&'a Diagnostic),
     /// One of its further labels.
@@ -51,32 +52,32 @@ pub fn section(subject: &Subject) -> Markup {
 
 fn remarks(diagnostic: &Diagnostic) -> impl Iterator<Item = Remark<'_>> {
     let severity = diagnostic.severity;
-    let own = Remark { span: diagnostic.span, severity, said: Said::Diagnostic(diagnostic) };
+    let own = Remark { span: diagnostic.span, severity, message: Message::Diagnostic(diagnostic) };
     let others = diagnostic.labels.iter();
     std::iter::once(own).chain(others.map(move |l| Remark {
         span: l.span,
         severity,
-        said: Said::Label(&l.message, diagnostic),
+        message: Message::Label(&l.message, diagnostic),
     }))
 }
 
 fn headline(diagnostics: &[Diagnostic]) -> String {
     let count = |severity| diagnostics.iter().filter(|d| d.severity == severity).count();
-    let said = |n: usize, one: &str, more: &str| match n {
+    let counted = |n: usize, one: &str, more: &str| match n {
         0 => None,
         1 => Some(format!("1 {one}")),
         n => Some(format!("{n} {more}")),
     };
     let parts: Vec<String> = [
-        said(count(Severity::Error), "error", "errors"),
-        said(count(Severity::Warning), "warning", "warnings"),
-        said(count(Severity::Advice), "remark", "remarks"),
+        counted(count(Severity::Error), "error", "errors"),
+        counted(count(Severity::Warning), "warning", "warnings"),
+        counted(count(Severity::Advice), "remark", "remarks"),
     ]
     .into_iter()
     .flatten()
     .collect();
     match parts.is_empty() {
-        true => "The spec stands without a remark".into(),
+        true => "The spec has no errors, warnings or remarks".into(),
         false => format!("The spec has {}", parts.join(", ")),
     }
 }
@@ -134,7 +135,7 @@ fn file(id: FileId, source: &Source, remarks: &[Remark], left: &mut Budget) -> M
     }
 }
 
-/// What the command line sets: no file, so no lines to count.
+/// Fields set on the command line: these have no file and no line numbers.
 fn overrides(set: &[(FileId, &Source)], remarks: &[Remark]) -> Markup {
     html! {
         h3.file { "Set on the command line" }
@@ -149,10 +150,10 @@ fn overrides(set: &[(FileId, &Source)], remarks: &[Remark]) -> Markup {
 }
 
 fn gap(hidden: usize) -> Markup {
-    html! { div.gap { @if hidden == 1 { "1 line left out" } @else { (hidden) " lines left out" } } }
+    html! { div.gap { @if hidden == 1 { "1 line omitted" } @else { (hidden) " lines omitted" } } }
 }
 
-/// A line's text with what remarks point to marked, and its comment set back.
+/// A line's text with the places of remarks highlighted and its comment dimmed.
 fn text(source: &Source, line: Range<usize>, here: &[&Remark]) -> Markup {
     let whole = &source.text[line.clone()];
     let kept = whole.char_indices().nth(LONGEST_LINE).map_or(whole.len(), |(i, _)| i);
@@ -178,14 +179,14 @@ fn text(source: &Source, line: Range<usize>, here: &[&Remark]) -> Markup {
     }
 }
 
-/// Of a span over several lines, a block as a rule, only the first line is marked.
+/// The first line of a span; only this is highlighted if the span (usually a block) has several lines.
 fn first_line_only(span: Span, source: &Source) -> Range<usize> {
     let (start, end) = (span.start as usize, span.end as usize);
     let line = source.line(source.place(start).line);
     start..end.min(line.end).max(start)
 }
 
-/// Where a line's comment begins; its end where it has none.
+/// Offset at which a line's comment begins; the line's length if it has none.
 fn comment(line: &str) -> usize {
     let mut quoted = false;
     for (i, c) in line.char_indices() {
@@ -203,8 +204,8 @@ fn remark(remark: &Remark, source: &Source) -> Markup {
     let severity = remark.severity.name();
     html! {
         div.remark.(severity) {
-            @match &remark.said {
-                Said::Diagnostic(d) => {
+            @match &remark.message {
+                Message::Diagnostic(d) => {
                     p {
                         strong { span.severity { (severity) } " " (prose(&d.message)) }
                         @if !d.label.is_empty() { ": " (prose(&d.label)) }
@@ -215,7 +216,7 @@ fn remark(remark: &Remark, source: &Source) -> Markup {
                         @if source.name != OVERRIDE { ", line " (place.line) ", column " (place.column) }
                     }
                 }
-                Said::Label(label, d) => p { (prose(label)) " " span.code { "(" (d.code) ")" } },
+                Message::Label(label, d) => p { (prose(label)) " " span.code { "(" (d.code) ")" } },
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The first thing that the page says: what was found, in one sentence and a few figures.
+//! The top of the page: the result in one sentence and a few figures.
 
 use super::flown::headline;
 use super::motion::{nearest, signed_percent};
@@ -8,32 +8,32 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::{Mission, Model, OVERRIDE};
 use crate::number::{fixed, number, percent, short_seconds, significant};
 use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome, PlannerRun, Run, label};
-use crate::report::flight::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
 use crate::report::least_time;
 use crate::report::record::{PlannerRecord, Record};
+use crate::report::simulation::{FlightRecord, OutcomeRecord, detection, length as flown_length, turned};
 use crate::report::terminal::{in_planes, not_looked_at};
 use crate::report::verdict_text::{elsewhere, statement};
 use crate::report::waypoints::{WaypointRecord, waypoints, worst};
 use crate::tolerance::MOST_PAST_LIMIT;
 use crate::verdict::Verdict;
 
-/// The headline of the page with what supports it.
+/// The headline of the page with its figures and warnings.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Found {
     pub headline: String,
     pub figures: Vec<Figure>,
-    /// Where the plan is not what it seems.
+    /// Caveats of the plan, or why there is none.
     pub warnings: Vec<String>,
 }
 
-/// One number that matters.
+/// One key figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     pub name: &'static str,
     pub value: String,
-    /// What it is measured in or against.
+    /// Its unit, reference or explanation.
     pub note: String,
-    /// Beyond what is allowed.
+    /// Whether it is outside the allowed range.
     pub is_bad: bool,
 }
 
@@ -47,9 +47,9 @@ impl Figure {
     }
 }
 
-/// Of `mavc plan`: the last run is the one written out.
+/// For `mavc plan`: the trajectory written is that of the last run.
 pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &Record) -> Found {
-    let (Some(run), Some(told)) = (comparison.runs.last(), record.planners.last()) else { return Found::default() };
+    let (Some(run), Some(planner)) = (comparison.runs.last(), record.planners.last()) else { return Found::default() };
     match &run.outcome {
         PlanOutcome::Planned(solved) => {
             let name = label(run.planner, &run.against);
@@ -57,20 +57,20 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
                 "{name}: {}, a plan of {}\u{a0}s that {} {}",
                 run.outcome.verdict(),
                 number(solved.time),
-                meets(&told.waypoints),
+                meets(&planner.waypoints),
                 outside(comparison, solved)
             );
             let mut figures = vec![time(model, mission, run, solved)];
             figures.extend(margin(comparison, solved));
             figures.extend(stays(comparison, solved));
-            figures.extend(waypoint_error(told));
-            figures.extend(told.risk.map(|r| {
+            figures.extend(waypoint_error(planner));
+            figures.extend(planner.risk.map(|r| {
                 let others = not_looked_at(model);
-                let text = format!("that a fault strikes while the mission is committed to it.{others}");
+                let text = format!("probability that a fault strikes while the mission is committed to it.{others}");
                 Figure::new("Risk", significant(r, 3), text.trim_end_matches('.'))
             }));
-            figures.extend(shown_between(told));
-            Found { headline, figures, warnings: told.warnings.iter().map(|c| c.message.clone()).collect() }
+            figures.extend(shown_between(planner));
+            Found { headline, figures, warnings: planner.warnings.iter().map(|c| c.message.clone()).collect() }
         }
         _ => Found {
             headline: format!("{}: {}", label(run.planner, &run.against), statement(model, mission, comparison, run)),
@@ -80,7 +80,7 @@ pub fn plan(model: &Model, mission: &Mission, comparison: &Comparison, record: &
     }
 }
 
-/// Of `mavc compare`.
+/// For `mavc compare`.
 pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
     let solved: Vec<(&PlannerRun, &MissionPlan)> = comparison
         .runs
@@ -97,34 +97,36 @@ pub fn compare(mission: &Mission, comparison: &Comparison) -> Found {
         .map(|(r, s)| format!("{} {} s", label(r.planner, &r.against), number(s.time)))
         .collect();
     let headline = match times.is_empty() {
-        true => "No planner's plan was found at a time of its own".to_string(),
+        true => "No plan was found at a planner's own time".to_string(),
         false => format!("Shortest times: {}", times.join(", ")),
     };
     let common = comparison
         .common_time
-        .map(|t| Figure::new("Common time T_d", format!("{} s", number(t)), "at which all planners are compared"));
+        .map(|t| Figure::new("Common time T_d", format!("{} s", number(t)), "at which planners are compared"));
     let all: Vec<_> = solved.iter().flat_map(|(_, s)| waypoints(mission, s)).collect();
     let met = worst(&all).map_or("no plan meets them".to_string(), |worst| {
         let met = if all.iter().all(|w| w.met) { "met by every plan" } else { "missed by some plan" };
         format!("{met}; largest error {}", worst.largest())
     });
     let waypoints = Figure::new("Waypoints", mission.waypoints.len().to_string(), met);
-    let beside = format!("beside the healthy set's{}", in_planes(comparison));
+    let beside = format!("in addition to the healthy set's{}", in_planes(comparison));
     let guarded = Figure::new("Facets RSP guards", comparison.selected.len().to_string(), beside);
     Found { headline, figures: common.into_iter().chain([waypoints, guarded]).collect(), warnings: Vec::new() }
 }
 
-/// Of `mavc simulate`.
+/// For `mavc simulate`.
 pub fn flight(model: &Model, record: &FlightRecord) -> Found {
     let lost = matches!(record.outcome, OutcomeRecord::Lost { .. } | OutcomeRecord::Diverged { .. });
     let by_heading = matches!(record.outcome, OutcomeRecord::Lost { cause: "heading", .. });
     let mut figures = vec![
-        Figure::new("Off its place", flown_length(record.rms_error_m), "root mean square over the flight"),
-        Figure::new("Largest distance", flown_length(record.max_error_m), "from where the plan is")
+        Figure::new("Position error", flown_length(record.rms_error_m), "root mean square over the flight"),
+        Figure::new("Largest position error", flown_length(record.max_error_m), "over the flight")
             .bad_if(lost && !by_heading),
     ];
     figures.extend(
-        record.rms_error_after_m.map(|e| Figure::new("Since the first fault", flown_length(e), "root mean square")),
+        record
+            .rms_error_after_m
+            .map(|e| Figure::new("Error since the first fault", flown_length(e), "root mean square")),
     );
     let heading = format!("{} deg", fixed(record.max_heading_error_rad.to_degrees(), 1));
     let note = format!("from the planned heading{}", turned(record.turns));
@@ -144,7 +146,7 @@ pub fn flight(model: &Model, record: &FlightRecord) -> Found {
     Found { headline: headline(model, record), figures, warnings }
 }
 
-/// Some mode that the plan must stand cannot hover.
+/// If some mode that the plan must tolerate cannot hover.
 pub fn refused(model: &Model, analyses: &[ModeAnalysis], diagnostics: &[Diagnostic]) -> Found {
     let lost: Vec<&str> = model
         .plan
@@ -159,21 +161,21 @@ pub fn refused(model: &Model, analyses: &[ModeAnalysis], diagnostics: &[Diagnost
         [one] => format!("mode {one} does not keep full control at hover"),
         [first, rest @ ..] => format!("{first} and {} more modes do not keep full control at hover", rest.len()),
     };
-    let said = diagnostics.iter().filter(|d| d.severity == Severity::Error);
-    let warnings = said.map(|d| match &d.help {
-        Some(help) => format!("{}. To mend it: {help}", capital(&d.message)),
+    let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
+    let warnings = errors.map(|d| match &d.help {
+        Some(help) => format!("{}. To fix it: {help}", capital(&d.message)),
         None => capital(&d.message),
     });
     Found { headline: format!("Nothing was planned: {which}"), warnings: warnings.collect(), ..Found::default() }
 }
 
-/// A sentence's first letter.
+/// The same text with its first letter in upper case.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// `and stays inside the sets of all modes planned against`, or when it does not.
+/// `and stays inside the sets of all modes planned against`, or which sets it leaves and for how long.
 fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
     let mut left: Vec<(&String, f64)> = comparison
         .modes
@@ -184,7 +186,7 @@ fn outside(comparison: &Comparison, solved: &MissionPlan) -> String {
         .collect();
     left.sort_by(|a, b| b.1.total_cmp(&a.1));
     match left.as_slice() {
-        _ if comparison.modes.is_empty() => "and stands against no fault mode".into(),
+        _ if comparison.modes.is_empty() => "and is planned against no fault mode".into(),
         [] => "and stays inside the sets of all modes planned against".into(),
         [(name, seconds)] => format!("and leaves the set of {name} for {} s", short_seconds(*seconds)),
         [(name, seconds), rest @ ..] => {
@@ -201,7 +203,7 @@ fn time(model: &Model, mission: &Mission, run: &PlannerRun, solved: &MissionPlan
             format!("shortest found; {} s is proved infeasible with {} samples{gap}", number(t), model.plan.samples)
         }
         (Run::Own, None) => format!("shortest found{gap}"),
-        (Run::Common, _) => "as the spec asks".into(),
+        (Run::Common, _) => "required by the spec".into(),
     };
     Figure::new("Mission time", format!("{} s", number(solved.time)), note)
 }
@@ -210,7 +212,7 @@ fn margin(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
     let mode = nearest(solved)?;
     let (name, outside) = (comparison.modes.get(mode)?, &solved.outside[mode]);
     let margin = -outside.max_violation;
-    let note = format!("to the edge of {name}, in widths of the healthy set");
+    let note = format!("to the set of {name}, in widths of the healthy set");
     Some(Figure::new("Smallest margin", signed_percent(margin), note).bad_if(outside.last.is_some()))
 }
 
@@ -224,15 +226,15 @@ fn stays(comparison: &Comparison, solved: &MissionPlan) -> Option<Figure> {
     match worst {
         _ if comparison.modes.is_empty() => None,
         None => Some(Figure::new(
-            "Outside a fault set",
-            "never",
-            "a fault planned against finds the wrench inside at any instant",
+            "Violations of fault sets",
+            "none",
+            "the wrench is inside the set of every mode planned against at all times",
         )),
         Some((name, o, last)) => Some(
             Figure::new(
-                "Last outside a fault set",
+                "Last violation of a fault set",
                 format!("{} s", fixed(last, 2)),
-                format!("that of {name}, {} s in all", short_seconds(o.seconds)),
+                format!("that of {name}, violated for {} s in total", short_seconds(o.seconds)),
             )
             .bad_if(true),
         ),
@@ -247,39 +249,39 @@ fn meets(waypoints: &[WaypointRecord]) -> String {
     }
 }
 
-/// The error that takes most of its tolerance.
-fn waypoint_error(told: &PlannerRecord) -> Option<Figure> {
-    let worst = worst(&told.waypoints)?;
+/// The error with the largest share of its tolerance.
+fn waypoint_error(planner: &PlannerRecord) -> Option<Figure> {
+    let worst = worst(&planner.waypoints)?;
     let note = format!("{}, at waypoint {}", worst.largest(), worst.label());
     Some(
         Figure::new("Largest waypoint error", percent(worst.share()), note)
-            .bad_if(told.waypoints.iter().any(|w| !w.met)),
+            .bad_if(planner.waypoints.iter().any(|w| !w.met)),
     )
 }
 
-fn shown_between(told: &PlannerRecord) -> Option<Figure> {
-    let between = told.between.as_ref()?;
+fn shown_between(planner: &PlannerRecord) -> Option<Figure> {
+    let between = planner.between_nodes.as_ref()?;
     let checked = between.iter().filter(|b| b.shown == Shown::Checked).count();
     let (value, note) = match checked {
-        0 => ("proved", format!("what was imposed holds at every instant, to within {}", percent(MOST_PAST_LIMIT))),
+        0 => ("proved", format!("the imposed rows hold at every instant, to within {}", percent(MOST_PAST_LIMIT))),
         n if n == between.len() => ("checked", "on a grid between the nodes".to_string()),
-        n => ("partly proved", format!("{n} of {} kinds of rows are checked on a grid", between.len())),
+        n => ("partly proved", format!("{n} of {} kinds of rows are only checked on a grid", between.len())),
     };
     Some(Figure::new("Between the nodes", value, note))
 }
 
-/// What the report says of statements that cannot hold together.
+/// The conflicting statements and the fixes that were found.
 fn conflict(record: &Record) -> Vec<String> {
     let Some(conflict) = &record.conflict else { return Vec::new() };
     let mut ordered: Vec<_> = conflict.statements.iter().collect();
-    // As they stand in the text, what the command line says last.
+    // In the order of the text; statements of the command line come last.
     ordered.sort_by_key(|s| (s.file == OVERRIDE, &s.file, s.line));
     let statements: Vec<String> = ordered.iter().map(|s| format!("{}: {}", s.place, s.message)).collect();
-    let told = match conflict.verdict {
+    let head = match conflict.verdict {
         Verdict::ProvedInfeasible => "Proved infeasible: these statements cannot hold together",
         _ => "Not found: a plan that meets these statements together",
     };
     let fixes =
         conflict.fixes.iter().map(|f| format!("Tried, and gives a plan of {} s: {}", number(f.time_s), f.message));
-    std::iter::once(format!("{told}: {}", statements.join("; "))).chain(fixes).collect()
+    std::iter::once(format!("{head}: {}", statements.join("; "))).chain(fixes).collect()
 }

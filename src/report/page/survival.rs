@@ -1,4 +1,4 @@
-//! A campaign: who survives, the map of when, and whether the plans told.
+//! A campaign: survival, the map over instants of the fault, and whether the plans predicted the losses.
 
 use super::prose::true_minus;
 use super::summary::{Figure, Found};
@@ -6,18 +6,19 @@ use crate::campaign::statistics::{Share, wilson};
 use crate::number::{number, part_of_all, significant};
 use crate::report::campaign_record::{AgreementRecord, CampaignRecord, CellRecord, ModeRecord, PlannerRecord};
 use crate::report::campaign_text::by_flight;
-use crate::report::flight::detection;
+use crate::report::simulation::detection;
 use maud::{Markup, html};
 
-/// Modes and columns of one map at most.
+/// Most modes of one map.
 const MOST_MODES: usize = 60;
+/// Most columns of one map.
 const MOST_COLUMNS: usize = 24;
 
-/// Classes of the share lost: name and the largest share of each.
+/// Classes of the share lost: name and largest share.
 const CLASSES: [(&str, f64); 5] =
     [("none", 0.0), ("up to 25 %", 0.25), ("up to 50 %", 0.5), ("over 50 %", 0.999_999), ("all", 1.0)];
 
-/// What the campaign comes to.
+/// The headline and figures of the campaign.
 pub fn found(record: &CampaignRecord) -> Found {
     let shares: Vec<(String, f64)> =
         record.planners.iter().filter_map(|p| Some((p.name.to_uppercase(), survival(p)?.share))).collect();
@@ -30,7 +31,7 @@ pub fn found(record: &CampaignRecord) -> Found {
     let figures = vec![
         Figure::new("Flights", record.flights.to_string(), format!("of {} in the campaign", record.cases)),
         Figure::new(
-            "Instants of the fault",
+            "Fault instants",
             record.times.to_string(),
             match record.seeds {
                 1 => "with one seed each".to_string(),
@@ -46,10 +47,10 @@ pub fn found(record: &CampaignRecord) -> Found {
     Found { headline, figures, warnings: Vec::new() }
 }
 
-/// Why there is nothing to say of faults.
+/// Why there is no result about faults.
 fn no_fault_flown(record: &CampaignRecord) -> String {
     match (record.flights, record.planners.iter().any(|p| p.healthy.is_some())) {
-        (0, false) => "Nothing was simulated: no planner's plan was found".into(),
+        (0, false) => "Nothing was simulated: no planner found a plan".into(),
         (0, true) => "Nothing was simulated: this part of the campaign has no flights".into(),
         (_, _) => "No flight with a fault is among those simulated".into(),
     }
@@ -64,11 +65,11 @@ fn survival(planner: &PlannerRecord) -> Option<Share> {
 
 /// `85.7 (60.1 to 96)`, in percent.
 fn with_interval(share: Option<Share>) -> String {
-    let told = |s: Share| format!("{} ({} to {})", part_of_all(s.share), part_of_all(s.low), part_of_all(s.high));
-    share.map_or("\u{2013}".into(), told)
+    let cell = |s: Share| format!("{} ({} to {})", part_of_all(s.share), part_of_all(s.low), part_of_all(s.high));
+    share.map_or("\u{2013}".into(), cell)
 }
 
-/// Who survives, planner by planner.
+/// Survival and losses, planner by planner.
 pub fn table(record: &CampaignRecord) -> Markup {
     let lost = |p: &PlannerRecord, of: fn(&ModeRecord) -> usize| p.modes.iter().map(of).sum::<usize>();
     let diverged: usize = record.planners.iter().map(|p| lost(p, |m| m.flights.diverged)).sum();
@@ -87,13 +88,13 @@ pub fn table(record: &CampaignRecord) -> Markup {
                         th scope="col" { "Planner" }
                         th scope="col" { "Plan" }
                         th.n scope="col" { "Flights with a fault" }
-                        th.n scope="col" { "Survive" br; span.unit { "%, 95 % interval" } }
+                        th.n scope="col" { "Survived" br; span.unit { "%, 95 % interval" } }
                         th.n scope="col" { "Lost by position" }
                         th.n scope="col" { "Upside down" }
                         th.n scope="col" { "To the ground" }
                         th.n scope="col" { "By heading" }
                         @if diverged > 0 { th.n scope="col" { "Diverged" } }
-                        th.n scope="col" { "Healthy survive" br; span.unit { "%, 95 % interval" } }
+                        th.n scope="col" { "Healthy survived" br; span.unit { "%, 95 % interval" } }
                     }
                 }
                 tbody {
@@ -117,10 +118,10 @@ pub fn table(record: &CampaignRecord) -> Markup {
     }
 }
 
-/// When the fault strikes, and what share is lost.
+/// The share of struck flights that were lost, by mode and instant of the fault.
 pub fn maps(record: &CampaignRecord) -> Markup {
     html! {
-        h2 { "When a fault strikes, and what share is lost" }
+        h2 { "Share of flights lost, by the instant of the fault" }
         div.legend {
             @for (k, (name, _)) in CLASSES.iter().enumerate() {
                 span.entry { span.swatch.{ "lost" (k) } aria-hidden="true" { } (name) }
@@ -147,7 +148,7 @@ fn map(planner: &PlannerRecord) -> Markup {
         h3 { (name) }
         div.scroll tabindex="0" role="region" aria-label={ "Map of survival, " (name) } {
             table.map {
-                caption { span { "Lost of those struck; columns: instant of the fault in s" } }
+                caption { span { "Lost/struck flights; columns: instant of the fault in s" } }
                 thead {
                     tr {
                         th scope="col" { "Mode" }
@@ -165,7 +166,7 @@ fn map(planner: &PlannerRecord) -> Markup {
             }
         }
         @if planner.modes.len() > modes.len() {
-            p.note { (planner.modes.len() - modes.len()) " modes with fewer losses are left out." }
+            p.note { (planner.modes.len() - modes.len()) " modes with fewer losses are omitted." }
         }
     }
 }
@@ -187,24 +188,24 @@ fn cell(cells: &[CellRecord]) -> Markup {
     html! { td.{ "lost" (class) } { (lost) "/" (struck) } }
 }
 
-/// Whether the plans tell which flights are lost.
+/// Whether the plans predict which flights are lost.
 pub fn agreement(record: &CampaignRecord) -> Markup {
     let modes = |a: &AgreementRecord| match a.modes {
         "inside" => format!("the {} modes with hover inside their sets", a.mode_count),
         _ => format!("all {} modes", a.mode_count),
     };
     html! {
-        h2 { "Whether the plans tell which flights are lost" }
+        h2 { "Do the plans predict which flights are lost?" }
         p.note {
-            "Predicted lost: the fault strikes before the plan is outside the mode's set for the last time. phi: how flights predicted "
-            "lost and flights lost agree, 1 always, 0 no better than chance. Intervals and correlations take flights as independent."
+            "Predicted lost: the fault strikes before the plan's last violation of the mode's set. phi: agreement of predicted and actual "
+            "losses, 1 for perfect agreement, 0 for no better than chance. Intervals and correlations treat flights as independent."
         }
         @for a in &record.agreement {
             div.scroll tabindex="0" role="region" aria-label={ "Agreement over " (modes(a)) } {
                 table.compact {
                     caption {
                         span {
-                            "Over " (modes(a)) "; rank correlation of seconds outside with the share lost: "
+                            "Over " (modes(a)) "; rank correlation of violation duration and share lost: "
                             (a.rank_correlation.map_or("none".into(), |r| true_minus(&significant(r, 3))))
                         }
                     }

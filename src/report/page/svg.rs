@@ -1,4 +1,4 @@
-//! The page's charts and sections as SVG files, for papers (`--svg`).
+//! The page's charts and sections as SVG files (`--svg`), for publications.
 
 use super::chart::{Bound, Chart};
 use super::content::{Content, RunContent};
@@ -12,23 +12,23 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::ops::Range;
 
-/// Backend units: its coordinates are whole numbers, so the drawing is large.
+/// Size in the backend's units; its coordinates are integers, so the drawing is large.
 const SIZE: (u32, u32) = (2000, 1150);
 const SQUARE: (u32, u32) = (1400, 1350);
 const TEXT: u32 = 46;
 const MARGIN: u32 = 50;
-/// Height of the axis across with its label.
+/// Height of the horizontal axis with its label.
 const BELOW: u32 = 130;
-/// Width of the axis up with one line of its label.
+/// Width of the vertical axis with one line of its label.
 const BESIDE: u32 = 190;
 /// From one line of text to the next.
 const LINE: u32 = 60;
-/// Width of a letter, of wide fonts too: which font there is, only the reader's machine knows.
+/// Width of a letter, also in wide fonts: the font depends on the reader's machine.
 const LETTER: u32 = 24;
 /// Width of a legend's sample with the gap after it.
 const SAMPLE: i32 = 110;
 
-/// Okabe and Ito's colours, told apart by colour-blind people.
+/// Okabe and Ito's colours, which colour-blind people can distinguish.
 const COLORS: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -39,7 +39,7 @@ const COLORS: [RGBColor; 8] = [
     RGBColor(0, 0, 0),
     RGBColor(120, 120, 120),
 ];
-/// Dashes of the lines, each with the gap after it: colours are not told apart on every paper.
+/// Dashes of the lines, each with the gap after it: colours cannot be distinguished on every print.
 const DASHES: [Option<Dash>; 8] = [
     None,
     Some((40, 14)),
@@ -50,7 +50,7 @@ const DASHES: [Option<Dash>; 8] = [
     Some((18, 28)),
     Some((7, 22)),
 ];
-/// Of limits and levels to compare with.
+/// Dashes of limits and reference levels.
 const LEVEL: Dash = (24, 14);
 const LIMIT: RGBColor = RGBColor(179, 38, 30);
 const GRID: RGBColor = RGBColor(225, 228, 232);
@@ -61,11 +61,11 @@ type Failure = DrawingAreaErrorKind<std::io::Error>;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Context<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// File names and texts: of every plan that is drawn its charts, and every set's section at hover with its path; the sections
-/// alone where there is no plan.
+/// File names and texts: for every plan that is drawn, its charts and each set's section at hover with its path; only the
+/// sections if there is no plan.
 ///
 /// # Errors
-/// What the drawing library says, where it cannot draw.
+/// The drawing library's message if it cannot draw.
 pub fn files(content: &Content) -> Result<Vec<(String, String)>, String> {
     let mut drawn: Vec<(Option<&RunContent>, &str)> =
         content.runs.iter().filter_map(|run| Some((Some(run), run.figures.as_deref()?))).collect();
@@ -88,7 +88,7 @@ pub fn files(content: &Content) -> Result<Vec<(String, String)>, String> {
     Ok(files)
 }
 
-/// What a legend tells, with its sample.
+/// An entry of a legend with its sample.
 struct Entry {
     label: String,
     sample: Sample,
@@ -103,7 +103,7 @@ enum Sample {
 }
 
 impl Sample {
-    /// Draws it from `x` on, in the middle of a line of text that begins at `y`.
+    /// Draws it from `x` on, in the middle of a line of text whose top is at `y`.
     fn draw(self, area: &Area, (x, y): (i32, i32)) -> Result<(), Failure> {
         let end = x + SAMPLE - 20;
         let middle = y + LINE as i32 / 2;
@@ -124,7 +124,7 @@ impl Sample {
     }
 }
 
-/// Where the entries of a legend stand, row by row in a width; and the height of all.
+/// Positions of a legend's entries, row by row within a width, and the height of the legend.
 fn placed(entries: &[Entry], width: u32) -> (Vec<(i32, i32)>, u32) {
     let (left, right) = ((MARGIN + BESIDE) as i32, (width - MARGIN) as i32);
     let mut at = (left, MARGIN as i32);
@@ -163,7 +163,7 @@ fn chart(
             whole.draw(&Text::new(entry.label.as_str(), (x + SAMPLE, y + LINE as i32 / 2), beside.clone()))?;
         }
         let (_, area) = whole.split_vertically(height);
-        // The library's own label of this axis is one line, cut off where it is too long.
+        // The library's own label of this axis is a single line and is cut off if it is too long.
         let upwards = font.transform(FontTransform::Rotate270).pos(Pos::new(HPos::Center, VPos::Top));
         for (line, x) in up.iter().zip((MARGIN..).step_by(LINE as usize)) {
             area.draw(&Text::new(line.as_ref(), (x as i32, (MARGIN + tall / 2) as i32), upwards.clone()))?;
@@ -234,11 +234,11 @@ fn curves(run: &RunContent, spec: &Chart) -> Drawn {
 fn section(content: &Content, set: &SetContent, run: Option<&RunContent>) -> Drawn {
     let healthy = content.sets.first().unwrap_or(set);
     let [_, x, y, _] = content.extents;
-    // As many units either way.
+    // Equal scales.
     let reach = 1.08 * [x, y].as_flattened().iter().fold(0.0_f64, |m, v| m.max(v.abs())).max(1e-9);
     let column = |name: &str| run.and_then(|r| r.columns.get(name)).map_or(&[][..], Vec::as_slice).iter().copied();
     let mut areas = vec![(healthy, COLORS[7], 0.12), (set, COLORS[0], 0.2)];
-    // The healthy set alone is told once.
+    // The healthy set is listed once.
     areas.dedup_by_key(|(set, ..)| &set.name);
     let mut entries: Vec<Entry> = areas
         .iter()

@@ -1,4 +1,4 @@
-//! The table of modes: what each leaves at hover, and how the plan stands to it.
+//! The table of modes: their control at hover, and the margins of the plan.
 
 use super::motion::signed_percent;
 use super::prose::terms;
@@ -11,10 +11,10 @@ use crate::planner::studies::{Comparison, MissionPlan, PlanOutcome};
 use crate::report::terminal::holds;
 use maud::{Markup, html};
 
-/// Rows at most; those that the plan must stand come first.
+/// Most rows; the modes that the plan must tolerate come first.
 const MOST_ROWS: usize = 200;
 
-/// One mode with what the plan makes of it.
+/// One mode with the plan's results for it.
 struct Row<'a> {
     analysis: &'a ModeAnalysis,
     title: Option<&'a str>,
@@ -24,7 +24,7 @@ struct Row<'a> {
     committed: Option<f64>,
 }
 
-/// With the last run that has a plan; `analyses` healthy first.
+/// The table with the results of the run that the page shows first; `analyses` has the healthy vehicle first.
 pub fn section(model: &Model, comparison: &Comparison, analyses: &[ModeAnalysis]) -> Markup {
     let shown = super::shown_first(model, comparison);
     let solved = shown.and_then(|i| match &comparison.runs[i].outcome {
@@ -34,7 +34,7 @@ pub fn section(model: &Model, comparison: &Comparison, analyses: &[ModeAnalysis]
     table(model, analyses, solved.as_ref().map(|(label, s)| (label.as_str(), *s)))
 }
 
-/// Where nothing was planned.
+/// The table if nothing was planned.
 pub fn refused(model: &Model, analyses: &[ModeAnalysis]) -> Markup {
     table(model, analyses, None)
 }
@@ -66,8 +66,8 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
     let others = (1..analyses.len()).filter(|i| !model.plan.against.contains(&(i - 1)));
     let order: Vec<usize> = std::iter::once(0).chain(model.plan.against.iter().map(|i| i + 1)).chain(others).collect();
     let rows: Vec<Row> = order.iter().take(MOST_ROWS).filter_map(|&i| row(i)).collect();
-    // A table says nothing by columns of dashes, nor by one that repeats another: a mission that goes on is committed to
-    // a mode until it is last outside.
+    // Columns of dashes are omitted, and so is a column that repeats another: a mission that continues is committed to a
+    // mode until its last violation.
     let columns = Columns { of_plan: solved.is_some(), after: solved.is_some() && holds(model) };
     html! {
         h2 { (headline(analyses)) }
@@ -75,8 +75,8 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
             table aria-describedby="modes-terms" {
                 caption {
                     span {
-                        "What is left at hover"
-                        @if let Some((label, _)) = solved { ", and how the plan (" (label) ") stands to it" }
+                        "Control at hover"
+                        @if let Some((label, _)) = solved { ", and violations by the plan (" (label) ")" }
                     }
                 }
                 thead {
@@ -87,8 +87,8 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
                         th.n scope="col" { "Heaviest" br; span.unit { "kg" } }
                         @if columns.of_plan {
                             th.n scope="col" { "Plan's margin" br; span.unit { "healthy widths" } }
-                            th.n scope="col" { "Outside" br; span.unit { "s" } }
-                            th.n scope="col" { "Last outside" br; span.unit { "s" } }
+                            th.n scope="col" { "Violated for" br; span.unit { "s" } }
+                            th.n scope="col" { "Last violation" br; span.unit { "s" } }
                         }
                         @if columns.after {
                             th scope="col" { "After the fault" }
@@ -99,61 +99,61 @@ fn table(model: &Model, analyses: &[ModeAnalysis], solved: Option<(&str, &Missio
                 tbody { @for row in &rows { (cells(model, row, columns)) } }
             }
         }
-        @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are left out here; " code { "mavc analyze" } " lists all." } }
+        @if order.len() > rows.len() { p.note { (order.len() - rows.len()) " more modes are omitted here; " code { "mavc analyze" } " lists all." } }
         (terms("modes-terms", meanings(columns, analyses)))
     }
 }
 
-/// What the table's columns and verdicts mean.
+/// The meaning of the table's columns and verdicts.
 fn meanings(columns: Columns, analyses: &[ModeAnalysis]) -> Vec<(&'static str, &'static str)> {
     let mut found = vec![
-        ("Hover margin", "signed distance from hover to the edge of the mode's set, every axis held."),
-        ("Heaviest", "the mass up to which the mode keeps hover inside its set."),
+        ("Hover margin", "signed distance from hover to the edge of the mode's set of full wrenches."),
+        ("Heaviest", "the mass up to which hover lies inside the mode's set."),
     ];
     if columns.of_plan {
         found.extend([
-            ("Plan's margin", "the smallest over the flight, negative outside, against the set that plans keep to."),
-            ("Outside", "for how long the plan asks for more than the mode leaves."),
-            ("Last outside", "a lost rotor stays lost, so a fault before this instant still meets the plan outside."),
+            ("Plan's margin", "the smallest over the flight, negative outside, to the set used for planning."),
+            ("Violated for", "how long the plan is outside the mode's admissible set."),
+            ("Last violation", "a lost rotor stays lost, so a fault before this instant still meets a violation."),
         ]);
     }
     if columns.after {
         found.extend([
             (
                 "After the fault",
-                "what the plan counts on: the mission goes on as planned (`continue`), or comes to rest and stays (`hold`).",
+                "what the plan assumes: the mission continues as planned (`continue`), or the vehicle stops and stays (`hold`).",
             ),
             (
                 "Committed until",
-                "a fault before this instant may cost the mission. With `continue` it is when the plan is last outside; \
-                 with `hold` the last instant from which no stop inside the set was found.",
+                "a fault before this instant may cost the mission. With `continue` it is the plan's last violation; with \
+                 `hold` the last instant from which no stop inside the set was found.",
             ),
         ]);
     }
     if analyses.iter().any(|a| a.verdict == Verdict::Stabilizable) {
         found.push((
             "Stabilizable without yaw",
-            "the vehicle stays up and level while it turns about z. With every axis held, yaw too, as in the sets drawn \
-             here, hover may be far outside.",
+            "the vehicle stays up and level while it turns about z. With yaw controlled too, as in the sets drawn here, \
+             hover may be far outside.",
         ));
     }
     found
 }
 
-/// For how long a plan is outside, s, and when last, s: cells of tables.
-pub fn outside_cells(seconds: f64, last: Option<f64>) -> [String; 2] {
+/// Cells of a table: how long a plan violates a set, s, and the last instant, s.
+pub fn violation_cells(seconds: f64, last: Option<f64>) -> [String; 2] {
     match last {
-        None => ["never".into(), dash()],
+        None => [dash(), "never".into()],
         Some(last) => [short_seconds(seconds), fixed(last, 2)],
     }
 }
 
-/// Nothing to say.
+/// An empty cell.
 fn dash() -> String {
     "\u{2013}".into()
 }
 
-/// Columns beside those of hover.
+/// Which columns there are beyond those of hover.
 #[derive(Clone, Copy)]
 struct Columns {
     of_plan: bool,
@@ -169,7 +169,7 @@ fn cells(model: &Model, row: &Row, columns: Columns) -> Markup {
     };
     let edge = if a.hover == Place::OnEdge { format!(", {}", a.hover.word()) } else { String::new() };
     let yaw = if a.verdict == Verdict::Stabilizable { " without yaw" } else { "" };
-    let [seconds, last] = outside.map_or_else(|| [dash(), dash()], |o| outside_cells(o.seconds, o.last));
+    let [seconds, last] = outside.map_or_else(|| [dash(), dash()], |o| violation_cells(o.seconds, o.last));
     let after =
         mode.filter(|m| model.plan.against.contains(m)).map_or_else(dash, |m| model.after_fault(m).name().into());
     html! {

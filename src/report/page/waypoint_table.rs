@@ -1,4 +1,4 @@
-//! The table of waypoints: each error beside its tolerance, and as a share of it.
+//! The table of waypoints: each error, its tolerance, and the error as a share of the tolerance.
 
 use super::document::Section;
 use super::prose::unbroken;
@@ -7,10 +7,10 @@ use crate::report::record::PlannerRecord;
 use crate::report::waypoints::{WaypointRecord, headline};
 use maud::html;
 
-/// Rows at most; the report has all.
+/// Rows at most; the JSON report has all.
 const MOST_ROWS: usize = 200;
 
-/// Of a plan; nothing where there is none.
+/// The section for a plan; `None` if there is none.
 pub fn section(planner: &PlannerRecord) -> Option<Section> {
     let waypoints = &planner.waypoints;
     let left_out = waypoints.len().saturating_sub(MOST_ROWS);
@@ -18,7 +18,7 @@ pub fn section(planner: &PlannerRecord) -> Option<Section> {
         h2 { (unbroken(&headline(waypoints))) }
         div.scroll tabindex="0" role="region" aria-label="Table of waypoints" {
             table {
-                caption { span { "Errors at the waypoints, what the spec allows, and the share of it" } }
+                caption { span { "Errors at the waypoints, their tolerances, and the errors as shares of these" } }
                 thead {
                     tr {
                         th scope="col" { "Waypoint" }
@@ -29,7 +29,7 @@ pub fn section(planner: &PlannerRecord) -> Option<Section> {
                 tbody { @for w in waypoints.iter().take(MOST_ROWS) { (row(w)) } }
             }
         }
-        @if left_out > 0 { p.note { (left_out) " more waypoints are left out here; " code { "--report" } " lists all." } }
+        @if left_out > 0 { p.note { (left_out) " more waypoints are omitted here; " code { "--report" } " lists all." } }
     };
     (!waypoints.is_empty()).then(|| Section::new("waypoints", "Waypoints", body))
 }

@@ -1,4 +1,4 @@
-//! Bounds on the inputs of any plan: they absorb what multipliers leave of them.
+//! Bounds on the inputs of any plan, with which the inputs that the multipliers do not cancel are bounded.
 
 use super::super::interval::Interval;
 use super::super::motion::{X, Y, Z};
@@ -9,7 +9,7 @@ use crate::certificate::DynamicModel;
 use crate::model::LimitKind;
 
 impl Rows<'_> {
-    /// The input of each axis at any node.
+    /// Bounds on the input of each axis at any node.
     pub(super) fn inputs(&self) -> Result<[Interval; 4], Rejection> {
         match (self.kind, self.thrust) {
             (DynamicModel::Hover, _) => self.inputs_about_hover(),
@@ -18,7 +18,7 @@ impl Rows<'_> {
         }
     }
 
-    /// x'''', y'''', z'', psi'' that the set of a mode which every plan keeps to allows.
+    /// Bounds on x'''', y'''', z'', psi'' from the set of a mode in which every plan stays.
     fn inputs_about_hover(&self) -> Result<[Interval; 4], Rejection> {
         let required = required(self.model);
         let Some(mode) = required.first() else { return Ok([Interval::WHOLE; 4]) };
@@ -32,17 +32,17 @@ impl Rows<'_> {
         Ok([s * a + c * b, s * b - c * a, reach[0] / Interval::point(vehicle.mass) - g, reach[3] / izz])
     }
 
-    /// x'''', y'''', z'''' and psi'' of motions from rest.
+    /// Bounds on x'''', y'''', z'''' and psi'' of motions that start at rest.
     ///
-    /// Where they end at rest, x'' is a twice continuously differentiable cubic spline with slope zero at both ends, so its
+    /// If they end at rest, x'' is a twice continuously differentiable cubic spline with slope zero at both ends, so its
     /// second derivatives u_k at the nodes solve (de Boor, *A Practical Guide to Splines*, chapter 4)
     ///
     /// `h_(k-1)/6 u_(k-1) + (h_(k-1) + h_k)/3 u_k + h_k/6 u_(k+1) = (x''_(k+1) - x''_k)/h_k - (x''_k - x''_(k-1))/h_(k-1)`.
     ///
-    /// Where |u_k| is largest the left side is at least (h_(k-1) + h_k)/6 of it. The right one is at most 2 A (1/h_k +
+    /// At the largest |u_k| the left side is at least (h_(k-1) + h_k)/6 times |u_k|. The right side is at most 2 A (1/h_k +
     /// 1/h_(k-1)) with A = T_max/m, since the thrust bounds |(x'', y'', z'' + g)| at the nodes. Hence
-    /// `|u| <= 12 A/(h_(k-1) h_k)`; at the ends alike, with one step for both. Where the end moves, [`Self::at_a_moving_end`]
-    /// says what takes the place of the slope.
+    /// `|u| <= 12 A/(h_(k-1) h_k)`; at the ends likewise, with one step for both. If the motion does not end at rest,
+    /// [`Self::at_a_moving_end`] replaces the condition on the slope.
     fn exact_inputs(&self, most: Interval) -> [Interval; 4] {
         let step = self.shortest_step();
         let acceleration = most / Interval::point(self.model.vehicle.mass);
@@ -54,18 +54,18 @@ impl Rows<'_> {
         [of_axis(X), of_axis(Y), of_axis(Z), self.yaw_input(step)]
     }
 
-    /// What the inputs of an axis may have more than between rests, where the last slope is not zero: with h the last step
-    /// either of
+    /// By how much the inputs of an axis may exceed the bound for motions that end at rest, because the last slope is not
+    /// zero. With h the last step, it is either of
     ///
-    /// `6 J/h`, for a jerk that is at most J at the end: it takes the place of the slope in the last equation, whose right
-    /// side is then at most J + 2 A/h, and whose left side at least h/6 of the largest |u_k|;
+    /// `6 J/h`, for a jerk of at most J at the end: it replaces the slope in the last equation, whose right side is then at
+    /// most J + 2 A/h, and whose left side is at least h/6 times the largest |u_k|;
     ///
-    /// `48 (2 V + h (A + g))/h^3`, for a velocity that is at most V: the velocity gained in the last step is
-    /// `h/2 (x''_(N-1) + x''_N) - h^3/24 (u_(N-1) + u_N)`, so |u_(N-1) + u_N| is at most r, half of that (x'' is at most A,
-    /// z'' at most A + g in size). Less h/6 of it, the equation before has on its left at least (h_(N-2) + h)/6 of the
-    /// largest of the other |u_k|, so these are at most `12 A/(h_(N-2) h) + r`, and |u_N| at most r more.
+    /// `48 (2 V + h (A + g))/h^3`, for a velocity of at most V: the velocity gained in the last step is
+    /// `h/2 (x''_(N-1) + x''_N) - h^3/24 (u_(N-1) + u_N)`, so |u_(N-1) + u_N| is at most r, half of that (|x''| is at most A,
+    /// |z''| at most A + g). After subtracting h/6 of it, the left side of the equation before is at least (h_(N-2) + h)/6
+    /// times the largest of the other |u_k|, so these are at most `12 A/(h_(N-2) h) + r`, and |u_N| at most r more.
     ///
-    /// Without either limit nothing bounds them: splines that vanish at all nodes may grow from each to the next.
+    /// Without either limit the inputs are unbounded: splines that vanish at all nodes may grow from node to node.
     fn at_a_moving_end(&self, axis: usize, acceleration: Interval) -> Interval {
         let times = &self.grid.times;
         let [.., before, end] = times[..] else { return Interval::WHOLE };
@@ -85,13 +85,13 @@ impl Rows<'_> {
         bounds.reduce(|a, b| if b.high < a.high { b } else { a }).unwrap_or(Interval::WHOLE)
     }
 
-    /// The upper side of a limit, where the mission has it.
+    /// The upper bound of a limit, if the mission has one.
     fn upper(&self, kind: LimitKind) -> Option<f64> {
         self.mission.limits.iter().filter(|l| l.kind == kind).filter_map(|l| l.upper).reduce(f64::min)
     }
 
-    /// psi'' at any node: its limit, or what follows from that of psi'. From rest psi'' is 0 at first, and
-    /// `psi''_(k+1) = 2 (psi'_(k+1) - psi'_k)/h - psi''_k`.
+    /// Bounds on psi'' at any node: its limit, or a bound that follows from the limit on psi'. From rest psi'' is 0 at first,
+    /// and `psi''_(k+1) = 2 (psi'_(k+1) - psi'_k)/h - psi''_k`.
     fn yaw_input(&self, step: Interval) -> Interval {
         let sides = |kind: LimitKind| {
             let limits = self.mission.limits.iter().filter(move |l| l.kind == kind);
@@ -113,15 +113,15 @@ impl Rows<'_> {
     }
 
     /// The largest thrust of any plan, N: by the facets' weights, `T = sum of weight (n.w) + rest.w`, and the rest is
-    /// bounded by the set of a mode that every plan keeps to.
+    /// bounded by the set of a mode in which every plan stays.
     pub(super) fn most_thrust(&self) -> Result<Interval, Rejection> {
         let wrong = |why: &str| Err(Rejection::new("the largest thrust", why));
         let mut rest = [Interval::ONE, Interval::ZERO, Interval::ZERO, Interval::ZERO];
         let mut most = Interval::ZERO;
         for entry in &self.claim.thrust {
-            let Some(plane) = self.planes.get(entry.facet) else { return wrong("a facet weighed is not listed") };
+            let Some(plane) = self.planes.get(entry.facet) else { return wrong("a weighted facet is not listed") };
             if !(entry.weight.is_finite() && entry.weight >= 0.0) {
-                return wrong("a weight is negative");
+                return wrong("a weight is negative or not finite");
             }
             let weight = Interval::point(entry.weight);
             most = most + weight * plane.offset;
@@ -130,7 +130,7 @@ impl Rows<'_> {
             }
         }
         let required = required(self.model);
-        let Some(mode) = required.first() else { return wrong("the planner keeps to no set") };
+        let Some(mode) = required.first() else { return wrong("the planner imposes no set") };
         let reach = Generators::of(self.model, mode)?.extent();
         Ok(most + along(&rest, &reach))
     }

@@ -1,4 +1,4 @@
-//! What rows say: expressions in the derivatives at the nodes that are not negative for any plan.
+//! Rows as expressions in the derivatives at the nodes that are not negative for any plan.
 
 use super::super::interval::{Interval, exceeds};
 use super::super::motion::{X, Y, YAW, Z};
@@ -8,7 +8,7 @@ use super::Rows;
 use crate::certificate::{DynamicModel, Multiplier, RowRecord, Side};
 use crate::model::{Limit, LimitKind};
 
-/// A plan may miss a waypoint by this much beside its tolerance, m; yaw in proportion.
+/// A plan may miss a waypoint by this much more than its tolerance, m; yaw in proportion.
 const FEASIBLE: f64 = 1e-6;
 
 /// A linear expression in the derivatives at some nodes.
@@ -40,7 +40,7 @@ impl Expression {
 }
 
 impl Rows<'_> {
-    /// The expressions of a row, once its multipliers are found to be in the dual cone.
+    /// The expressions of a row, after checking that its multipliers are in the dual cone.
     pub(super) fn weighed(&self, multiplier: &Multiplier) -> Result<Vec<Expression>, String> {
         let parts = self.expressions(&multiplier.row)?;
         let z = &multiplier.z;
@@ -49,14 +49,14 @@ impl Rows<'_> {
         }
         let free = matches!(multiplier.row, RowRecord::Rest { .. });
         let rest = z[1..].iter().fold(Interval::ZERO, |sum, &v| sum + Interval::point(v).square()).sqrt();
-        // A number that is not one exceeds everything.
+        // NaN exceeds everything.
         if self.premises.has(Premise::DualCone) && !free && exceeds(rest.high, z[0]) {
-            return Err("it lies outside the dual cone".into());
+            return Err("outside the dual cone".into());
         }
         Ok(parts)
     }
 
-    /// What a row says is not negative (first part of a cone: not below the length of the others; rest: zero).
+    /// The expressions of a row: not negative (cone: the first is not below the length of the others; rest: zero).
     fn expressions(&self, row: &RowRecord) -> Result<Vec<Expression>, String> {
         let points = &self.mission.waypoints;
         let at = |node: usize| if node < self.nodes() { Ok(node) } else { Err(format!("there is no node {node}")) };
@@ -70,10 +70,10 @@ impl Rows<'_> {
             }
             RowRecord::Rest { node, axis, derivative } => {
                 let name = ["x", "y", "z", "yaw"].get(axis).copied().unwrap_or("an unknown axis");
-                Err(format!("the spec does not ask that derivative {derivative} of {name} be zero at node {node}"))
+                Err(format!("the spec does not require derivative {derivative} of {name} to be zero at node {node}"))
             }
             RowRecord::Facet { .. } | RowRecord::Commands { .. } if self.kind == DynamicModel::Exact => {
-                Err("in the exact model facets are no rows in the derivatives".into())
+                Err("in the exact model facets are not linear rows in the derivatives".into())
             }
             RowRecord::Facet { facet, node } => {
                 let plane = self.planes.get(facet).ok_or(format!("there is no facet {facet}"))?;
@@ -81,9 +81,9 @@ impl Rows<'_> {
             }
             RowRecord::Commands { facet, node, interval } => {
                 let plane = self.planes.get(facet).ok_or(format!("there is no facet {facet}"))?;
-                let tau = self.lag.ok_or("the spec's rotors follow their commands at once")?;
-                if !self.beside(at(node)?, interval) {
-                    return Err(format!("interval {interval} is not beside node {node}"));
+                let tau = self.lag.ok_or("the spec's rotors follow their commands without lag")?;
+                if !self.is_adjacent(at(node)?, interval) {
+                    return Err(format!("interval {interval} is not adjacent to node {node}"));
                 }
                 Ok(vec![self.keeps_commands(plane, tau, node, interval)])
             }
@@ -93,7 +93,7 @@ impl Rows<'_> {
             }
             RowRecord::LimitNorm { limit, node, interval } => {
                 let limit = self.mission.limits.get(limit).ok_or(format!("there is no limit {limit}"))?;
-                self.norm(limit, at(node)?, interval).ok_or("the limit bounds no norm there".into())
+                self.norm(limit, at(node)?, interval).ok_or("the limit does not bound a norm there".into())
             }
             RowRecord::Thrust { node } => {
                 let most = self.thrust.ok_or("the hover model has no such row")?;
@@ -116,14 +116,14 @@ impl Rows<'_> {
         }
     }
 
-    /// Tolerances of a waypoint, m and rad, with what a plan may miss beside them.
+    /// Tolerances of a waypoint, m and rad, plus what a plan may miss beyond them.
     pub(super) fn tolerances(&self, waypoint: usize) -> (Interval, Interval) {
         let point = &self.mission.waypoints[waypoint];
         let [within, turned, more] = [point.within, point.yaw_within, FEASIBLE].map(Interval::point);
         (within + more, turned * (Interval::ONE + more / within))
     }
 
-    /// Whether a row may say that a derivative vanishes.
+    /// Whether a row may require a derivative to vanish.
     fn may_rest(&self, node: usize, axis: usize, derivative: usize) -> bool {
         match self.premises.has(Premise::Rest) {
             true => self.rests(node, axis, derivative),
@@ -131,8 +131,8 @@ impl Rows<'_> {
         }
     }
 
-    /// Rest as the language has it: velocity, acceleration, horizontal jerk, yaw rate and yaw acceleration; in a hold
-    /// the inputs too.
+    /// Rest as the language defines it: velocity, acceleration, horizontal jerk, yaw rate and yaw acceleration vanish; in a
+    /// hold the inputs vanish too.
     fn rests(&self, node: usize, axis: usize, derivative: usize) -> bool {
         if axis > YAW || derivative == 0 {
             return false;
@@ -162,13 +162,13 @@ impl Rows<'_> {
     }
 
     /// Whether an interval begins or ends at a node.
-    fn beside(&self, node: usize, interval: usize) -> bool {
+    fn is_adjacent(&self, node: usize, interval: usize) -> bool {
         // The certificate's number may be as large as numbers get.
         let ends = interval.checked_add(1).filter(|&end| end < self.nodes());
         ends.is_some_and(|end| interval == node || end == node)
     }
 
-    /// e - n.(w + tau w'): with one yaw w is linear in an interval, so w' is what it changes there over the duration.
+    /// e - n.(w + tau w'): with one yaw, w is linear in an interval, so w' is its change there divided by the duration.
     fn keeps_commands(&self, plane: &Plane, tau: Interval, node: usize, interval: usize) -> Expression {
         let times = &self.grid.times;
         let ahead = tau / (Interval::point(times[interval + 1]) - Interval::point(times[interval]));
@@ -180,14 +180,14 @@ impl Rows<'_> {
         row
     }
 
-    /// T_max / m is not below |(x'', y'', z'' + g)|.
+    /// |(x'', y'', z'' + g)| is at most T_max / m.
     fn thrust_cone(&self, most: Interval, node: usize) -> Vec<Expression> {
         let [mass, g] = [self.model.vehicle.mass, self.model.gravity].map(Interval::point);
         let lift = Expression::of(node, Z, 2).minus(-g);
         vec![Expression::constant(most / mass), Expression::of(node, X, 2), Expression::of(node, Y, 2), lift]
     }
 
-    /// Limits on lengths as second-order cones; `None` for others.
+    /// Limits on norms as second-order cones; `None` for other limits.
     fn norm(&self, limit: &Limit, node: usize, interval: usize) -> Option<Vec<Expression>> {
         let upper = Interval::point(limit.upper?);
         let parts = |axes: &[usize], order: usize| -> Vec<Expression> {
@@ -208,7 +208,7 @@ impl Rows<'_> {
                 with(Expression::constant(tangent * g).plus(node, Z, 2, tangent), parts(&[X, Y], 2))
             }
             LimitKind::Jerk if self.kind == DynamicModel::Exact => with(reach, parts(&[X, Y, Z], 3)),
-            LimitKind::Jerk if self.beside(node, interval) => {
+            LimitKind::Jerk if self.is_adjacent(node, interval) => {
                 let times = &self.grid.times;
                 let h = Interval::point(times[interval + 1]) - Interval::point(times[interval]);
                 let rate = Interval::ONE / h;
@@ -222,7 +222,7 @@ impl Rows<'_> {
     }
 }
 
-/// A bound on one coordinate or rate; `None` where the limit has none on that side.
+/// A bound on one coordinate or rate; `None` if the limit has no such bound on that side.
 fn one_sided(limit: &Limit, node: usize, side: Side) -> Option<Expression> {
     let (axis, order, sign) = match limit.kind {
         LimitKind::X => (X, 0, 1.0),

@@ -1,5 +1,5 @@
-//! What is bounded along a motion: limits, sets and facets, and that the thrust points up. Nodes decide; what holds between
-//! them is proved for every instant or looked at on a grid.
+//! Bounds along a motion: limits, sets and facets, and an upright thrust. The nodes decide; between them, bounds are proved
+//! at every instant or checked on a grid.
 
 use super::super::cost::{self, Purse};
 use super::super::interval::{Interval, exceeds};
@@ -17,10 +17,11 @@ use crate::model::LimitKind;
 use crate::number::number;
 use std::collections::BTreeSet;
 
-/// Points between the ends of a piece at which what is not proved is looked at; with one of the ends 64.
+/// Points inside a piece at which bounds that are not proved are checked; 64 with one of the ends.
 pub const OF_A_GRID: usize = 63;
 
-/// What limits and sets are exceeded by between nodes is claimed for every instant up to this share more than a grid shows.
+/// A violation between nodes is reported with a bound at every instant if that bound, the grid's value plus this share of
+/// the limit's size, can be proved.
 const MISSED: f64 = 1e-3;
 
 impl<'a> Setting<'a> {
@@ -33,7 +34,7 @@ impl<'a> Setting<'a> {
             let most = MOST_PAST_LIMIT * limit.size();
             if let Some(failure) = above_at_nodes(&family, motion, most) {
                 let claim = format!("limit {} ({})", index + 1, limit.kind.name_and_unit().0);
-                return Err(Rejection { span: Some(limit.span), ..exceeded(claim, &failure, family.measure, most) });
+                return Err(Rejection { span: Some(limit.span), ..violated(claim, &failure, family.measure, most) });
             }
         }
         Ok(())
@@ -45,12 +46,12 @@ impl<'a> Setting<'a> {
         }
         let family = upright(self.model.gravity);
         match above_at_nodes(&family, motion, MOST_PAST_LIMIT) {
-            Some(f) => Err(exceeded("the upright thrust".into(), &f, family.measure, MOST_PAST_LIMIT)),
+            Some(f) => Err(violated("the upright thrust".into(), &f, family.measure, MOST_PAST_LIMIT)),
             None => Ok(()),
         }
     }
 
-    /// The wrench, and where rotors lag what they are commanded, inside every group's planes.
+    /// Checks that the wrench and, if rotors lag, the commanded wrench are inside every group's planes.
     pub(super) fn inside_at_nodes(&self, motion: &Motion, groups: &[Group]) -> Result<(), Rejection> {
         let planes = all_planes(groups);
         for held in self.held() {
@@ -62,7 +63,7 @@ impl<'a> Setting<'a> {
         Ok(())
     }
 
-    /// What is held against sets.
+    /// The quantities that must stay in sets.
     pub(super) fn held(&self) -> Vec<Held> {
         let wrench = self.premises.has(Premise::Sets).then_some(Held::Wrench);
         let commands = self.commands.filter(|_| self.premises.has(Premise::Commands));
@@ -71,16 +72,16 @@ impl<'a> Setting<'a> {
 
     fn outside(&self, groups: &[Group], failure: &Failure, held: Held) -> Rejection {
         let Some((group, member)) = group_of(groups, failure.member) else {
-            return exceeded("a set".into(), failure, Measure::WIDTH, MOST_OUTSIDE);
+            return violated("a set".into(), failure, Measure::WIDTH, MOST_OUTSIDE);
         };
         let rotors = &group.planes[member].rotors;
         let plane = if rotors.is_empty() { String::new() } else { format!(", at the plane of rotors {rotors:?}") };
         let subject = if held == Held::Wrench { "" } else { "the commands in " };
         let claim = format!("{subject}{}{plane}", group.name());
-        Rejection { span: group.span, ..exceeded(claim, failure, Measure::WIDTH, MOST_OUTSIDE) }
+        Rejection { span: group.span, ..violated(claim, failure, Measure::WIDTH, MOST_OUTSIDE) }
     }
 
-    /// What is held against sets, in words. What is shown of the linear model's wrench is not shown of the vehicle's.
+    /// The quantity in words. Statements about the linear model's wrench are not statements about the vehicle's.
     fn words(&self, held: Held) -> &'static str {
         match (self.dynamics.model, held) {
             (DynamicModel::Hover, Held::Wrench) => "linear model's wrench",
@@ -91,10 +92,10 @@ impl<'a> Setting<'a> {
     }
 }
 
-/// A row that is not kept at a node.
-fn exceeded(claim: String, failure: &Failure, measure: Measure, most: f64) -> Rejection {
+/// The rejection for a row that is violated at a node.
+fn violated(claim: String, failure: &Failure, measure: Measure, most: f64) -> Rejection {
     let of = measure.whole.map_or(String::new(), |whole| format!(" {whole}"));
-    let detail = format!("exceeded by {}{of}, and at most {} is allowed", measure.of(failure.excess), measure.of(most));
+    let detail = format!("violated by {}{of}; at most {} is allowed", measure.of(failure.violation), measure.of(most));
     Rejection { at: Some(failure.at), ..Rejection::new(claim, detail) }
 }
 
@@ -110,11 +111,11 @@ fn group_of(groups: &[Group], member: usize) -> Option<(&Group, usize)> {
     None
 }
 
-/// Normals of planes, in widths of the healthy set, are one where they differ by less than this share.
+/// Normals of planes, in widths of the healthy set, with a smaller relative difference count as equal.
 const SAME_NORMAL: f64 = 1e-6;
 
 impl Group {
-    /// How many facets the planes lie in: several triples of rotors may span one.
+    /// The number of different facets: several triples of rotors may span the same one.
     fn facets(&self) -> usize {
         let direction = |plane: &Plane| {
             let normal = plane.normal.map(Interval::middle);
@@ -133,7 +134,7 @@ impl Group {
 }
 
 impl Checked<'_> {
-    /// Limits, sets and facets between the nodes, as far as the work left goes.
+    /// Checks limits, sets and facets between the nodes, as far as the remaining work allows.
     pub(super) fn between(&self, purse: &mut Purse, found: &mut Found) {
         let setting = self.setting;
         let before = purse.0;
@@ -144,15 +145,15 @@ impl Checked<'_> {
         }
         if setting.dynamics.model == DynamicModel::Exact {
             let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
-            found.add("thrust points up, by a tenth of the weight at least".into(), reach);
+            found.add("vertical thrust of at least a tenth of the weight".into(), reach);
         } else if setting.mission.limits.iter().any(|limit| limit.kind == LimitKind::Tilt) {
-            // The linear model's thrust may vanish, and then has no direction that a limit could bound.
+            // The linear model's thrust may vanish, and its direction is then undefined.
             let reach = self.reach(&upright(setting.model.gravity), MOST_PAST_LIMIT, 1.0, purse);
             if reach.weaker("").is_some() {
                 let at = reach.beyond.map_or(String::new(), |beyond| format!(", at {} s", number(beyond.at)));
                 found.weaker.push(format!(
                     "limit on tilt: it is not shown that the thrust stays above a tenth of the weight{at}; a thrust that nearly \
-                     vanishes keeps any limit on its direction within the tolerance"
+                     vanishes satisfies any limit on its direction within the tolerance"
                 ));
             }
         }
@@ -166,7 +167,7 @@ impl Checked<'_> {
         }
     }
 
-    /// What a check of the nodes alone leaves open.
+    /// Adds the statements that a check of the nodes alone shows.
     pub(super) fn nodes_only(&self, found: &mut Found) {
         for limit in &self.setting.mission.limits {
             found.add(format!("limit on {}", limit.kind.name_and_unit().0), Reach::NODES);
@@ -180,8 +181,8 @@ impl Checked<'_> {
         let (held, count) = (self.setting.words(held), group.facets());
         match group.whole {
             true => format!("{held} inside the set of {}", group.mode),
-            false if count == 1 => format!("{held} inside 1 facet selected of {}", group.mode),
-            false => format!("{held} inside {count} facets selected of {}", group.mode),
+            false if count == 1 => format!("{held} inside 1 selected facet of {}", group.mode),
+            false => format!("{held} inside {count} selected facets of {}", group.mode),
         }
     }
 
@@ -201,17 +202,17 @@ impl Checked<'_> {
         let proved = throughout(family, &self.motion, most, purse);
         let open: Vec<usize> = (0..family.members).filter(|&member| !proved[member]).collect();
         let mut reach = self.on_grid(family, &open, most, purse);
-        // What is exceeded between nodes is bounded for every instant, where that can be proved.
+        // A violation between nodes is bounded at every instant, if that can be proved.
         if let Some(beyond) = reach.beyond.as_mut() {
-            let excess = beyond.excess + MISSED * size;
-            if throughout(family, &self.motion, excess, purse).iter().all(|&kept| kept) {
-                (beyond.excess, beyond.throughout) = (excess, true);
+            let violation = beyond.violation + MISSED * size;
+            if throughout(family, &self.motion, violation, purse).iter().all(|&kept| kept) {
+                (beyond.violation, beyond.throughout) = (violation, true);
             }
         }
         reach
     }
 
-    /// What a grid shows of members that are not proved.
+    /// The result on a grid for members that are not proved.
     fn on_grid(&self, family: &Family, open: &[usize], most: f64, purse: &mut Purse) -> Reach {
         if open.is_empty() {
             return Reach::EVERY_INSTANT;
@@ -220,14 +221,14 @@ impl Checked<'_> {
             return Reach::NODES;
         }
         match largest_on_grid(family, &self.motion, open, OF_A_GRID) {
-            Some(worst) if exceeds(worst.excess, most) => Reach::exceeded(worst, family.measure),
+            Some(worst) if exceeds(worst.violation, most) => Reach::violated(worst, family.measure),
             _ => Reach { scope: Scope::Grid, beyond: None },
         }
     }
 }
 
 impl Found {
-    /// One more statement; what is not shown for every instant makes the whole weaker.
+    /// Adds a statement; one that is not shown at every instant makes the result weaker.
     fn add(&mut self, statement: String, reach: Reach) {
         if let Some(why) = reach.weaker(&statement) {
             self.weaker.push(why);
@@ -236,7 +237,7 @@ impl Found {
     }
 }
 
-/// `0.1 - (z'' + g)/g`: how far the vertical part of the thrust falls below a tenth of the weight, in weights.
+/// `0.1 - (z'' + g)/g`: by how much the vertical part of the thrust is below a tenth of the weight, in weights.
 fn upright(gravity: f64) -> Family<'static> {
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         let g = Interval::point(gravity);
@@ -250,16 +251,16 @@ fn upright(gravity: f64) -> Family<'static> {
     Family { members: 1, evaluate, linear: false, jumps: false, measure, overhead: cost::OF_A_LIMIT }
 }
 
-/// The excess over each plane of what is held against it.
+/// The violation of each plane by the quantity `held`.
 pub fn wrench_family<'a: 'b, 'b>(dynamics: &Dynamics<'a>, held: Held, planes: &'b [Plane]) -> Family<'b> {
     let linear = is_linear(dynamics);
     let dynamics = dynamics.clone();
     let evaluate = move |state: &State, wanted: &[usize]| -> Vec<Rated> {
         let found = dynamics.held(held, state);
         let planes = wanted.iter().filter_map(|&m| planes.get(m));
-        planes.map(|p| Rated { value: p.excess(&found.value), rate: along(&p.normal, &found.rate) }).collect()
+        planes.map(|p| Rated { value: p.violation(&found.value), rate: along(&p.normal, &found.rate) }).collect()
     };
-    // The rate of the wrench has the slopes of the inputs, which change at nodes.
+    // The rate of the wrench contains the slopes of the inputs, which change at nodes.
     let jumps = held != Held::Wrench;
     let overhead = cost::OF_EXACT_WRENCH;
     Family { members: planes.len(), evaluate: Box::new(evaluate), linear, jumps, measure: Measure::WIDTH, overhead }

@@ -1,6 +1,6 @@
-//! What RSP selects (step (e) of the paper's section 5.3): the facets of the modes' sets that the RIP plan violates, and with
-//! more `rounds` those that each plan kept to the selection so far violates. A certificate carries these plans; each is
-//! checked like a plan, and what it violates is worked out here.
+//! The selection of RSP (step (e) of the paper's section 5.3): the facets of the modes' sets that the RIP plan violates and,
+//! with more `rounds`, those violated by each plan for the selection so far. A certificate includes these plans; each is
+//! checked like a plan, and the facets that it violates are computed here.
 
 use super::super::cost;
 use super::super::interval::Interval;
@@ -15,46 +15,47 @@ use crate::model::{Model, PlannerKind};
 use crate::number::number;
 use rayon::prelude::*;
 
-/// A facet counts as violated where it is exceeded by more than this share of the healthy set's width.
+/// A facet counts as violated from this share of the healthy set's width.
 const VIOLATED: f64 = 1e-4;
 
-/// Parts of a piece at whose ends violations are looked for in the exact model, where the wrench is not linear.
+/// In the exact model, where the wrench is not linear, violations are searched for at the ends of this many parts of a
+/// piece.
 const PARTS: usize = 16;
 
-/// What is imposed for a selection.
+/// The rows imposed for a selection.
 pub(super) struct Selected {
     /// One for each mode with a facet selected.
     pub groups: Vec<Group>,
-    /// Where it stays open whether something is selected.
+    /// Facets for which it is open whether they are selected.
     pub remarks: Vec<String>,
 }
 
-/// Whether the spec's planner selects facets by plans that a certificate has to carry. What `require risk` protects is
-/// chosen otherwise.
+/// Whether the spec's planner selects facets from plans that a certificate must include. With `require risk` the
+/// protection is chosen differently.
 pub(in crate::verify) fn selects(model: &Model) -> bool {
     let plan = &model.plan;
     plan.planner == PlannerKind::Rsp && plan.rounds > 0 && plan.require_risk.is_none()
 }
 
 impl Setting<'_> {
-    /// The motions that a claim selects by, once each is found to be a plan.
+    /// The motions from which a claim selects facets, after checking that each is a plan.
     pub(super) fn selections(&self, claim: &PlanClaim) -> Result<Vec<Motion>, Rejection> {
         if selects(self.model) && claim.selected_by.is_empty() {
-            let why = "RSP selects facets by a RIP plan, and the certificate carries none";
+            let why = "RSP selects facets from a RIP plan, but the certificate includes none";
             return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
         }
         self.selected_by(&claim.selected_by)
     }
 
-    /// The same of a claim that there is no plan, which may select nothing.
+    /// The same for any claim; a claim that there is no plan may select no facets.
     pub(in crate::verify) fn selected_by(&self, records: &[MotionRecord]) -> Result<Vec<Motion>, Rejection> {
         if !selects(self.model) && !records.is_empty() {
-            let why = "the spec's planner selects no facets, and the certificate carries plans to select by";
+            let why = "the spec's planner selects no facets, but the certificate includes plans to select from";
             return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
         }
         if records.len() > self.model.plan.rounds {
             let why = format!(
-                "the spec selects in {} rounds, and the certificate carries {} plans to select by",
+                "the spec selects in {} rounds, but the certificate includes {} plans to select from",
                 self.model.plan.rounds,
                 records.len()
             );
@@ -63,30 +64,30 @@ impl Setting<'_> {
         let mut before: Vec<Motion> = Vec::new();
         for (round, record) in records.iter().enumerate() {
             let named =
-                |r: Rejection| Rejection { claim: format!("plan {} to select by: {}", round + 1, r.claim), ..r };
+                |r: Rejection| Rejection { claim: format!("plan {} to select from: {}", round + 1, r.claim), ..r };
             let checked = self.at_nodes(record, &before, Role::SelectedBy).map_err(named)?;
             if let Some(why) = checked.undecided.first() {
                 return Err(named(Rejection::new("the plan", why.clone())));
             }
             before.push(checked.motion);
         }
-        // All rounds select at one mission time.
+        // All rounds select at the same mission time.
         let ends = |motion: &Motion| motion.times[motion.times.len() - 1];
         let apart = |pair: &[Motion]| !schedule::is_one_time(ends(&pair[0]), ends(&pair[1]), ends(&pair[0]));
         if let Some(round) = before.windows(2).position(apart) {
             let [a, b] = [round, round + 1].map(|i| number(ends(&before[i])));
-            let why = format!("plans {} and {} to select by take {a} s and {b} s", round + 1, round + 2);
+            let why = format!("plans {} and {} to select from take {a} s and {b} s", round + 1, round + 2);
             return Err(Rejection { span: Some(self.model.plan.span), ..Rejection::new("the selection", why) });
         }
         Ok(before)
     }
 
-    /// The motions as they are.
+    /// The motions without any check.
     pub(super) fn unchecked(&self, records: &[MotionRecord]) -> Result<Vec<Motion>, Rejection> {
         records.iter().map(|record| self.motion(record)).collect()
     }
 
-    /// The facets that the plans before violate, once the motion is found to keep them at the nodes.
+    /// The facets that the earlier plans violate, after checking that the motion satisfies them at the nodes.
     pub(super) fn select(&self, motion: &Motion, selected_by: &[Motion]) -> Result<Selected, Rejection> {
         let mut out = Selected { groups: Vec::new(), remarks: Vec::new() };
         if !selects(self.model) || selected_by.is_empty() {
@@ -94,7 +95,7 @@ impl Setting<'_> {
         }
         let (bounding, undecided) = self.planes_of_modes()?;
         out.remarks.extend(
-            undecided.into_iter().map(|(mode, why)| format!("what is selected of {mode} is not decided: {why}")),
+            undecided.into_iter().map(|(mode, why)| format!("the selected facets of {mode} are not decided: {why}")),
         );
         let violated = self.violated(bounding.iter().map(|(_, plane)| plane), selected_by);
         for mode in self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i)) {
@@ -109,8 +110,8 @@ impl Setting<'_> {
                 open.into_iter().partition(|plane| self.keeps(motion, plane));
             if !missed.is_empty() {
                 out.remarks.push(format!(
-                    "{} planes that may bound the set of {} are violated by the plan that RSP selects by, and not kept; \
-                     whether they hold facets is not decided",
+                    "{} planes that may bound the set of {} are violated by the plan that RSP selects from, and by the \
+                     motion; whether they contain facets is not decided",
                     missed.len(),
                     mode.name
                 ));
@@ -121,21 +122,21 @@ impl Setting<'_> {
             }
         }
         if !violated.contains(&true) {
-            // Where nothing is selected RSP's plan is RIP's, and the one carried leaves no set: another that does is guarded by
-            // nothing.
+            // If nothing is selected, RSP's plan is RIP's, and the included plan leaves no set: the facets that another motion
+            // violates are not guarded.
             let leaves = self.violated(bounding.iter().map(|(_, plane)| plane), std::slice::from_ref(motion));
             if let Some(((mode, _), _)) =
                 bounding.iter().zip(&leaves).find(|((_, plane), over)| **over && plane.is_facet)
             {
                 out.remarks.push(format!(
-                    "the plan carried selects no facet, and the motion leaves the set of {mode}: nothing of the fault sets is \
+                    "the included plan selects no facet, but the motion leaves the set of {mode}: no facet of the fault sets is \
                      guarded"
                 ));
             }
         }
         if selected_by.len() < self.model.plan.rounds && !out.groups.is_empty() && !self.closed(motion, selected_by)? {
             out.remarks.push(format!(
-                "the spec selects in {} rounds, and the plans of {} are carried",
+                "the spec selects in {} rounds, but the certificate includes the plans of {}",
                 self.model.plan.rounds,
                 selected_by.len()
             ));
@@ -143,8 +144,8 @@ impl Setting<'_> {
         Ok(out)
     }
 
-    /// Whether the last plan to select by violates nothing that those before it did not, or the motion itself nothing new:
-    /// further rounds select nothing then.
+    /// Whether further rounds would select nothing: the last plan to select from, or the motion itself, violates no facet
+    /// that the plans before it did not violate.
     fn closed(&self, motion: &Motion, selected_by: &[Motion]) -> Result<bool, Rejection> {
         let (bounding, _) = self.planes_of_modes()?;
         let over = |motions: &[Motion]| self.violated(bounding.iter().map(|(_, plane)| plane), motions);
@@ -167,8 +168,8 @@ impl Setting<'_> {
         })
     }
 
-    /// The planes that bound the sets of the modes planned against, each with its mode; and modes whose set cannot be worked
-    /// out, with the reason.
+    /// The planes that bound the sets of the modes planned against, each with its mode; and the modes whose set cannot be
+    /// computed, with the reason.
     #[allow(clippy::type_complexity)]
     fn planes_of_modes(&self) -> Result<(Vec<(String, Plane)>, Vec<(String, String)>), Rejection> {
         let (mut bounding, mut undecided) = (Vec::new(), Vec::new());
@@ -181,18 +182,19 @@ impl Setting<'_> {
         Ok((bounding, undecided))
     }
 
-    /// For each plane whether some motion violates it: at a node, in the exact model at one of [`PARTS`] instants of a piece.
+    /// For each plane whether some motion violates it: at a node, or in the exact model at one of [`PARTS`] instants of a
+    /// piece.
     pub(in crate::verify) fn violated<'p>(
         &self,
         planes: impl Iterator<Item = &'p Plane>,
         motions: &[Motion],
     ) -> Vec<bool> {
-        // Selecting needs no enclosure: what is exceeded by just this much may count or not.
+        // Selection needs no enclosures: a violation close to the threshold may count or not.
         let middles = |v: &[Interval; 4]| v.map(Interval::middle);
         let planes: Vec<([f64; 4], f64)> = planes.map(|p| (middles(&p.normal), p.offset.middle())).collect();
         let pieces: Vec<(&Motion, usize)> =
             motions.iter().flat_map(|motion| (0..motion.pieces()).map(move |piece| (motion, piece))).collect();
-        // The order in which pieces are looked at changes nothing.
+        // The order of the pieces does not matter.
         let of_piece = |mut over: Vec<bool>, &(motion, piece): &(&Motion, usize)| {
             for wrench in self.wrenches(motion, piece) {
                 let wrench = middles(&wrench);
@@ -207,25 +209,25 @@ impl Setting<'_> {
         pieces.par_iter().fold(none, of_piece).reduce(none, any)
     }
 
-    /// The wrench where violations are looked for on a piece: at its ends and between them.
+    /// The wrenches of a piece at which violations are searched for: at its ends and between them.
     fn wrenches<'s>(&'s self, motion: &'s Motion, piece: usize) -> impl Iterator<Item = [Interval; 4]> + 's {
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS } else { 1 };
         let end = (piece + 1 == motion.pieces()).then_some(piece + 1);
         let nodes = std::iter::once(piece).chain(end).map(move |node| motion.node_in(node, piece));
-        // As dense as on the spec's pieces, where the motion's are longer.
-        let looks = parts * (motion.asked_points(piece) + 1) - 1;
-        let between = motion.grid(piece, looks).map(move |at| motion.over(piece, at));
+        // As dense as on the spec's pieces, if the motion's are longer.
+        let points = parts * (motion.extra_points(piece) + 1) - 1;
+        let between = motion.grid(piece, points).map(move |at| motion.over(piece, at));
         nodes.chain(between).map(|state| self.dynamics.value(&state))
     }
 
-    /// Units of looking for what a claim's motions select.
-    pub(super) fn cost_of_selecting(&self, looks: u64, planes: u64) -> u64 {
+    /// Units of work for finding the facets that a motion with that many checkpoints selects.
+    pub(super) fn cost_of_selecting(&self, checkpoints: u64, planes: u64) -> u64 {
         let parts = if self.dynamics.model == DynamicModel::Exact { PARTS as u64 } else { 1 };
         let of_state = self.overhead().saturating_add(planes);
-        cost::times(cost::times(looks, parts), of_state)
+        cost::times(cost::times(checkpoints, parts), of_state)
     }
 
-    /// Whether facets of a mode may be selected at all.
+    /// Whether facets of a mode may be selected.
     pub(in crate::verify) fn selects_facets_of(&self, mode: &str) -> bool {
         let against = self.model.plan.against.iter().filter_map(|&i| self.model.modes.get(i));
         selects(self.model) && mode_named(self.model, mode).is_some() && against.into_iter().any(|m| m.name == mode)

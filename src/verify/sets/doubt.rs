@@ -1,10 +1,10 @@
-//! What intervals take away from a set: wrenches that are given for every value stay (docs/method.md, equation (50)).
+//! Sets under interval uncertainty: the wrenches that can be given for every value (docs/method.md, equation (50)).
 //!
 //! With thrusts from the largest idle to the least full one and every ratio kappa_k of drag torque to thrust in the middle
 //! of its interval, a row `n.w <= e` becomes `n.w + |n_z| delta T <= e - sum over stuck k of |n.r_k|`: delta is the largest
-//! half width of the intervals of kappa_k, r_k half the difference of what stuck rotor k may give. Where the mass is M in
-//! place of m the motion takes (M/m) T, so the coefficient on T is taken at the end of that interval that asks most of the
-//! row; for this T >= 0, which is a row of its own.
+//! half width of the intervals of kappa_k, and r_k is half the range of the wrench of stuck rotor k. If the mass is M instead
+//! of m, the motion needs (M/m) T, so the coefficient on T is taken at the end of that interval that is worst for the row;
+//! this requires T >= 0, which is a row of its own.
 
 use super::{Exact, difference, scaled, wrench_at};
 use crate::model::{FaultMode, Rotor, Vehicle};
@@ -41,14 +41,14 @@ impl Known {
     }
 }
 
-/// See the module.
+/// The quantities by which a set shrinks; see the module.
 #[derive(Debug, Clone)]
 pub struct Doubts {
     /// delta, m
     ratio: Interval,
     /// r_k of each stuck rotor.
     stuck: Vec<Exact>,
-    /// Of M/m.
+    /// Ends of the interval of M/m.
     mass: [f64; 2],
 }
 
@@ -72,7 +72,7 @@ impl Doubts {
         Doubts { ratio, stuck, mass: [vehicle.mass_spread.low, vehicle.mass_spread.high] }
     }
 
-    /// A row `n.w <= e` as it holds for every value.
+    /// The row `n.w <= e` such that it holds for every value.
     pub(super) fn row(&self, normal: &Exact, offset: &Dyadic) -> ([Interval; 4], Interval) {
         let mut row = normal.each_ref().map(Dyadic::enclosure);
         row[0] = row[0] + row[3].abs() * self.ratio;

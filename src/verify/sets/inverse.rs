@@ -1,8 +1,8 @@
-//! What the pseudo-inverse (42) gives without clipping, in exact arithmetic.
+//! The wrenches that the pseudo-inverse (42) gives without clipping, in exact arithmetic.
 //!
-//! With a_k the wrench of rotor k for one unit of squared speed, times its capacity, and `G = sum of a_k a_k'`, the squared
-//! speeds are `a_k . G^-1 (w - c)`, c the wrench of stuck rotors. With the adjugate in place of the inverse no number is
-//! divided: for each working rotor
+//! Let a_k be the wrench of rotor k for one unit of squared speed, times its capacity, `G = sum of a_k a_k'`, and c the
+//! wrench of stuck rotors. The squared speeds are `a_k . G^-1 (w - c)`. Using the adjugate instead of the inverse avoids
+//! division: for each working rotor
 //!
 //! `det G w_min^2 <= (adj G a_k) . (w - c) <= det G w_max^2`.
 
@@ -16,12 +16,12 @@ type Row = (Exact, Dyadic);
 
 /// Why there are no rows.
 pub(super) const NOT_ALL_GIVEN: &str =
-    "the rotors do not give all four dimensions, and the pseudo-inverse is another one";
+    "the rotors do not give all four dimensions, so the checked formula of the pseudo-inverse does not apply";
 
 /// Rows for each rotor, from 1.
 #[derive(Debug, Clone)]
 pub struct Inverse {
-    /// `(rotor, upper, lower)`; none where not all four dimensions are given.
+    /// `(rotor, upper, lower)`; empty if the rotors do not give all four dimensions.
     rows: Vec<(usize, Row, Row)>,
 }
 
@@ -45,7 +45,7 @@ impl Inverse {
         let square: [Exact; 4] = std::array::from_fn(|i| {
             std::array::from_fn(|j| columns.iter().fold(Dyadic::zero(), |sum, a| sum.plus(&a[i].times(&a[j]))))
         });
-        // Row i of the adjugate is orthogonal to all columns of G but the i-th; G is symmetric, so are its columns and rows.
+        // Row i of the adjugate is orthogonal to all columns of G except the i-th; columns equal rows, as G is symmetric.
         let adjugate: [Exact; 4] = std::array::from_fn(|i| {
             let others: Vec<&Exact> = (0..4).filter(|&j| j != i).map(|j| &square[j]).collect();
             let minors = orthogonal(others[0], others[1], others[2]);
@@ -73,7 +73,10 @@ impl Inverse {
         Some([upper.clone(), lower.clone()])
     }
 
-    /// All rows with their rotors. An error where the rotors do not give all four dimensions.
+    /// All rows with their rotors.
+    ///
+    /// # Errors
+    /// The rotors do not give all four dimensions.
     pub(super) fn rows(&self) -> Result<Vec<(usize, Exact, Dyadic)>, String> {
         if self.rows.is_empty() {
             return Err(NOT_ALL_GIVEN.into());

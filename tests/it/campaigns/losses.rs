@@ -43,7 +43,7 @@ fn vehicles_that_spin_are_lost_and_the_table_says_to_what() {
         assert_eq!(line("spin ").ends_with("  2 heading"), !survives, "{printed}");
         assert!(line("healthy").ends_with("  -") && !line("dead").ends_with("  -"), "{printed}");
         assert_eq!(
-            printed.contains("heading 90 degrees off for 1 s or at the end, or struck the ground"),
+            printed.contains("heading 90 degrees off for 1 s or at the end, or on the ground"),
             !survives,
             "{printed}"
         );
@@ -58,7 +58,7 @@ fn one_plan_of_two_planners_counts_once() {
     let both = ["--set", "campaign.planners=[rip,rsp]", "-o", "rows.csv", "--report", "r.json"];
     let ran = desk.command(&[&SIZE[..], &both].concat()).output().unwrap();
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran));
-    assert!(text(&ran).contains("A plan that several planners share counts once"));
+    assert!(text(&ran).contains("A plan that several planners share is counted once"));
     let record: Value = serde_json::from_slice(&desk.bytes("r.json")).unwrap();
     let tables = record["agreement"][0]["by_flight"].as_array().unwrap();
     let counts = |i: usize| ["hits", "misses", "false_alarms", "correct_negatives"].map(|of| tables[i][of].as_u64());

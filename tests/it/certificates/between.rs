@@ -53,9 +53,9 @@ fn assert_true(model: &Model, comparison: &Comparison, found: &[Between]) {
     }));
     for (b, seen) in found.iter().zip(seen) {
         match b.shown {
-            Shown::Proved => assert!(seen <= b.excess + 1e-9 && b.points.is_none(), "{b:?}: {seen}"),
+            Shown::Proved => assert!(seen <= b.violation + 1e-9 && b.points.is_none(), "{b:?}: {seen}"),
             // Another grid sees about the same.
-            Shown::Checked => assert!((seen - b.excess).abs() < 1e-3 && b.points == Some(64), "{b:?}: {seen}"),
+            Shown::Checked => assert!((seen - b.violation).abs() < 1e-3 && b.points == Some(64), "{b:?}: {seen}"),
         }
     }
 }
@@ -70,7 +70,7 @@ fn plans_say_what_is_proved() {
     let text = words::between(&model, solved(&comparison), &found);
     assert!(
         text.starts_with(
-            "\n  Proved for every instant, to within 0.01 %: the linear model's wrench keeps to every facet imposed"
+            "\n  Proved at every instant, to within 0.01 %: the linear model's wrench satisfies every imposed facet"
         ),
         "{text}"
     );
@@ -84,7 +84,7 @@ fn plans_say_what_is_proved() {
     // In the exact model it is the vehicle's wrench.
     let text = words::between(&exact, solved(&comparison), &found);
     assert!(
-        text.starts_with("\n  Proved for every instant, to within 0.01 %: the wrench keeps to every facet imposed"),
+        text.starts_with("\n  Proved at every instant, to within 0.01 %: the wrench satisfies every imposed facet"),
         "{text}"
     );
 }
@@ -97,7 +97,7 @@ fn hurry(plan: &mut MissionPlan, factor: f64) {
     }
 }
 
-/// What the report says of a plan is what the checker says of its certificate.
+/// The report of a plan agrees with the checker's result for its certificate.
 #[test]
 fn reports_and_certificates_say_the_same() {
     for (planner, time) in [(PlannerKind::Rsp, 8.0), (PlannerKind::Rcp, 8.0), (PlannerKind::Rip, 12.0)] {
@@ -116,7 +116,7 @@ fn reports_and_certificates_say_the_same() {
         let limits = throughout("limit on");
         assert_eq!(limits.len(), mission.limits.len());
         for ((b, limit), proved) in found[1..].iter().zip(&mission.limits).zip(limits) {
-            assert_eq!(b.shown == Shown::Proved && b.excess <= MOST_PAST_LIMIT * limit.size(), proved, "{b:?}");
+            assert_eq!(b.shown == Shown::Proved && b.violation <= MOST_PAST_LIMIT * limit.size(), proved, "{b:?}");
         }
     }
 }
@@ -143,14 +143,14 @@ fn some_facets_proved_are_counted() {
         let some = 0 < found[0].proved && found[0].proved < rows.len();
         partly += usize::from(some);
         let text = words::between(&model, plan, &found);
-        let words = format!("the wrench keeps to {} of the {} planes imposed", found[0].proved, rows.len());
+        let words = format!("the wrench satisfies {} of the {} imposed planes", found[0].proved, rows.len());
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(text.contains(&words), some, "{text}");
     }
     assert!(partly > 0, "all or none are proved");
 }
 
-/// A plan flown faster than its set and limits allow: nothing false is said, and how far rows are passed is.
+/// A plan flown faster than its set and limits allow: the report claims nothing false and gives the violation of rows.
 #[test]
 fn what_does_not_hold_is_not_proved() {
     let model = hop(PlannerKind::Rip, 7.2);
@@ -163,17 +163,17 @@ fn what_does_not_hold_is_not_proved() {
     let passed: Vec<&str> = found.iter().filter(|b| b.shown == Shown::Checked).map(|b| b.rows).collect();
     assert!(passed.contains(&WRENCH) && passed.contains(&"speed"), "{found:?}");
     let text = words::between(&model, solved(&comparison), &found);
-    assert!(text.contains("Checked on a grid of 64 points an interval"), "{text}");
-    // That a limit is passed is said once, by the caveat that knows the instant.
+    assert!(text.contains("Checked on a grid of 64 points per interval"), "{text}");
+    // The violation of a limit is reported once, by the caveat that knows the instant.
     let caveats: Vec<String> = caveats(&model, solved(&comparison)).into_iter().map(|c| c.message).collect();
     let whole = format!("{}\n{text}", caveats.join("\n"));
-    assert!(whole.contains("the speed limit is passed by"), "{whole}");
+    assert!(whole.contains("the speed limit is exceeded by"), "{whole}");
     assert_eq!(whole.matches("speed").count(), 1, "{whole}");
 }
 
 /// 64 m in 0.6 s at a mean of 107 m/s: without a limit on the speed a plan says how fast it is.
 #[test]
-fn speeds_of_no_multirotor_are_told() {
+fn impossible_speeds_are_reported() {
     let mut model = hop(PlannerKind::Rip, 0.6);
     let flight = model.mission.as_mut().unwrap();
     flight.waypoints = vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([64.0, 0.0, 2.0], 0.0)];

@@ -42,11 +42,11 @@ fn a_plan_that_fails_is_not_found_and_not_written() {
     for (spec, why) in [
         (
             "tiny_time.mav",
-            "the motion planned for 6e-9 s fails the check of plans: waypoint 1 at 0 s: its position is missed",
+            "the trajectory planned for 6e-9 s fails the check of plans: waypoint 1 at 0 s: its position is missed",
         ),
         (
             "degenerate_facets.mav",
-            "the motion planned for 17.5 s fails the check of plans: a facet of pair that RSP selects",
+            "the trajectory planned for 17.5 s fails the check of plans: a facet of pair that RSP selects",
         ),
     ] {
         let Planned { code, text, report, is_written } = planned(&finding(spec), &[]);
@@ -82,7 +82,7 @@ plan { model = hover; planner = rcp; against = [jam]; time = 4 s; samples = 20; 
     let Planned { code, text, report, is_written } = planned(spec, &[]);
     assert!(code == 0 && is_written, "{text}");
     let why = "the set of jam: it has fewer than three dimensions";
-    assert!(text.contains(&format!("RCP jam: found, 4 s; not decided by the check of plans: {why}")), "{text}");
+    assert!(text.contains(&format!("RCP jam: found, 4 s; the check of plans could not decide: {why}")), "{text}");
     let check = &report["planners"][0]["check"];
     assert_eq!((&check["outcome"], &check["undecided"]), (&"not_decided".into(), &why.into()));
     // The certificate of such a plan is weaker than the spec asks.
@@ -151,7 +151,7 @@ fn missions_that_were_missed_or_blamed_on_others() {
     let Planned { code, report, .. } = planned(&finding("no_rounds.mav"), &[]);
     let kinds: Vec<&str> =
         report["conflict"]["statements"].as_array().unwrap().iter().map(|s| s["kind"].as_str().unwrap()).collect();
-    assert!(code == 3 && !kinds.contains(&"mode") && report["conflict"]["of_selection"] == false, "{kinds:?}");
+    assert!(code == 3 && !kinds.contains(&"mode") && report["conflict"]["only_for_selection"] == false, "{kinds:?}");
     for spec in ["ends_in_motion.mav", "carried_to_rest.mav"] {
         let Planned { code, text, .. } = planned(&finding(spec), &[]);
         assert_eq!(code, 0, "{spec}: {text}");
@@ -164,7 +164,7 @@ fn a_conflict_is_about_the_time_at_which_it_was_tried() {
     let ran = mavc(&["plan", &finding("long_last_leg.mav")]);
     let told = String::from_utf8(ran.stderr).unwrap().replace("\n  │ ", " ");
     assert!(
-        told.contains("cannot hold together in a mission of 61 s, at which they were tried; the spec asks for 4 s"),
+        told.contains("cannot hold together in a mission of 61 s, the time that was tried; the spec requires 4 s"),
         "{told}"
     );
 }

@@ -68,11 +68,11 @@ fn a_plan_is_certified_and_verified() {
     let told = String::from_utf8(ran.stdout.clone()).unwrap();
     assert_eq!(code(&ran), 0, "{}", said(&ran));
     assert!(told.contains("limit on jerk") && told.contains("inside the set of healthy"), "{told}");
-    assert!(told.contains("proved for every instant"), "{told}");
+    assert!(told.contains("proved at every instant"), "{told}");
     let flat = told.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         flat.ends_with(
-            "accepted: the motion of 9 s is a plan of mission turn by RSP, for the selection by the RIP plan carried"
+            "accepted: the motion of 9 s is a plan of mission turn by RSP, for the facets selected by the included RIP plan"
         ),
         "{told}"
     );
@@ -87,7 +87,7 @@ fn a_plan_is_certified_and_verified() {
     // Both hashes are named, and what is shown is the certificate's.
     let value: serde_json::Value = serde_json::from_slice(&text).unwrap();
     let message = said(&other);
-    let told = format!("written for another spec: {}, and this one is ", &value["spec_sha256"].as_str().unwrap()[..12]);
+    let told = format!("written for another spec: {}, but this one is ", &value["spec_sha256"].as_str().unwrap()[..12]);
     assert!(message.contains(&told), "{message}");
     assert!(message.contains("cert.json:") && !message.contains("spec.mav"), "{message}");
 
@@ -102,7 +102,7 @@ fn a_plan_is_certified_and_verified() {
     for part in [
         "mavc::verify::rejected",
         "the joints of the motion at ",
-        "misses the next by 0.5 m/s in velocity",
+        "and the next is 0.5 m/s in velocity",
         "at most 1e-5 m/s is allowed",
     ] {
         assert!(message.contains(part), "{part}: {message}");
@@ -172,11 +172,14 @@ fn a_mission_without_a_plan_is_certified() {
     let told = String::from_utf8(ran.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         told.contains(
-            "accepted, weaker than the spec asks: proved infeasible on one grid: mission turn has no RIP plan of 4 s"
+            "accepted, weaker than the spec requires: proved infeasible on one grid: mission turn has no RIP plan of 4 s"
         ),
         "{told}"
     );
-    assert!(told.contains("- one grid: motions with other nodes than those of 40 samples are not excluded"), "{told}");
+    assert!(
+        told.contains("- one grid: motions whose nodes differ from those of 40 samples are not excluded"),
+        "{told}"
+    );
 }
 
 #[test]
@@ -192,9 +195,9 @@ fn files_and_usage() {
     assert!(!Path::new(&folder.at("none")).exists());
 }
 
-/// Files that are no certificates: told so, never a panic.
+/// Files that are not certificates are reported as such and never cause a panic.
 #[test]
-fn what_is_no_certificate_is_told() {
+fn what_is_not_a_certificate_is_reported() {
     let folder = Folder::new(SPEC);
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/certificates");
     let mut seen = 0;
@@ -217,16 +220,19 @@ fn what_breaks_a_certificate_is_shown_in_it() {
         ("{\n  \"schema\": 1,\n", "it ends too early", "the file ends in a value"),
         ("{ \"claim\": { \"plan\": { \"motion\": {", "it ends too early", "the file ends in"),
         (" \n", "it is empty", ""),
-        ("t,x,y\n0,1,2\n", "it is no JSON", "expected ident"),
+        ("t,x,y\n0,1,2\n", "it is not JSON", "expected ident"),
         ("\u{feff}{\n  \"schema\": 2,\n  \"sets\": []\n}", "it is JSON of another kind", "unknown field `sets`"),
-        ("{ \"schema\": 1, \"sets\": [] }", "it is of another version", "schema 1, and this program reads 2"),
+        ("{ \"schema\": 1, \"sets\": [] }", "it has another version", "schema 1, but this program reads 2"),
         ("[]", "it is JSON of another kind", "expected a certificate"),
     ] {
         std::fs::write(&proof, text).unwrap();
         let ran = mavc(&["verify", &proof, &folder.spec()]);
         let message = said(&ran);
         assert_eq!(code(&ran), 5, "{message}");
-        assert!(message.contains(&format!("this is no certificate: {told}")) && message.contains(label), "{message}");
+        assert!(
+            message.contains(&format!("this is not a certificate: {told}")) && message.contains(label),
+            "{message}"
+        );
         assert!(message.contains("cert.json") && !message.contains("spec.mav"), "{message}");
     }
     // Of a line as long as the file the place is shown with a little on both sides.
@@ -234,11 +240,11 @@ fn what_breaks_a_certificate_is_shown_in_it() {
     let text = format!("{{\"schema\":1,\"spec_sha256\":\"{long}\",\"model\":oops,\"claim\":\"{long}\"}}");
     std::fs::write(&proof, text).unwrap();
     let message = said(&mavc(&["verify", &proof, &folder.spec()]));
-    assert!(message.contains("it is no JSON") && message.contains("\"model\":oops"), "{message}");
+    assert!(message.contains("it is not JSON") && message.contains("\"model\":oops"), "{message}");
     assert!(message.lines().all(|line| line.chars().count() < 160), "{message}");
     std::fs::write(&proof, b"{ \"schema\": \xff").unwrap();
     let message = said(&mavc(&["verify", &proof, &folder.spec()]));
-    assert!(message.contains("it is no text") && message.contains("no UTF-8 from here on"), "{message}");
+    assert!(message.contains("it is not text") && message.contains("not UTF-8 from here on"), "{message}");
 }
 
 /// The spec given as the certificate.

@@ -59,7 +59,7 @@ fn model() -> Model {
     model
 }
 
-/// The largest excess over the healthy set's facets, and the largest tilt, jerk and yaw rate, at many instants.
+/// The largest violation of the healthy set's facets, and the largest tilt, jerk and yaw rate, at many instants.
 fn sampled(model: &Model, record: &MotionRecord) -> (f64, [f64; 3]) {
     let set = AdmissibleSet::healthy(model).with_reserve(model.plan.reserve);
     let (mut outside, mut past) = (f64::NEG_INFINITY, [f64::NEG_INFINITY; 3]);
@@ -165,7 +165,7 @@ fn exact_motions_are_decided_at_every_instant() {
 
 /// The two models differ by more than the claims leave, and a certificate in one is none in the other.
 #[test]
-fn models_are_told_apart() {
+fn models_are_distinguished() {
     let mut model = model();
     let exact = certificate();
     let hover = Certificate { model: DynamicModel::Hover, ..exact.clone() };

@@ -42,18 +42,18 @@ fn few_pieces_hide_nothing() {
 #[test]
 fn pieces_per_leg_are_the_specs() {
     let told = refused("nodes_per_leg");
-    assert!(told.starts_with("that there is no plan") || told.starts_with("multiplier"), "{told}");
+    assert!(told.starts_with("the claim that there is no plan") || told.starts_with("multiplier"), "{told}");
 }
 
 /// RCP's proof is none for RSP, which selects other facets; without rounds it selects none.
 #[test]
 fn another_planners_proof_shows_nothing() {
     let told = refused("other_planner");
-    assert!(told.contains("the planner does not keep to this mode's set"), "{told}");
+    assert!(told.contains("the planner does not impose this mode's set"), "{told}");
     let mut model = spec("other_planner");
     model.plan.rounds = 1;
     let told = decide(&forged("other_planner"), &model).unwrap_err().sentence();
-    assert!(told.contains("no plan carried violates it"), "{told}");
+    assert!(told.contains("no included plan violates it"), "{told}");
 }
 
 /// Numbers near 2^64 in every place that counts nodes, intervals, waypoints, limits, facets, axes or derivatives.
@@ -105,7 +105,7 @@ fn fewer_pieces_are_weaker() {
     model.plan.samples = 61;
     let weaker = decide(&certificate, &model).unwrap().weaker;
     assert!(
-        weaker.len() == 1 && weaker[0].starts_with("fewer pieces than the spec's 61 samples make, on 2 of 2 legs"),
+        weaker.len() == 1 && weaker[0].starts_with("fewer pieces than the spec's 61 samples give, on 2 of 2 legs"),
         "{weaker:?}"
     );
 }

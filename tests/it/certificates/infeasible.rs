@@ -68,7 +68,7 @@ fn no_multipliers_refute_a_plan() {
     // The checker works the nodes of the longer time out itself.
     let moved = certificate;
     let refused = decide(&moved, &long).unwrap_err();
-    assert_eq!(refused.claim, "that there is no plan", "{refused:?}");
+    assert_eq!(refused.claim, "the claim that there is no plan", "{refused:?}");
     for count in 0..400 {
         let mut tampered = moved.clone();
         let changed = claim(&mut tampered);
@@ -121,7 +121,7 @@ fn another_missions_rows_are_refused() {
     refused(&|c| c.facets[0].mode = "healthy".into(), "facet 1");
     refused(&|c| c.facets[1].mode = "M2".into(), "facet 2");
     refused(&|c| c.facets[2].offset += 0.01, "facet 3");
-    refused(&|c| c.multipliers.clear(), "that there is no plan");
+    refused(&|c| c.multipliers.clear(), "the claim that there is no plan");
     refused(&|c| c.multipliers[0].row = RowRecord::Rest { node: 4, axis: 0, derivative: 1 }, "multiplier 1");
     refused(&|c| c.multipliers[0].row = RowRecord::Rest { node: 0, axis: 9, derivative: 9 }, "multiplier 1");
     refused(&|c| c.multipliers[0].row = RowRecord::Facet { facet: 0, node: usize::MAX }, "multiplier 1");

@@ -52,6 +52,6 @@ fn many_small_gaps_are_too_many() {
     let gap = 0.9 * (MOST_GAP[0] / longest).min(MOST_GAP[1]);
     assert!(moved(gap) > MOST_MOVED[0], "{}", moved(gap));
     let told = decide(&with(gap), &model).unwrap_err();
-    assert!(told.detail.starts_with("together their gaps may move the position by"), "{told:?}");
+    assert!(told.detail.starts_with("together the gaps may change the position by"), "{told:?}");
     decide(&with(0.5 * gap * MOST_MOVED[0] / moved(gap)), &model).unwrap();
 }

@@ -1,5 +1,5 @@
-//! Certificates of plans whose rotors lag: what is commanded against the planner's lead wrench and differences, and that
-//! every claim about it is asked for.
+//! Certificates of plans with lagging rotors: the checker's commanded wrench against the planner's and against finite
+//! differences, and that every claim about it is required.
 
 use super::wrench::{G, at, exact_by_differences, path, state};
 use super::{Numbers, SHA, certified, decide, hop, planned, verify};
@@ -48,7 +48,7 @@ fn the_constant_is_the_planners() {
 
 /// w + tau w' as the planner has it, in all three of its models, and by differences of the attitude.
 #[test]
-fn commands_are_the_planners_lead() {
+fn commanded_wrenches_are_the_planners() {
     let mut vehicle = octocopter("PPNNPPNN").vehicle;
     vehicle.inertia = [0.03, 0.05, 0.07];
     let mut numbers = Numbers(21);
@@ -65,7 +65,7 @@ fn commands_are_the_planners_lead() {
         ] {
             let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: kind, one_yaw };
             let sloped: CommandState = at(&path, 0.0);
-            let expected = planner.lead(&vehicle, G, TAU, &sloped);
+            let expected = planner.commanded(&vehicle, G, TAU, &sloped);
             let found = dynamics.held(commands(), &state(&path, 0.0));
             for i in 0..4 {
                 let off = (found.value[i].middle() - expected[i]).abs();
@@ -78,8 +78,8 @@ fn commands_are_the_planners_lead() {
                 let now = exact_by_differences(&path, &vehicle, 0.0);
                 let bend = |i: usize| (before[i] - 2.0 * now[i] + after[i]).abs() / (h * h);
                 for i in (0..4).filter(|&i| bend(i) < 30.0) {
-                    let lead = now[i] + TAU * (after[i] - before[i]) / (2.0 * h);
-                    assert!((found.value[i].middle() - lead).abs() < 0.01, "{i}: {found:?} {lead}");
+                    let commanded = now[i] + TAU * (after[i] - before[i]) / (2.0 * h);
+                    assert!((found.value[i].middle() - commanded).abs() < 0.01, "{i}: {found:?} {commanded}");
                 }
             }
             // The rate, from the values shortly before and after.
@@ -96,7 +96,7 @@ fn commands_are_the_planners_lead() {
 
 /// Enclosures over a stretch hold every value on it.
 #[test]
-fn stretches_hold_what_is_commanded() {
+fn intervals_enclose_the_commanded_wrenches() {
     let vehicle = octocopter("PPNNPPNN").vehicle;
     let mut numbers = Numbers(22);
     let dynamics = Dynamics { vehicle: &vehicle, gravity: G, model: DynamicModel::Exact, one_yaw: None };
@@ -159,7 +159,7 @@ fn lagging_plans_are_certified() {
         assert!(inside("commands") > 0 && inside("commands") == inside("wrench"), "{which}: {verdict:?}");
         let throughout = |s: &&Stands| s.reach.is_some_and(|r| r.scope == Scope::EveryInstant);
         assert!(commanded.iter().any(throughout), "{which}: {commanded:?}");
-        // What the report says of commands is what dense samples say.
+        // The report's statement about commands agrees with dense samples.
         let run = comparison.runs.last().unwrap();
         let PlanOutcome::Planned(solved) = &run.outcome else { panic!("no plan") };
         let told = between(&model, mission, run, solved);
@@ -168,13 +168,13 @@ fn lagging_plans_are_certified() {
         let looks = (0..plan.intervals()).flat_map(|k| (0..=97).map(move |i| (k, f64::from(i) / 97.0)));
         let seen = looks.map(|(k, share)| {
             let s = plan.within(k, share * (plan.times[k + 1] - plan.times[k]));
-            let lead = plan.lead(&model.vehicle, model.gravity, tau, k, &s);
-            run.set.rows.iter().map(|r| r.violation(&lead)).fold(f64::NEG_INFINITY, f64::max)
+            let commanded = plan.commanded(&model.vehicle, model.gravity, tau, k, &s);
+            run.set.rows.iter().map(|r| r.violation(&commanded)).fold(f64::NEG_INFINITY, f64::max)
         });
         let seen = seen.fold(f64::NEG_INFINITY, f64::max);
         match told.shown {
-            Shown::Proved => assert!(seen <= told.excess + 1e-9, "{which}: {told:?} {seen}"),
-            Shown::Checked => assert!((seen - told.excess).abs() < 1e-3, "{which}: {told:?} {seen}"),
+            Shown::Proved => assert!(seen <= told.violation + 1e-9, "{which}: {told:?} {seen}"),
+            Shown::Checked => assert!((seen - told.violation).abs() < 1e-3, "{which}: {told:?} {seen}"),
         }
     }
 }
@@ -202,7 +202,7 @@ fn infeasible(certificate: &mut Certificate) -> &mut InfeasibleClaim {
     }
 }
 
-/// What only the lag forbids is shown by rows on commands; they are refused where they do not stand.
+/// A mission that only the lag makes infeasible is proved so by rows on commands; such rows are rejected for rotors without lag.
 #[test]
 fn a_time_too_short_for_lagging_rotors_is_certified() {
     let instant = planning(shuttle(), PlanModel::Hover, MissionTime::Minimum);
@@ -223,8 +223,8 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
         let rejection = decide(&changed, model).unwrap_err();
         assert!(rejection.detail.contains(why), "{rejection:?}");
     };
-    refused(&|c| c.multipliers.retain(|m| !is_commands(&m.row)), &model, "contradicts nothing");
-    refused(&|_| (), &fixed(time), "follow their commands at once");
+    refused(&|c| c.multipliers.retain(|m| !is_commands(&m.row)), &model, "is not a contradiction");
+    refused(&|_| (), &fixed(time), "follow their commands without lag");
     refused(
         &|c| {
             for m in &mut c.multipliers {
@@ -240,7 +240,7 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
     let long = 3.0 * time;
     let enough = lagging(fixed(long), 0.3);
     assert!(matches!(planned(&enough).runs[0].outcome, PlanOutcome::Planned(_)));
-    refused(&|_| (), &enough, "contradicts nothing");
-    // Rotors that lag less have one at this time, and the multipliers do not stand there.
+    refused(&|_| (), &enough, "is not a contradiction");
+    // Rotors with less lag have a plan at this time, so the multipliers must not prove infeasibility there.
     assert!(decide(&certificate, &lagging(fixed(time), 1e-6)).is_err());
 }

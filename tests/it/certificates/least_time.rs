@@ -67,7 +67,7 @@ fn least_times_are_closed_forms() {
         let verdict = decide(&claiming(&model, 2, least), &model).unwrap();
         assert!(verdict.weaker.is_empty() && verdict.headline.contains("however the time is divided"), "{verdict:?}");
         let above = decide(&claiming(&model, 2, least * (1.0 + 1e-8)), &model).unwrap_err();
-        assert_eq!(above.claim, "how soon waypoint 2 can be reached");
+        assert_eq!(above.claim, "the earliest arrival at waypoint 2");
         // A time that is long enough is none to be too early for.
         model.plan.time = MissionTime::Fixed(1.1 * least);
         assert_eq!(decide(&claiming(&model, 2, least), &model).unwrap_err().claim, "the time of a waypoint");

@@ -83,7 +83,7 @@ fn no_multipliers_refute_an_exact_plan() {
     assert!(matches!(planned(&long).runs[0].outcome, PlanOutcome::Planned(_)));
     let certificate = certified(&short).expect("no plan of 1.2 s");
     let moved = certificate;
-    assert_eq!(decide(&moved, &long).unwrap_err().claim, "that there is no plan");
+    assert_eq!(decide(&moved, &long).unwrap_err().claim, "the claim that there is no plan");
     for count in 0..400 {
         let mut tampered = moved.clone();
         let changed = claim(&mut tampered);
@@ -148,9 +148,9 @@ fn the_largest_thrust_is_part_of_the_proof() {
     refused(&|c| c.thrust[0].weight = -1.0, "the largest thrust");
     refused(&|c| c.thrust[0].weight = f64::NAN, "the largest thrust");
     refused(&|c| c.thrust[0].facet = 1_000, "the largest thrust");
-    refused(&|c| c.thrust[0].weight *= 3.0, "that there is no plan");
+    refused(&|c| c.thrust[0].weight *= 3.0, "the claim that there is no plan");
     refused(&|c| c.facets[0].offset *= 0.5, "facet 1");
-    refused(&|c| c.multipliers.clear(), "that there is no plan");
+    refused(&|c| c.multipliers.clear(), "the claim that there is no plan");
     refused(&|c| c.multipliers[0].row = RowRecord::Facet { facet: 0, node: 1 }, "multiplier 1");
     refused(&|c| c.multipliers[0].z.clear(), "multiplier 1");
     let mut stronger = model.clone();
@@ -185,7 +185,7 @@ fn what_ends_in_motion_is_certified_within_limits() {
         let mut longer = model.clone();
         longer.plan.time = MissionTime::Fixed(if why == "speed, by far" { 20.0 } else { 8.0 });
         assert!(matches!(planned(&longer).runs[0].outcome, PlanOutcome::Planned(_)), "{why}");
-        assert_eq!(decide(&certificate, &longer).unwrap_err().claim, "that there is no plan", "{why}");
+        assert_eq!(decide(&certificate, &longer).unwrap_err().claim, "the claim that there is no plan", "{why}");
     }
 }
 

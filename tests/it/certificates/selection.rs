@@ -29,8 +29,8 @@ fn rsp_is_decided_by_the_plan_it_carries() {
     let model = quick(PlannerKind::Rsp, 1);
     let certificate = certified(&model).unwrap();
     let verdict = decide(&certificate, &model).unwrap();
-    assert!(verdict.headline.ends_with("for the selection by the RIP plan carried"), "{verdict:?}");
-    let selected: Vec<_> = verdict.shown.iter().filter(|s| s.statement.contains("selected of")).collect();
+    assert!(verdict.headline.ends_with("for the facets selected by the included RIP plan"), "{verdict:?}");
+    let selected: Vec<_> = verdict.shown.iter().filter(|s| s.statement.contains("selected facet")).collect();
     assert!(!selected.is_empty(), "{verdict:?}");
 
     let rsp = claim(&certificate);
@@ -41,7 +41,7 @@ fn rsp_is_decided_by_the_plan_it_carries() {
     assert!(told.claim.contains("that RSP selects"), "{told:?}");
     // Without a plan to select by, or with more than the spec has rounds.
     let told = decide(&with(&certificate, &rsp.motion, &[]), &model).unwrap_err();
-    assert!(told.claim == "the selection" && told.detail.contains("carries none"), "{told:?}");
+    assert!(told.claim == "the selection" && told.detail.contains("includes none"), "{told:?}");
     let twice = [rip.clone(), rip.clone()];
     let told = decide(&with(&certificate, &rsp.motion, &twice), &model).unwrap_err();
     assert!(told.claim == "the selection" && told.detail.contains("in 1 rounds"), "{told:?}");
@@ -49,7 +49,7 @@ fn rsp_is_decided_by_the_plan_it_carries() {
     let mut tame = rip.clone();
     tame.x.iter_mut().for_each(|x| x[0] += 0.5);
     let told = decide(&with(&certificate, &rsp.motion, &[tame]), &model).unwrap_err();
-    assert!(told.claim.starts_with("plan 1 to select by: waypoint 1"), "{told:?}");
+    assert!(told.claim.starts_with("plan 1 to select from: waypoint 1"), "{told:?}");
     // Planners that select nothing carry none.
     let told = decide(&with(&certificate, rip, &twice[..1]), &quick(PlannerKind::Rip, 1)).unwrap_err();
     assert!(told.claim == "the selection" && told.detail.contains("selects no facets"), "{told:?}");
@@ -68,7 +68,7 @@ fn rounds_carry_a_plan_each() {
     match decide(&fewer, &model) {
         Ok(verdict) if carried == 2 => {
             let closed = !verdict.weaker.iter().any(|w| w.contains("selects in 2 rounds"));
-            assert!(closed || verdict.headline.contains("RIP plan carried"), "{verdict:?}");
+            assert!(closed || verdict.headline.contains("included RIP plan"), "{verdict:?}");
         }
         other => assert!(carried == 1 && other.is_ok(), "{other:?}"),
     }
@@ -83,7 +83,7 @@ fn a_tame_plan_to_select_by_guards_nothing() {
     let forged = with(&rip, &claim(&rip).motion, std::slice::from_ref(&claim(&tame).motion));
     let weaker = decide(&forged, &model).unwrap().weaker;
     assert!(
-        weaker.iter().any(|w| w.starts_with("the plan carried selects no facet, and the motion leaves")),
+        weaker.iter().any(|w| w.starts_with("the included plan selects no facet, but the motion leaves")),
         "{weaker:?}"
     );
     // Where the motion stays inside as well nothing is missing.
@@ -108,12 +108,12 @@ fn plans_to_select_by_take_one_time() {
     let (motion, slow) = (claim(&tame).motion.clone(), at(PlannerKind::Rip, 3.5));
     let [tame_too, later] = [3.5, 3.6].map(|time| at(PlannerKind::Rcp, time));
     let verdict = decide(&with(&tame, &motion, std::slice::from_ref(&slow)), &model(1)).unwrap();
-    assert!(verdict.headline.ends_with("for the selection by the RIP plan carried, of 3.5 s"), "{verdict:?}");
+    assert!(verdict.headline.ends_with("for the facets selected by the included RIP plan, of 3.5 s"), "{verdict:?}");
     let twice = decide(&with(&tame, &motion, &[slow.clone(), tame_too]), &model(2)).unwrap();
-    assert!(twice.headline.ends_with("for the selection by the 2 plans carried, of 3.5 s"), "{twice:?}");
+    assert!(twice.headline.ends_with("for the facets selected by the 2 included plans, of 3.5 s"), "{twice:?}");
     let told = decide(&with(&tame, &motion, &[slow, later]), &model(2)).unwrap_err();
     assert_eq!(
         (told.claim.as_str(), told.detail.as_str()),
-        ("the selection", "plans 1 and 2 to select by take 3.5 s and 3.6 s")
+        ("the selection", "plans 1 and 2 to select from take 3.5 s and 3.6 s")
     );
 }

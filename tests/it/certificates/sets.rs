@@ -10,7 +10,7 @@ use mavc::verify::sets::{Generators, Plane};
 
 fn excess(planes: &[Plane], w: &Wrench) -> f64 {
     let w: [Interval; 4] = std::array::from_fn(|i| Interval::point(w[i]));
-    planes.iter().map(|p| p.excess(&w).middle()).fold(f64::NEG_INFINITY, f64::max)
+    planes.iter().map(|p| p.violation(&w).middle()).fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Both say the same of wrenches about the boundary, to rounding.

@@ -126,7 +126,7 @@ fn bounded(t: &Trajectory, mission: &Mission, asked: &Asked) -> Option<String> {
             return Some(format!("outside at node {node}"));
         }
         let Some(tau) = model.thrust_lag() else { continue };
-        if outside(&t.lead(&model.vehicle, model.gravity, tau, node.min(last - 1), &state)) > EXCESS {
+        if outside(&t.commanded(&model.vehicle, model.gravity, tau, node.min(last - 1), &state)) > EXCESS {
             return Some(format!("commands outside at node {node}"));
         }
     }
@@ -190,7 +190,7 @@ fn tamper(certificate: &mut Value, numbers: &mut Numbers) -> Option<()> {
     Some(())
 }
 
-/// Changes certificates of plans of each model; how many became false, and how many others passed.
+/// Changes certificates of plans of each model; how many became false, and how many others were accepted.
 fn tampered(models: &[Model], often: usize, seed: u64) -> (usize, usize) {
     let mut numbers = Numbers(seed);
     let (mut false_claims, mut accepted) = (0, 0);

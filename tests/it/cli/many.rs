@@ -53,7 +53,7 @@ fn a_folder_is_checked_in_order_with_a_summary() {
 }
 
 #[test]
-fn what_several_specs_share_is_told_once() {
+fn what_several_specs_share_is_reported_once() {
     let broken = QUAD.replace("1.32 kg", "1.32 m");
     let dir = with(&[("a.mav", "use \"quad.mav\"\n"), ("b.mav", "use \"quad.mav\"\n"), ("quad.mav", &broken)]);
     let ran = mavc(&["check", text(dir.path())]);

@@ -36,14 +36,14 @@ fn compared(set: &[&str]) -> String {
 fn comparisons_say_what_their_times_are() {
     let text = compared(&[]);
     let said = flat(&text);
-    assert!(said.contains("The spec asks for 9 s; these times were looked for beside it"), "{text}");
-    assert!(said.contains("RSP has the facets that are selected at T_d = 9 s"), "{text}");
-    assert!(said.contains("All planners at T_d = 9 s, the time that the spec asks for"), "{text}");
+    assert!(said.contains("The spec requires 9 s; these times were searched for in addition"), "{text}");
+    assert!(said.contains("RSP uses the facets selected at T_d = 9 s"), "{text}");
+    assert!(said.contains("All planners at T_d = 9 s, the time that the spec requires"), "{text}");
     // No table of the paper's is one of this mission.
     assert!(!said.contains("Table"), "{text}");
 
     let free = flat(&compared(&["plan.time=minimum"]));
-    assert!(!free.contains("The spec asks for"), "{free}");
+    assert!(!free.contains("The spec requires"), "{free}");
     assert!(free.contains("the shortest time of RCP against all modes jointly"), "{free}");
     let alone = flat(&compared(&["plan.time=minimum", "plan.against=[M1]"]));
     assert!(alone.contains(", RCP's shortest time planner"), "{alone}");
@@ -53,7 +53,7 @@ fn comparisons_say_what_their_times_are() {
     let said = flat(&out(&ran));
     assert!(said.contains("at the only time that the mission's fixed times allow"), "{said}");
     assert!(said.contains("T_d = 9 s, the time that the mission's fixed times give"), "{said}");
-    assert!(said.contains("The time is fixed: no own time was looked for") && !said.contains("asks for"), "{said}");
+    assert!(said.contains("The time is fixed: no own time was searched for") && !said.contains("requires"), "{said}");
 }
 
 #[test]
@@ -70,29 +70,36 @@ fn the_legend_of_strips_is_printed_once() {
 #[test]
 fn no_risk_takes_one_line() {
     for hold in ["continue", "hold"] {
-        let meaning = "no mode with a rate has an instant outside.";
+        let meaning = "the plan never violates the set of a mode with a rate.";
         let ran = mavc_with(&["plan", "-", "--set", &format!("plan.after_fault={hold}")], TURN);
         let text = out(&ran);
         let line = text.lines().find(|line| line.trim_start().starts_with("Risk ")).unwrap();
         assert!(line.starts_with("  Risk 0: ") && line.contains(meaning), "{text}");
-        assert!(!text.contains("taken as independent"), "{text}");
+        assert!(!text.contains("treated as independent"), "{text}");
     }
     let text = flat(&out(&mavc_with(&["plan", "-", "--set", "plan.time=minimum", "--set", "plan.planner=rip"], TURN)));
-    assert!(text.contains("Modes are taken as independent"), "{text}");
+    assert!(text.contains("Modes are treated as independent"), "{text}");
     let apart = compared(&["plan.reserve=30%", "plan.time=20s", "plan.planner=rip"]);
-    assert_eq!(apart.matches("risk 0: no mode").count() + apart.matches("risk: that some").count(), 1, "{apart}");
+    assert_eq!(
+        apart.matches("risk 0: these plans").count() + apart.matches("risk: the probability").count(),
+        1,
+        "{apart}"
+    );
 }
 
 /// RSP has the facets that RIP's plan at T_d passes, so without that plan there is no RSP, at no time.
 #[test]
 fn without_a_plan_to_select_by_there_is_no_rsp() {
     let text = out(&mavc_with(&["compare", "-", "--set", "plan.time=0.5s"], TURN));
-    assert!(text.contains("No RIP plan was found at T_d = 0.5 s to select facets by, so RSP selects none."), "{text}");
+    assert!(
+        text.contains("No RIP plan was found at T_d = 0.5 s to select facets from, so RSP selects none."),
+        "{text}"
+    );
     // A proof for RIP is one for RSP at that time; RSP's own time is not searched for.
     let rows: Vec<&str> = text.lines().filter_map(|line| line.trim().strip_prefix("RSP  ")).map(str::trim).collect();
     assert_eq!(rows, ["not attempted", "proved infeasible"], "{text}");
     assert!(!text.contains("RSP guards"), "{text}");
-    assert!(!text.contains("comes to the edge"), "a heading without plans:\n{text}");
+    assert!(!text.contains("Margin of each plan"), "a heading without plans:\n{text}");
 }
 
 /// What to protect is chosen from a first plan: where there is none no table stands, least of all an empty one.
@@ -101,25 +108,25 @@ fn without_a_first_plan_there_is_nothing_to_protect() {
     let requiring = TURN.replacen("plan {", "plan { require risk <= 1e-9;", 1);
     assert_ne!(requiring, TURN);
     let told = |time: &str| out(&mavc_with(&["plan", "-", "--set", "plan.planner=rsp", "--set", time], &requiring));
-    assert!(told("plan.time=1.7s").contains("What to protect"), "{}", told("plan.time=1.7s"));
+    assert!(told("plan.time=1.7s").contains("Protection for a risk"), "{}", told("plan.time=1.7s"));
     let early = told("plan.time=0.1s");
-    assert!(early.contains("RSP: ") && !early.contains("What to protect"), "{early}");
+    assert!(early.contains("RSP: ") && !early.contains("Protection for a risk"), "{early}");
 }
 
 /// A plan that is outside, while a stop is found wherever a fault may strike.
 #[test]
-fn no_risk_by_stops_is_told_as_that() {
+fn zero_risk_with_stops_is_reported_as_such() {
     let fast = ["plan", "-", "--set", "plan.time=1.7s", "--set", "plan.planner=rip", "--set", "plan.after_fault=hold"];
     let told = |spec: &str| flat(&out(&mavc_with(&fast, spec)));
     let text = told(TURN);
     assert!(text.contains("1.70 s hold never"), "{text}");
     assert!(
-        text.contains("Risk 0: the plan is outside only for modes after which the mission holds, and from"),
+        text.contains("Risk 0: the plan violates only the sets of modes after which the mission holds, and from"),
         "{text}"
     );
     // What never strikes may well be outside.
     let text = told(&TURN.replace("rate = 1e-5 1/h", "rate = 0 1/h"));
-    assert!(text.contains("Risk 0: no mode with a rate above zero has an instant outside."), "{text}");
+    assert!(text.contains("Risk 0: the plan never violates the set of a mode with a rate above zero."), "{text}");
 }
 
 #[test]

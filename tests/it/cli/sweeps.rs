@@ -52,7 +52,7 @@ fn sweeps_of_what_no_verdict_depends_on_are_refused() {
         ("masss=1..2kg", "no verdict depends on a field `masss`; did you mean `mass`?"),
         ("max_speed=1..2rad/s", "no verdict depends on a field `max_speed`; did you mean `rotor.max_speed`?"),
         ("plan.time=10s..20s", "no verdict depends on `plan.time`; sweep mass, arm, first, rotor.max_thrust, "),
-        ("mass=-1..2kg", "at -1kg: `mass` has to be greater than zero"),
+        ("mass=-1..2kg", "at -1kg: `mass` must be greater than zero"),
         ("mass=1..2m", "at 1m: "),
     ] {
         let ran = mavc_with(&["analyze", "-", "--sweep", sweep], HOP);

@@ -46,9 +46,9 @@ fn every_spec_names_its_conflict() {
         };
         assert_eq!(explanation.conflict.proved, proved, "{}", text.name);
         assert!(explanation.questions <= MOST_ATTEMPTS.iter().sum(), "{}", text.name);
-        // What is proved and what was only tried are told apart.
+        // The result distinguishes what is proved from what was only tried.
         let told = diagnose(explanation, model, mission, &files.sources);
-        let words = if proved { "cannot hold together" } else { "not found: a plan that meets" };
+        let words = if proved { "cannot hold together" } else { "not found: a plan that satisfies" };
         assert!(told.message.contains(words), "{}: {}", text.name, told.message);
         // The short tries miss a plan now and then; then that is said.
         let unsure = told.help.is_some_and(|help| help.contains("It was not shown that every one"));
@@ -95,7 +95,7 @@ impl Asked {
         Asked { rows: limits.chain(waypoints).chain(others).collect(), times: times.chain([Some(time)]).collect() }
     }
 
-    /// Whether it asks for a part of what another one asks for, at the same times.
+    /// Whether one question requires a part of the statements of another, at the same times.
     fn is_part_of(&self, other: &Asked) -> bool {
         self.times == other.times && self.rows.iter().zip(&other.rows).all(|(mine, others)| !mine || *others)
     }
@@ -109,7 +109,7 @@ impl Oracle for Recording<'_> {
     }
 }
 
-/// A plan answers what asks for a part of what it meets: that is not asked of the planner again.
+/// A plan answers every question that requires a part of the statements it satisfies; the planner is not called for it again.
 #[test]
 #[ignore = "seconds long: cargo test -- --include-ignored"]
 fn nothing_is_asked_that_is_known() {

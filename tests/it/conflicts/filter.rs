@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 /// Has no plan where all statements of some conflict are there. What is there it reads off the mission itself.
 struct Known {
     conflicts: Vec<BTreeSet<Statement>>,
-    /// Whether it says of a conflict that there is no plan, or only finds none.
+    /// Whether a conflict is proved to have no plan, or none was found.
     proves: bool,
     /// Whether it weighs the parts of the first conflict that it sees.
     weighs: bool,
@@ -56,10 +56,10 @@ impl Oracle for Asked<'_> {
             Some(_) if !self.known.proves => Answer::NotFound(Vec::new()),
             Some(conflict) if self.known.weighs => Answer::Infeasible {
                 weights: conflict.iter().filter_map(part).collect(),
-                of_selection: false,
-                of_samples: true,
+                only_for_selection: false,
+                only_for_samples: true,
             },
-            Some(_) => Answer::Infeasible { weights: Vec::new(), of_selection: false, of_samples: true },
+            Some(_) => Answer::Infeasible { weights: Vec::new(), only_for_selection: false, only_for_samples: true },
         }
     }
 }
@@ -88,7 +88,7 @@ fn spec() -> Model {
 }
 
 #[test]
-fn what_is_left_is_a_smallest_conflict() {
+fn the_remaining_statements_are_a_smallest_conflict() {
     let model = spec();
     let all = statements(&model, model.mission.as_ref().unwrap());
     assert_eq!(all.len(), 14);

@@ -96,7 +96,7 @@ fn fewer_rows_do_not_make_a_plan_dearer() {
     };
     let (rip, rsp, rcp) = (of(PlannerKind::Rip), of(PlannerKind::Rsp), of(PlannerKind::Rcp));
     assert!(rcp.1 <= VIOLATED && rip.1 > VIOLATED, "{rip:?} {rcp:?}");
-    // Local plans: in order to within what settling leaves.
+    // Plans are local optima, so the order holds up to the tolerance of the cost phase.
     assert!(rip.0 <= 1.01 * rsp.0 && rsp.0 <= 1.01 * rcp.0, "{rip:?} {rsp:?} {rcp:?}");
 }
 

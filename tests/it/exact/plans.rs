@@ -1,4 +1,4 @@
-//! Plans in the exact model hold what was asked for, at the nodes and between them.
+//! Plans in the exact model satisfy the spec at the nodes and between them.
 
 use super::{last, planning, solved, turning};
 use crate::vehicles::{limit, mission, waypoint};
@@ -12,8 +12,8 @@ use mavc::planner::studies::Comparison;
 use mavc::motion::wrench_model::WrenchModel;
 use mavc::planner::transcription::UPRIGHT;
 
-/// How far rows may be passed between the instants of which there are [`PARTS`] in an interval, as a share. There they hold;
-/// in between wrenches and norms bend by what falls with the square of the step.
+/// The violation of rows that is allowed between the [`PARTS`] instants of an interval, as a share. Rows hold at the instants;
+/// the deviation of wrenches and norms from straight lines in between decreases with the square of the step.
 const BETWEEN: f64 = 1e-4;
 
 /// What rows of a program may be missed by, as everywhere.
@@ -26,7 +26,7 @@ fn norm(state: &NodeState, axes: &[usize], order: usize) -> f64 {
     axes.iter().map(|&a| state[a][order].powi(2)).sum::<f64>().sqrt()
 }
 
-/// How far a state passes a limit, as a share of it (of an angle in rad).
+/// By how much a state violates a limit, as a share of it (rad for an angle).
 fn past(kind: LimitKind, upper: f64, state: &NodeState, gravity: f64) -> f64 {
     match kind {
         LimitKind::Speed => norm(state, &[X, Y, Z], 1) / upper - 1.0,
@@ -41,8 +41,8 @@ fn past(kind: LimitKind, upper: f64, state: &NodeState, gravity: f64) -> f64 {
     }
 }
 
-/// How far facets, limits and the upright rule are passed: at the nodes, and at nine instants in each interval, with what
-/// is passed most there.
+/// The largest violation of facets, limits and the upright rule: at the nodes, and at nine instants in each interval, with the
+/// row that is violated most there.
 fn passed(model: &Model, plan: &Trajectory, rows: &[SetRow]) -> (f64, f64, String) {
     let limits = &model.mission.as_ref().unwrap().limits;
     let (mut nodes, mut between, mut what) = (f64::NEG_INFINITY, f64::NEG_INFINITY, String::new());
@@ -70,7 +70,7 @@ fn passed(model: &Model, plan: &Trajectory, rows: &[SetRow]) -> (f64, f64, Strin
     (nodes, between, what)
 }
 
-/// Nothing is passed at a node, and between nodes little.
+/// Nothing is violated at a node, and little between nodes.
 fn keeps(model: &Model, plan: &Trajectory, rows: &[SetRow]) {
     let (nodes, between, what) = passed(model, plan, rows);
     // Bounds in degrees and radians may round.
@@ -164,14 +164,14 @@ fn rip_rcp_and_rsp_hold_at_one_time() {
     let found = planned(&rsp);
     assert!(!found.selected.is_empty());
     keeps(&rsp, &solved(last(&found)).trajectory, &found.selected);
-    // What was selected is what the RIP plan passes at some instant.
+    // The selected facets are those that the RIP plan violates at some instant.
     let facets: Vec<usize> = modes_set(&rsp, 0)
         .iter()
         .enumerate()
         .filter(|(_, row)| found.selected.iter().any(|s| s.normal == row.normal && s.offset == row.offset))
         .map(|(i, _)| i)
         .collect();
-    assert_eq!(facets, outside.passed);
+    assert_eq!(facets, outside.violated);
     assert!(facets.len() < modes_set(&rsp, 0).len());
 }
 
@@ -249,7 +249,7 @@ fn free_ends_are_no_harder_than_rests() {
     }
 }
 
-/// Between free ends a straight line at constant speed costs nothing and bends nothing.
+/// Between free ends a straight line at constant speed costs nothing.
 #[test]
 fn a_straight_line_is_found_between_free_ends() {
     let ends = vec![waypoint([0.0, 0.0, 2.0], 0.0), waypoint([4.0, 0.0, 2.0], 0.0)];

@@ -73,7 +73,7 @@ fn a_time_too_short_for_even_legs_is_met() {
 
 #[test]
 #[ignore = "seconds long: cargo test -- --include-ignored"]
-fn fixed_times_and_holds_stand() {
+fn fixed_times_and_holds_are_kept() {
     let mut held = uneven();
     held.waypoints[1].hold = 1.0;
     let [given, chosen] = [false, true].map(|chooses| shortest(&quick(held.clone(), chooses)));

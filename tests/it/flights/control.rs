@@ -123,7 +123,7 @@ fn flights_begin_on_the_reference() {
     }
 }
 
-/// Without motors: the body is given what the controller asks for. Deviation in place (m) and attitude (rad) at each
+/// Without motors: the body receives the wrench that the controller demands. Deviation in place (m) and attitude (rad) at each
 /// instant, from 0.5 m and 20 degrees off the reference.
 fn closed_loop(controller: Controller, gains: &Gains, follow: impl Fn(f64) -> Reference, n: usize) -> Vec<[f64; 2]> {
     let frame = frame();

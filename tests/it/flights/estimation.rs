@@ -116,7 +116,7 @@ fn noise_blurs_capacities_and_hides_none() {
     }
 }
 
-/// Sums of what was seen are forgotten, so that they stay bounded: a long record tells no more than 1/(1 - lambda)
+/// Old samples are forgotten, so that sums stay bounded: a long record contains no more information than 1/(1 - lambda)
 /// samples, and the estimate can still turn round when the truth does.
 #[test]
 fn what_was_seen_is_forgotten() {
@@ -130,7 +130,7 @@ fn what_was_seen_is_forgotten() {
     motion.truth = TRUTHS[1].to_vec();
     (0..300).for_each(|_| motion.sample(&mut estimator, 0.0));
     for (found, wanted) in estimator.capacity.iter().zip(&TRUTHS[1]) {
-        // It rests as soon as what is left explains itself by noise.
+        // The estimate stops moving as soon as noise explains the residuals.
         assert!((found - wanted).abs() < 0.05, "{:?}", estimator.capacity);
     }
 }

@@ -36,7 +36,7 @@ fn survives(model: &Model, mode: usize, seed: u64) -> bool {
     fly(&Sortie { seed, ..sortie(&model, &plan, &strikes) }, None).outcome.is_survived()
 }
 
-/// Without noise, and told of the mode after 0.1 s.
+/// Without noise, and with the mode known after 0.1 s.
 fn told(model: Model) -> Model {
     let mut model = quiet(model);
     model.simulation.detection = Detection::After(0.1);
@@ -47,7 +47,7 @@ fn told(model: Model) -> Model {
 const ENOUGH: f64 = 0.01;
 
 #[test]
-fn told_of_a_double_loss_octocopters_with_a_margin_survive() {
+fn octocopters_with_a_margin_survive_known_double_losses() {
     for layout in ["PPNNPPNN", "PNPNPNPN"] {
         let model = told(with_pairs(octocopter(layout)));
         assert_eq!(model.modes.len(), 28);
@@ -113,7 +113,7 @@ fn felt(model: &Model, mode: usize) -> f64 {
 fn by_the_estimator_alone_double_losses_that_are_felt_are_survived() {
     let model = with_pairs(octocopter("PPNNPPNN"));
     assert_eq!(model.simulation.detection, Detection::Estimator);
-    // Torques of opposite rotors cancel but for their drag, 0.07 N m, which is 1.3 standard deviations.
+    // Torques of opposite rotors cancel except for their drag, 0.07 N m, which is 1.3 standard deviations.
     let hidden: Vec<usize> = (0..28).filter(|mode| felt(&model, *mode) < 4.0).collect();
     let names: Vec<&str> = hidden.iter().map(|mode| model.modes[*mode].name.as_str()).collect();
     assert_eq!(names, ["M1_5", "M2_6", "M3_7", "M4_8"]);

@@ -1,4 +1,4 @@
-//! Landings and holds begun at any instant of missions: the path that is followed does not strike the ground itself.
+//! Landings and holds that begin at any instant of a mission: the reference itself does not hit the ground.
 
 use super::strike;
 use mavc::PlanOutcome;
@@ -35,8 +35,8 @@ fn planned(name: &'static str, settings: &[&str]) -> (&'static str, Model, Traje
     }
 }
 
-/// A place on the way of a stop begun at `begin`, from there until it stays or is well below the ground: time, height over
-/// the ground, vertical speed and acceleration.
+/// Samples of a stop that begins at `begin`, until it is at rest or well below the ground: time, height over the ground,
+/// vertical speed and acceleration.
 fn way(plan: &Trajectory, begin: f64, lands: bool, ground: f64) -> Vec<[f64; 4]> {
     let stop = Stop::from(&Course::Plan(plan).at(begin), begin, lands, ground);
     let end = stop.at_rest() + if lands { stop.place_of_rest().z - ground + 3.0 } else { 1.0 };

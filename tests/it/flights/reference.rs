@@ -103,7 +103,7 @@ fn descents_come_to_one_metre_a_second() {
     assert!((rest.position.z - course.at(stop.at_rest() + 2.0).position.z - 1.0).abs() < 1e-10);
 }
 
-/// A plan's derivatives reach the controller as the plan has them, and past its end it stands.
+/// The reference has the derivatives of the plan, and is at rest after the plan's end.
 #[test]
 fn plans_are_followed_to_their_end() {
     let mut left = NodeState::default();

@@ -62,8 +62,8 @@ struct Followed {
     clipped: bool,
 }
 
-/// Flies the thrusts of a plan: commands by allocation of the lead wrench, each filtered with tau; without a lag the
-/// allocation of the wrench itself.
+/// Flies the thrusts of a plan: the commanded wrench is allocated and each command filtered with tau; without a lag the
+/// wrench itself is allocated.
 fn followed(model: &Model, plan: &Trajectory) -> Followed {
     let vehicle = &model.vehicle;
     let allocator = Allocator::new(vehicle);
@@ -82,7 +82,7 @@ fn followed(model: &Model, plan: &Trajectory) -> Followed {
             match tau {
                 Some(tau) => {
                     let middle = with_slopes(&at(i as f64 + 0.5), ends, length, plan.model.orders());
-                    let commands = allocator.thrusts(&plan.model.lead(vehicle, model.gravity, tau, &middle));
+                    let commands = allocator.thrusts(&plan.model.commanded(vehicle, model.gravity, tau, &middle));
                     let fade = (-length / steps / tau).exp();
                     f.iter_mut().zip(commands).for_each(|(f, command)| *f = command + (*f - command) * fade);
                 }

@@ -28,12 +28,14 @@ fn imposed(model: &Model) -> Vec<SetRow> {
     PlanningSet::of(&shrunk.iter().collect::<Vec<_>>(), &healthy).rows
 }
 
-/// The largest excess of w and of w + tau w' over all rows.
+/// The largest violation of all rows by w and by w + tau w'.
 fn excesses(model: &Model, plan: &Trajectory, tau: f64, looks: usize) -> (f64, f64) {
     let rows = imposed(model);
     let most = |w: &Wrench, so_far: f64| rows.iter().map(|r| r.violation(w)).fold(so_far, f64::max);
     let nothing = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    with_commands(model, plan, tau, looks).iter().fold(nothing, |(own, lead), (w, c)| (most(w, own), most(c, lead)))
+    with_commands(model, plan, tau, looks)
+        .iter()
+        .fold(nothing, |(own, commanded), (w, c)| (most(w, own), most(c, commanded)))
 }
 
 /// A plan with lagging rotors, and how far it would pass the lag's rows had it been made for instant ones.
@@ -41,11 +43,14 @@ fn kept(model: &Model, allowed: f64) -> (f64, f64) {
     let lagged = lagging(model.clone(), TAU);
     let comparison = compared(&lagged);
     let plan = &solved(&comparison).trajectory;
-    let (own, lead) = excesses(&lagged, plan, TAU, 9);
-    assert!(own <= allowed && lead <= allowed, "w passes by {own:e}, its lead by {lead:e}");
+    let (own, commanded) = excesses(&lagged, plan, TAU, 9);
+    assert!(
+        own <= allowed && commanded <= allowed,
+        "w violates a row by {own:e}, the commanded wrench by {commanded:e}"
+    );
     let comparison = compared(model);
     let without = excesses(model, &solved(&comparison).trajectory, TAU, 9).1;
-    (lead, without)
+    (commanded, without)
 }
 
 fn conservative(mut model: Model) -> Model {
@@ -60,8 +65,8 @@ fn conservative(mut model: Model) -> Model {
 fn rows_hold_at_every_instant_in_the_hover_model() {
     let rip = planning(shuttle(), PlanModel::Hover, MissionTime::Minimum);
     for model in [rip.clone(), conservative(rip)] {
-        let (lead, without) = kept(&model, 2e-6);
-        assert!(lead > -1e-3, "no row of the lag binds: {lead}");
+        let (commanded, without) = kept(&model, 2e-6);
+        assert!(commanded > -1e-3, "no row of the lag binds: {commanded}");
         assert!(without > 0.05, "rotors at once keep them too: {without}");
     }
 }
@@ -82,8 +87,8 @@ fn rows_hold_at_the_nodes_under_a_changing_yaw() {
             let w = |steps: f64| plan.wrench(&lagged.vehicle, lagged.gravity, &plan.within(k, t + side * steps * d));
             // One-sided, of third order.
             let rate: Wrench = (w(0.0) * -11.0 + w(1.0) * 18.0 - w(2.0) * 9.0 + w(3.0) * 2.0) * (side / (6.0 * d));
-            let lead = w(0.0) + rate * TAU;
-            let worst = rows.iter().map(|r| r.violation(&lead)).fold(f64::NEG_INFINITY, f64::max);
+            let commanded = w(0.0) + rate * TAU;
+            let worst = rows.iter().map(|r| r.violation(&commanded)).fold(f64::NEG_INFINITY, f64::max);
             assert!(worst < 1e-5, "interval {k}, side {side}: {worst:e}");
         }
     }
@@ -94,8 +99,8 @@ fn rows_hold_at_the_nodes_under_a_changing_yaw() {
 fn rows_hold_at_every_instant_in_the_exact_model() {
     let rip = planning(turning(), PlanModel::Exact, MissionTime::Fixed(4.2));
     for model in [rip.clone(), conservative(planning(turning(), PlanModel::Exact, MissionTime::Fixed(5.0)))] {
-        let (lead, without) = kept(&model, 1.1e-4);
-        assert!(lead > -0.02, "no row of the lag is near: {lead}");
+        let (commanded, without) = kept(&model, 1.1e-4);
+        assert!(commanded > -0.02, "no row of the lag is near: {commanded}");
         assert!(without > 0.01, "rotors at once keep them too: {without}");
     }
 }
@@ -106,8 +111,8 @@ fn shortest_times_of_the_exact_model_keep_the_rows() {
     let mut model = lagging(planning(turning(), PlanModel::Exact, MissionTime::Minimum), TAU);
     model.plan.samples = 24;
     let comparison = compared(&model);
-    let (own, lead) = excesses(&model, &solved(&comparison).trajectory, TAU, 9);
-    assert!(own <= 1.1e-4 && lead <= 1.1e-4, "w passes by {own:e}, its lead by {lead:e}");
+    let (own, commanded) = excesses(&model, &solved(&comparison).trajectory, TAU, 9);
+    assert!(own <= 1.1e-4 && commanded <= 1.1e-4, "w violates a row by {own:e}, the commanded wrench by {commanded:e}");
 }
 
 /// Slower rotors take longer; ever quicker ones tend to rotors that follow at once.
@@ -119,7 +124,7 @@ fn time_grows_with_the_constant_and_vanishes_with_it() {
         let with = |tau: f64| shortest(&lagging(instant.clone(), tau));
         assert_eq!(with(1e-6), at_once);
         let times = [0.02, 0.1, 0.3].map(with);
-        // Times stand on multiples of 0.05 s.
+        // Times are multiples of 0.05 s.
         assert!(times[0] - at_once < 0.3 && times[0] >= at_once, "{times:?}, {at_once} s at once");
         assert!(times[0] < times[1] && times[1] < times[2], "{times:?}, {at_once} s at once");
     }

@@ -1,4 +1,4 @@
-//! How a spec asks for rotors that lag, and what is said of them.
+//! How a spec configures lagging rotors, and what is reported about them.
 
 use serde_json::Value;
 use std::process::{Command, Output};
@@ -36,9 +36,9 @@ fn reports_say_with_which_constant() {
     let ran = mavc(&folder, &["plan", "{}/spec.mav", "--report", "{}/report.json"]);
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
     let said = text(&ran.stdout);
-    assert!(said.contains("Rotors lag: thrusts are taken to follow their commands in 60 ms"), "{said}");
+    assert!(said.contains("Rotors lag: thrusts follow their commands with a time constant of 60 ms"), "{said}");
     let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("what the rotors are commanded in the linear model keeps to every facet imposed"), "{said}");
+    assert!(said.contains("the linear model's commanded wrench satisfies every imposed facet"), "{said}");
     let report: Value = serde_json::from_slice(&std::fs::read(folder.path().join("report.json")).unwrap()).unwrap();
     let constant = report["thrust_time_constant_s"].as_f64().unwrap();
     assert!((constant - 0.06).abs() < 1e-12, "{constant}");
@@ -66,7 +66,7 @@ fn certificates_cover_it() {
     let ran = mavc(&folder, &["plan", "{}/spec.mav", "--certificate", "{}/cert.json"]);
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
     let said = text(&ran.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("Proved for every instant, to within 0.01 %: the linear model's wrench keeps"), "{said}");
+    assert!(said.contains("Proved at every instant, to within 0.01 %: the linear model's wrench satisfies"), "{said}");
     let ran = mavc(&folder, &["verify", "{}/cert.json", "{}/spec.mav"]);
     assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
     let said = text(&ran.stdout);

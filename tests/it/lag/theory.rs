@@ -1,11 +1,12 @@
-//! A wrench path whose lead w + tau w' stays admissible is flown by commands within the rotors' bounds, and no other is.
+//! A wrench path can be flown by commands within the rotors' bounds if and only if its commanded wrench w + tau w' stays
+//! admissible: (81) of `docs/method.md`.
 
 use super::lagging;
 use crate::vehicles::octocopter;
 use mavc::actuation::{Actuation, Wrench};
 use mavc::admissible::AdmissibleSet;
 use mavc::admissible::allocation::Allocator;
-use mavc::flatness::{self, LEAD_INPUTS, LeadFlatState};
+use mavc::flatness::{self, COMMAND_INPUTS, CommandFlatState};
 use mavc::model::Model;
 use mavc::motion::hover_map::{WrenchMap, YawState};
 use mavc::motion::wrench_model::WrenchModel;
@@ -50,10 +51,10 @@ const STEP: f64 = 2e-3;
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The lead wrench runs straight between admissible points, so it is admissible; it is allocated anew at each instant, and
-    /// each rotor filters its own part.
+    /// The commanded wrench moves on straight lines between admissible points, so it is admissible. It is allocated at each
+    /// instant, and each rotor filters its own command.
     #[test]
-    fn admissible_leads_are_flown(
+    fn paths_with_admissible_commanded_wrenches_can_be_flown(
         start in prop::collection::vec(0.0..1.0f64, 8),
         corners in corners(),
         idle in prop_oneof![Just(0.0), Just(300.0)],
@@ -66,9 +67,9 @@ proptest! {
         let mut thrusts = allocator.thrusts(&w);
         for ends in corners.windows(2) {
             let [from, to] = [given(&model, &ends[0]), given(&model, &ends[1])];
-            let lead = |step: usize| from + (to - from) * (step as f64 / STEPS as f64);
+            let commanded = |step: usize| from + (to - from) * (step as f64 / STEPS as f64);
             for step in 0..STEPS {
-                let [before, after] = [lead(step), lead(step + 1)];
+                let [before, after] = [commanded(step), commanded(step + 1)];
                 w = Wrench::from_fn(|i, _| follow(w[i], before[i], after[i], STEP, tau));
                 let commands = [allocator.thrusts(&before), allocator.thrusts(&after)];
                 for (k, f) in thrusts.iter_mut().enumerate() {
@@ -82,8 +83,8 @@ proptest! {
         }
     }
 
-    /// Thrusts that follow commands within their bounds, each rotor with a time constant of its own: the wrench and its lead
-    /// by the largest need not be admissible, but where f and f + tau f' are in bounds for that one, each has its command.
+    /// Rotors with different time constants: if f and f + tau f' are within bounds for the largest tau, every rotor has a
+    /// command within its bounds.
     #[test]
     fn the_largest_constant_is_enough(f in 0.0..1.0f64, command in 0.0..1.0f64, tau in 0.01..0.2f64, part in 0.05..1.0f64) {
         let rate = (command - f) / tau;
@@ -93,7 +94,7 @@ proptest! {
 
     /// Whatever the commands, w + tau w' of the thrusts that follow them is admissible.
     #[test]
-    fn flown_paths_have_admissible_leads(
+    fn paths_that_are_flown_have_admissible_commanded_wrenches(
         start in prop::collection::vec(0.0..1.0f64, 8),
         corners in corners(),
         idle in prop_oneof![Just(0.0), Just(300.0)],
@@ -103,18 +104,18 @@ proptest! {
         let set = AdmissibleSet::healthy(&model);
         let mut shares = start;
         for wanted in corners {
-            // Rates of the shares while the command stands, midway through a step.
+            // Rates of the shares under a constant command.
             let before = shares.clone();
             shares = shares.iter().zip(&wanted).map(|(y, u)| follow(*y, *u, *u, STEP, tau)).collect();
             let rates: Vec<f64> = shares.iter().zip(&before).map(|(a, b)| (a - b) / STEP).collect();
             let w = given(&model, &shares);
             let ahead: Vec<f64> = shares.iter().zip(&rates).map(|(y, r)| y + tau * r).collect();
-            let lead = given(&model, &ahead);
+            let commanded = given(&model, &ahead);
             for facet in &set.zonotope.facets().facets {
                 let width = set.zonotope.width(&facet.normal);
                 prop_assert!(facet.normal.dot(&w) <= facet.offset + 1e-9 * width);
                 // Secants lag behind tangents by half a step.
-                prop_assert!(facet.normal.dot(&lead) <= facet.offset + STEP / tau * width);
+                prop_assert!(facet.normal.dot(&commanded) <= facet.offset + STEP / tau * width);
             }
         }
     }
@@ -156,16 +157,16 @@ fn apart(a: &Wrench, b: &Wrench) -> f64 {
 }
 
 #[test]
-fn lead_wrenches_are_those_of_differences() {
+fn commanded_wrenches_agree_with_finite_differences() {
     let mut model = octocopter("PPNNPPNN");
     model.vehicle.inertia = [0.0429, 0.0512, 0.0748];
     for wrench in [WrenchModel::Exact, WrenchModel::HoverFollowing] {
         for t in [0.0, 0.4, 1.3, 2.2, 5.9] {
-            let found = wrench.lead(&model.vehicle, model.gravity, TAU, &waving(t));
+            let found = wrench.commanded(&model.vehicle, model.gravity, TAU, &waving(t));
             let wanted = lead_by_difference(&model, wrench, t);
             assert!(apart(&found, &wanted) < 1e-7, "{wrench:?} at {t}: {found:?}, by differences {wanted:?}");
-            // The map about a state gives the state's own lead wrench.
-            let map = wrench.lead_linearised(&model.vehicle, model.gravity, TAU, &waving(t));
+            // The linearisation at a state gives the commanded wrench of this state.
+            let map = wrench.commanded_linearised(&model.vehicle, model.gravity, TAU, &waving(t));
             assert!(apart(&map.at(&waving(t)), &wanted) < 1e-7);
         }
     }
@@ -173,29 +174,29 @@ fn lead_wrenches_are_those_of_differences() {
 
 /// With a constant yaw: nothing of the yaw motion enters roll and pitch.
 #[test]
-fn the_lead_about_one_yaw_is_the_wrench_a_constant_later() {
+fn at_one_yaw_the_commanded_wrench_is_the_wrench_plus_tau_times_its_rate() {
     let model = octocopter("PPNNPPNN");
     let (vehicle, g) = (&model.vehicle, model.gravity);
     let state = waving(1.0);
-    let lead = WrenchMap::leading_with_free_yaw(vehicle, g, 0.4, TAU).at(&state);
-    // The same map of derivatives one order higher is w', but for the weight.
+    let commanded = WrenchMap::commanded_with_free_yaw(vehicle, g, 0.4, TAU).at(&state);
+    // The same map applied to derivatives of one order higher gives w', except for the weight.
     let higher: [[f64; 5]; 4] = state.map(|axis| std::array::from_fn(|order| axis[order + 1]));
     let map = WrenchMap::with_free_yaw(vehicle, g, 0.4);
     let rate = map.at(&higher) - Wrench::new(vehicle.mass * g, 0.0, 0.0, 0.0);
-    assert!(apart(&lead, &(map.at(&state) + rate * TAU)) < 1e-12);
-    // A yaw that stands still frozen is the same, its own torque apart.
-    let frozen = WrenchMap::leading(vehicle, g, YawState { psi: 0.4, rate: 0.0, acceleration: 0.0 }, 0.0, TAU);
+    assert!(apart(&commanded, &(map.at(&state) + rate * TAU)) < 1e-12);
+    // A yaw frozen at rest gives the same, apart from the yaw torque.
+    let frozen = WrenchMap::commanded(vehicle, g, YawState { psi: 0.4, rate: 0.0, acceleration: 0.0 }, 0.0, TAU);
     let mut straight = state;
     straight[YAW] = [0.0; 6];
     assert!(
-        apart(&frozen.at(&straight), &WrenchMap::leading_with_free_yaw(vehicle, g, 0.4, TAU).at(&straight)) < 1e-12
+        apart(&frozen.at(&straight), &WrenchMap::commanded_with_free_yaw(vehicle, g, 0.4, TAU).at(&straight)) < 1e-12
     );
 }
 
-fn flat(state: &[[f64; 6]; 4]) -> LeadFlatState {
+fn flat(state: &[[f64; 6]; 4]) -> CommandFlatState {
     let orders = [2, 3, 4].into_iter().flat_map(|m| [(X, m), (Y, m), (Z, m)]);
     let rest = [(YAW, 0), (YAW, 1), (YAW, 2), (X, 5), (Y, 5), (Z, 5), (YAW, 3)];
-    LeadFlatState::from_iterator(orders.chain(rest).map(|(axis, order)| state[axis][order]))
+    CommandFlatState::from_iterator(orders.chain(rest).map(|(axis, order)| state[axis][order]))
 }
 
 #[test]
@@ -206,15 +207,15 @@ fn slopes_and_curvature_are_those_of_differences() {
     let n = Wrench::new(0.05, -1.1, 0.7, 2.0);
     for t in [0.2, 1.1, 3.7] {
         let at = flat(&waving(t));
-        let (lead, slope) = flatness::lead_and_jacobian(vehicle, g, TAU, &at);
-        assert_eq!(lead, flatness::lead(vehicle, g, TAU, &at));
-        let curvature = flatness::lead_curvature(vehicle, g, TAU, &at, &n);
-        for i in 0..LEAD_INPUTS {
+        let (commanded, slope) = flatness::commanded_and_jacobian(vehicle, g, TAU, &at);
+        assert_eq!(commanded, flatness::commanded(vehicle, g, TAU, &at));
+        let curvature = flatness::commanded_curvature(vehicle, g, TAU, &at, &n);
+        for i in 0..COMMAND_INPUTS {
             let h = 1e-4 * (1.0 + at[i].abs());
             let moved = |by: f64| {
                 let mut state = at;
                 state[i] += by;
-                flatness::lead_and_jacobian(vehicle, g, TAU, &state)
+                flatness::commanded_and_jacobian(vehicle, g, TAU, &state)
             };
             let (ahead, behind) = (moved(h), moved(-h));
             let wanted = (ahead.0 - behind.0) / (2.0 * h);

@@ -16,7 +16,7 @@ const TAU: f64 = 0.1;
 const MISSED: f64 = 1e-5;
 
 /// Stands the loss of rotor 1 with lagging rotors; at the shortest time of the hover model, where rows of the lag bind.
-fn standing_a_loss() -> Model {
+fn tolerating_a_loss() -> Model {
     let mut model = lagging(planning(shuttle(), PlanModel::Hover, MissionTime::Minimum), TAU);
     model.modes.push(lost(&model, &[1]));
     (model.plan.planner, model.plan.against) = (PlannerKind::Rcp, vec![0]);
@@ -28,14 +28,14 @@ fn planned(model: &Model) -> Trajectory {
 }
 
 fn leads(model: &Model, plan: &Trajectory, tau: f64) -> Vec<Wrench> {
-    with_commands(model, plan, tau, 4).into_iter().map(|(_, lead)| lead).collect()
+    with_commands(model, plan, tau, 4).into_iter().map(|(_, commanded)| commanded).collect()
 }
 
 /// How far commands leave the bounds on squared speeds under (42) after the loss, in shares of full ones.
 fn clipped(model: &Model, leads: &[Wrench]) -> f64 {
     let full = model.vehicle.rotors[0].max_speed.powi(2);
-    let beyond = |lead: &Wrench| {
-        let asked = squares(model, Some(0), lead);
+    let beyond = |commanded: &Wrench| {
+        let asked = squares(model, Some(0), commanded);
         asked.iter().map(|s| (s / full - 1.0).max(-s / full)).fold(f64::NEG_INFINITY, f64::max)
     };
     leads.iter().map(beyond).fold(f64::NEG_INFINITY, f64::max)
@@ -43,7 +43,7 @@ fn clipped(model: &Model, leads: &[Wrench]) -> f64 {
 
 #[test]
 fn the_pseudo_inverse_is_commanded_nothing_that_it_clips() {
-    let mut model = standing_a_loss();
+    let mut model = tolerating_a_loss();
     model.vehicle.allocation = Allocation::PseudoInverse;
     let plan = planned(&model);
     let most = clipped(&model, &leads(&model, &plan, TAU));
@@ -59,7 +59,7 @@ fn the_pseudo_inverse_is_commanded_nothing_that_it_clips() {
 /// allocation finds for them.
 #[test]
 fn rotors_that_may_not_stop_are_not_commanded_to() {
-    let mut model = standing_a_loss();
+    let mut model = tolerating_a_loss();
     model.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 350.0);
     let tau = model.thrust_lag().unwrap();
     let plan = planned(&model);
@@ -72,7 +72,7 @@ fn rotors_that_may_not_stop_are_not_commanded_to() {
         let margin = leads.iter().map(|c| set.polytope.margin(c)).fold(f64::INFINITY, f64::min);
         assert!(margin > -1e-4, "passed by {margin:e}");
     }
-    let below = self::leads(&model, &planned(&standing_a_loss()), tau);
+    let below = self::leads(&model, &planned(&tolerating_a_loss()), tau);
     let below = below.iter().map(|c| c[0]).fold(f64::INFINITY, f64::min);
     assert!(below < 0.9 * idle, "{below} N: a plan that may stop rotors does not");
 }
@@ -80,8 +80,8 @@ fn rotors_that_may_not_stop_are_not_commanded_to() {
 /// Commands lie in the set of every vehicle within the intervals, for the mass that it has.
 #[test]
 fn commands_hold_for_every_value() {
-    let model = uncertain(standing_a_loss(), 0.04, 0.05, 0.1);
-    let (robust, nominal) = (planned(&model), planned(&standing_a_loss()));
+    let model = uncertain(tolerating_a_loss(), 0.04, 0.05, 0.1);
+    let (robust, nominal) = (planned(&model), planned(&tolerating_a_loss()));
     let mut passed = 0;
     for case in 0..64_u32 {
         // Ends of the intervals in a fixed, uneven order.

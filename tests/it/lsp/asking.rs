@@ -37,7 +37,7 @@ fn names_units_and_functions_show_what_they_stand_for() {
     let shown = hovers(&spec.replace("every 1", "ev|ery 1").replace("mode worn", "mo|de worn"));
     assert!(shown[0].contains("a mode for each choice of k rotors"), "{}", shown[0]);
     assert!(shown[1].contains("one fault mode"), "{}", shown[1]);
-    assert!(shown[2].contains("the largest of two or more of a kind"), "{}", shown[2]);
+    assert!(shown[2].contains("the largest of two or more values of one dimension"), "{}", shown[2]);
     assert!(shown[3].contains("`1 ft` = 0.3048 m, a length"), "{}", shown[3]);
     assert!(shown[4].contains("9.81 m/s^2"), "{}", shown[4]);
     assert!(shown[5].contains("As high as the mast.") && shown[5].contains("= **8 m**"), "{}", shown[5]);
@@ -187,7 +187,7 @@ fn a_list_is_offered_what_it_does_not_have() {
 }
 
 #[test]
-fn shares_plain_numbers_and_units_that_go_on_are_told_apart() {
+fn shares_plain_numbers_and_longer_units_are_distinguished() {
     let all = offers(
         "faults {\n mode a { rotor 1 reduced to 60 |; severity = 7 | }\n every 1 rotor stuck at 5 |\n}\nlet v = 3 m/|\n\
          mission m {\n limits { speed <= 3 m/|; acceleration <= 2 m/s^| }\n}\nplan { samples = 40 |; against = where rate > 2 1/| }\n",

@@ -1,4 +1,4 @@
-//! Diagnostics while one types: those of `mavc check`, in all files, and gone when mended.
+//! Diagnostics while typing: those of `mavc check`, in all files, until the mistakes are fixed.
 
 use super::client::{Client, SPEC, uri_of};
 use mavc::admissible::diagnose::diagnose;
@@ -105,7 +105,7 @@ fn every_spec_gets_the_diagnostics_of_check() {
 }
 
 #[test]
-fn what_is_broken_is_told_and_what_is_mended_is_not() {
+fn mistakes_are_reported_until_they_are_fixed() {
     let mut client = Client::start();
     let uri = "untitled:survey";
     client.open(uri, SPEC);
@@ -133,7 +133,7 @@ fn what_is_broken_is_told_and_what_is_mended_is_not() {
 }
 
 #[test]
-fn warnings_and_their_places_are_told_in_files_that_are_used() {
+fn warnings_and_their_places_are_reported_in_files_that_are_used() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path().canonicalize().unwrap();
     let (library, root) = (folder.join("library.mav"), folder.join("root.mav"));

@@ -120,7 +120,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn whatever_it_is_told_it_answers_every_question_once(steps in proptest::collection::vec(step(), 1..40)) {
+    fn whatever_it_receives_it_answers_every_question_once(steps in proptest::collection::vec(step(), 1..40)) {
         let mut client = Client::start();
         let mut asked = Vec::new();
         client.open(URIS[0], SPEC);

@@ -1,4 +1,4 @@
-//! Quick fixes: what they put in place, and that it mends.
+//! Quick fixes: what they write, and that it removes the diagnostic.
 
 use super::client::{Client, SPEC};
 use mavc::source::Source;
@@ -42,7 +42,7 @@ fn errors(text: &str) -> Vec<Value> {
 }
 
 #[test]
-fn every_clear_mistake_has_a_fix_that_mends_it() {
+fn every_clear_mistake_has_a_fix_that_works() {
     let cases = [
         ("1.6 kg", "1.6", "mavc::unit::missing", "Write `1.6 kg`"),
         ("8500 rpm", "8500 RPM", "mavc::unit::unknown", "Write `rpm`"),
@@ -52,7 +52,7 @@ fn every_clear_mistake_has_a_fix_that_mends_it() {
             "    mass    = 1.6 kg\n",
             "",
             "mavc::name::missing_field",
-            "Add `mass = 1.8 kg`, with the figures of your vehicle",
+            "Add `mass = 1.8 kg`, with the values of your vehicle",
         ),
         ("    arm     = 25 cm\n", "", "mavc::name::missing_field", "Add `arm = 0.2 m`"),
         ("    arm     = 25 cm\n", "    arm     = 25 cm\n    arm = 20 cm\n", "mavc::name::duplicate", "Take one out"),

@@ -41,7 +41,7 @@ proptest! {
     }
 
     #[test]
-    fn the_missing_factor_mends_a_mismatch(a in dimension(), b in dimension()) {
+    fn the_missing_factor_fixes_a_mismatch(a in dimension(), b in dimension()) {
         let told = mismatch(a, b);
         prop_assert!(told.table.starts_with("expected"));
         prop_assert_eq!(a.over(b).and_then(|missing| b.times(missing)), Some(a));
@@ -107,7 +107,7 @@ fn units_have_their_si_values() {
 }
 
 #[test]
-fn what_is_no_unit_is_told_with_what_was_meant() {
+fn what_is_not_a_unit_is_reported_with_a_suggestion() {
     let meant = |text: &str| match parse_unit(text, 9.81) {
         Err(UnitError::Unknown { meant, .. }) => meant,
         other => panic!("{text}: {other:?}"),

@@ -95,7 +95,7 @@ fn a_strike_takes_one_mode_of_a_family() {
     let text = format!("{}simulate {{ fault W at 2 s }}\n", spec("W"));
     let (_, diagnostics) = super::check(&text);
     let error = diagnostics.iter().find(|d| d.code == "mavc::simulate::choice").unwrap();
-    assert_eq!(error.message, "`W` names 10 fault modes, and one strikes at a time");
+    assert_eq!(error.message, "`W` names 10 fault modes, but only one can strike at a time");
     assert_eq!(error.fix.as_ref().unwrap().text, "W1");
 }
 

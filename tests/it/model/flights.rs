@@ -141,7 +141,7 @@ fn modes_that_a_flight_strikes_with_are_used() {
 }
 
 #[test]
-fn what_hangs_on_the_time_of_the_plan_is_told_once_it_is_known() {
+fn what_depends_on_the_time_of_the_plan_is_reported_once_it_is_known() {
     let model = flown("simulate {\n rate = 10 kHz\n fault M1 at 5 s\n fault M2 at 30 s\n}\n");
     assert!(past_the_end(&model, 31.0).is_empty());
     let late = past_the_end(&model, 30.0);
@@ -154,14 +154,14 @@ fn what_hangs_on_the_time_of_the_plan_is_told_once_it_is_known() {
     assert!(past_the_end(&model, 20.0).is_empty());
     let late = past_the_end(&model, 19.0);
     assert_eq!((late.len(), late[0].code), (1, "mavc::simulate::past_the_end"));
-    assert!(late[0].message.contains("is over at 20 s"), "{}", late[0].message);
+    assert!(late[0].message.contains("ends at 20 s"), "{}", late[0].message);
     // A duration of its own has been checked.
     let model = flown("simulate {\n duration = 40 s\n fault M2 at 30 s\n}\n");
     assert!(past_the_end(&model, 20.0).is_empty());
 }
 
 #[test]
-fn coarse_steps_are_told_where_a_flight_is_asked_for() {
+fn coarse_steps_are_reported_if_a_flight_is_configured() {
     let quick = QUAD.replace("max_speed", "time_constant = 1 ms; max_speed");
     let (model, diagnostics) = check(&format!("{quick}{REST}"));
     assert_eq!(diagnostics, vec![]);

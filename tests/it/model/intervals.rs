@@ -43,7 +43,7 @@ fn percent_quantities_and_bare_middles() {
 
 /// `1.6 kg +- 0.05` could be 5 % or 50 g, and nothing else is guessed either.
 #[test]
-fn what_is_no_interval_is_told() {
+fn what_is_not_an_interval_is_reported() {
     for (mass, code) in [
         ("1.6 kg +- 0.05", "mavc::unit::interval"),
         ("2*(0.8 kg +- 5 %)", "mavc::unit::interval"),

@@ -75,7 +75,7 @@ fn mistakes_in_overrides_have_places_in_them() {
 }
 
 #[test]
-fn a_misspelt_field_is_told_as_it_is_to_be_set_though_the_spec_gives_it_too() {
+fn a_misspelt_override_is_reported_though_the_spec_has_the_field_too() {
     let checked = with(&["plan.tiem=8s"]);
     assert_eq!(checked.diagnostics[0].help.as_deref(), Some("write `--set plan.time=8s`"));
 }

@@ -75,7 +75,7 @@ fn deep_expressions_need_no_large_stack() {
 }
 
 #[test]
-fn bytes_that_are_no_text_and_files_too_large_are_told() {
+fn bytes_that_are_not_text_and_files_too_large_are_reported() {
     let (set, diagnostics) = load_all(&[("a.mav", b"let a = 1\n\xff\xfe")]);
     assert_eq!(codes(&diagnostics), ["mavc::file::encoding"]);
     assert_eq!((diagnostics[0].span.start, set.sources.snippet(diagnostics[0].span)), (10, "\u{fffd}"));
@@ -101,9 +101,9 @@ fn bytes_that_are_no_text_and_files_too_large_are_told() {
 #[test]
 fn files_that_cannot_be_read_say_why() {
     for (kind, why) in [
-        (io::ErrorKind::NotFound, "there is no file `v.mav`"),
-        (io::ErrorKind::IsADirectory, "`v.mav` is a folder"),
-        (io::ErrorKind::PermissionDenied, "`v.mav` may not be read: permission denied"),
+        (io::ErrorKind::NotFound, "file `v.mav` not found"),
+        (io::ErrorKind::IsADirectory, "`v.mav` is a folder, not a file"),
+        (io::ErrorKind::PermissionDenied, "cannot read `v.mav`: permission denied"),
     ] {
         let (_, diagnostics) = load("a.mav", b"use \"v.mav\"\n", &|_| Err(io::Error::from(kind)));
         assert_eq!(codes(&diagnostics), ["mavc::file::missing"]);
@@ -132,7 +132,7 @@ fn tables_become_waypoints() {
 }
 
 #[test]
-fn tables_with_mistakes_are_told_by_row() {
+fn mistakes_in_tables_are_reported_by_row() {
     let root = format!("{QUAD}mission m {{ waypoints from \"t.csv\" }}\n");
     for (table, count) in [
         ("", 1),

@@ -82,7 +82,7 @@ fn what_ships_gets_no_sense_warning() {
 }
 
 #[test]
-fn a_factor_of_a_thousand_in_a_shipped_vehicle_is_told() {
+fn a_factor_of_a_thousand_in_a_shipped_vehicle_is_reported() {
     let template = PathBuf::from("src/template.mav");
     let all = files("specs").into_iter().chain(files("examples")).chain([template]);
     let (mut vehicles, mut spellings) = (0, std::collections::BTreeSet::<&str>::new());
@@ -131,7 +131,7 @@ fn spelled(vehicle: &Vehicle, by_coefficient: bool, factors: [f64; 5]) -> String
 }
 
 #[test]
-fn a_factor_of_a_thousand_is_told_in_every_spelling() {
+fn a_factor_of_a_thousand_is_reported_in_every_spelling() {
     let mut cases = 0;
     for path in files("specs/vehicles").into_iter().chain(files("examples")) {
         let vehicle = check_file(path.to_str().unwrap()).0.unwrap().vehicle;
@@ -211,7 +211,7 @@ fn a_warning_shows_what_was_computed_from_what_and_the_slip() {
     let warning = found.iter().find(|d| d.code == "mavc::sense::thrust_to_weight").unwrap();
     assert_eq!(
         warning.message,
-        "the rotors of vehicle `hexa` lift 2141 times its weight, where 1.2 to 20 times is usual"
+        "the rotors of vehicle `hexa` lift 2141 times its weight, outside the usual range of 1.2 to 20 times"
     );
     assert_eq!(
         (warning.label.as_str(), warning.labels[0].message.as_str()),

@@ -1,10 +1,10 @@
-//! Warnings of fault modes that `against` lists more than once.
+//! Warns of fault modes that `against` lists more than once.
 
 use super::choose::Runs;
 use crate::diagnostic::Diagnostic;
 use crate::model::FaultMode;
 use crate::model::context::Context;
-use crate::model::mend;
+use crate::model::edits;
 use crate::syntax::ast::Expr;
 
 const LISTED_TWICE: &str = "mavc::plan::listed_twice";
@@ -12,7 +12,7 @@ const LISTED_TWICE: &str = "mavc::plan::listed_twice";
 /// An element and its modes.
 type Listed<'a> = (&'a Expr, &'a Runs);
 
-/// Warns of every element that could be taken out, and of ranges that overlap. `read` has what each element stands for.
+/// Warns of every element that could be removed, and of ranges that overlap. `read` has the modes of each element.
 pub(super) fn warn(cx: &mut Context, modes: &[FaultMode], elements: &[Expr], read: &[Option<Runs>]) {
     let listed: Vec<Listed> = elements.iter().zip(read).filter_map(|(e, runs)| Some((e, runs.as_ref()?))).collect();
     let mut counts = counts(modes.len(), &listed);
@@ -26,9 +26,9 @@ pub(super) fn warn(cx: &mut Context, modes: &[FaultMode], elements: &[Expr], rea
     found.into_iter().for_each(|warning| cx.report(warning));
 }
 
-/// How many elements have each mode.
+/// For each mode, how many elements include it.
 fn counts(modes: usize, listed: &[Listed]) -> Vec<i64> {
-    // Only where runs begin and end, so that many long ones take no longer than short ones.
+    // Counts differences at the ends of runs and sums them, so that long runs cost no more than short ones.
     let mut counts = vec![0; modes + 1];
     for run in listed.iter().flat_map(|(_, runs)| runs.iter()) {
         counts[run.start] += 1;
@@ -42,8 +42,8 @@ fn counts(modes: usize, listed: &[Listed]) -> Vec<i64> {
     counts
 }
 
-/// Warns of elements whose modes all stand in others too, and gives the rest. The shorter goes, `W1` beside `W`, and of
-/// equals the later.
+/// Warns of elements whose modes are all included in others, and returns the rest. Shorter elements are reported first (`W1`
+/// beside `W`), and among equal ones the later.
 fn surplus<'a>(
     cx: &Context,
     listed: &[Listed<'a>],
@@ -63,13 +63,13 @@ fn surplus<'a>(
         runs.iter().cloned().flatten().for_each(|mode| counts[mode] -= 1);
         let message = format!("`{}` is listed twice", cx.sources.snippet(element.span));
         let warning = Diagnostic::warning(LISTED_TWICE, element.span, message);
-        let again = mend::element(cx.sources.get(element.span.file), element.span);
-        found.push(warning.here("listed already").help("take it out").fix(again, ""));
+        let again = edits::element(cx.sources.get(element.span.file), element.span);
+        found.push(warning.here("already listed").help("remove it").fix(again, ""));
     }
     listed.iter().zip(is_kept).filter(|(_, kept)| *kept).map(|(listed, _)| *listed).collect()
 }
 
-/// Warns of ranges that overlap: each has modes of its own, and some of another.
+/// Warns of ranges that overlap but do not include each other.
 fn overlaps(cx: &Context, modes: &[FaultMode], kept: &[Listed], counts: &mut [i64], found: &mut Vec<Diagnostic>) {
     for (element, runs) in kept.iter().rev() {
         let twice: Vec<usize> = runs.iter().cloned().flatten().filter(|&mode| counts[mode] > 1).collect();
@@ -77,10 +77,10 @@ fn overlaps(cx: &Context, modes: &[FaultMode], kept: &[Listed], counts: &mut [i6
         twice.iter().for_each(|&mode| counts[mode] -= 1);
         let (name, written) = (&modes[first].name, cx.sources.snippet(element.span));
         let message = match twice.len() {
-            1 => format!("`{name}` of `{written}` is listed twice"),
-            n => format!("{n} fault modes of `{written}` are listed twice, the first of them `{name}`"),
+            1 => format!("`{name}` in `{written}` is listed twice"),
+            n => format!("{n} fault modes in `{written}` are listed twice, the first is `{name}`"),
         };
         let warning = Diagnostic::warning(LISTED_TWICE, element.span, message);
-        found.push(warning.here("overlaps with another").help("shorten one of the two"));
+        found.push(warning.here("overlaps another range").help("shorten one of the two"));
     }
 }

@@ -1,13 +1,13 @@
-//! How the mission is flown: what the blocks `simulate` and `campaign` say, or their defaults.
+//! How the mission is flown: the settings of the blocks `simulate` and `campaign`, with their defaults.
 
 use super::{PlannerKind, Rotor};
 use crate::source::Span;
 
-/// Time constant of a rotor for which the spec gives none, s.
+/// Time constant of a rotor in simulations if the spec gives none, s.
 pub const MOTOR_TIME_CONSTANT: f64 = 0.02;
 
 impl Rotor {
-    /// Time constant with which its speed follows, s.
+    /// Time constant with which its speed follows the command, s.
     pub fn lag(&self) -> f64 {
         self.time_constant.unwrap_or(MOTOR_TIME_CONSTANT)
     }
@@ -16,7 +16,7 @@ impl Rotor {
 /// The controller that follows the plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Controller {
-    /// The paper's PD law, (21) to (28), about hover.
+    /// The paper's PD law about hover, (21) to (28).
     Pd,
     /// Geometric tracking on SE(3) (Lee, Leok, McClamroch 2010).
     Geometric,
@@ -31,10 +31,10 @@ impl Controller {
     }
 }
 
-/// How the wanted wrench becomes rotor speeds.
+/// How the commanded wrench becomes rotor speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Allocation {
-    /// (42), clipped to the speeds that the rotors can turn.
+    /// The paper's pseudo-inverse, (42), clipped to the speeds that the rotors can reach.
     PseudoInverse,
     /// Bounded weighted least squares that gives up yaw first.
     Bounded,
@@ -53,20 +53,20 @@ impl Allocation {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Detection {
     Never,
-    /// It knows the mode this long after the fault, s.
+    /// The mode is known this long after the fault, s.
     After(f64),
-    /// From the capacities that recursive least squares estimates, (32) to (42).
+    /// From the rotor capacities estimated by recursive least squares, (32) to (42).
     Estimator,
 }
 
-/// What the vehicle does once it knows of a fault.
+/// The reaction to a detected fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AfterFault {
     /// Fly on as planned.
     Continue,
     /// Come to rest and stay.
     Hold,
-    /// Come to rest and descend where it is.
+    /// Come to rest and descend on the spot.
     Land,
 }
 
@@ -80,39 +80,43 @@ impl AfterFault {
     }
 }
 
-/// Gains per unit of mass or inertia: those on a deviation in 1/s^2, those on its rate in 1/s; all > 0.
+/// Controller gains per unit of mass or inertia, all positive. The equations are the paper's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gains {
-    /// K_p and K_d of (24) for x and y.
+    /// K_p of (24) for x and y, 1/s^2.
     pub position: f64,
+    /// K_d of (24) for x and y, 1/s.
     pub velocity: f64,
-    /// K_pz and K_dz of (21).
+    /// K_pz of (21), 1/s^2.
     pub altitude: f64,
+    /// K_dz of (21), 1/s.
     pub climb: f64,
-    /// K_p and K_d of (23) for roll and pitch.
+    /// K_p of (23) for roll and pitch, 1/s^2.
     pub attitude: f64,
+    /// K_d of (23) for roll and pitch, 1/s.
     pub attitude_rate: f64,
-    /// K_p and K_d of (23) for yaw.
+    /// K_p of (23) for yaw, 1/s^2.
     pub yaw: f64,
+    /// K_d of (23) for yaw, 1/s.
     pub yaw_rate: f64,
 }
 
-/// `fault M1_6 at 5 s until 9 s`
+/// A fault that strikes during the flight: `fault M1_6 at 5 s until 9 s`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Strike {
     /// Index into [`super::Model::modes`].
     pub mode: usize,
-    /// s since the start; >= 0.
+    /// When the fault strikes, s since the start; not negative.
     pub at: f64,
-    /// When the rotors recover, s; > `at`.
+    /// When the rotors recover, s since the start; later than `at`. `None` if the fault stays.
     pub until: Option<f64>,
     pub span: Span,
-    /// Of the time behind `at`.
+    /// The place of the time after `at`.
     pub at_span: Span,
 }
 
 impl Strike {
-    /// Whether both are in force at some instant, by the same mode.
+    /// Whether both strike with the same mode and are active at the same time.
     pub fn meets(&self, other: &Strike) -> bool {
         let ends_by = |a: &Strike, b: &Strike| a.until.is_some_and(|until| until <= b.at);
         self.mode == other.mode && !ends_by(self, other) && !ends_by(other, self)
@@ -122,19 +126,19 @@ impl Strike {
 /// The `simulate` block, or its defaults.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Simulation {
-    /// s; `None`: as long as the plan.
+    /// Duration of the flight, s; `None` for that of the plan.
     pub duration: Option<f64>,
-    /// Steps of the integrator per second, Hz.
+    /// Steps of the integration per second, Hz.
     pub rate: f64,
-    /// Hz; divides `rate`.
+    /// Rate of the controller, Hz; divides `rate`.
     pub control_rate: f64,
-    /// Hz; divides `control_rate`.
+    /// Rate of the estimator, Hz; divides `control_rate`.
     pub estimator_rate: f64,
     pub controller: Controller,
     pub detection: Detection,
     pub after_fault: AfterFault,
     pub gains: Gains,
-    /// lambda of the recursive least squares, per sample of the estimator; 0 < lambda < 1.
+    /// Forgetting factor lambda of the recursive least squares, per sample of the estimator; 0 < lambda < 1.
     pub forgetting: f64,
     /// Standard deviation of a sample of the body rates, rad/s.
     pub gyroscope_noise: f64,
@@ -142,45 +146,49 @@ pub struct Simulation {
     pub position_noise: f64,
     /// Linear drag, N s/m: the force is -drag times the velocity through the air.
     pub drag: f64,
-    /// Mean wind, m/s, world frame: where the air goes.
+    /// Mean velocity of the air in the world frame, m/s.
     pub wind: [f64; 3],
-    /// Standard deviation of Dryden gusts, m/s on each axis, and their length scale, m.
+    /// Standard deviation of Dryden gusts on each axis, m/s.
     pub gusts: f64,
+    /// Length scale of Dryden gusts, m.
     pub gust_length: f64,
+    /// Seed of noise and gusts.
     pub seed: u64,
-    /// In the order of their times, then as written.
+    /// The faults that strike, in the order of their times, then as written.
     pub faults: Vec<Strike>,
-    /// The vehicle is lost where it is this far from where it should be, m.
+    /// The vehicle is lost when it is this far from its reference, m.
     pub lost_beyond: f64,
-    /// The vehicle is lost where it tilts past 90 degrees for longer than this, s.
+    /// The vehicle is lost when it tilts past 90 degrees for longer than this, s.
     pub upside_down: f64,
-    /// The vehicle is lost where its heading is farther than this from the planned one, rad, for longer than
-    /// `lost_yaw_after`, s; `None`: whatever its heading.
+    /// The vehicle is lost when its heading error exceeds this, rad, for longer than `lost_yaw_after`; `None` for no such
+    /// limit.
     pub lost_yaw: Option<f64>,
+    /// How long the heading error may exceed `lost_yaw`, s.
     pub lost_yaw_after: f64,
     /// Height of the ground, m; below every waypoint.
     pub ground: f64,
     /// Whether the spec has a `simulate` block.
     pub written: bool,
-    /// The `simulate` block, or the plan's place where there is none.
+    /// The place of the `simulate` block, or of the plan where there is none.
     pub span: Span,
-    /// Of `rate`, or the block.
+    /// The place of `rate`, or of the block.
     pub rate_span: Span,
 }
 
 /// The `campaign` block, or its defaults.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Campaign {
-    /// Fault instants, evenly spread over the mission.
+    /// Number of fault instants, evenly spread over the mission.
     pub times: usize,
-    /// Noise seeds for each.
+    /// Number of flights, each with its own noise, for every mode and instant.
     pub seeds: usize,
-    /// Without repeats, in the order written.
+    /// The planners whose plans are flown, without repetitions, in the order written.
     pub planners: Vec<PlannerKind>,
+    /// Seed from which the seeds of the flights are drawn.
     pub seed: u64,
     /// Whether the spec has a `campaign` block.
     pub written: bool,
-    /// The `campaign` block, or the plan's place where there is none.
+    /// The place of the `campaign` block, or of the plan where there is none.
     pub span: Span,
 }
 

@@ -7,21 +7,24 @@ use crate::report::caveats::{Caveat, caveats};
 use crate::verdict::SIMULATED;
 use serde::Serialize;
 
-/// A flight with what it was flown under.
+/// A flight with its spec, plan and faults.
 #[derive(Debug, Clone, Copy)]
-pub struct Told<'a> {
+pub struct Flown<'a> {
     pub model: &'a Model,
     pub solved: &'a MissionPlan,
     pub strikes: &'a [Strike],
     pub flight: &'a Flight,
-    /// Groups of modes that the estimator cannot tell apart with the planned speeds, by name.
-    pub alike: &'a [Vec<&'a str>],
+    /// Groups of modes, by name, that the estimator cannot distinguish at the planned rotor speeds.
+    pub indistinguishable: &'a [Vec<&'a str>],
 }
+
+/// Version of this record; raised when a field or the meaning of its values changes.
+const SCHEMA: u32 = 3;
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FlightRecord {
     pub schema: u32,
-    /// The one word for a flight.
+    /// Always `simulated`.
     pub verdict: &'static str,
     pub spec_sha256: String,
     pub planner: &'static str,
@@ -46,15 +49,15 @@ pub struct FlightRecord {
     pub max_heading_error_rad: f64,
     /// Since the first fault; `None` without one.
     pub max_heading_error_after_rad: Option<f64>,
-    /// Most whole turns away from the planned heading.
+    /// Largest number of whole turns away from the planned heading.
     pub turns: usize,
     pub faults: Vec<FaultRecord>,
     pub false_alarms: usize,
     pub refused_reconfigurations: usize,
     pub regressor: Option<RegressorRecord>,
-    /// Groups of modes that the planned speeds cannot tell apart.
-    pub alike: Vec<Vec<String>>,
-    /// Where the plan is not what it seems.
+    /// Groups of modes that cannot be distinguished at the planned rotor speeds.
+    pub indistinguishable_modes: Vec<Vec<String>>,
+    /// Caveats of the plan.
     pub warnings: Vec<Caveat>,
 }
 
@@ -68,7 +71,7 @@ pub enum OutcomeRecord {
     Lost {
         at_s: f64,
         cause: &'static str,
-        /// Too far tilted or turned as the flight ended, however short.
+        /// Too far tilted or turned at the end of the flight, for however short a time.
         at_end: bool,
     },
     Diverged {
@@ -81,7 +84,7 @@ pub struct FaultRecord {
     pub mode: String,
     pub at_s: f64,
     pub until_s: Option<f64>,
-    /// The flight ended before it.
+    /// False if the flight ended before the fault.
     pub struck: bool,
     pub detected_after_s: Option<f64>,
     pub isolated_after_s: Option<f64>,
@@ -96,8 +99,9 @@ pub struct RegressorRecord {
 }
 
 impl FlightRecord {
-    pub fn new(told: &Told, spec_sha256: String) -> Self {
-        let Told { model, solved, strikes, flight, alike } = told;
+    /// The record of a flight; `spec_sha256` is the hash over all files of its spec.
+    pub fn new(flown: &Flown, spec_sha256: String) -> Self {
+        let Flown { model, solved, strikes, flight, indistinguishable } = flown;
         let s = &model.simulation;
         let (detection, delay) = match s.detection {
             Detection::Never => ("never", None),
@@ -105,7 +109,7 @@ impl FlightRecord {
             Detection::Estimator => ("estimator", None),
         };
         FlightRecord {
-            schema: 2,
+            schema: SCHEMA,
             verdict: SIMULATED,
             spec_sha256,
             planner: model.plan.planner.name(),
@@ -141,13 +145,16 @@ impl FlightRecord {
                 highest_rank: r.highest_rank,
                 median_condition: r.median_condition,
             }),
-            alike: alike.iter().map(|group| group.iter().map(ToString::to_string).collect()).collect(),
+            indistinguishable_modes: indistinguishable
+                .iter()
+                .map(|group| group.iter().map(ToString::to_string).collect())
+                .collect(),
             warnings: caveats(model, solved),
         }
     }
 }
 
-/// Every strike, with when it was found where it came before the end.
+/// One record per fault; detection times only for faults that struck before the end.
 fn faults(model: &Model, strikes: &[Strike], flight: &Flight) -> Vec<FaultRecord> {
     let found = |index: usize| flight.found.get(index);
     let record = |(index, strike): (usize, &Strike)| FaultRecord {

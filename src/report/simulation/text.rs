@@ -1,6 +1,6 @@
-//! A flight told to people.
+//! Terminal text of a simulated flight.
 
-use super::record::{FlightRecord, OutcomeRecord, Told};
+use super::record::{FlightRecord, Flown, OutcomeRecord};
 use crate::flight::twins::listed;
 use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, Model};
 use crate::number::{fixed, number, significant};
@@ -8,9 +8,10 @@ use crate::report::table::Table;
 use crate::report::terminal::{WIDTH, vehicle_line};
 use crate::verdict::SIMULATED;
 
-pub fn text(told: &Told) -> String {
-    let record = FlightRecord::new(told, String::new());
-    let Told { model, solved, flight, .. } = told;
+/// The output of `mavc simulate`.
+pub fn text(flown: &Flown) -> String {
+    let record = FlightRecord::new(flown, String::new());
+    let Flown { model, solved, flight, .. } = flown;
     let name = model.mission.as_ref().map_or("", |m| m.name.as_str());
     let mut out = format!(
         "Mission {name} {SIMULATED} with {}\nalong the {} plan of {} s\n{}\n\n",
@@ -29,14 +30,14 @@ pub fn text(told: &Told) -> String {
     });
     let after = record.rms_error_after_m.map_or(String::new(), |e| format!(", {} since the first fault", length(e)));
     out.push_str(&format!(
-        "  distance from its place: {} root mean square{after}; largest {}\n  {}\n  largest tilt {} degrees\n",
+        "  position error: {} root mean square{after}; largest {}\n  {}\n  largest tilt {} degrees\n",
         length(flight.rms_error),
         length(flight.max_error),
         heading(&record),
         fixed(flight.max_tilt.to_degrees(), 1)
     ));
     out.pop();
-    out.push_str(&past_limit(told));
+    out.push_str(&past_limit(flown));
     if !record.faults.is_empty() {
         let mut table = Table::new(&["fault", "struck", "ends", "detected", "isolated"]);
         let after = |t: Option<f64>| t.map_or("never".into(), |t| format!("after {}", duration(t)));
@@ -60,10 +61,11 @@ pub fn text(told: &Told) -> String {
         };
         let refused = match record.refused_reconfigurations {
             0 => String::new(),
-            n => format!("; {n} refused, under which the vehicle could not hover"),
+            1 => "; 1 estimate refused, under which the vehicle could not hover".to_string(),
+            n => format!("; {n} estimates refused, under which the vehicle could not hover"),
         };
         out.push_str(&format!(
-            "\nEstimator: {alarms}{refused}\n  the regressor's rank went from {} to {} of {}; condition {} (median)\n",
+            "\nEstimator: {alarms}{refused}\n  rank of the regressor between {} and {} of {}; median condition number {}\n",
             r.lowest_rank,
             r.highest_rank,
             r.rotors,
@@ -74,17 +76,17 @@ pub fn text(told: &Told) -> String {
         let manner = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
         format!("\n{}\n", textwrap::fill(text, manner))
     };
-    match told.alike {
+    match flown.indistinguishable {
         [] => {}
         groups => {
-            // Each mode of a group was compared with its first.
-            let told = |group: &Vec<&str>| {
+            // Each mode of a group was compared with the first.
+            let of_group = |group: &Vec<&str>| {
                 format!("the torques of {} differ little from those of {}", listed(&group[1..]), group[0])
             };
-            let told: Vec<String> = groups.iter().map(told).collect();
+            let of_groups: Vec<String> = groups.iter().map(of_group).collect();
             out.push_str(&fill(&format!(
-                "All along the plan {}: less than the threshold for one sample of the estimator, which may take long to tell them apart.",
-                told.join("; ")
+                "Throughout the plan {}: by less than the estimator's threshold for one sample, so it may take long to tell them apart.",
+                of_groups.join("; ")
             )));
         }
     }
@@ -92,7 +94,7 @@ pub fn text(told: &Told) -> String {
     out
 }
 
-/// `geometric controller, bounded allocation, capacities estimated; after a fault it flies on; 1,000 steps a second`
+/// `geometric controller, bounded allocation, capacities estimated; after a fault it continues; 1000 Hz, seed 1`
 fn manner(model: &Model) -> String {
     let s = &model.simulation;
     let controller = match s.controller {
@@ -109,7 +111,7 @@ fn manner(model: &Model) -> String {
         Detection::Estimator => "capacities estimated".to_string(),
     };
     let after = match s.after_fault {
-        AfterFault::Continue => "flies on",
+        AfterFault::Continue => "continues",
         AfterFault::Hold => "stops and holds",
         AfterFault::Land => "stops and lands",
     };
@@ -130,12 +132,12 @@ fn air_and_rate(model: &Model) -> String {
     format!("{air}{ground}; {} Hz, seed {}", number(s.rate), s.seed)
 }
 
-/// `, past the 20 degrees of the mission's limit`, which binds the plan and not the flight.
-fn past_limit(told: &Told) -> String {
-    let limits = told.model.mission.iter().flat_map(|mission| &mission.limits);
+/// `, beyond the plan's limit of 20 degrees`: the mission's limit applies to the plan and not to the flight.
+fn past_limit(flown: &Flown) -> String {
+    let limits = flown.model.mission.iter().flat_map(|mission| &mission.limits);
     let tilt = limits.filter(|limit| limit.kind == LimitKind::Tilt).filter_map(|limit| limit.upper);
-    match tilt.filter(|most| told.flight.max_tilt > *most).reduce(f64::min) {
-        Some(most) => format!(", past the {} degrees that the plan is limited to\n", number(most.to_degrees())),
+    match tilt.filter(|most| flown.flight.max_tilt > *most).reduce(f64::min) {
+        Some(most) => format!(", beyond the plan's limit of {} degrees\n", number(most.to_degrees())),
         None => "\n".into(),
     }
 }
@@ -153,7 +155,7 @@ fn heading(record: &FlightRecord) -> String {
     )
 }
 
-/// `; 8 whole turns away from the planned heading`, for a vehicle that did not only swing.
+/// `; 8 whole turns away from the planned heading`, if the vehicle turned at all.
 pub fn turned(turns: usize) -> String {
     match turns {
         0 => String::new(),
@@ -162,20 +164,20 @@ pub fn turned(turns: usize) -> String {
     }
 }
 
-/// That a flight has ended otherwise than in a loss. A `duration` may end it before its plan does.
+/// How a flight that was neither lost nor landed has ended: a `duration` may end it before its plan does.
 pub fn to_its_end(model: &Model, record: &FlightRecord) -> String {
     let end = fixed(record.end_s, 2);
     let tick = 1.0 / model.simulation.control_rate;
-    let asked = model.simulation.duration;
+    let duration = model.simulation.duration;
     match record.end_s < record.plan_time_s - tick {
         false
-            if asked.is_some_and(|asked| record.end_s < asked - tick)
+            if duration.is_some_and(|duration| record.end_s < duration - tick)
                 && (record.end_s - record.plan_time_s).abs() <= tick =>
         {
-            format!("Simulated to the end of the plan at {end} s, where it is in motion and leads no further")
+            format!("Simulated to the end of the plan at {end} s, where it is still in motion")
         }
         true => {
-            format!("Simulated for {end} s, as `duration` says; the plan goes on to {} s", number(record.plan_time_s))
+            format!("Simulated for {end} s, the `duration`; the plan continues to {} s", number(record.plan_time_s))
         }
         false => format!("Simulated to its end at {end} s"),
     }
@@ -183,26 +185,27 @@ pub fn to_its_end(model: &Model, record: &FlightRecord) -> String {
 
 /// Why a flight that diverged has no result.
 pub const DIVERGED: &str = "the integration broke down (NaN, infinity, or more than half a turn in one step); \
-                            what became of the vehicle is unknown";
+                            what happened to the vehicle is unknown";
 
-/// Why the vehicle counts as lost, from the name of the cause and whether it was one only as the flight ended.
+/// Why the vehicle counts as lost; `cause` is a name of [`crate::flight::Cause`], `at_end` whether it applied only at the
+/// end of the flight.
 pub fn loss(model: &Model, cause: &str, at_end: bool) -> String {
     let s = &model.simulation;
     let when = |after: f64| {
         if at_end { "when the flight ended".into() } else { format!("for longer than {} s", number(after)) }
     };
     match cause {
-        "ground" => "it struck the ground".into(),
+        "ground" => "it hit the ground".into(),
         "heading" => {
             let limit = s.lost_yaw.map_or(0.0, f64::to_degrees);
             format!("heading more than {} degrees off {}", number(limit), when(s.lost_yaw_after))
         }
         "upside_down" => format!("tilted past 90 degrees {}", when(s.upside_down)),
-        _ => format!("more than {} m from its place", number(s.lost_beyond)),
+        _ => format!("more than {} m off the plan", number(s.lost_beyond)),
     }
 }
 
-/// Metres as people say them.
+/// A length in m as text, in mm or cm if it is short.
 pub fn length(metres: f64) -> String {
     match metres {
         m if m < 0.01 => format!("{} mm", significant(1000.0 * m, 2)),
@@ -211,13 +214,13 @@ pub fn length(metres: f64) -> String {
     }
 }
 
-/// How a fault becomes known: the spec's word, with the delay in s where there is one, as in `after 20 ms`.
+/// How a fault becomes known: the spec's word, with the delay (s) if there is one, as in `after 20 ms`.
 #[cfg(feature = "report")]
 pub fn detection(word: &str, delay: Option<f64>) -> String {
     delay.map_or_else(|| word.to_string(), |delay| format!("{word} {}", duration(delay)))
 }
 
-/// Seconds as people say them.
+/// A duration in s as text, in ms below 1 s.
 pub fn duration(seconds: f64) -> String {
     if seconds < 1.0 {
         format!("{} ms", significant(1000.0 * seconds, 3))

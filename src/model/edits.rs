@@ -1,10 +1,10 @@
-//! Where the text of a fix goes: a field that is missing, a statement that is one too many, two blocks that are to be one.
+//! Where the text of a fix goes: adding a missing field, removing a surplus statement, merging two blocks.
 
 use crate::source::{Source, Span};
 use crate::syntax::ast::{Block, Statement};
 
-/// Room for the statement `text` in a block: below `last`, the last statement of its body, or behind the brace that
-/// follows `head`. What is to be put where; `None` where the block has another shape.
+/// Where to insert the statement `text` in a block, and with which separators: after `last`, the last statement of its body,
+/// or after the brace that follows `head`. `None` where the block has another shape.
 pub(super) fn insertion(source: &Source, head: Span, last: Option<Span>, text: &str) -> Option<(Span, String)> {
     let whole = source.text.as_str();
     let line_of = |at: u32| source.line(source.place(at as usize).line);
@@ -27,13 +27,13 @@ pub(super) fn insertion(source: &Source, head: Span, last: Option<Span>, text: &
     }
 }
 
-/// The blanks that the line of `at` begins with.
+/// The indentation of the line that contains `at`.
 fn indent(source: &Source, at: u32) -> &str {
     let line = &source.text[source.line(source.place(at as usize).line)];
     &line[..line.len() - line.trim_start_matches([' ', '\t']).len()]
 }
 
-/// All that goes with the statement at `span`: its line where it stands alone, otherwise it and one separator.
+/// The span to delete for the statement at `span`: its line if it is alone there, otherwise the statement and one separator.
 pub(super) fn removal(source: &Source, span: Span) -> Span {
     let (start, end) = (span.start as usize, span.end as usize);
     let first = source.line(source.place(start).line).start;
@@ -51,7 +51,7 @@ pub(super) fn removal(source: &Source, span: Span) -> Span {
             let rest = &after[spaces + 1..];
             Span::new(span.file, start, end + spaces + 1 + rest.len() - rest.trim_start_matches(' ').len())
         }
-        // The last of its line: the separator before it goes.
+        // The last statement of its line: delete the separator before it.
         false => match before.trim_end().strip_suffix(';') {
             Some(kept) => Span::new(span.file, first + kept.len(), end),
             None => Span::new(span.file, first + before.trim_end().len(), end),
@@ -59,7 +59,7 @@ pub(super) fn removal(source: &Source, span: Span) -> Span {
     }
 }
 
-/// An element of a list and the comma that goes with it.
+/// The span to delete for an element of a list: the element and one comma.
 pub(super) fn element(source: &Source, span: Span) -> Span {
     let (before, after) = source.text.split_at(span.end as usize);
     let before = before.get(..span.start as usize).unwrap_or("");
@@ -74,7 +74,7 @@ pub(super) fn element(source: &Source, span: Span) -> Span {
     }
 }
 
-/// What makes one block of two that follow each other and say nothing twice: what is to be replaced, and by what.
+/// The replacement that merges two blocks, one directly after the other, that have no statement in common.
 pub(super) fn junction(source: &Source, first: &Block, second: &Block) -> Option<(Span, &'static str)> {
     let names = |block: &Block| block.body.iter().filter_map(name).map(str::to_string).collect::<Vec<_>>();
     let earlier = names(first);
@@ -93,7 +93,7 @@ pub(super) fn junction(source: &Source, first: &Block, second: &Block) -> Option
     Some((Span::new(first.span.file, close, brace), if ends { "" } else { ";" }))
 }
 
-/// What a statement of which a block has one is known by.
+/// The name by which a statement may occur only once in a block.
 fn name(statement: &Statement) -> Option<&str> {
     match statement {
         Statement::Field(field) => Some(&field.name.value),

@@ -1,4 +1,4 @@
-//! The flight log: one row an instant, SI units.
+//! The flight log: one row per instant, SI units.
 
 use crate::flight::Sample;
 use crate::model::Model;
@@ -9,36 +9,37 @@ use crate::report::trajectory_csv::{few_enough, push_row};
 #[derive(Debug, Clone)]
 pub struct Log {
     pub csv: String,
-    /// Every so many samples make a row.
+    /// Samples per row.
     every: usize,
     count: usize,
     row: Vec<f64>,
-    /// Where the rate is not the one asked for.
+    /// A message if the rate is not the requested one.
     pub remark: Option<String>,
 }
 
-/// Rows of the log a second, where nothing is asked for.
+/// Default rate of the log, Hz.
 const RATE: f64 = 100.0;
 
 impl Log {
+    /// An empty log with one row for `every` samples.
     pub fn new(rotors: usize, every: usize) -> Self {
         Log { csv: Self::header(rotors) + "\n", every: every.max(1), count: 0, row: Vec::new(), remark: None }
     }
 
-    /// Of a flight of at most `duration` s, with rows at about `rate` Hz: the controller acts a whole number of times
-    /// between two rows.
+    /// The log of a flight of at most `duration` s with rows at about `rate` Hz: the controller runs a whole number of
+    /// times between two rows.
     ///
     /// # Errors
-    /// It would have too many numbers.
+    /// The log would have too many numbers.
     pub fn at(model: &Model, rate: Option<f64>, duration: f64) -> Result<Self, String> {
         let control = model.simulation.control_rate;
         let every = (control / rate.unwrap_or(RATE)).round().max(1.0);
         let rotors = model.vehicle.rotors.len();
         few_enough("log", (duration * control / every).ceil() as u64, &Self::header(rotors))?;
         let got = control / every;
-        let remark = rate.filter(|asked| (got - asked).abs() > 1e-6 * asked).map(|asked| {
-            let [asked, got, control] = [asked, got, control].map(number);
-            format!("the log has rows at {got} Hz, not {asked}: the controller acts at {control} Hz")
+        let remark = rate.filter(|wanted| (got - wanted).abs() > 1e-6 * wanted).map(|wanted| {
+            let [wanted, got, control] = [wanted, got, control].map(number);
+            format!("the log has rows at {got} Hz, not {wanted}: the controller runs at {control} Hz")
         });
         Ok(Log { remark, ..Log::new(rotors, every as usize) })
     }
@@ -55,6 +56,7 @@ impl Log {
         csv + ",regressor_rank,regressor_condition"
     }
 
+    /// Adds a row if one is due, or if the sample is the last.
     pub fn add(&mut self, sample: &Sample) {
         self.count += 1;
         if !(self.count - 1).is_multiple_of(self.every) && !sample.is_last {
@@ -79,7 +81,7 @@ impl Log {
         row.extend(sample.estimated);
         row.extend(sample.believed);
         push_row(&mut self.csv, row);
-        // Cells are empty where nothing is estimated, or not yet.
+        // These cells are empty as long as nothing is estimated.
         self.csv.pop();
         match sample.regressor {
             Some((rank, condition)) => {

@@ -1,4 +1,4 @@
-//! The size of missions: distances, times, speeds, tolerances and limits.
+//! The scale of missions: distances, times, speeds, tolerances and limits.
 
 use super::{Usual, short, warning};
 use crate::model::context::Context;
@@ -8,18 +8,18 @@ use crate::model::{Limit, LimitKind, Waypoint};
 use crate::source::Span;
 use crate::tolerance::USUAL_SPEED;
 
-/// Length of the whole path, m: below it nothing is seen to move, beyond it no battery lasts.
+/// Length of the whole path, m: a shorter one is hardly a motion, for a longer one no battery lasts.
 const PATH: Usual = Usual::new(0.05, 100_000.0);
-/// Longest time that a mission is known to take, s: four hours.
+/// Longest usual duration of a mission, s: four hours.
 const DURATION: f64 = 4.0 * 3600.0;
 /// Mean speed between two times that are fixed, m/s.
 const PACE: Usual = Usual::new(0.001, 50.0);
-/// How closely a waypoint is met, m.
+/// Position tolerance of a waypoint, m.
 const WITHIN: Usual = Usual::new(1e-4, 20.0);
-/// The same of a yaw, deg.
+/// Yaw tolerance of a waypoint, deg.
 const YAW_WITHIN: Usual = Usual::new(0.001, 180.0);
 
-/// What is usual of a limit, in the unit beside it, and what one of that unit is in SI.
+/// Name, usual range, unit of that range, and that unit in SI, of a limit that is checked.
 fn usual(kind: LimitKind) -> Option<(&'static str, Usual, &'static str, f64)> {
     let degree = std::f64::consts::PI / 180.0;
     Some(match kind {
@@ -37,38 +37,45 @@ fn usual(kind: LimitKind) -> Option<(&'static str, Usual, &'static str, f64)> {
     })
 }
 
-/// Warns of limits that bind nothing, or let nothing move. A bound of zero is meant.
+/// Warns of limits that bind nothing or allow hardly any motion. A bound of zero is taken as intended.
 pub(in crate::model) fn limits(cx: &mut Context, limits: &[Limit]) {
     for limit in limits {
         let Some((name, usual, unit, scale)) = usual(limit.kind) else { continue };
         let ends = [limit.lower, limit.upper].into_iter().flatten().map(|end| end.abs() / scale);
         let Some(odd) = ends.into_iter().find(|end| *end > 0.0 && !usual.has(*end)) else { continue };
-        let message = format!("a limit of {} {unit} on the {name}, where {} is usual", short(odd), usual.text(unit));
-        let here = if odd > usual.high { "no multirotor reaches it" } else { "hardly lets anything move" };
+        let message =
+            format!("the limit on {name} is {} {unit}, outside the usual range of {}", short(odd), usual.text(unit));
+        let here = if odd > usual.high { "no multirotor reaches it" } else { "allows hardly any motion" };
         cx.report(warning("mavc::sense::limit", limit.span, message, "check the number and its unit").here(here));
     }
 }
 
-/// Warns of a path, of times and of tolerances beyond what multirotors fly; once each.
+/// Warns of an implausible path, tolerance or duration, once each.
 pub(in crate::model) fn mission(cx: &mut Context, name: &str, span: Span, waypoints: &[Waypoint]) {
     let path: f64 = waypoints.windows(2).map(|pair| distance(pair[0].position, pair[1].position)).sum();
     if path > 0.0 && !PATH.has(path) {
-        let message =
-            format!("the path of mission `{name}` is {} m long, where {} is usual", short(path), PATH.text("m"));
+        let message = format!(
+            "the path of mission `{name}` is {} m long, outside the usual range of {}",
+            short(path),
+            PATH.text("m")
+        );
         let slip = match path > PATH.high {
             true => "look for `m` in place of `cm` or `mm`",
             false => "look for `mm` in place of `m`",
         };
-        cx.report(warning("mavc::sense::distance", span, message, slip).here("from waypoint to waypoint"));
+        cx.report(warning("mavc::sense::distance", span, message, slip).here("measured from waypoint to waypoint"));
     }
     let metres = waypoints.iter().find(|w| !WITHIN.has(w.within)).map(|w| (w, w.within, WITHIN, "m"));
     let degrees = |w: &Waypoint| w.yaw_within.to_degrees();
     let turned = waypoints.iter().find(|w| !YAW_WITHIN.has(degrees(w) * (1.0 - 1e-9)));
     let turned = turned.map(|w| (w, degrees(w), YAW_WITHIN, "deg"));
     for (waypoint, value, usual, unit) in metres.into_iter().chain(turned) {
-        let message =
-            format!("a waypoint is to be met within {} {unit}, where {} is usual", short(value), usual.text(unit));
-        let here = if value > usual.high { "met wherever the vehicle is" } else { "closer than anybody can measure" };
+        let message = format!(
+            "a waypoint has a tolerance of {} {unit}, outside the usual range of {}",
+            short(value),
+            usual.text(unit)
+        );
+        let here = if value > usual.high { "met almost anywhere" } else { "smaller than anyone can measure" };
         let slip = match unit {
             "m" => "look for `km` or `m` in place of `cm`, here or in `plan`",
             _ => "look for `rad` in place of `deg`, here or in `plan`",
@@ -83,26 +90,26 @@ pub(in crate::model) fn mission(cx: &mut Context, name: &str, span: Span, waypoi
     }
 }
 
-/// What is longer than a mission may be has an error of its own.
+/// Whether a duration gets a warning; one beyond [`MAX_DURATION`] is an error and is reported elsewhere.
 fn is_too_long(time: f64) -> bool {
     time > DURATION && time <= MAX_DURATION
 }
 
 fn too_long(cx: &mut Context, time: f64, span: Span) {
     let hours = |seconds: f64| short(seconds / 3600.0);
-    let message = format!("the mission lasts {} h, where 0 to {} h is usual", hours(time), hours(DURATION));
-    let slip = "look for `s` in place of `ms`, and for digits too many";
-    cx.report(warning("mavc::sense::duration", span, message, slip).here("no battery lasts so long"));
+    let message = format!("the mission lasts {} h, outside the usual range of 0 to {} h", hours(time), hours(DURATION));
+    let slip = "look for `s` in place of `ms`, and for extra digits";
+    cx.report(warning("mavc::sense::duration", span, message, slip).here("no battery lasts this long"));
 }
 
-/// Warns of times that ask for a mean speed which no multirotor flies. `total` is the time of the whole mission where it
-/// is fixed, s, and its place.
+/// Warns of times that require an implausible mean speed. `total` is the time of the whole mission, s, and its place, where
+/// that is fixed.
 pub(in crate::model) fn pace(cx: &mut Context, waypoints: &[Waypoint], total: Option<(f64, Span)>) {
     if let Some((time, span)) = total.filter(|(time, _)| is_too_long(*time)) {
         too_long(cx, time, span);
     }
     let last = waypoints.len().saturating_sub(1);
-    // Since the last fixed time: that time, the least way, and the holds.
+    // The last fixed time, and the shortest way and the holds since then.
     let (mut since, mut way, mut held) = (0.0, 0.0, 0.0);
     for (k, pair) in waypoints.windows(2).enumerate() {
         let [from, to] = pair else { continue };
@@ -121,18 +128,21 @@ pub(in crate::model) fn pace(cx: &mut Context, waypoints: &[Waypoint], total: Op
 
 fn odd_pace(cx: &mut Context, way: f64, flown: f64, span: Span, to: Span) {
     let speed = way / flown;
-    let message =
-        format!("the times ask for a mean speed of {} m/s, where {} is usual", short(speed), PACE.text("m/s"));
+    let message = format!(
+        "the times require a mean speed of {} m/s, outside the usual range of {}",
+        short(speed),
+        PACE.text("m/s")
+    );
     let slip = match speed > PACE.high {
         true => "look for `ms` in place of `s`, and for `m` in place of `cm` or `mm`",
         false => "look for `s` in place of `ms`, and for `mm` in place of `m`",
     };
-    let here = format!("{} m at least in {} s", short(way), short(flown));
-    // From rest to rest half the time speeds up and half slows down: way = a t^2/4.
+    let here = format!("at least {} m in {} s", short(way), short(flown));
+    // From rest to rest, half the time accelerates and half decelerates: way = a t^2/4.
     let least = 4.0 * way / (flown * flown);
     let warning = warning("mavc::sense::speed", span, message, slip).here(here);
     cx.report(match speed > PACE.high {
-        true => warning.also(to, format!("from rest to rest that takes {} m/s^2 at least", short(least))),
+        true => warning.also(to, format!("from rest to rest this takes at least {} m/s^2", short(least))),
         false => warning,
     });
 }

@@ -1,17 +1,17 @@
-//! A certificate for a plan, from what the planner found.
+//! Certificates of plans: the trajectory as a record.
 
 use crate::certificate::{Certificate, Claim, DynamicModel, MotionRecord, PlanClaim, SCHEMA, Vertical};
 use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, Trajectory, X, Y, YAW, Z};
 
-/// The certificate of a plan; `selected_by` are the plans that RSP selected facets by, in order.
+/// The certificate of a plan; `selected_by` are the plans from which RSP selected facets, in order.
 pub(super) fn certificate(trajectory: &Trajectory, selected_by: &[Trajectory], sha256: String) -> Certificate {
     let selected_by = selected_by.iter().map(motion).collect();
     let claim = PlanClaim { motion: motion(trajectory), selected_by, least_time_s: None };
     Certificate { schema: SCHEMA, spec_sha256: sha256, model: model_of(trajectory), claim: Claim::Plan(claim) }
 }
 
-/// The equations that the plan follows.
+/// The model of the wrench that the plan uses.
 pub(super) fn model_of(trajectory: &Trajectory) -> DynamicModel {
     match trajectory.model {
         WrenchModel::HoverAt(_) | WrenchModel::HoverFollowing => DynamicModel::Hover,
@@ -19,6 +19,7 @@ pub(super) fn model_of(trajectory: &Trajectory) -> DynamicModel {
     }
 }
 
+/// A trajectory as a record.
 pub(super) fn motion(trajectory: &Trajectory) -> MotionRecord {
     let nodes = &trajectory.nodes;
     let vertical = |s: &NodeState| match model_of(trajectory) {

@@ -1,0 +1,110 @@
+//! How the mission is planned: the settings of the `plan` block.
+
+use super::AfterFault;
+use crate::source::Span;
+
+/// Which sets the plan must stay in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlannerKind {
+    /// Risk-insensitive: the set of the healthy vehicle.
+    Rip,
+    /// Risk-conservative: the intersection of the sets of all modes.
+    Rcp,
+    /// Risk-sensitive: the healthy set and those facets of the modes' sets that the RIP plan violates.
+    Rsp,
+}
+
+impl PlannerKind {
+    /// The word of the language.
+    pub fn name(self) -> &'static str {
+        match self {
+            PlannerKind::Rip => "rip",
+            PlannerKind::Rcp => "rcp",
+            PlannerKind::Rsp => "rsp",
+        }
+    }
+}
+
+/// How a plan computes the wrench that a motion requires.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlanModel {
+    /// The paper's model, linearised about hover.
+    Hover,
+    /// Exactly, by differential flatness.
+    Exact,
+}
+
+impl PlanModel {
+    /// The word of the language.
+    pub fn name(self) -> &'static str {
+        match self {
+            PlanModel::Hover => "hover",
+            PlanModel::Exact => "exact",
+        }
+    }
+}
+
+/// How the rotors follow their commands in a plan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlanRotors {
+    /// At once: any admissible wrench can follow any other.
+    Instant,
+    /// With the first-order lag [`super::Model::thrust_lag`].
+    Lagging,
+}
+
+impl PlanRotors {
+    /// The word of the language.
+    pub fn name(self) -> &'static str {
+        match self {
+            PlanRotors::Instant => "instant",
+            PlanRotors::Lagging => "lagging",
+        }
+    }
+}
+
+/// The time of the whole mission, including holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MissionTime {
+    /// As short as the planner can make it.
+    Minimum,
+    /// Fixed, s.
+    Fixed(f64),
+}
+
+/// The `plan` block, or its defaults.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    pub planner: PlannerKind,
+    pub model: PlanModel,
+    pub rotors: PlanRotors,
+    /// Whether the planner chooses the times of waypoints, except fixed ones.
+    pub chooses_times: bool,
+    /// The modes to tolerate, as indices into [`super::Model::modes`], in the order written, without repetitions.
+    pub against: Vec<usize>,
+    pub time: MissionTime,
+    /// Number of intervals of the whole mission.
+    pub samples: usize,
+    /// Share of each set kept for feedback, 0 <= reserve < 1.
+    pub reserve: f64,
+    /// Weight of the integral of x''''^2 + y''''^2, s^7/m^2.
+    pub snap_weight: f64,
+    /// Weight of the integral of z''^2 (s^3/m^2) + psi''^2 (s^3/rad^2).
+    pub acceleration_weight: f64,
+    /// The place of the `plan` block, or of the mission where there is none; other places fall back to it.
+    pub span: Span,
+    pub against_span: Span,
+    pub time_span: Span,
+    pub samples_span: Span,
+    pub reserve_span: Span,
+    pub rotors_span: Span,
+    /// How often RSP selects facets, at one mission time (step (e)): 0 is RIP, 1 the paper's RSP.
+    pub rounds: usize,
+    /// The largest risk that the plan may have, a probability; the planner then chooses what to protect.
+    pub require_risk: Option<f64>,
+    /// The reaction to a fault that the risk assumes: [`AfterFault::Continue`] or [`AfterFault::Hold`]. A mode may have its
+    /// own: see [`super::Model::after_fault`].
+    pub after_fault: AfterFault,
+    /// The place of the `require` statement, or of the plan where there is none.
+    pub require_span: Span,
+}

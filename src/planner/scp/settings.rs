@@ -1,0 +1,452 @@
+//! Every parameter of the SCP planner, in one struct. Section 12 of `docs/method.md` lists the algorithms that use them.
+//!
+//! "Violation" is in widths of the healthy set for facets and a share of the bound for limits. Where a field names a
+//! measurement, this is what its value was chosen by; the other values have only their role.
+
+/// Parameters of [`super::ScpPlanner`]. The planner's results depend on all of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScpSettings {
+    /// Rows and multipliers of one convex subproblem.
+    pub subproblem: SubproblemSettings,
+    /// The proximal weight and how it adapts.
+    pub proximal: ProximalSettings,
+    /// The feasibility phase (restoration).
+    pub feasibility: FeasibilitySettings,
+    /// The cost phase.
+    pub cost: CostSettings,
+    /// Constraint tightening.
+    pub tightening: TighteningSettings,
+    /// Durations of legs as variables: waypoint times.
+    pub durations: DurationSettings,
+    /// Continuation to shorter mission times.
+    pub descent: DescentSettings,
+    /// The search for the shortest mission time.
+    pub search: SearchSettings,
+    /// Grids between the coarse and the full one.
+    pub grids: GridSettings,
+    /// The program whose multipliers give what limits the time.
+    pub sensitivity: SensitivitySettings,
+    /// Stops after a fault.
+    pub stops: StopSettings,
+    /// Waypoints that require nothing, in quick attempts.
+    pub guidance: GuidanceSettings,
+}
+
+/// Rows and multipliers of one convex subproblem.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SubproblemSettings {
+    /// Row generation: a row at a node with less slack than this is in the subproblem from the start, and a row of the
+    /// working set with more is dropped after the feasibility phase. Widths of the healthy set or shares of a limit; 0.1.
+    pub slack_of_working_set: f64,
+    /// Subproblems are solved in spline coefficients while `Transcription::stiffness` is at most this many times the
+    /// iterate's cost, else in stage variables. 1e10. Measured on five missions at 100 to 400 samples: 102 s in all
+    /// instead of 110 s with 1e8, with the same times to 0.2 % or shorter ones.
+    pub max_stiffness: f64,
+    /// Multipliers below this add no curvature to the Lagrangian. 1e-4.
+    pub negligible_multiplier: f64,
+    /// Pieces of an iterate join where derivatives on both sides agree to this share of their largest size (at least
+    /// 1, in SI units). 1e-5: the solver leaves less, a step that changes durations more.
+    pub joined_within: f64,
+}
+
+/// The proximal term of (73) and how its weight adapts to the ratio of actual to predicted gain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProximalSettings {
+    /// The largest weight: a phase ends where it is exceeded. 1e5.
+    pub max_weight: f64,
+    /// The smallest weight. 1e-6.
+    pub min_weight: f64,
+    /// Where the ratio exceeds this the weight decreases. 0.7.
+    pub good_ratio: f64,
+    /// Where the ratio is below this the weight increases. 0.3.
+    pub poor_ratio: f64,
+    /// Factor by which it decreases. 0.25.
+    pub decrease: f64,
+    /// Factor by which it increases. 4.
+    pub increase: f64,
+    /// Bounds on the factor by which it increases after a line search that took a share of the step; within them the
+    /// factor is the inverse of the share. (2, 16).
+    pub increase_after_share: (f64, f64),
+    /// The change of psi that counts like a change of an acceleration by itself, rad. 1.
+    pub yaw_unit: f64,
+    /// Changes of accelerations are relative to at least this share of gravity. 0.05.
+    pub min_acceleration: f64,
+    /// Weight of the squared change of inputs, relative to their mean square, between grids and wherever the violation
+    /// is below [`FeasibilitySettings::nearly_feasible`]. 1e-3. Changes of accelerations below the solver's gap hide
+    /// inputs of any size on a fine grid.
+    pub input_weight: f64,
+}
+
+/// The feasibility phase, which minimises the violation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FeasibilitySettings {
+    /// Initial proximal weight: small, so that the phase ends near the nearest feasible iterate. 0.1.
+    pub proximal_weight: f64,
+    /// Most steps. 12.
+    pub max_steps: usize,
+    /// The violation has to fall to the share `required_fall` over this many steps. 2.
+    pub patience: usize,
+    /// See `patience`. 0.4.
+    pub required_fall: f64,
+    /// Below this violation slow progress is accepted, because each step adds rows at other instants. 1e-2.
+    pub nearly_feasible: f64,
+    /// The phase fails where the linear model itself predicts more violation than this. 1e-2. Measured: further steps
+    /// fail, or reach an iterate at the edge of what can be flown.
+    pub max_predicted: f64,
+    /// The same after a change of the grid or of durations by different shares, which leave an iterate further from a
+    /// trajectory. 0.3.
+    pub max_predicted_after_change: f64,
+    /// The phase also fails where the linear model predicts more violation than this and more than `steady_ratio` times
+    /// the prediction two steps before. 2e-4. Measured: such sequences took all their steps and failed.
+    pub unavoidable: f64,
+    /// See `unavoidable`. 0.9.
+    pub steady_ratio: f64,
+    /// Most steps of which no share lowers the violation. 3.
+    pub max_rejected: usize,
+    /// Line search: share of the predicted decrease that a step has to reach. 0.2.
+    pub sufficient_decrease: f64,
+    /// Line search: no share below this is tried. 0.05.
+    pub min_share: f64,
+}
+
+/// When a cost phase ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StoppingRule {
+    /// Most steps.
+    pub max_steps: usize,
+    /// A predicted relative gain of the merit function below this ends the phase.
+    pub min_gain: f64,
+}
+
+impl StoppingRule {
+    /// No cost phase: any feasible iterate will do.
+    pub const NO_STEPS: StoppingRule = StoppingRule { max_steps: 0, min_gain: 0.0 };
+}
+
+/// The cost phase, which minimises the cost (48) by a merit function with an exact penalty on the violation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CostSettings {
+    /// Initial proximal weight of the first phase; later ones start from where the last ended. 0.03.
+    pub proximal_weight: f64,
+    /// The largest initial proximal weight. 1e3.
+    pub max_initial_proximal_weight: f64,
+    /// The largest proximal weight after the last iterate was restored. 1.
+    pub max_proximal_weight_after_restoration: f64,
+    /// Initial penalty weight: the violation against the relative cost. 6. Measured: with 20 from the start steps are
+    /// rejected.
+    pub penalty: f64,
+    /// Factor by which the penalty weight grows where the cost outweighs it. 5.
+    pub penalty_growth: f64,
+    /// The largest penalty weight that still grows. 1e4.
+    pub max_penalty: f64,
+    /// Line search: share of the predicted gain of the merit function that a step has to reach. 0.3.
+    pub sufficient_gain: f64,
+    /// Line search: no share below this is tried. 0.05.
+    pub min_share: f64,
+    /// On the way to another mission time. 2 steps, 3 %.
+    pub rough: StoppingRule,
+    /// Where the way to another mission time is hard, between weights of the cost, and for plans nearly as short as a
+    /// larger set's. 6 steps, 1 %.
+    pub medium: StoppingRule,
+    /// For a plan that is kept. 12 steps, 0.2 %.
+    pub close: StoppingRule,
+}
+
+/// Constraint tightening: by the margin everywhere, and locally where rows are violated between instants.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TighteningSettings {
+    /// What every facet and limit keeps free, so that the linearisation error of the last step ends inside; also the
+    /// tolerance of a flat set's equalities. Widths of the healthy set or shares of a limit; 1e-4.
+    pub margin: f64,
+    /// The violation accepted between instants. 5e-5: half of what counts as a violation, because the finer grid has
+    /// gaps too.
+    pub max_violation: f64,
+    /// Parts of each interval between instants at which it is measured. 4.
+    pub parts: usize,
+    /// Rows are tightened by this many times the violation, at the instants on both sides. 1.5.
+    pub factor: f64,
+    /// Most rounds of tightening and restoration. 8.
+    pub max_rounds: usize,
+}
+
+/// Durations of legs as variables, with a trust region on their relative changes. The fields apply to waypoint times
+/// that are free and, unless a field says otherwise, to legs that divide the time between two fixed times.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DurationSettings {
+    /// Initial and smallest proximal weight. 0.1.
+    pub proximal_weight: f64,
+    /// Factor by which the proximal weight grows after a step that fails and falls after one that succeeds, where times
+    /// are free. 10.
+    pub proximal_factor: f64,
+    /// Trust region: largest relative change of a duration in the first step, where times are free. 0.1.
+    pub initial_radius: f64,
+    /// The same where legs divide the time between fixed times. 0.2.
+    pub initial_radius_between_fixed_times: f64,
+    /// The largest radius, where times are free. 0.2.
+    pub max_radius: f64,
+    /// Factor by which the radius grows after a step that succeeds, where times are free. 1.5.
+    pub radius_growth: f64,
+    /// Factor by which the radius shrinks after a step that fails. 0.4.
+    pub radius_shrink: f64,
+    /// Steps end below this radius. 0.01.
+    pub min_radius: f64,
+    /// Penalty weight: the violation against the relative time. 100. With a small one (2) steps trade time for a
+    /// violation that no trajectory of those durations is rid of.
+    pub penalty: f64,
+    /// Relative weights of the cost on the full grid, one after the other. 0.05, 0.01, 0.002: smooth trajectories come
+    /// far in few steps, because they stay away from attitudes at which the wrench is most curved; the shortest ones
+    /// cost many times as much.
+    pub cost_weights: [f64; 3],
+    /// The same on the coarse grid, whose result is only the initial guess on the full one. 0.05.
+    pub cost_weights_on_coarse_grid: [f64; 1],
+    /// The same from a warm start, whose waypoint times are optimised already. 0.002.
+    pub cost_weights_of_warm_start: [f64; 1],
+    /// Weight that follows where the weights after the first gained less than `min_gain` in all. 0.0002. Measured:
+    /// without it `ferry_octo` at 150 samples ended 1.6 % longer.
+    pub last_cost_weight: f64,
+    /// The next weight's turn comes where the linear model predicts a smaller gain, as a share of the time. 1e-3.
+    pub min_gain: f64,
+    /// Most steps in all, where times are free. 40.
+    pub max_steps: usize,
+    /// Most steps where legs divide the time between fixed times. 20.
+    pub max_steps_between_fixed_times: usize,
+}
+
+impl DurationSettings {
+    /// The weights of the cost on the full grid; from a warm start only the last stage.
+    pub fn weights_from(&self, is_warm_start: bool) -> &[f64] {
+        if is_warm_start { &self.cost_weights_of_warm_start } else { &self.cost_weights }
+    }
+}
+
+/// The relative steps towards shorter times on one grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TimeSteps {
+    /// The first and largest step.
+    pub first: f64,
+    /// The descent ends below this step; on the full grid also the relative resolution of the bisection after fixed times.
+    pub min: f64,
+}
+
+/// Weights of a step that shortens all durations alike.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShorteningWeights {
+    /// Proximal weight.
+    pub proximal: f64,
+    /// Relative weight of the cost.
+    pub cost: f64,
+}
+
+/// Continuation in time: each shorter mission time starts from the plan of least cost at the last.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DescentSettings {
+    /// On the coarse grid. 10 %, down to 2 %.
+    pub on_coarse_grid: TimeSteps,
+    /// On the full grid. 4 %, down to 0.25 %.
+    pub on_full_grid: TimeSteps,
+    /// Factor of the step where no plan is found. 0.3.
+    pub shrink: f64,
+    /// Factor of the step where one is found. 1.5.
+    pub growth: f64,
+    /// A step counts as failed where the linear model allows less than this share of the smallest step. 0.8.
+    pub worthwhile: f64,
+    /// Penalty weight of the violation. 20.
+    pub penalty: f64,
+    /// Where the program chooses the duration. 3, 0.01.
+    pub free_duration: ShorteningWeights,
+    /// Where the duration is given. 1, 0.05.
+    pub given_duration: ShorteningWeights,
+    /// An initial guess that cannot be restored at its own time is slowed down by these factors in turn.
+    pub slowdowns: [f64; 10],
+    /// Relative precision of the slowing down of a minimum-snap initial guess. 1e-4.
+    pub precision: f64,
+}
+
+/// The search for the shortest mission time around the steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SearchSettings {
+    /// No time longer than this many times the first guess is tried. 20.
+    pub max_multiple: f64,
+    /// A time that exceeds that of a larger set by no more than this share is not shortened further. 3e-3.
+    pub short_enough: f64,
+    /// Times after the last fixed time at which a first plan is sought, in initial durations of the legs there.
+    /// 1, 1.5, 2.5, 5.
+    pub ample: [f64; 4],
+    /// How many ticks of 0.01 s later than the shortest time found a plan is tried. 0, 1, 2, 4, 8, 16.
+    pub late: [f64; 6],
+    /// The relaxation is first solved at the first guess less this share of the flight after the last fixed time. 0.75.
+    pub first_proof: f64,
+    /// After the last fixed time: the first stride to longer times, as a share of the first guess of the flight. 0.25.
+    pub first_stride: f64,
+    /// Factor by which this stride grows. 1.5.
+    pub stride_growth: f64,
+}
+
+/// Grids between the coarse one (see `HoverSettings`) and the full one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GridSettings {
+    /// Intervals of the medium grid, or those of the coarse grid where that has more. 100.
+    pub medium: usize,
+    /// Durations are optimised on the medium grid first where the full grid has more than this many times its intervals.
+    /// 1.6. Restoration often fails between grids that differ more, and steps on a fine grid are expensive. Measured: from 60
+    /// to 300 intervals at once, `ferry_octo` took three times as long as by a grid of 150.
+    pub refinement: f64,
+    /// On a new grid of the same size an iterate is slowed down by these factors in turn until it can be restored.
+    /// 1, 1.002, 1.005, 1.01.
+    pub slowdowns: [f64; 4],
+}
+
+/// The program that minimises the time about a plan, for its multipliers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SensitivitySettings {
+    /// Relative weight of the cost. 0.05. Measured against plans of relaxed specs (tests/it/exact/binding.rs): with 0.002
+    /// the cost, which rises steeply near the shortest time, takes part of the multipliers.
+    pub cost_weight: f64,
+    /// Penalty weight of the violation. 100.
+    pub penalty: f64,
+    /// Proximal weight. 0.1.
+    pub proximal_weight: f64,
+    /// Largest relative change of a duration. 0.1.
+    pub radius: f64,
+}
+
+/// Steps to a stop after a fault: short attempts, because risk figures need dozens.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StopSettings {
+    /// Proximal weight in the exact model. 0.1.
+    pub proximal_weight: f64,
+    /// The same where the wrench is linear in the motion, and steps need not be short. 1e-5.
+    pub proximal_weight_if_linear: f64,
+    /// Most steps. 8.
+    pub max_steps: usize,
+    /// The violation has to fall to the share `required_fall` over this many steps. 2.
+    pub patience: usize,
+    /// See `patience`. 0.5.
+    pub required_fall: f64,
+    /// Line search: share of the predicted decrease that a step has to reach. 0.2.
+    pub sufficient_decrease: f64,
+    /// Line search: no share below this is tried. 0.1.
+    pub min_share: f64,
+}
+
+/// How near waypoints that require nothing are kept in quick attempts: a wide tolerance and a small weight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GuidanceSettings {
+    /// Weight of the squared distance to the waypoint, 1/m^2. 0.01.
+    pub weight: f64,
+    /// Tolerance: this distance, m, ... 100.
+    pub min_distance: f64,
+    /// ... and this many times the largest distance of a waypoint from the first. 3.
+    pub lengths: f64,
+    /// Tolerance of the yaw, rad. 20.
+    pub yaw: f64,
+}
+
+impl ScpSettings {
+    /// The values in use.
+    pub const DEFAULT: ScpSettings = ScpSettings {
+        subproblem: SubproblemSettings {
+            slack_of_working_set: 0.1,
+            max_stiffness: 1e10,
+            negligible_multiplier: 1e-4,
+            joined_within: 1e-5,
+        },
+        proximal: ProximalSettings {
+            max_weight: 1e5,
+            min_weight: 1e-6,
+            good_ratio: 0.7,
+            poor_ratio: 0.3,
+            decrease: 0.25,
+            increase: 4.0,
+            increase_after_share: (2.0, 16.0),
+            yaw_unit: 1.0,
+            min_acceleration: 0.05,
+            input_weight: 1e-3,
+        },
+        feasibility: FeasibilitySettings {
+            proximal_weight: 0.1,
+            max_steps: 12,
+            patience: 2,
+            required_fall: 0.4,
+            nearly_feasible: 1e-2,
+            max_predicted: 1e-2,
+            max_predicted_after_change: 0.3,
+            unavoidable: 2e-4,
+            steady_ratio: 0.9,
+            max_rejected: 3,
+            sufficient_decrease: 0.2,
+            min_share: 0.05,
+        },
+        cost: CostSettings {
+            proximal_weight: 0.03,
+            max_initial_proximal_weight: 1e3,
+            max_proximal_weight_after_restoration: 1.0,
+            penalty: 6.0,
+            penalty_growth: 5.0,
+            max_penalty: 1e4,
+            sufficient_gain: 0.3,
+            min_share: 0.05,
+            rough: StoppingRule { max_steps: 2, min_gain: 0.03 },
+            medium: StoppingRule { max_steps: 6, min_gain: 0.01 },
+            close: StoppingRule { max_steps: 12, min_gain: 2e-3 },
+        },
+        tightening: TighteningSettings { margin: 1e-4, max_violation: 5e-5, parts: 4, factor: 1.5, max_rounds: 8 },
+        durations: DurationSettings {
+            proximal_weight: 0.1,
+            proximal_factor: 10.0,
+            initial_radius: 0.1,
+            initial_radius_between_fixed_times: 0.2,
+            max_radius: 0.2,
+            radius_growth: 1.5,
+            radius_shrink: 0.4,
+            min_radius: 0.01,
+            penalty: 100.0,
+            cost_weights: [0.05, 0.01, 0.002],
+            cost_weights_on_coarse_grid: [0.05],
+            cost_weights_of_warm_start: [0.002],
+            last_cost_weight: 0.0002,
+            min_gain: 1e-3,
+            max_steps: 40,
+            max_steps_between_fixed_times: 20,
+        },
+        descent: DescentSettings {
+            on_coarse_grid: TimeSteps { first: 0.1, min: 0.02 },
+            on_full_grid: TimeSteps { first: 0.04, min: 0.0025 },
+            shrink: 0.3,
+            growth: 1.5,
+            worthwhile: 0.8,
+            penalty: 20.0,
+            free_duration: ShorteningWeights { proximal: 3.0, cost: 0.01 },
+            given_duration: ShorteningWeights { proximal: 1.0, cost: 0.05 },
+            slowdowns: [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5],
+            precision: 1e-4,
+        },
+        search: SearchSettings {
+            max_multiple: 20.0,
+            short_enough: 3e-3,
+            ample: [1.0, 1.5, 2.5, 5.0],
+            late: [0.0, 1.0, 2.0, 4.0, 8.0, 16.0],
+            first_proof: 0.75,
+            first_stride: 0.25,
+            stride_growth: 1.5,
+        },
+        grids: GridSettings { medium: 100, refinement: 1.6, slowdowns: [1.0, 1.002, 1.005, 1.01] },
+        sensitivity: SensitivitySettings { cost_weight: 0.05, penalty: 100.0, proximal_weight: 0.1, radius: 0.1 },
+        stops: StopSettings {
+            proximal_weight: 0.1,
+            proximal_weight_if_linear: 1e-5,
+            max_steps: 8,
+            patience: 2,
+            required_fall: 0.5,
+            sufficient_decrease: 0.2,
+            min_share: 0.1,
+        },
+        guidance: GuidanceSettings { weight: 0.01, min_distance: 100.0, lengths: 3.0, yaw: 20.0 },
+    };
+}
+
+impl Default for ScpSettings {
+    fn default() -> Self {
+        ScpSettings::DEFAULT
+    }
+}

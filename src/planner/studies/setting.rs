@@ -1,0 +1,207 @@
+//! What all runs of one comparison share: the sets, the progress, and how one planner is run.
+
+use super::found::Found;
+use super::{Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Progress, Run, Verification};
+use crate::model::{Mission, MissionTime, Model, PlannerKind};
+use crate::motion::outside::{Outside, outside};
+use crate::motion::time_grid::determined;
+use crate::planner::hover::{Decision, HoverPlanner, Planned};
+use crate::planner::scp::ScpPlanner;
+use crate::planner::selection::PlanningSet;
+use crate::planner::selection::sets::PlanningSets;
+use crate::planner::timing::search::{Hint, NoTime};
+use crate::planner::working_set::WorkingSet;
+use crate::planner::{Planner, finds_local_optima, planner};
+use crate::solve::Effort;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A mission with its sets, and how planners are run on it.
+pub(super) struct Setting<'a> {
+    pub model: &'a Model,
+    pub mission: &'a Mission,
+    pub sets: PlanningSets,
+    pub progress: Progress<'a>,
+    /// Whether plans get committed times, which risk is computed from.
+    pub weighs_risk: bool,
+    /// The solver's effort for stops after faults.
+    pub stopping: Mutex<Effort>,
+    /// Runs of a whole comparison that are done, and how many there are; 0 of 0 for other scopes.
+    pub done: AtomicUsize,
+    pub all: usize,
+}
+
+impl<'a> Setting<'a> {
+    pub fn new(model: &'a Model, mission: &'a Mission, progress: Progress<'a>) -> Self {
+        let (sets, stopping) = (PlanningSets::of(model), Mutex::default());
+        Setting { model, mission, sets, progress, weighs_risk: false, stopping, done: AtomicUsize::new(0), all: 0 }
+    }
+
+    /// The mission time that the spec gives or determines, s.
+    pub fn fixed_time(&self) -> Option<f64> {
+        determined(self.mission).or(match self.model.plan.time {
+            MissionTime::Fixed(t) => Some(t),
+            MissionTime::Minimum => None,
+        })
+    }
+
+    /// Reports that `what` tries a mission time, s.
+    fn report(&self, what: &str, time: f64) {
+        match (self.progress, self.all) {
+            (None, _) => {}
+            (Some(progress), 0) => progress(what, time),
+            (Some(progress), all) => {
+                progress(&format!("{what} ({} of {all} plans done)", self.done.load(Ordering::Relaxed)), time);
+            }
+        }
+    }
+
+    /// The work of the spec's planner, and what it took. `what` names it in progress reports.
+    fn with_planner<T>(&self, what: &str, work: impl FnOnce(&mut dyn Planner) -> T) -> (T, Effort) {
+        let report = |t: f64| self.report(what, t);
+        let mut planner = planner(self.model, self.mission, &self.sets.healthy, Some(&report));
+        let value = work(&mut *planner);
+        (value, planner.effort())
+    }
+
+    /// Whether fixed times, yaw waypoints or reach rule out every plan of a mission time, s, for any choice of yaw.
+    pub fn is_hopeless(&self, time: f64) -> bool {
+        HoverPlanner::new(self.model, self.mission, &self.sets.healthy).is_hopeless(time)
+    }
+
+    /// Whether plans are local optima; see [`finds_local_optima`].
+    pub fn finds_local_optima(&self) -> bool {
+        finds_local_optima(self.model)
+    }
+
+    /// Counts runs as done.
+    pub fn ended(&self, runs: usize) {
+        self.done.fetch_add(runs, Ordering::Relaxed);
+    }
+
+    /// The search for the shortest time of a set.
+    pub fn search(&self, what: &str, set: &PlanningSet, hint: Hint, mut working_set: WorkingSet) -> Found {
+        let (result, effort) = self.with_planner(what, |p| p.shortest_time(set, hint, &mut working_set));
+        Found { result, working_set, effort }
+    }
+
+    /// The decision on one mission time, s. `initial_guesses` are plans of any set.
+    pub fn at(
+        &self,
+        what: &str,
+        set: &PlanningSet,
+        time: f64,
+        mut working_set: WorkingSet,
+        initial_guesses: &[&Planned],
+    ) -> (Decision, Effort) {
+        self.with_planner(what, |p| p.plan_at(time, set, initial_guesses, &mut working_set))
+    }
+
+    /// The decision on a mission time, s, taken from the own search if that ended at the same time; `other` is a plan of another
+    /// set.
+    pub fn at_or_own(
+        &self,
+        what: &str,
+        set: &PlanningSet,
+        at: f64,
+        own: &Found,
+        other: Option<&Planned>,
+    ) -> (Decision, Effort) {
+        match &own.result {
+            Ok(s) if s.time == at => (Decision::Feasible(Box::new(s.planned.clone())), Effort::default()),
+            _ => {
+                let initial_guesses: Vec<&Planned> = own.planned().into_iter().chain(other).collect();
+                self.at(what, set, at, own.working_set.clone(), &initial_guesses)
+            }
+        }
+    }
+
+    /// A plan with what is reported of it.
+    pub fn solved(&self, time: f64, planned: &Planned) -> MissionPlan {
+        let trajectory = planned.trajectory();
+        let outside: Vec<Outside> = self
+            .sets
+            .modes
+            .iter()
+            .map(|s| outside(&trajectory, &self.model.vehicle, self.model.gravity, &s.rows))
+            .collect();
+        let committed = if self.weighs_risk { self.committed(&trajectory, &outside) } else { Vec::new() };
+        MissionPlan {
+            time,
+            trajectory,
+            committed,
+            objective: planned.objective,
+            rows: planned.rows,
+            outside,
+            verification: Verification::None,
+            binding: Vec::new(),
+            infeasible_at: None,
+            infeasible_above: Vec::new(),
+        }
+    }
+
+    /// The outcome of a search for the shortest time.
+    pub fn own(&self, found: &Found) -> PlanOutcome {
+        match &found.result {
+            Ok(s) => PlanOutcome::Planned(Box::new(MissionPlan {
+                infeasible_at: s.infeasible_at,
+                infeasible_above: s.infeasible_above.clone(),
+                ..self.solved(s.time, &s.planned)
+            })),
+            Err(NoTime::Infeasible { times }) => PlanOutcome::proved_infeasible(times),
+            Err(NoTime::Inconclusive { at, status }) => {
+                PlanOutcome::NotFound(NotFound::Search { at: *at, status: status.clone() })
+            }
+        }
+    }
+
+    /// The same with what limits the time found.
+    pub fn own_with_binding(&self, found: &Found, set: &PlanningSet) -> PlanOutcome {
+        let mut outcome = self.own(found);
+        if let (PlanOutcome::Planned(solved), Some(planned)) = (&mut outcome, found.planned()) {
+            // One linearised program about the plan, in the model that it was made with.
+            let mut hover = HoverPlanner::new(self.model, self.mission, &self.sets.healthy);
+            let binding = ScpPlanner::new(&mut hover, planned.model, set).binding(planned);
+            solved.binding = binding.unwrap_or_default();
+        }
+        outcome
+    }
+
+    /// The outcome of a decision on one mission time, s.
+    pub fn common(&self, time: f64, decision: &Decision) -> PlanOutcome {
+        match decision {
+            Decision::Feasible(planned) => PlanOutcome::Planned(Box::new(self.solved(time, planned))),
+            Decision::Infeasible => PlanOutcome::proved_infeasible(&[time]),
+            Decision::Inconclusive(status) => {
+                PlanOutcome::NotFound(NotFound::Search { at: time, status: status.clone() })
+            }
+        }
+    }
+
+    /// The record of one planner's run.
+    pub fn run(
+        &self,
+        planner: PlannerKind,
+        against: &[String],
+        run: Run,
+        outcome: PlanOutcome,
+        set: &PlanningSet,
+    ) -> PlannerRun {
+        PlannerRun { planner, against: against.to_vec(), run, outcome, set: set.clone() }
+    }
+
+    /// A comparison without runs, at the spec's time if it has one.
+    pub fn without_runs(&self) -> Comparison {
+        Comparison {
+            modes: self.sets.names.clone(),
+            sets: self.sets.modes.clone(),
+            runs: Vec::new(),
+            common_time: self.fixed_time(),
+            selected: Vec::new(),
+            selected_by: Vec::new(),
+            trade_off: Vec::new(),
+            known: Vec::new(),
+            effort: Effort::default(),
+        }
+    }
+}
