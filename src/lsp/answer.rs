@@ -224,7 +224,7 @@ fn renamed(server: &mut Server, params: RenameParams) -> Answered<Option<Workspa
     let refuse = |message: String| Refusal { code: REQUEST_FAILED, message };
     let Some((spec, file, offset)) = look_at(server, &params.text_document_position_params) else { return Ok(None) };
     let Some((index, _)) = target(&spec, file, offset) else {
-        return Err(refuse("no name that the spec declares stands here".into()));
+        return Err(refuse("there is no name here that the spec declares".into()));
     };
     let (_, specs) = users(server, &spec, index);
     let new = params.new_name.as_str();

@@ -19,7 +19,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// As one says it.
+    /// In words.
     pub fn phrase(self) -> &'static str {
         match self {
             Kind::Let => "let",
@@ -95,7 +95,7 @@ impl Names {
         let (span, doc) = (name.span, doc.clone());
         self.definitions.push(Definition { kind, name: name.value.clone(), span, statement, doc, title });
         self.by_span.insert(span, index);
-        // Of several of one name the first is the one that is meant.
+        // Of several definitions of one name, a reference means the first.
         self.by_name.entry((kind, name.value.clone())).or_insert(index);
     }
 

@@ -1,4 +1,4 @@
-//! The outline of a file, and what of it folds.
+//! The outline of a file, and its folds.
 
 use super::documents::range;
 use super::workspace::Spec;
@@ -107,7 +107,7 @@ pub fn folds(source: &Source) -> Vec<FoldingRange> {
                     ']' => '[',
                     _ => '(',
                 };
-                // What is still open inside was never closed.
+                // Brackets still open inside were never closed.
                 if let Some(at) = open.iter().rposition(|o| o.0 == opening) {
                     let first = open[at].1;
                     open.truncate(at);
