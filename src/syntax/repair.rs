@@ -161,7 +161,8 @@ impl Draft {
 
 /// For each byte of `new` the byte of `old` that it repeats, in order: the longest common subsequence of their characters.
 fn in_common(old: &str, new: &str) -> Vec<Option<usize>> {
-    let (a, b): (Vec<(usize, char)>, Vec<(usize, char)>) = (old.char_indices().collect(), new.char_indices().collect());
+    let characters = |text: &str| text.char_indices().collect::<Vec<_>>();
+    let (a, b) = (characters(old), characters(new));
     let mut kept = vec![None; new.len()];
     if a.len() * b.len() > LONGEST_COMPARED * LONGEST_COMPARED {
         return kept;
