@@ -171,7 +171,7 @@ impl Loader<'_> {
                 self.seen.insert(target.clone(), ());
                 // The file that was probably meant is read, so that nothing it declares is unknown.
                 let near = told.fix.as_ref().map(|fix| Spanned::new(fix.text.trim_matches('"').to_string(), path.span));
-                match near {
+                match near.filter(|near| !self.open.contains(&resolve(from, &near.value))) {
                     Some(near) => {
                         self.diagnostics.push(*told);
                         self.bring(from, &near);

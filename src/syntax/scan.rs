@@ -162,6 +162,6 @@ mod tests {
         assert_eq!(lexemes("\u{1F600}").count(), 1);
         let texts: Vec<Lexeme> = lexemes("\"a\" \"b  \n\"\" \"").filter(|l| l.kind != Kind::Newline).collect();
         let ends: Vec<(usize, usize)> = texts.iter().map(|l| (l.start, l.end)).collect();
-        assert_eq!(ends, [(0, 3), (4, 6), (8, 9 + 1), (11, 12)]);
+        assert_eq!(ends, [(0, 3), (4, 6), (9, 11), (12, 13)]);
     }
 }
