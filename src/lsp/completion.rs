@@ -28,7 +28,7 @@ pub struct Offer {
     /// The same with places for the cursor, for editors that know snippets.
     pub snippet: Option<String>,
     pub kind: ItemKind,
-    /// A few words behind the label.
+    /// A few words after the label.
     pub detail: Option<String>,
     /// Markdown.
     pub documentation: Option<String>,

@@ -72,7 +72,7 @@ impl Mentions {
     pub fn at(&self, file: FileId, offset: usize) -> Option<Mention> {
         let of_file = self.in_file(file);
         let until = of_file.partition_point(|m| m.span.start as usize <= offset);
-        // A number ends where its unit begins, so the later one goes first.
+        // A number ends where its unit begins, so the later one takes precedence.
         of_file[..until].iter().rev().take(2).find(|m| offset <= m.span.end as usize).copied()
     }
 }
@@ -209,7 +209,7 @@ impl<'a> Walk<'a> {
             (Place::Plan, "mission") => Some(Names::mission),
             _ => None,
         };
-        // The modes between which a range of them goes are named as those of a list.
+        // The ends of a range of modes are names of modes, like the elements of a list.
         let ends = |element: &'a Expr| match &element.kind {
             ExprKind::Range { low, high } if of_kind.is_some() => vec![&**low, &**high],
             _ => vec![element],

@@ -99,7 +99,7 @@ impl Names {
         self.by_name.entry((kind, name.value.clone())).or_insert(index);
     }
 
-    /// The definition whose name stands at `span`.
+    /// The definition whose name is at `span`.
     pub fn declared_at(&self, span: Span) -> Option<usize> {
         self.by_span.get(&span).copied()
     }
@@ -132,7 +132,7 @@ impl Names {
         })
     }
 
-    /// The definitions that one name stands for: itself, and for modes every `every` that ends in the same `as`.
+    /// The definitions of one name: itself, and for modes every `every` with the same name after `as`.
     pub fn alike(&self, index: usize) -> Vec<usize> {
         let definition = &self.definitions[index];
         if definition.kind != Kind::Modes {

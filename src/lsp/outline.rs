@@ -7,7 +7,7 @@ use crate::syntax::ast::{Block, Clauses, Field, Item, Name, Statement};
 use crate::syntax::scan::{Kind, lexemes};
 use gen_lsp_types::{DocumentSymbol, FoldingRange, FoldingRangeKind, SymbolKind};
 
-/// Blocks, statements that have names, and fields, as they stand in each other.
+/// Blocks, statements that have names, and fields, nested as in the text.
 pub fn symbols(spec: &Spec, file: FileId) -> Vec<DocumentSymbol> {
     let Some(tree) = spec.files.files.iter().find(|tree| tree.file == file) else { return Vec::new() };
     let source = spec.source(file);

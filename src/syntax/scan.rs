@@ -16,7 +16,7 @@ pub enum Kind {
     UnclosedText,
     /// `// ...`, up to the end of the line.
     Comment,
-    /// `/// ...` on a line of its own; only [`lexemes`] tells it from another comment.
+    /// `/// ...` on a line of its own; only [`lexemes`] distinguishes it from another comment.
     Doc,
     Newline,
     /// One character of any other kind.

@@ -70,7 +70,7 @@ impl Context {
     /// The context of a byte offset; `None` inside comments and texts, where nothing is offered.
     pub fn at(text: &str, offset: usize) -> Option<Self> {
         let all: Vec<Lexeme> = lexemes(text).collect();
-        // A comment goes to the end of its line, whatever blanks end it.
+        // A comment extends to the end of its line, with trailing blanks.
         let begun = all[..all.partition_point(|l| l.start < offset)].last();
         let under = begun.filter(|l| offset <= l.end);
         let is_comment = begun.is_some_and(|l| matches!(l.kind, Kind::Comment | Kind::Doc));
@@ -192,7 +192,7 @@ impl Context {
         self.clauses = words.clone().map(|l| l.text(text).to_string()).collect();
         let (Some(clause), Some(last)) = (words.next_back(), statement.last()) else { return Before::Clause };
         let field = clause.text(text).to_string();
-        // Behind a unit or a name a value is over, but for what an operator goes on with.
+        // After a unit or a name a value is over, unless an operator continues it.
         let is_over = last.kind == Kind::Word && last.start != clause.start || last.is('%');
         match is_over && !self.in_brackets {
             true => Before::Clause,
@@ -234,7 +234,7 @@ fn range_from(text: &str, statement: &[Lexeme]) -> Option<String> {
     }
 }
 
-/// Where the unit begins that ends at `offset` in a mark which goes on, or in the word behind one: the `m/` of `3 m/`,
+/// The start of the unit that ends at `offset` in a mark that continues it, or in the word after one: the `m/` of `3 m/`,
 /// the `N*s` of `2 N*s`. A unit follows a number, a `)` or a `]`, as one run without blanks.
 fn unit_before(text: &str, all: &[Lexeme], offset: usize) -> Option<usize> {
     let end = all.partition_point(|l| l.start < offset);

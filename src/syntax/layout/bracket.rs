@@ -117,7 +117,7 @@ impl Scanner<'_> {
     }
 
     /// Whether the line at `at` cannot go on inside a bracket: `name =`, `name <=`, `name value` and `}` never
-    /// stand in an expression.
+    /// are part of an expression.
     pub(super) fn statement_begins(&self, at: usize) -> bool {
         let (name, next) = self.name_at(at);
         let rest = &self.text.as_bytes()[next..];
