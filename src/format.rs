@@ -1,11 +1,11 @@
-//! The one layout of a spec.
+//! The layout of a spec.
 //!
-//! What the author decides stays: the order of statements, where lines break, which statements share a line, and every
-//! comment. All else follows from it: indentation, blanks inside a line, columns, blank lines. `docs/formatting.md`
-//! says how. The layout is a function of words, comments and line breaks alone, so formatting twice changes nothing.
+//! The author decides the order of statements, where lines break, which statements share a line, and every comment. The
+//! formatter decides indentation, blanks inside a line, columns and blank lines; `docs/formatting.md` describes how. The layout
+//! depends only on words, comments and line breaks, so formatting twice changes nothing.
 //!
 //! # Steps
-//! 1. `role` asks the tree for what words alone do not say: where a unit ends, which minus is a sign.
+//! 1. `role` takes from the tree what words alone do not show: where a unit ends, which minus is a sign.
 //! 2. `token` splits the text into words, marks and comments.
 //! 3. `line` puts them on lines again, and `column` lines these up.
 
@@ -18,11 +18,11 @@ use crate::diagnostic::{Checked, Severity};
 use crate::source::{FileId, Source, Span};
 use crate::syntax::{MAX_FILE_BYTES, parse, too_large};
 
-/// The text of a spec in its one layout; its meaning is the same. Lines end as the first one does, in `\n` or `\r\n`; a byte
-/// order mark goes.
+/// The text of a spec in its layout; the meaning does not change. Lines end like the first one, in `\n` or `\r\n`; a byte order
+/// mark is removed.
 ///
-/// Names and units need not make sense, but a text with errors of syntax has no layout: the value is missing then, and
-/// the diagnostics are those of [`parse`]. So it is where the result would pass the size that a file may have.
+/// Errors in names and units do not matter. There is no value for a text with syntax errors, with the diagnostics of
+/// [`parse`], nor where the result would exceed the size that a file may have.
 pub fn format(file: FileId, source: &Source) -> Checked<String> {
     let Checked { value, mut diagnostics } = parse(file, source);
     let broken = diagnostics.iter().any(|d| d.severity == Severity::Error);

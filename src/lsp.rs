@@ -3,14 +3,14 @@
 //! One loop answers the editor, one thread beside it works out verdicts. A spec is compiled by the stages of
 //! `mavc check` when somebody asks about it, and again only after a change. The planner never runs.
 //!
-//! | room | what it does |
+//! | module | what it does |
 //! |---|---|
 //! | `transport` | messages over standard input and output |
 //! | `server`, `answer`, `publication` | the conversation: which message gets what, what is published when |
 //! | `documents`, `workspace` | open texts, the specs they make up |
 //! | `verdicts` | analyses of fault modes, beside the conversation |
 //! | `names`, `mentions`, `navigation`, `rename` | what every word means, where names are declared and used |
-//! | `documentation` | what the language reference says of a word |
+//! | `documentation` | what the language reference says about a word |
 //! | `diagnostics`, `actions`, `hover`, `completion`, `outline`, `tokens`, `hints`, `formatting` | one answer each |
 
 mod actions;
@@ -46,11 +46,11 @@ use server::Server;
 pub enum Ending {
     /// As agreed: `shutdown`, then `exit`.
     Agreed,
-    /// The editor went away without a word, or said `exit` alone.
+    /// The editor went away without `shutdown`.
     Abrupt,
 }
 
-/// Serves one editor until it says `exit` or goes away.
+/// Serves one editor until it sends `exit` or goes away.
 pub fn serve(connection: &Connection) -> Ending {
     match first_request(connection) {
         Some((id, params)) => Server::new(connection, id, params).run(),
@@ -87,7 +87,7 @@ pub fn serve_stdio() -> std::io::Result<Ending> {
     drop(connection);
     match ending {
         Ending::Agreed => threads.join().map(|()| ending),
-        // The reader may still wait for an editor that says nothing any more.
+        // The reader may still wait for an editor that sends nothing.
         Ending::Abrupt if !has_ended => Ok(ending),
         Ending::Abrupt => threads.join().map(|()| ending),
     }

@@ -1,13 +1,13 @@
-//! Lines that follow each other share columns: `=` and relations, the coordinates of rotors, comments.
+//! Consecutive lines share columns: `=` and relations, the coordinates of rotors, comments.
 
 use super::line::Line;
 use super::role::Kind;
 
-/// Comments beside statements, not beside a block's braces, begin here at the earliest, counted from 0.
+/// Comments after statements, not after the braces of a block, begin in this column or later, counted from 0.
 const COMMENT_COLUMN: usize = 34;
 /// Blanks before a comment at least.
 const COMMENT_GAP: usize = 2;
-/// What is longer than this stands by itself, and moves nothing else.
+/// A longer cell is not aligned, and does not move the others.
 const WIDEST_CELL: usize = 40;
 const WIDEST_LINE: usize = 100;
 
@@ -20,7 +20,7 @@ pub fn line_up(lines: &mut [Line]) {
     }
 }
 
-/// Lines are lined up with neighbours of one shape; one with a wide cell has none.
+/// Consecutive lines of one shape are aligned; a line with a wide cell has no shape.
 fn shape(line: &Line) -> Option<(Kind, usize)> {
     let starts = std::iter::once(0).chain(line.stops.iter().map(|stop| stop.end));
     let mut cells = starts.zip(&line.stops).map(|(start, stop)| width(&line.text[start..stop.end]));

@@ -70,7 +70,7 @@ struct Writer<'t, 'a> {
 }
 
 impl<'a> Writer<'_, 'a> {
-    /// Everything up to the end of the block, whose brace is left.
+    /// Everything up to the brace that ends the block.
     fn statements(&mut self) {
         let mut first = true;
         while let Some(&token) = self.tokens.get(self.at) {
@@ -89,7 +89,7 @@ impl<'a> Writer<'_, 'a> {
         }
     }
 
-    /// Puts a comment beside what stands before it on its line, which is answered, or on a line of its own.
+    /// Puts a comment after the text of its line, and returns true, or on a line of its own.
     fn comment(&mut self, token: Token<'a>, first: bool, indent: usize) -> bool {
         let comment = Some(Comment { text: token.text, gap: 0 });
         let beside = !token.begins_line() && token.sort != Sort::Doc;
@@ -148,7 +148,7 @@ impl<'a> Writer<'_, 'a> {
         self.tokens.get(at).filter(|t| !t.is_comment()).map_or("", |t| t.text)
     }
 
-    /// The token after the statement that begins at `from`, if it stands on one line with its block.
+    /// The token after the statement that begins at `from`, if it is on one line with its block.
     fn on_one_line(&self, from: usize) -> Option<usize> {
         let end = self.end_of_statement(from);
         if self.tokens[from..end].iter().skip(1).any(|t| t.begins_line() || t.is_comment()) {
@@ -174,7 +174,7 @@ impl<'a> Writer<'_, 'a> {
         self.tokens.len()
     }
 
-    /// The token after the `}` of a block that stands on one line, or is empty.
+    /// The token after the `}` of a block that is on one line, or empty.
     fn end_of_line_block(&self, brace: usize) -> Option<usize> {
         if self.text(brace + 1) == "}" {
             return Some(brace + 2);
@@ -200,7 +200,7 @@ impl<'a> Writer<'_, 'a> {
         let kind = self.roles.kinds.get(&self.tokens[from].start).copied().filter(|_| count == 1);
         // Tokens of the first line, and where they begin in it.
         let mut placed: Vec<(Token, usize)> = Vec::new();
-        // The line on which each open bracket stands, counted from this statement's first.
+        // The line of each open bracket, counted from the first of this statement.
         let mut brackets: Vec<usize> = Vec::new();
         let mut row = 0;
         for i in range {
@@ -219,7 +219,7 @@ impl<'a> Writer<'_, 'a> {
             }
             if i == from || token.begins_line() {
                 let blank_before = token.breaks > 1 && !closes && !after_opener;
-                // What stands inside brackets is not lined up with what stands around them.
+                // Lines inside brackets are not aligned with those around them.
                 self.run += usize::from(blank_before || row == 1);
                 row += 1;
                 if token.text == "]" && !matches!(self.before(i), "," | "[") {
@@ -266,7 +266,7 @@ impl<'a> Writer<'_, 'a> {
         }
     }
 
-    /// What stands between a token and the one before it on its line.
+    /// The blanks between a token and the one before it on its line.
     fn gap(&self, i: usize) -> &'static str {
         let (before, token) = (&self.tokens[i - 1], &self.tokens[i]);
         let role = |token: &Token| self.roles.words.get(&token.start).copied();
@@ -281,7 +281,7 @@ impl<'a> Writer<'_, 'a> {
     }
 }
 
-/// Where a statement of this kind is lined up; `placed` are its tokens and where they begin.
+/// Where a statement of this kind is aligned; `placed` are its tokens and their offsets.
 fn stops(kind: Kind, placed: &[(Token, usize)], roles: &Roles) -> Vec<Stop> {
     let at = |found: Option<&(Token, usize)>| found.map(|&(_, at)| Stop { start: at, end: at });
     match kind {

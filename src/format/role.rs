@@ -1,4 +1,4 @@
-//! What the tree knows about words that look alike, by the place where they start.
+//! What the tree knows about words and marks of the same form, by their offset.
 
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -183,7 +183,7 @@ impl Roles {
         }
     }
 
-    /// A chain of `*` and `/` is tight, unless a unit stands before one of them: it would go on over the operator.
+    /// A chain of `*` and `/` is tight, unless one of them follows a unit, which would continue over the operator.
     fn product(&mut self, expr: &Expr) {
         let (mut operators, mut operands, mut first) = (Vec::new(), Vec::new(), expr);
         while let ExprKind::Binary { operator, left, right } = &first.kind
@@ -213,7 +213,7 @@ fn ends_in_unit(expr: &Expr) -> bool {
     }
 }
 
-/// A power with blanks around its mark: what binds looser needs them too.
+/// A power with blanks around its mark: looser operators then need blanks too.
 fn is_apart(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Negate(operand) => is_apart(operand),

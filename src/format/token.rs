@@ -3,7 +3,7 @@
 use super::role::{Role, Roles};
 use crate::syntax::scan::{self, Kind, Lexeme};
 
-/// A word, a mark or a comment, and how it follows what stands before it.
+/// A word, a mark or a comment, and how many line breaks precede it.
 #[derive(Debug, Clone, Copy)]
 pub struct Token<'a> {
     pub text: &'a str,
@@ -32,7 +32,7 @@ impl Token<'_> {
     }
 }
 
-/// Every token but the `;` that separate nothing: at the end of a line, before a `}`, or after another.
+/// Every token except a `;` that separates nothing: at the end of a line, before a `}`, or after another `;`.
 pub fn tokens<'a>(text: &'a str, roles: &Roles) -> Vec<Token<'a>> {
     let all = all(text, roles);
     let mut kept: Vec<Token> = Vec::with_capacity(all.len());
@@ -43,7 +43,7 @@ pub fn tokens<'a>(text: &'a str, roles: &Roles) -> Vec<Token<'a>> {
             let before = kept.last().is_none_or(|k| k.is_comment() || matches!(k.text, "{" | ";")) || breaks > 0;
             let after = all.get(i + 1).is_none_or(|n| n.begins_line() || n.is_comment() || matches!(n.text, "}" | ";"));
             if before || after {
-                // At the beginning of a line the next one begins it.
+                // If it begins a line, the next token begins that line.
                 dropped = breaks;
                 continue;
             }

@@ -11,7 +11,7 @@ use url::Url;
 /// Makes an edit of what changes in each text, as the editor can take it.
 pub type Edit<'a> = dyn Fn(HashMap<Url, Vec<TextEdit>>) -> WorkspaceEdit + 'a;
 
-/// The fixes of those of `told` that a range of one file touches.
+/// The fixes of those diagnostics in `told` that a range of one file touches.
 pub fn fixes(
     workspace: &Workspace,
     spec: &Spec,
@@ -23,7 +23,7 @@ pub fn fixes(
     let Some(file) = spec.file(name) else { return Vec::new() };
     let (start, end) = offsets(spec.source(file), asked);
     let touched = told.iter().filter(|d| {
-        // A field that is missing is told of at the head of its block, where nobody stands who looks at the block.
+        // A missing field is reported at the head of its block; the cursor may be anywhere in the block.
         let near =
             |span: crate::source::Span| span.file == file && (span.start as usize) <= end && start <= span.end as usize;
         near(d.span) || d.fix.as_ref().is_some_and(|fix| near(fix.span))
@@ -52,11 +52,11 @@ fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic, edit: &Edit) -> Op
     })
 }
 
-/// What the help says where it is an order; otherwise what the replacement does.
+/// The help, where it is an instruction; otherwise what the replacement does.
 fn title(told: &Diagnostic, text: &str, replaced: &str) -> String {
     let (text, replaced) = (text.trim(), replaced.trim());
     let is_order = |help: &&str| ["write ", "add ", "take ", "put "].iter().any(|word| help.starts_with(word));
-    // Of several things that the help names the replacement is one, and `...` is no text to be written.
+    // The replacement may be one of several that the help names; `...` is not a text to write.
     let is_one = |help: &&str| help.matches('`').count() <= 2 && !help.contains("...");
     match told.help.as_deref().and_then(|help| help.lines().next()).filter(is_order).filter(is_one) {
         Some(help) => {

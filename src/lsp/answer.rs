@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use url::Url;
 
-/// What was asked cannot be done, and why.
+/// Why a request cannot be carried out.
 struct Refusal {
     code: i32,
     message: String,
@@ -146,7 +146,7 @@ fn completion(server: &mut Server, params: CompletionParams) -> Answered<Option<
     let Some((spec, file, offset)) = look_at(server, &params.text_document_position_params) else { return Ok(None) };
     let (offers, replaced) = offers(&spec, file, offset);
     let replaced = range(spec.source(file), replaced.start, replaced.end);
-    // Indenting a line asks for nothing.
+    // Indenting a line requests nothing.
     let offers =
         offers.into_iter().filter(|offer| !by_blank || offer.rank == 0 || offer.kind == CompletionItemKind::Unit);
     let item = |offer: Offer| {
@@ -187,7 +187,7 @@ fn references(server: &mut Server, params: ReferenceParams) -> Answered<Option<V
     Ok(Some(all.iter().filter_map(|place| location(server, &specs, place)).collect()))
 }
 
-/// Where a definition stands, and every spec that knows it.
+/// The place of a definition, and every spec that knows it.
 fn users(server: &mut Server, spec: &Spec, index: usize) -> (Somewhere, Vec<Arc<Spec>>) {
     let span = spec.names().definitions[index].span;
     let name = spec.source(span.file).name.clone();
@@ -224,7 +224,7 @@ fn renamed(server: &mut Server, params: RenameParams) -> Answered<Option<Workspa
     let refuse = |message: String| Refusal { code: REQUEST_FAILED, message };
     let Some((spec, file, offset)) = look_at(server, &params.text_document_position_params) else { return Ok(None) };
     let Some((index, _)) = target(&spec, file, offset) else {
-        return Err(refuse("no name that the spec declares stands here".into()));
+        return Err(refuse("there is no name here that the spec declares".into()));
     };
     let (_, specs) = users(server, &spec, index);
     let new = params.new_name.as_str();

@@ -28,7 +28,7 @@ pub struct Offer {
     /// The same with places for the cursor, for editors that know snippets.
     pub snippet: Option<String>,
     pub kind: ItemKind,
-    /// A few words behind the label.
+    /// A few words after the label.
     pub detail: Option<String>,
     /// Markdown.
     pub documentation: Option<String>,
@@ -121,7 +121,7 @@ fn missing_fields(context: &Context, list: &mut Vec<Offer>) {
     }
 }
 
-/// Whether the block around has neither the field nor another in its place.
+/// Whether the block has neither the field nor another one in its place.
 fn is_open(context: &Context, name: &str) -> bool {
     const INSTEAD: [(&str, &[&str]); 7] = [
         ("layout", &["rotors"]),
@@ -154,7 +154,7 @@ fn openers(context: &Context, list: &mut Vec<Offer>) {
             Some(_) => (format!("{word} {{\n}}"), Some(format!("{word} {{\n\t$0\n}}"))),
             None => (format!("{word} "), None),
         };
-        // Of these a block has one.
+        // A block has at most one of these.
         let single = ["plan", "simulate", "campaign", "rotor", "rotors", "limits"].contains(word);
         if single && block.is_some() && context.present.contains(*word) {
             continue;
@@ -171,11 +171,11 @@ fn openers(context: &Context, list: &mut Vec<Offer>) {
     }
 }
 
-/// What may stand where an operand is due.
+/// What may be written where an operand is expected.
 fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut Vec<Offer>) {
     let names = |kind: Kind| spec.names().of_kind(kind);
     let is_against = (place, field) == (Place::Plan, "against");
-    // `all` is no element of a list.
+    // `all` is not an element of a list.
     let words_here = words(place, field).iter().filter(|word| !context.listed.contains(**word));
     let words_here = words_here.filter(|_| !is_against || !context.in_brackets && context.range_from.is_none());
     // The words of `allow` are codes, which have pages.
@@ -230,7 +230,7 @@ fn values(spec: &Spec, context: &Context, place: Place, field: &str, list: &mut 
     }
 }
 
-/// Units of the dimension that a field takes; all common ones where it is not known.
+/// Units of the dimension that a field takes; all common units where the field is unknown.
 fn of_dimension(spec: &Spec, place: Place, field: &str, list: &mut Vec<Offer>) {
     let entry = documentation::field(place, field);
     let due = match (place, field) {

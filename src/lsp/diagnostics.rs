@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use gen_lsp_types as lsp;
 use gen_lsp_types::{DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag};
 
-/// Codes of what only takes up room: editors show it faded.
+/// Codes of what is unused: editors show it faded.
 const UNNECESSARY: [&str; 3] = ["mavc::name::unused", "mavc::fault::unused", "mavc::syntax::dangling_doc"];
 
 /// The diagnostic with headline, label and help as its message; labels elsewhere become related places.

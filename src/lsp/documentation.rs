@@ -1,4 +1,4 @@
-//! What the table of the language says about a word.
+//! The entries of the table of the language for a word.
 
 use crate::language::{EFFECTS, Entry, FUNCTIONS, Group, Place, STATEMENTS};
 

@@ -1,4 +1,4 @@
-//! The one layout of a text, as the edit that leads to it.
+//! The layout of a text, as an edit.
 
 use super::documents::range;
 use crate::format::format;

@@ -1,4 +1,4 @@
-//! Inlay hints: what a line comes to that it does not say, how many modes an `every` declares, values in SI.
+//! Inlay hints: values in SI, how many modes an `every` declares, how many `against` selects.
 
 use super::documents::{offsets, position};
 use super::hover::si;
@@ -36,7 +36,7 @@ pub fn hints(spec: &Spec, file: FileId, asked: Range) -> Vec<InlayHint> {
         }
     }
     found.sort();
-    // A `let` that stands where it is read is read twice.
+    // A `let` that is used in place is read twice.
     found.dedup_by_key(|hint| hint.0);
     let hint = |(at, label): (u32, String)| {
         let (at, kind) = (position(source, at as usize), Some(InlayHintKind::Type));
@@ -58,7 +58,7 @@ fn says_less(spec: &Spec, span: Span) -> bool {
     })
 }
 
-/// The `against` of the plan, where it stands in this file.
+/// The `against` of the plan, if it is in this file.
 fn against(spec: &Spec, file: FileId) -> Option<&Field> {
     let tree = spec.files.files.iter().find(|tree| tree.file == file)?;
     let blocks = tree.items.iter().filter_map(|item| if let Item::Block(block) = item { Some(block) } else { None });

@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// Modes of an `every` whose verdicts are shown; of more none is worked out.
 const MOST_VERDICTS: usize = 32;
 
-/// Markdown for a place, and the verdicts that it still lacks.
+/// Markdown for a place, and the verdicts that are not yet known.
 #[derive(Debug, Clone)]
 pub struct Shown {
     pub span: Span,
@@ -35,7 +35,7 @@ pub struct Wanted {
     pub modes: Vec<usize>,
 }
 
-/// What there is to say about the byte at `offset` of a file.
+/// The hover for the byte at `offset` of a file.
 pub fn hover(spec: &Spec, file: FileId, offset: usize) -> Option<Shown> {
     let Some(mention) = spec.mentions().at(file, offset) else {
         return keyword(spec, file, offset).or_else(|| value(spec, file, offset));
@@ -64,7 +64,7 @@ pub fn hover(spec: &Spec, file: FileId, offset: usize) -> Option<Shown> {
     }
 }
 
-/// A word that a field takes: what the reference says of the field tells of its words too.
+/// A word that a field takes: the entry of the field explains its words too.
 fn word(spec: &Spec, mention: &Mention) -> Option<String> {
     let before = spec.mentions().in_file(mention.span.file).iter().rev().filter(|m| m.span.start < mention.span.start);
     let (place, field) = before.into_iter().find_map(|m| match m.what {
@@ -110,7 +110,7 @@ fn field(spec: &Spec, place: Place, span: Span) -> Option<String> {
     let name = spec.snippet(span);
     let entry = documentation::field(place, name)?;
     let mut parts = vec![described(entry)];
-    // The value stands behind the name: the first reading of the statement that this is the head of.
+    // The value follows the name: the first reading of the statement that begins here.
     let next = spec.mentions().in_file(span.file).iter().find(|m| m.span.start > span.start && is_field(m));
     let end = next.map_or(u32::MAX, |m| m.span.start);
     let line_end = |reading: &Reading| reading.span.start < end && reading.span.start >= span.end;
@@ -127,7 +127,7 @@ fn is_field(mention: &Mention) -> bool {
     matches!(mention.what, What::Field(_) | What::Keyword | What::Definition(_))
 }
 
-/// Whether only a sign of relation stands between a field and its value.
+/// Whether only a relation is between a field and its value.
 fn belongs(spec: &Spec, field: Span, value: Span) -> bool {
     let between = spec.snippet(Span { start: field.end, end: value.start, ..field }).trim();
     matches!(between, "" | "=" | "<=" | ">=" | "in")
@@ -180,7 +180,7 @@ fn unit_text(spec: &Spec, text: &str) -> Option<String> {
 fn valued(spec: &Spec, reading: &Reading) -> String {
     let written = spec.snippet(reading.span).split_whitespace().collect::<Vec<_>>().join(" ");
     let value = si(reading);
-    // `1 m .. 20 m` is what `1 .. 20 m` says.
+    // `1 .. 20 m` means `1 m .. 20 m`.
     let each = reading.values.iter().map(|v| format!("{} {}", number(*v), reading.unit)).collect::<Vec<_>>();
     let is_same = written == value || written == each.join(" .. ") || written == format!("[{}]", each.join(", "));
     if is_same { format!("`{written}`") } else { format!("`{written}` = **{value}**") }
@@ -250,7 +250,7 @@ fn named(spec: &Spec, mention: &Mention, definition: &Definition) -> Option<Show
     Some(Shown { span: mention.span, text: parts.join("\n\n"), wanted })
 }
 
-/// Where a waypoint is: what stands behind its `at`.
+/// The position of a waypoint: the value of its `at`.
 fn position<'s>(spec: &'s Spec, definition: &Definition) -> Option<&'s Reading> {
     let clauses = spec.mentions().within(definition.statement).iter();
     let at = clauses.into_iter().find(|m| matches!(m.what, What::Field(_)) && spec.snippet(m.span) == "at")?;

@@ -1,4 +1,4 @@
-//! Every word of a spec that means something, with what it means: fields, units, names and what they refer to.
+//! Every word of a spec that has a meaning, with its meaning: fields, units, names and what they refer to.
 
 use super::names::{Definition, Names};
 use crate::model::vocabulary::words;
@@ -72,7 +72,7 @@ impl Mentions {
     pub fn at(&self, file: FileId, offset: usize) -> Option<Mention> {
         let of_file = self.in_file(file);
         let until = of_file.partition_point(|m| m.span.start as usize <= offset);
-        // A number ends where its unit begins, so the later one goes first.
+        // A number ends where its unit begins, so the later one takes precedence.
         of_file[..until].iter().rev().take(2).find(|m| offset <= m.span.end as usize).copied()
     }
 }
@@ -209,7 +209,7 @@ impl<'a> Walk<'a> {
             (Place::Plan, "mission") => Some(Names::mission),
             _ => None,
         };
-        // The modes between which a range of them goes are named as those of a list.
+        // The ends of a range of modes are names of modes, like the elements of a list.
         let ends = |element: &'a Expr| match &element.kind {
             ExprKind::Range { low, high } if of_kind.is_some() => vec![&**low, &**high],
             _ => vec![element],
@@ -222,7 +222,7 @@ impl<'a> Walk<'a> {
                         self.note(element.span, What::Reference(index));
                     }
                 }
-                // Where words are due, a name is no `let`, but for times and delays.
+                // Where words are expected, a name is not a `let`, except for times and delays.
                 ExprKind::Name(_) if !known.is_empty() && !matches!(field, "time" | "detection") => {}
                 _ => self.expr(element),
             }
@@ -242,7 +242,7 @@ impl<'a> Walk<'a> {
     fn expr(&mut self, expr: &'a Expr) {
         match &expr.kind {
             ExprKind::Number { text, unit, .. } => {
-                // In a tree that was read as a fix would have it, the number written may be shorter.
+                // In a statement read with its fix made, the number in the text may be shorter.
                 let most = unit.as_ref().map_or(expr.span.end, |unit| unit.span.start);
                 let end = most.min(expr.span.start + text.len() as u32);
                 self.note(Span { end, ..expr.span }, What::Number);

@@ -19,7 +19,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// As one says it.
+    /// In words.
     pub fn phrase(self) -> &'static str {
         match self {
             Kind::Let => "let",
@@ -95,11 +95,11 @@ impl Names {
         let (span, doc) = (name.span, doc.clone());
         self.definitions.push(Definition { kind, name: name.value.clone(), span, statement, doc, title });
         self.by_span.insert(span, index);
-        // Of several of one name the first is the one that is meant.
+        // Of several definitions of one name, a reference means the first.
         self.by_name.entry((kind, name.value.clone())).or_insert(index);
     }
 
-    /// The definition whose name stands at `span`.
+    /// The definition whose name is at `span`.
     pub fn declared_at(&self, span: Span) -> Option<usize> {
         self.by_span.get(&span).copied()
     }
@@ -132,7 +132,7 @@ impl Names {
         })
     }
 
-    /// The definitions that one name stands for: itself, and for modes every `every` that ends in the same `as`.
+    /// The definitions of one name: itself, and for modes every `every` with the same name after `as`.
     pub fn alike(&self, index: usize) -> Vec<usize> {
         let definition = &self.definitions[index];
         if definition.kind != Kind::Modes {

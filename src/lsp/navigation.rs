@@ -23,7 +23,7 @@ pub fn target(spec: &Spec, file: FileId, offset: usize) -> Option<(usize, Span)>
     }
 }
 
-/// Where a text in quotes behind `use` or `waypoints from` leads.
+/// The file that a text in quotes after `use` or `waypoints from` names.
 pub fn file_named_at(spec: &Spec, file: FileId, offset: usize) -> Option<FileId> {
     let mention = spec.mentions().at(file, offset).filter(|m| m.what == What::Text)?;
     let path = spec.snippet(mention.span).trim_matches('"');
@@ -60,7 +60,7 @@ pub fn places_in_all(specs: &[std::sync::Arc<Spec>], declared: &Somewhere) -> BT
     specs.iter().filter_map(of_spec).flatten().collect()
 }
 
-/// The definition that stands at a place, as this spec counts.
+/// The definition at a place, as an index of this spec.
 pub fn declared_in(spec: &Spec, declared: &Somewhere) -> Option<usize> {
     let file = spec.file(&declared.0)?;
     spec.names().declared_at(Span::new(file, declared.1, declared.2))

@@ -1,4 +1,4 @@
-//! The outline of a file, and what of it folds.
+//! The outline of a file, and its folds.
 
 use super::documents::range;
 use super::workspace::Spec;
@@ -7,7 +7,7 @@ use crate::syntax::ast::{Block, Clauses, Field, Item, Name, Statement};
 use crate::syntax::scan::{Kind, lexemes};
 use gen_lsp_types::{DocumentSymbol, FoldingRange, FoldingRangeKind, SymbolKind};
 
-/// Blocks, statements that have names, and fields, as they stand in each other.
+/// Blocks, statements that have names, and fields, nested as in the text.
 pub fn symbols(spec: &Spec, file: FileId) -> Vec<DocumentSymbol> {
     let Some(tree) = spec.files.files.iter().find(|tree| tree.file == file) else { return Vec::new() };
     let source = spec.source(file);
@@ -107,7 +107,7 @@ pub fn folds(source: &Source) -> Vec<FoldingRange> {
                     ']' => '[',
                     _ => '(',
                 };
-                // What is still open inside was never closed.
+                // Brackets still open inside were never closed.
                 if let Some(at) = open.iter().rposition(|o| o.0 == opening) {
                     let first = open[at].1;
                     open.truncate(at);

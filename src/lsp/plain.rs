@@ -1,4 +1,4 @@
-//! What an editor shows is free of disguises; what it puts into a text, and names of files, are left as they are.
+//! Escapes characters that disguise a text in what an editor shows; text edits and file names are not changed.
 
 use crate::source::visible;
 use lsp_server::Message;

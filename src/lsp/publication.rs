@@ -1,4 +1,4 @@
-//! Diagnostics to the editor: compiled in a moment's quiet, completed by what the fault sets say.
+//! Diagnostics for the editor: compiled when typing pauses, completed by the verdicts of the fault sets.
 
 use super::diagnostics::diagnostic;
 use super::documents::name_of;
@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use url::Url;
 
-/// How long diagnostics wait for what the fault sets say: with verdicts at hand that is enough, and nothing flickers.
+/// How long diagnostics wait for the verdicts of the fault sets: enough for known verdicts, so that nothing flickers.
 const PATIENCE: Duration = Duration::from_millis(30);
 
 /// How far the diagnostics of the last change have come.
@@ -22,7 +22,7 @@ pub enum Progress {
     Published,
     /// Something has changed.
     Due,
-    /// The sets were asked in a round; publish without them at the instant given, if it has not come to that yet.
+    /// Verdicts were requested in a round; at this instant publish without them, unless they have been published.
     Asked {
         round: u64,
         until: Option<Instant>,
@@ -30,7 +30,7 @@ pub enum Progress {
 }
 
 impl Server<'_> {
-    /// Compiles what has changed and asks what the sets say of it.
+    /// Compiles what has changed and requests its verdicts.
     pub(super) fn look_again(&mut self) {
         let specs = self.workspace.specs();
         self.answers.retain(|root, (of, _)| specs.iter().any(|spec| spec.root == *root && Arc::ptr_eq(spec, of)));
@@ -50,7 +50,7 @@ impl Server<'_> {
         }
     }
 
-    /// Takes in what the sets say of a spec; of an earlier round it is of no interest.
+    /// Takes the verdicts of a spec; those of an earlier round are ignored.
     pub(super) fn take_answers(&mut self, round: u64, root: String, diagnostics: Vec<Diagnostic>) {
         let Progress::Asked { round: current, .. } = self.progress else { return };
         if round != current {
@@ -76,7 +76,7 @@ impl Server<'_> {
         told
     }
 
-    /// Tells the editor what has changed since it was told last.
+    /// Sends the editor what has changed since the last publication.
     pub(super) fn publish(&mut self) {
         let mut now: BTreeMap<Url, Vec<lsp::Diagnostic>> = BTreeMap::new();
         for (_, document) in self.workspace.documents.iter() {
@@ -101,7 +101,7 @@ impl Server<'_> {
         }
         for (uri, list) in now {
             let version = self.workspace.documents.get(&name_of(&uri)).map(|document| document.version);
-            // A text that is open is told of each time, so that editors know which version is meant.
+            // Diagnostics of an open text are sent each time, with its version.
             if version.is_some() || self.published.get(&uri) != Some(&list) {
                 self.tell(uri.clone(), version, list.clone());
             }

@@ -43,7 +43,9 @@ pub fn rename(
 fn check_name(kind: Kind, new: &str) -> Result<(), String> {
     let is_word = new.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     if new.is_empty() || !is_word || new.starts_with(|c: char| c.is_ascii_digit()) {
-        return Err(format!("`{new}` is no name: names are letters a to z, digits and `_`, and begin with no digit"));
+        return Err(format!(
+            "`{new}` is not a name: a name consists of the letters a to z, digits and `_`, and does not begin with a digit"
+        ));
     }
     let reserved = match kind {
         Kind::Let => functions().contains(&new) || constants().contains(&new),
@@ -77,7 +79,7 @@ fn check_broken(spec: &Spec, old: &str, kind: Kind) -> Result<(), String> {
         if words.into_iter().any(is_meant) {
             let source = spec.source(span.file);
             let line = source.place(span.start as usize).line;
-            return Err(format!("line {line} of `{}` cannot be read and may use `{old}`: mend it first", source.name));
+            return Err(format!("line {line} of `{}` cannot be read and may use `{old}`: fix it first", source.name));
         }
     }
     Ok(())

@@ -35,7 +35,7 @@ pub struct Server<'c> {
     inbox: VecDeque<Message>,
     /// What the editor shows now.
     pub(super) published: BTreeMap<Url, Vec<lsp::Diagnostic>>,
-    /// What the sets say, by root, and the spec it is said of.
+    /// The verdicts of the sets, by root, with their spec.
     pub(super) answers: BTreeMap<String, (Arc<Spec>, Vec<Diagnostic>)>,
     pub(super) progress: Progress,
     /// Hovers that wait for verdicts, by ticket.
@@ -135,7 +135,7 @@ impl<'c> Server<'c> {
             },
             recv(found) -> found => match found {
                 Ok(found) => self.take_in(found),
-                // Without the thread there are no verdicts, and all else goes on.
+                // Without the thread there are no verdicts; everything else works.
                 Err(_) => {
                     for (_, Waiting { id, spec, shown, .. }) in std::mem::take(&mut self.waiting) {
                         self.send(answer::hover_response(id, &spec, shown));
@@ -162,7 +162,7 @@ impl<'c> Server<'c> {
                 Some(if self.is_shut_down { Ending::Agreed } else { Ending::Abrupt })
             }
             Message::Notification(note) => {
-                // A mistake of ours about one message is no reason to leave the editor alone.
+                // A bug in one answer must not stop the server.
                 let outcome = catch_unwind(AssertUnwindSafe(|| self.notification(note)));
                 if outcome.is_err() {
                     self.log("a notification could not be dealt with: a mistake in mavc");
@@ -262,7 +262,7 @@ impl<'c> Server<'c> {
         }
     }
 
-    /// A notification about texts, after which diagnostics are due. One with parameters of another shape is for nobody.
+    /// A notification about texts; diagnostics follow. A notification with other parameters is ignored.
     fn with<P: DeserializeOwned>(&mut self, note: Notification, take: impl FnOnce(&mut Self, P)) {
         match serde_json::from_value(note.params) {
             Ok(params) => {
@@ -302,7 +302,7 @@ impl<'c> Server<'c> {
     }
 
     pub fn send(&self, message: impl Into<Message>) {
-        // An editor that is gone is noticed where its messages are read.
+        // The reader notices that the editor is gone.
         let _ = self.connection.sender.send(plainly(message.into()));
     }
 

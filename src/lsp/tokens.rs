@@ -1,4 +1,4 @@
-//! Semantic tokens: what every word is, by the tree where there is one and by itself elsewhere.
+//! Semantic tokens: what every word is, by the tree where there is one, by its form elsewhere.
 
 use super::mentions::What;
 use super::names::Kind;
@@ -51,7 +51,7 @@ const DECLARATION: u32 = 1;
 const DOCUMENTATION: u32 = 2;
 const CONSTANT: u32 = 4;
 
-/// Words between the parts of a statement that begin none.
+/// Words between the parts of a statement, none of which begins a statement.
 const JOINING: [&str; 14] =
     ["at", "as", "in", "to", "from", "where", "until", "moving", "lost", "reduced", "stuck", "rotor", "rotors", "risk"];
 
@@ -69,7 +69,7 @@ pub fn legend() -> SemanticTokensLegend {
 pub fn tokens(spec: &Spec, file: FileId) -> Vec<SemanticToken> {
     let source = spec.source(file);
     let text = source.text.as_str();
-    // Not those that only a fix would write.
+    // Without those that only a fix would insert.
     let written = spec.mentions().in_file(file).iter().filter(|m| m.span.start < m.span.end);
     let meant: HashMap<usize, (usize, What)> =
         written.map(|m| (m.span.start as usize, (m.span.end as usize, m.what))).collect();

@@ -1,5 +1,5 @@
-//! Messages over standard input and output. What is no message is told to the editor and passed over; no length is believed
-//! beyond what texts may have.
+//! Messages over standard input and output. Input that is not a message is reported to the editor and skipped; lengths beyond
+//! the limit of texts are rejected.
 
 use crate::source::visible;
 use crossbeam_channel::{Sender, bounded};
@@ -22,7 +22,7 @@ pub(super) struct Threads {
 }
 
 impl Threads {
-    /// Waits for both; the connection has to be gone.
+    /// Waits for both threads; the connection must be closed.
     ///
     /// # Errors
     /// What came in had no length that can be read, or was torn; standard input or output failed.
@@ -74,10 +74,10 @@ fn read_all(input: &mut impl BufRead, incoming: &Sender<Message>, replies: &Send
     Ok(())
 }
 
-/// The next message, or why what stands in its place is none; `None` at the end of the input.
+/// The next message, or why there is none in its place; `None` at the end of the input.
 ///
 /// # Errors
-/// Where the next message begins cannot be known: its header has no length, or one that no message has.
+/// The start of the next message is unknown: its header has no length, or an impossible one.
 fn read(input: &mut impl BufRead) -> io::Result<Option<Result<Message, String>>> {
     let mut header = String::new();
     loop {

@@ -1,7 +1,6 @@
-//! What the fault sets say, worked out beside the conversation with the editor.
+//! The verdicts of the fault sets, computed on a thread of their own.
 //!
-//! A thread of its own analyses modes, one after the other. It keeps what it has found for as long as the vehicle stays
-//! the same, and gives up a spec as soon as a newer one is asked about.
+//! The thread analyses modes, one after the other. It keeps its results as long as the vehicle stays the same, and stops with a spec as soon as a newer one is requested.
 
 use crate::admissible::AdmissibleSet;
 use crate::admissible::diagnose::diagnose_by;
@@ -23,9 +22,9 @@ const MOST_KEPT: usize = 20_000;
 /// What the thread has found.
 #[derive(Debug)]
 pub enum Found {
-    /// What the sets say of a spec, in the round that asked.
+    /// The verdicts of a spec, for the round that requested them.
     Answers { round: u64, root: String, diagnostics: Vec<Diagnostic> },
-    /// The modes that somebody asked about, in the order asked.
+    /// The modes of requests, in their order.
     Verdicts { ticket: u64, analyses: Vec<ModeAnalysis> },
 }
 
@@ -52,14 +51,14 @@ impl Verdicts {
         Verdicts { asked, found, round }
     }
 
-    /// Begins a round: what was asked in earlier ones is of no interest any more.
+    /// Begins a round; requests of earlier rounds are dropped.
     pub fn next_round(&self) -> u64 {
         self.round.fetch_add(1, Ordering::Relaxed) + 1
     }
 
-    /// Asks what the sets say of a spec.
+    /// Requests the verdicts of a spec.
     pub fn ask(&self, round: u64, root: &str, model: &Arc<Model>) {
-        // A thread that is gone answers nothing, and the rest goes on.
+        // Without the thread there is no answer; everything else works.
         let _ = self.asked.send(Asked::Answers { round, root: root.to_string(), model: model.clone() });
     }
 
@@ -119,7 +118,7 @@ impl Analyst {
         let _ = self.answers.send(Found::Verdicts { ticket, analyses });
     }
 
-    /// Answers about a spec, unless a newer round begins meanwhile. Somebody who waits for single modes goes first.
+    /// Answers about a spec, unless a newer round begins meanwhile. Requests for single modes come first.
     fn diagnose(&mut self, round: u64, root: String, model: &Model, waiting: &mut VecDeque<Asked>) {
         let answers = diagnose_by(model, |mode| {
             while let Ok(asked) = self.questions.try_recv() {
@@ -154,7 +153,7 @@ impl Analyst {
         analysis
     }
 
-    /// The shelf of the model's vehicle, wherever in the text that stands.
+    /// The shelf of the model's vehicle, wherever it is in the text.
     fn shelf(&mut self, model: &Model) -> &mut Shelf {
         let nowhere = Span::default();
         let vehicle =

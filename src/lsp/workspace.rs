@@ -1,4 +1,4 @@
-//! The specs that the open texts make up, each compiled when somebody asks and compiled again only after a change.
+//! The specs of the open texts, each compiled on demand and compiled again only after a change.
 
 use super::documents::{Documents, name_of, range};
 use super::mentions::Mentions;
@@ -22,9 +22,9 @@ pub struct Spec {
     pub root: String,
     pub files: FileSet,
     pub understanding: Understanding,
-    /// `None` where an error stands in the way.
+    /// `None` where an error prevents it.
     pub model: Option<Arc<Model>>,
-    /// What loading and elaboration say, in the order shown.
+    /// The diagnostics of loading and elaboration, in the order shown.
     pub diagnostics: Vec<Diagnostic>,
     names: OnceLock<Names>,
     mentions: OnceLock<Mentions>,
@@ -106,7 +106,7 @@ impl Workspace {
     /// The specs of all open texts, each compiled if it has to be. A text that another open one uses is a part of that
     /// spec and none of its own.
     pub fn specs(&mut self) -> Vec<Arc<Spec>> {
-        // The roots so far first: they say which texts need no spec of their own.
+        // The known roots first: they determine which texts need no spec of their own.
         let mut names: Vec<String> = self.documents.iter().map(|(name, _)| name.to_string()).collect();
         names.sort_by_key(|name| !self.specs.contains_key(name));
         for name in names {

@@ -173,7 +173,8 @@ impl Loader<'_> {
                 self.seen.insert(target.clone(), ());
                 // Read the file that was probably meant, so that what it declares is known.
                 let near = diagnostic.fix.as_ref();
-                match near.map(|fix| Spanned::new(fix.text.trim_matches('"').to_string(), path.span)) {
+                let near = near.map(|fix| Spanned::new(fix.text.trim_matches('"').to_string(), path.span));
+                match near.filter(|near| !self.open.contains(&resolve(from, &near.value))) {
                     Some(near) => {
                         self.diagnostics.push(*diagnostic);
                         self.bring(from, &near);

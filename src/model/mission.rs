@@ -187,7 +187,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
                 unread = unread.map(|unread| unread + 1);
             }
             Statement::Curve { .. } | Statement::WaypointsFrom { .. } if route.waypoints.len() == before => {
-                unread = None
+                unread = None;
             }
             Statement::Broken(_) => unread = None,
             _ => {}

@@ -20,8 +20,8 @@ pub enum Item {
     /// A top-level assignment such as `gravity = 9.80665 m/s^2`.
     Field(Field),
     Block(Block),
-    /// A statement with an error in it, reported already. What it would have said is unknown, so its absence
-    /// elsewhere proves nothing.
+    /// A statement whose error has been reported, and which has no fix. What it was meant to declare is unknown, so that a
+    /// declaration may be missing elsewhere without an error.
     Broken(Span),
 }
 
@@ -132,7 +132,7 @@ pub enum Statement {
         relation: LimitRelation,
         span: Span,
     },
-    /// As [`Item::Broken`]: a block that holds one may lack what it seems to lack.
+    /// As [`Item::Broken`]: the block around it may have a field that seems to be missing.
     Broken(Span),
 }
 
@@ -169,7 +169,7 @@ impl Statement {
     }
 }
 
-/// A statement made of a name, which most may leave out, and `word value` clauses in any order.
+/// A statement that consists of a name, mostly optional, and `word value` clauses in any order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clauses {
     pub name: Option<Name>,
@@ -231,7 +231,7 @@ pub enum ExprKind {
         left: Box<Expr>,
         right: Box<Expr>,
     },
-    /// `(a + b) m`: the unit applies to what stands inside. A call with a unit, `cos(s) m`, is one of these too.
+    /// `(a + b) m`: the unit applies to the expression inside. A call with a unit, `cos(s) m`, is one of these too.
     Paren {
         inner: Box<Expr>,
         unit: Option<UnitText>,

@@ -1,10 +1,10 @@
-//! Grammar pairs to tree. Only this room sees the grammar's rules.
+//! Grammar pairs to tree. Only this module sees the grammar's rules.
 
+mod broken;
 mod expected;
 mod expression;
 mod statement;
 
-use super::MAX_ERRORS;
 use super::ast::*;
 use super::layout::{Doc, Layout};
 use super::mistake;
@@ -22,10 +22,10 @@ struct Grammar;
 /// A statement, or the one error that keeps it from being one.
 type Built<T> = Result<T, Box<Diagnostic>>;
 
-/// Upper bound on rule calls for one parse; a guard that no text within the other limits comes near.
+/// Upper bound on rule calls for one parse: a guard; no text within the other limits comes near.
 const MAX_CALLS: usize = 200_000_000;
 
-/// The tree of a text that is laid out, and what is wrong with it.
+/// The tree of a laid-out text, and its errors.
 pub(super) fn build(file: FileId, layout: &Layout) -> (SpecFile, Vec<Diagnostic>) {
     pest::set_call_limit(std::num::NonZeroUsize::new(MAX_CALLS));
     let Layout { text, docs, diagnostics, blocks_unsure, left_open, .. } = layout;
@@ -88,7 +88,7 @@ impl Builder<'_> {
             Any::Statement(Statement::Block(block)) => Item::Block(block),
             Any::Statement(_) => Item::Broken(span),
         });
-        // A field behind a brace too many belongs to the block that ended there.
+        // A field after a brace too many belongs to the block that ended there.
         for item in items.iter_mut().filter(|_| unsure) {
             if let Item::Field(field) = item {
                 *item = Item::Broken(field.span);
@@ -99,7 +99,7 @@ impl Builder<'_> {
         items
     }
 
-    /// Of some blocks a spec has one. Where one that is misspelt stands beside it, another spelling mends nothing.
+    /// A spec has at most one block of some kinds. Correcting the spelling of a second one would not help.
     fn beside_the_only_one(&mut self, items: &[Item]) {
         let keywords = || {
             let blocks = items.iter().filter_map(|item| if let Item::Block(block) = item { Some(block) } else { None });
@@ -238,7 +238,7 @@ impl Builder<'_> {
         let mut statements = self.body(body, around);
         fits?;
         if let Some(diagnostic) = wrong_head {
-            // What stands in the block is looked at all the same. A misspelt keyword and a name that lacks are one mistake.
+            // The statements of the block are checked all the same. A misspelt keyword and a missing name are one error.
             let is_one = |d: &&mut Diagnostic| d.span == diagnostic.span;
             match self.diagnostics.iter_mut().find(is_one) {
                 Some(misspelt) => {
@@ -250,7 +250,7 @@ impl Builder<'_> {
             statements.push(Statement::Broken(self.span(&head)));
         }
         if is_closed && self.left_open.contains(&opened) {
-            // It ends with the brace of the block around it, whose statements it has taken for its own.
+            // It ends with the brace of the block around it, and holds statements of that block.
             return Ok(Statement::Broken(span));
         }
         if !is_closed {
@@ -277,107 +277,11 @@ impl Builder<'_> {
         })
     }
 
-    /// Something between separators that is no statement: reported once, then what it encloses is read.
-    fn broken(&mut self, pair: Pair<Rule>, place: Place) -> Statement {
-        let span = self.span(&pair);
-        let (mut head, mut body) = ("", None);
-        let mut start = span.start as usize;
-        for part in pair.into_inner() {
-            match part.as_rule() {
-                Rule::broken_text => {
-                    // The grammar's blanks are ASCII; here all of Unicode's go.
-                    head = part.as_str().trim();
-                    start += part.as_str().len() - part.as_str().trim_start().len();
-                }
-                Rule::body => body = Some(part),
-                _ => {}
-            }
-        }
-        let late = self.late_brace.take().filter(|(brace, _)| *brace == start);
-        let word = head.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or(head);
-        let inside = late.map(|(_, inside)| inside).or(Place::of_head(word)).unwrap_or(Place::Unknown);
-        let has_body = body.is_some();
-        if !has_body {
-            let rest = self.text[start + head.len()..].trim_start();
-            self.late_brace = rest.starts_with('{').then_some((self.text.len() - rest.len(), inside));
-        }
-        if late.is_none() {
-            let below = start + head.len();
-            let brace_below = self.late_brace.map(|(brace, _)| &self.text[below..brace]);
-            let around = [&self.text[..start], &self.text[below..]];
-            self.explain(mistake::Broken { file: self.file, text: head, start, place, has_body, brace_below, around });
-        }
-        let Some(body) = body else { return Statement::Broken(span) };
-        let mut statements = self.body(body, inside);
-        let fits = match inside {
-            Place::Every => Kind::Every.fits(place),
-            Place::Unknown | Place::Curve => false,
-            _ => Kind::Block(inside).fits(place),
-        };
-        if !fits || place == Place::Unknown {
-            return Statement::Broken(span);
-        }
-        // Whatever its head was to say, what stands in the block is looked at.
-        let head_end = start + head.len();
-        statements.push(Statement::Broken(Span::new(self.file, start, head_end)));
-        let keyword = inside.keyword().unwrap_or("every").to_string();
-        let keyword = Spanned::new(keyword, Span::new(self.file, start, start + word.len()));
-        Statement::Block(Block { keyword, name: None, title: None, body: statements, doc: None, span })
-    }
-
-    fn explain(&mut self, statement: mistake::Broken) {
-        let (start, end) = (statement.start, statement.start + statement.text.len());
-        if self.is_settled(start, end) || self.diagnostics.len() > MAX_ERRORS {
-            return;
-        }
-        let alone = |text: &str, has_body| expected::failure(text, statement.place, has_body);
-        let separations = mistake::separations(&statement, alone);
-        if !separations.is_empty() {
-            self.diagnostics.extend(separations);
-            return;
-        }
-        let failure = expected::failure(statement.text, statement.place, statement.has_body)
-            .unwrap_or_else(|| mistake::Failure { at: statement.text.len(), expected: vec![mistake::Expected::End] });
-        self.diagnostics.push(mistake::explain(&statement, &failure));
-    }
-
     fn check_place(&self, kind: Kind, place: Place, pair: &Pair<Rule>) -> Built<()> {
         if kind.fits(place) || self.blocks_unsure {
             return Ok(());
         }
         Err(Box::new(mistake::misplaced(kind, place, pair.as_str().trim_end(), self.span(pair))))
-    }
-
-    /// A block's end and the statement that starts at `next` need a new line or `;` between them.
-    fn expect_separator(&mut self, end: usize, next: Span) {
-        let start = next.start as usize;
-        if self.text[end..start].contains(['\n', ';', '\u{4}']) || self.is_settled(start, next.end as usize) {
-            return;
-        }
-        let length = self.text[start..].chars().next().map_or(0, char::len_utf8);
-        self.diagnostics.push(
-            Diagnostic::error(
-                "mavc::syntax::separator",
-                Span::new(self.file, start, start + length),
-                "a new line or `;` must follow a block's `}`",
-            )
-            .here("the next statement begins on the same line")
-            .help("start a new line here")
-            .fix(Span::new(self.file, start, start), "\n"),
-        );
-        self.settle(start);
-    }
-
-    /// No more errors for the statement around `at`.
-    fn settle(&mut self, at: usize) {
-        let place = self.settled.partition_point(|&s| (s as usize) < at);
-        self.settled.insert(place, at as u32);
-    }
-
-    /// Whether an error has been reported for the statement from `start` to `end`.
-    fn is_settled(&self, start: usize, end: usize) -> bool {
-        let first = self.settled.partition_point(|&s| (s as usize) < start);
-        self.settled.get(first).is_some_and(|&s| (s as usize) < end)
     }
 
     /// The `///` lines before a statement, joined.

@@ -1,10 +1,10 @@
-//! What is settled before the grammar: comments, line joining, and whether brackets and braces match.
+//! What is decided before the grammar: comments, line joining, and whether brackets and braces match.
 //!
-//! [`lay_out`] gives back a text of the same length in which every byte that is left stands where it stood, so
-//! places need no translation. Comments are blanks, and so are newlines inside `( )` and `[ ]`. A bracket left open
-//! ends where the next statement plainly begins, a block left open ends where the next top-level block begins
-//! ([`CUT`] stands there); both are reported here, where the whole text is in view, and never again. One pass, and
-//! another one where a brace is left over that `guess` finds a partner for.
+//! [`lay_out`] returns a text of the same length in which every remaining byte keeps its offset. Comments become blanks,
+//! and so do newlines inside `( )` and `[ ]`. A bracket left open ends where the next line can only begin a statement; a
+//! block left open ends where the next top-level block begins, marked by [`CUT`]. Both errors are reported here, because
+//! only here the whole text is known. There is one pass, and another one for each guess (`guess`) about a brace that is
+//! left over.
 
 mod block;
 mod bracket;
@@ -18,7 +18,7 @@ use crate::source::{FileId, Span};
 use block::OpenBlock;
 use guess::{Guess, Guesses, Unopened};
 
-/// Stands for a newline that also ends every open block.
+/// Replaces a newline that also ends every open block.
 const CUT: u8 = 4;
 
 /// A text ready for the grammar.
@@ -27,11 +27,11 @@ pub(super) struct Layout {
     /// In the order written.
     pub docs: Vec<Doc>,
     pub diagnostics: Vec<Diagnostic>,
-    /// A limit was passed: the text is not to be parsed.
+    /// The text exceeds a limit and is not parsed.
     pub too_much: bool,
-    /// Blocks may end elsewhere than their author meant.
+    /// Blocks may end elsewhere than the author meant.
     pub blocks_unsure: bool,
-    /// The opening braces of the blocks that were left open, going by indentation.
+    /// The opening braces of the blocks that were left open, judged by indentation.
     pub left_open: Vec<usize>,
 }
 
@@ -58,7 +58,7 @@ pub(super) fn lay_out(file: FileId, text: &str) -> Layout {
     layout
 }
 
-/// One pass, on which every guess in `taken` holds.
+/// One pass that assumes every guess in `taken`.
 fn scan(file: FileId, text: &str, taken: Vec<Guess>) -> Scanner<'_> {
     let mut scanner = Scanner {
         file,
@@ -101,13 +101,13 @@ struct Scanner<'a> {
     /// Offsets of the open `(` and `[` of this statement.
     brackets: Vec<usize>,
     blocks: Vec<OpenBlock>,
-    /// An inner block whose `}` seems to be missing, going by indentation.
+    /// An inner block whose `}` seems to be missing, judged by indentation.
     left_open: Option<OpenBlock>,
     /// The last top-level block and its closing brace.
     last_close: Option<(OpenBlock, usize)>,
-    /// The one behind which a statement stands that belongs into a block.
+    /// The one after which a statement follows that belongs in a block.
     too_early: Option<(OpenBlock, usize)>,
-    /// The last head of a block after which no `{` has come.
+    /// The last head of a block without a `{` after it.
     unopened: Option<Unopened>,
     guesses: Guesses,
     /// Where the current line starts, and how many blanks it starts with.
@@ -115,7 +115,7 @@ struct Scanner<'a> {
     line_indent: usize,
     /// Where the current statement began.
     statement: Option<usize>,
-    /// This statement's odd characters have been spoken of.
+    /// This statement's odd characters have been reported.
     quiet: bool,
     /// False once no `*/` follows.
     comment_ends: bool,
@@ -200,8 +200,8 @@ impl Scanner<'_> {
         let length = self.text[at..].chars().next().map_or(0, char::len_utf8);
         let diagnostic = Diagnostic::error(code, self.span(at, at + length), message).here("the limit is passed here");
         let help = match code {
-            "mavc::syntax::depth" => "take a part out into a `let`",
-            _ => "spread the spec over several files and bring them together with `use`",
+            "mavc::syntax::depth" => "move a part into a `let`",
+            _ => "split the spec into several files and join them with `use`",
         };
         self.report(diagnostic.help(help));
         self.layout.too_much = true;
@@ -264,7 +264,7 @@ impl Scanner<'_> {
         self.at = end;
     }
 
-    /// `/* .. */` of other languages: passed over as if it were a comment.
+    /// `/* .. */` of other languages: skipped like a comment.
     fn foreign_comment(&mut self) {
         let start = self.at;
         let close = if self.comment_ends { self.text[start + 2..].find("*/") } else { None };
@@ -277,7 +277,7 @@ impl Scanner<'_> {
         )
         .here("`/*` starts no comment")
         .help("write `//` before each line of the comment");
-        // Only where nothing stands behind the comment, which would become a part of it.
+        // Only at the end of a line: whatever follows would become part of the comment.
         let behind = self.text.as_bytes().get(self.skip_while(end, is_blank));
         let is_last = close.is_some() && matches!(behind, None | Some(b'\n' | b'\r'));
         self.report(match is_last {
@@ -309,8 +309,8 @@ impl Scanner<'_> {
         self.at = end;
     }
 
-    /// Where a text that starts at `start` and is never closed probably ends: before a comment, a `;`, or the `{` behind
-    /// the title of a mode.
+    /// Where a text that starts at `start` and is never closed probably ends: before a comment, a `;`, or the `{` after the
+    /// title of a mode.
     fn text_end(&self, start: usize) -> usize {
         let line = &self.text[start..self.line_end(start)];
         let is_title = self.statement.is_some_and(|head| self.name_at(head).0 == "mode");

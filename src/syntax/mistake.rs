@@ -1,10 +1,12 @@
-//! What is wrong with a statement that cannot be read, said in its author's terms.
+//! What is wrong with a statement that cannot be read, in its author's terms.
 //!
-//! [`explain`] asks first whether the mistake is one that people often make (`habit`: other languages' marks, blanks
-//! in units, misspelt words; `wording`: what is said so elsewhere); what is left is told by what was expected and what was found.
+//! [`explain`] first looks for mistakes that people often make (`habit`: marks of other languages, blanks in units, misspelt
+//! words; `wording`: words of speech and of other formats). Any other mistake is explained by what was expected and what was
+//! found.
 
 mod block;
 mod clause;
+mod effect;
 mod flight;
 mod habit;
 mod list;
@@ -13,10 +15,10 @@ mod strike;
 mod wording;
 
 pub(super) use block::{check_head, misplaced, unknown_block};
+pub use effect::no_choice;
 pub(super) use flight::is_foreign;
 pub(super) use habit::CLAUSES;
 pub(super) use separator::separations;
-pub use wording::no_choice;
 
 use super::cut;
 use super::scan::{self, is_name};
@@ -24,7 +26,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::Place;
 use crate::source::{FileId, Span};
 
-/// What could have stood where a statement fails, in the order it is told.
+/// What could follow where a statement fails, in the order of the message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Expected {
     Equals,
@@ -42,7 +44,7 @@ pub(super) enum Expected {
     End,
 }
 
-/// Where a statement fails (bytes from its start) and what could have stood there, sorted.
+/// Where a statement fails (bytes from its start) and what could follow there, sorted.
 pub(super) struct Failure {
     pub at: usize,
     pub expected: Vec<Expected>,
@@ -65,7 +67,7 @@ pub(super) struct Broken<'a> {
     pub has_body: bool,
     /// The blanks before the `{` that is the next thing in the file, if it is one.
     pub brace_below: Option<&'a str>,
-    /// The file before and behind the statement.
+    /// The file before and after the statement.
     pub around: [&'a str; 2],
 }
 
@@ -79,7 +81,7 @@ impl Broken<'_> {
         scan::name(self.text)
     }
 
-    /// What stands at `at`: a word, a number, a text, or a run of marks that looks like one operator.
+    /// What is at `at`: a word, a number, a text, or a run of marks that looks like one operator.
     fn found(&self, at: usize) -> &str {
         let rest = &self.text[at.min(self.text.len())..];
         let Some(first) = rest.chars().next() else {
@@ -139,7 +141,7 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
             true => ("mavc::syntax::missing_value", "a value".to_string()),
             false => ("mavc::syntax::unexpected", wanted),
         };
-        // The end of a line shows better under its last character than beyond it.
+        // The end of a line is marked under its last character.
         let from = statement.text.char_indices().next_back().map_or(0, |(i, _)| i);
         let diagnostic = Diagnostic::error(code, statement.span(from, at), format!("{wanted} is missing{after}"))
             .here(format!("{wanted} must follow"));
@@ -154,7 +156,7 @@ fn general(statement: &Broken, failure: &Failure) -> Diagnostic {
     let only_end = failure.expected.iter().all(|e| matches!(e, Expected::End | Expected::Operator | Expected::Unit));
     let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, message).here("this does not fit here");
     if only_end && !statement.has_body && found.starts_with(|c: char| is_name(c) || "\",".contains(c)) {
-        return diagnostic.help("one statement stands on a line: begin a new line or write `;` between two");
+        return diagnostic.help("a line holds one statement: begin a new line, or write `;` between two");
     }
     let diagnostic = with_form(diagnostic, statement);
     match (statement.word(), before) {
@@ -215,7 +217,7 @@ fn form(word: &str, place: Place) -> Option<&'static str> {
 
 /// "`=`, a name or the end of the statement".
 fn list(expected: &[Expected], has_body: bool) -> String {
-    // That a value may also be a text, or go on, is worth saying only where nothing else is due.
+    // That a value may also be a text, or continue, is mentioned only where nothing else is expected.
     let due = |e: &Expected| {
         matches!(e, Expected::Word(_) | Expected::Effect | Expected::Clause | Expected::Comma | Expected::Closing(_))
     };

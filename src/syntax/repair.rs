@@ -1,7 +1,7 @@
-//! Reading on past mistakes.
+//! Recovery: a text with errors is read again with their fixes made.
 //!
-//! A text with mistakes is read again as their own fixes would have it. So what else is wrong in such a statement is found
-//! in the same run, and an error that another mistake has caused is not reported. Every place is one of the author's text.
+//! So one run finds the other errors of such a statement too, and does not report errors that only follow from another one.
+//! All spans are places in the author's text.
 
 use super::ast::SpecFile;
 use super::spans::each_span;
@@ -9,17 +9,17 @@ use crate::diagnostic::{Diagnostic, Fix, Severity};
 use crate::source::Span;
 use std::ops::Range;
 
-/// Times that one text is read: in the last reading a fix may still lay open another mistake.
+/// How often one text is read at most. After the last reading another error may remain hidden.
 const MAX_READINGS: usize = 6;
 
-/// Characters of a replacement that are compared with those replaced.
+/// Longest replacement whose characters are compared with those it replaces.
 const LONGEST_COMPARED: usize = 200;
 
-/// The tree of a text, and what is wrong with it.
+/// The tree of a text, and its errors.
 pub(super) type Reading = (Option<SpecFile>, Vec<Diagnostic>);
 
-/// Reads a text, and again with its fixes made, until a reading offers no other. The tree is that of the last reading. An
-/// error with a fix is reported from the reading whose fix removes it, one without from the last reading.
+/// Reads a text, and reads it again with its fixes made until a reading offers no other fix. The tree is that of the last
+/// reading. An error with a fix comes from the reading in which its fix was made, any other error from the last reading.
 pub(super) fn read(text: &str, most_errors: usize, read_once: impl Fn(&str) -> Reading) -> Reading {
     let mut draft = Draft::new(text);
     let (mut tree, mut found) = read_once(text);
@@ -39,7 +39,7 @@ pub(super) fn read(text: &str, most_errors: usize, read_once: impl Fn(&str) -> R
         (draft, tree, found) = (next, next_tree, next_found);
     }
     let rest: Vec<Diagnostic> = found.iter().map(|d| draft.diagnostic(d)).collect();
-    // A fix may fail to remove its error.
+    // An error may remain after its fix.
     let is_new =
         |d: &Diagnostic| !reported.iter().any(|r| (r.code, r.span, &r.message) == (d.code, d.span, &d.message));
     let rest: Vec<Diagnostic> = rest.into_iter().filter(is_new).collect();
@@ -53,12 +53,12 @@ pub(super) fn read(text: &str, most_errors: usize, read_once: impl Fn(&str) -> R
 /// The errors whose fixes can be made together, in the order of the text.
 fn apart<'d>(text: &str, found: &'d [Diagnostic]) -> Vec<&'d Diagnostic> {
     let place = |d: &Diagnostic| d.fix.as_ref().map(|fix| (fix.span.start, fix.span.end));
-    // A text that ends in an open block may be cut off: what the block lacks is not known.
+    // A text that ends in an open block may be cut off: what the block is missing is unknown.
     let is_cut_off = |fix: &Fix| text[fix.span.end as usize..].chars().all(|c| c.is_whitespace() || c == '}');
     let is_sure = |d: &Diagnostic, fix: &Fix| d.code != "mavc::syntax::unclosed_block" || !is_cut_off(fix);
     let errors = found.iter().filter(|d| d.severity == Severity::Error);
     let mut fixed: Vec<&Diagnostic> = errors.filter(|d| d.fix.as_ref().is_some_and(|fix| is_sure(d, fix))).collect();
-    // A brace that is left over closes what another fix opens.
+    // A brace that is left over may close the block that another fix opens.
     let is_stray = |d: &Diagnostic| d.code == "mavc::syntax::stray_brace";
     if fixed.iter().any(|d| d.code == "mavc::syntax::missing_brace") {
         fixed.retain(|d| !is_stray(d));
@@ -77,9 +77,9 @@ fn apart<'d>(text: &str, found: &'d [Diagnostic]) -> Vec<&'d Diagnostic> {
 /// A text with some fixes made.
 struct Draft {
     text: String,
-    /// For each byte, and for the end, where it stands in the author's text.
+    /// For each byte, and for the end, its offset in the author's text.
     origin: Vec<u32>,
-    /// For each byte, and for the end, whether a fix has put it there.
+    /// For each byte, and for the end, whether a fix has inserted it.
     put: Vec<bool>,
 }
 
@@ -104,7 +104,7 @@ impl Draft {
         next
     }
 
-    /// Puts `new` in the place of a range. What both have in common keeps its place.
+    /// Replaces a range by `new`. Characters that both have in common keep their places.
     fn replace(&mut self, before: &Draft, range: Range<usize>, new: &str) {
         self.text.push_str(new);
         let kept = in_common(&before.text[range.clone()], new);
@@ -131,11 +131,11 @@ impl Draft {
         self.put.extend_from_slice(&before.put[range]);
     }
 
-    /// Where the author's text has what stands at `span` here.
+    /// The span of the author's text that corresponds to `span` of this one.
     fn place(&self, span: Span) -> Span {
         let at = |offset: usize| self.origin[offset.min(self.text.len())];
         let start = at(span.start as usize);
-        // What a fix has taken out behind it is not part of it.
+        // Text after it that a fix has removed is not part of it.
         let end = match (span.end as usize).checked_sub(1).filter(|&last| span.end > span.start && !self.put[last]) {
             Some(last) => at(last) + 1,
             None => at(span.end as usize),
@@ -152,7 +152,7 @@ impl Draft {
         placed
     }
 
-    /// Whether an offset lies inside what a fix has put: the author's text has no such place.
+    /// Whether an offset lies inside text that a fix has inserted: the author's text has no such place.
     fn cuts(&self, offset: u32) -> bool {
         let at = offset as usize;
         at > 0 && self.put[at - 1] && self.put[at]
@@ -161,7 +161,8 @@ impl Draft {
 
 /// For each byte of `new` the byte of `old` that it repeats, in order: the longest common subsequence of their characters.
 fn in_common(old: &str, new: &str) -> Vec<Option<usize>> {
-    let (a, b): (Vec<(usize, char)>, Vec<(usize, char)>) = (old.char_indices().collect(), new.char_indices().collect());
+    let characters = |text: &str| text.char_indices().collect::<Vec<_>>();
+    let (a, b) = (characters(old), characters(new));
     let mut kept = vec![None; new.len()];
     if a.len() * b.len() > LONGEST_COMPARED * LONGEST_COMPARED {
         return kept;

@@ -1,7 +1,7 @@
-//! The scanner: a text in words, numbers, texts, comments and marks, whatever is wrong with it.
+//! The scanner: splits a text into words, numbers, texts, comments and marks, whatever errors it has.
 //!
-//! The layout before the grammar, the formatter and the language server all read a text by [`lexeme`]. It knows single
-//! lexemes only. Where statements end, and what an unclosed text was to hold, its callers decide.
+//! The layout before the grammar, the formatter and the language server all use it. It knows single lexemes only: its callers
+//! decide where a statement ends, and where a text without a closing quote was meant to end.
 
 /// What a run of characters is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub enum Kind {
     UnclosedText,
     /// `// ...`, up to the end of the line.
     Comment,
-    /// `/// ...` on a line of its own; only [`lexemes`] tells it from another comment.
+    /// `/// ...` on a line of its own; only [`lexemes`] distinguishes it from another comment.
     Doc,
     Newline,
     /// One character of any other kind.
@@ -162,6 +162,6 @@ mod tests {
         assert_eq!(lexemes("\u{1F600}").count(), 1);
         let texts: Vec<Lexeme> = lexemes("\"a\" \"b  \n\"\" \"").filter(|l| l.kind != Kind::Newline).collect();
         let ends: Vec<(usize, usize)> = texts.iter().map(|l| (l.start, l.end)).collect();
-        assert_eq!(ends, [(0, 3), (4, 6), (8, 9 + 1), (11, 12)]);
+        assert_eq!(ends, [(0, 3), (4, 6), (9, 11), (12, 13)]);
     }
 }

@@ -1,9 +1,9 @@
-//! Every span of a tree, to move it.
+//! Visits every span of a tree.
 
 use super::ast::*;
 use crate::source::{Span, Spanned};
 
-/// Puts `place(span)` in the place of every span of a file's tree.
+/// Replaces every span of a file's tree by `place(span)`.
 pub(super) fn each_span(file: &mut SpecFile, place: &dyn Fn(Span) -> Span) {
     let walk = Walk { place };
     for item in &mut file.items {

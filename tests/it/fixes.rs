@@ -1,5 +1,5 @@
-//! Every fix that a diagnostic offers works: the diagnostic goes, no new one appears, and applying one fix after the
-//! other comes to an end.
+//! Every fix that a diagnostic offers removes this diagnostic and adds no other, and making one fix after another comes to
+//! an end.
 
 use super::errors::compile;
 use mavc::diagnostic::{Diagnostic, Severity};
@@ -25,7 +25,7 @@ fn apply(diagnostic: &Diagnostic, sources: &SourceMap, before: &Mended) -> Mende
     after
 }
 
-/// How often each code is reported, without warnings, which may appear once no error hides them.
+/// How often each code is reported, without warnings: one may appear once no error hides it.
 fn errors(diagnostics: &[Diagnostic]) -> BTreeMap<&'static str, usize> {
     let mut count = BTreeMap::new();
     let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
@@ -33,13 +33,10 @@ fn errors(diagnostics: &[Diagnostic]) -> BTreeMap<&'static str, usize> {
     count
 }
 
-/// Mistakes in how a file is written. What such a statement means is unknown until it can be read.
-fn is_written(code: &str) -> bool {
-    code.starts_with("mavc::syntax::")
-}
+/// A text that ends in an open block may be cut off, so what the block is missing is not reported.
+const CUT_OFF: &str = "mavc::syntax::unclosed_block";
 
-/// Second mistakes of one statement, which are told once it can be read or its value is known, each checked by eye: the
-/// file and the code that comes to light.
+/// Second errors that are reported once a value is known, each checked by eye: the file and the code that appears.
 const REVEALED: [(&str, &str); 6] = [
     // Lagging rotors need more than the right word.
     ("rotors_word", "mavc::plan::time_constant"),
@@ -54,7 +51,7 @@ const REVEALED: [(&str, &str); 6] = [
     ("limits_as_people_write_them", "mavc::name::duplicate"),
 ];
 
-/// What is wrong with one fix of one file.
+/// What is wrong with one fix of one file, if anything.
 fn fault(file: &str, diagnostic: &Diagnostic, before: &[Diagnostic], after: &[Diagnostic]) -> Option<String> {
     let same = |d: &&Diagnostic| d.code == diagnostic.code && d.message == diagnostic.message;
     let (had, has) = (before.iter().filter(same).count(), after.iter().filter(same).count());
@@ -66,7 +63,7 @@ fn fault(file: &str, diagnostic: &Diagnostic, before: &[Diagnostic], after: &[Di
         *count -= usize::from(diagnostic.severity == Severity::Error);
     }
     let gained = errors(after).into_iter().find(|(code, count)| {
-        let hidden = is_written(diagnostic.code) && !is_written(code);
+        let hidden = diagnostic.code == CUT_OFF && *code == "mavc::name::missing_field";
         let revealed = REVEALED.contains(&(file, code));
         !hidden && !revealed && *count > room.get(code).copied().unwrap_or(0)
     });

@@ -1,5 +1,5 @@
-//! Several mistakes in one file, reported in one run, in order, and each once: every file of `tests/specs/several` names at
-//! its top the line and the code of all that it gives, and nothing more.
+//! Several mistakes in one file, all reported in one run, in order, and each once: every file of `tests/specs/several` names
+//! at its top the line and the code of every diagnostic that it gives.
 
 use super::errors::compile;
 

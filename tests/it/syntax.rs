@@ -105,7 +105,7 @@ fn units_are_one_run_after_numbers_and_brackets() {
 fn words_of_the_statement_are_no_units() {
     let text =
         "mission m {\n waypoint at [0, 0, 2] yaw 90 deg weight 2 time 30 s\n curve s in 0 .. 1 in, points = 2 {\n }\n}";
-    assert!(parse(text).has_errors(), "`in` is no unit");
+    assert!(parse(text).has_errors(), "`in` is not a unit");
     let Item::Block(block) = &parse(text).value.unwrap().items[0] else { panic!("no block") };
     let Statement::Waypoint(Clauses { name: None, clauses, .. }) = &block.body[0] else { panic!("no waypoint") };
     let words: Vec<_> = clauses.iter().map(|c| (c.word.value.as_str(), shape_of(&c.value))).collect();
@@ -261,6 +261,27 @@ fn good_statements_survive_broken_ones() {
     let Item::Block(mission) = &file.items[3] else { panic!("no mission") };
     assert_eq!(mission.keyword.value, "mission");
     assert!(matches!(mission.body[0], Statement::Hold { .. }));
+}
+
+#[test]
+fn a_statement_that_is_read_as_its_fix_would_have_it_keeps_its_places() {
+    let text =
+        "plan {\n against = M1, M2\n}\nlet a = .5 m\nuse \"a.mav\nmission m { waypoint at [1, 2, 3 m yaw 90 deg }\n";
+    let checked = parse(text);
+    assert_eq!(checked.diagnostics.len(), 4, "{:#?}", checked.diagnostics);
+    let at = |span: Span| &text[span.start as usize..span.end as usize];
+    let items = checked.value.unwrap().items;
+    let Item::Block(plan) = &items[0] else { panic!("no plan") };
+    let Statement::Field(Field { value: FieldValue::Expr(against), .. }) = &plan.body[0] else { panic!("no field") };
+    let ExprKind::List { elements, .. } = &against.kind else { panic!("no list") };
+    assert_eq!(elements.iter().map(|e| at(e.span)).collect::<Vec<_>>(), ["M1", "M2"]);
+    let Item::Let(Field { value: FieldValue::Expr(half), .. }) = &items[1] else { panic!("no let") };
+    assert_eq!((at(half.span), shape_of(half)), (".5 m", "0.5<m>".to_string()));
+    let Item::Use(path) = &items[2] else { panic!("no use") };
+    assert_eq!((path.value.as_str(), at(path.span)), ("a.mav", "\"a.mav"));
+    let Item::Block(mission) = &items[3] else { panic!("no mission") };
+    let Statement::Waypoint(Clauses { clauses, .. }) = &mission.body[0] else { panic!("no waypoint") };
+    assert_eq!(clauses.iter().map(|c| at(c.value.span)).collect::<Vec<_>>(), ["[1, 2, 3 m", "90 deg"]);
 }
 
 #[test]

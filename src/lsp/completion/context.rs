@@ -1,5 +1,5 @@
-//! Where the cursor stands: in which block, in which statement, behind what. By words and marks alone, for a statement
-//! that is being typed has no tree.
+//! The context of the cursor: the block, the statement, what precedes it. By words and marks alone, because a statement that is
+//! being typed has no tree.
 
 use crate::model::vocabulary::mode_numbers;
 use crate::syntax::Place;
@@ -7,7 +7,7 @@ use crate::syntax::scan::{Kind, Lexeme, lexemes};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// What stands before the cursor in its statement.
+/// What precedes the cursor in its statement.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Before {
     /// A statement begins here.
@@ -33,7 +33,7 @@ pub struct Context {
     pub before: Before,
     /// The word that is being typed.
     pub word: Range<usize>,
-    /// Fields and blocks that the block around has already, before the cursor or behind it.
+    /// Fields and blocks that the block already has, before or after the cursor.
     pub present: BTreeSet<String>,
     /// The word that begins the statement.
     pub opener: Option<String>,
@@ -46,7 +46,7 @@ pub struct Context {
     pub in_brackets: bool,
     /// Inside brackets, the other words of the statement.
     pub listed: BTreeSet<String>,
-    /// The word before the `..` that stands before the cursor.
+    /// The word before the `..` that precedes the cursor.
     pub range_from: Option<String>,
 }
 
@@ -70,7 +70,7 @@ impl Context {
     /// The context of a byte offset; `None` inside comments and texts, where nothing is offered.
     pub fn at(text: &str, offset: usize) -> Option<Self> {
         let all: Vec<Lexeme> = lexemes(text).collect();
-        // A comment goes to the end of its line, whatever blanks end it.
+        // A comment extends to the end of its line, with trailing blanks.
         let begun = all[..all.partition_point(|l| l.start < offset)].last();
         let under = begun.filter(|l| offset <= l.end);
         let is_comment = begun.is_some_and(|l| matches!(l.kind, Kind::Comment | Kind::Doc));
@@ -124,13 +124,13 @@ impl Context {
         }
     }
 
-    /// What the statement's words before the cursor come to.
+    /// What the words of the statement before the cursor mean.
     fn look(&mut self, text: &str, statement: &[Lexeme]) -> Before {
         let word = |k: usize| statement.get(k).map_or("", |l| l.text(text));
         let Some(last) = statement.last() else { return Before::Nothing };
         let ended = matches!(last.kind, Kind::Number) || last.is(')') || last.is(']');
         let opener = word(0).to_string();
-        // Behind a unit or a name a value is over, but for what an operator goes on with.
+        // After a unit or a name a value is over, unless an operator continues it.
         let is_over = last.kind == Kind::Word && statement.len() > 1 && last.text(text) != "in" || last.is('%');
         let value = |field: &str| match is_over && !self.in_brackets {
             true => Before::Words(&[]),
@@ -192,7 +192,7 @@ impl Context {
         self.clauses = words.clone().map(|l| l.text(text).to_string()).collect();
         let (Some(clause), Some(last)) = (words.next_back(), statement.last()) else { return Before::Clause };
         let field = clause.text(text).to_string();
-        // Behind a unit or a name a value is over, but for what an operator goes on with.
+        // After a unit or a name a value is over, unless an operator continues it.
         let is_over = last.kind == Kind::Word && last.start != clause.start || last.is('%');
         match is_over && !self.in_brackets {
             true => Before::Clause,
@@ -234,8 +234,8 @@ fn range_from(text: &str, statement: &[Lexeme]) -> Option<String> {
     }
 }
 
-/// Where the unit begins that ends at `offset` in a mark which goes on, or in the word behind one: the `m/` of `3 m/`,
-/// the `N*s` of `2 N*s`. A unit stands behind a number, a `)` or a `]`, as one run without blanks.
+/// The start of the unit that ends at `offset` in a mark that continues it, or in the word after one: the `m/` of `3 m/`,
+/// the `N*s` of `2 N*s`. A unit follows a number, a `)` or a `]`, as one run without blanks.
 fn unit_before(text: &str, all: &[Lexeme], offset: usize) -> Option<usize> {
     let end = all.partition_point(|l| l.start < offset);
     let joins = |l: &Lexeme| l.is('/') || l.is('*') || l.is('^');
@@ -267,7 +267,7 @@ fn step(
     match lexeme.kind {
         Kind::Comment | Kind::Doc => {}
         Kind::Newline => {
-            // A bracket goes on over lines, unless the next line plainly begins another statement.
+            // A bracket continues over lines, unless the next line begins another statement.
             let next = all[k + 1..].iter().find(|l| l.kind != Kind::Newline);
             let begins = next.is_none_or(|l| {
                 let word = l.text(text);

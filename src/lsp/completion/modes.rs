@@ -19,7 +19,7 @@ pub(super) fn offers(spec: &Spec, context: &Context, list: &mut Vec<Offer>) {
     list.extend(rest.map(|d| Offer::new(&d.name, ItemKind::Event, 1)));
 }
 
-/// The names that stand for all modes of an `every`.
+/// The names for all modes of an `every`.
 pub(super) fn families(spec: &Spec, context: &Context, list: &mut Vec<Offer>) {
     let names = spec.names();
     for (index, definition) in names.definitions.iter().enumerate().filter(|(_, d)| d.kind == Kind::Modes) {

@@ -10,8 +10,8 @@ use std::path::Path;
 /// Entries of a folder that are looked at.
 const MOST_ENTRIES: usize = 1000;
 
-/// The files and folders that go on a path which stands open at `offset`, and the bytes that they replace: what is behind
-/// its last `/`. `None` where no such path stands.
+/// The files and folders that continue the path at `offset`, and the bytes that they replace: those after its last `/`.
+/// `None` where there is no such path.
 pub fn offers(source: &Source, offset: usize) -> Option<(Vec<Offer>, Range<usize>)> {
     let line = source.text.get(..offset)?.rsplit('\n').next()?;
     let (before, typed) = line.split_once('"').filter(|(_, typed)| !typed.contains('"'))?;

@@ -41,7 +41,7 @@ const USUAL: [&str; 34] = [
     "m^2",
 ];
 
-/// Units like `due`, that one first, each with what it is in SI; every unit where nothing says what is due.
+/// Units of the dimension of `due`, `due` first, each with its value in SI; every unit where `due` is unknown.
 pub fn of(due: Option<&'static str>, gravity: f64) -> Vec<(String, String)> {
     let dimension = due.and_then(|unit| parse_unit(unit, gravity).ok()).map(|unit| unit.dimension);
     let mut found: Vec<(String, String)> = Vec::new();

@@ -13,7 +13,7 @@ use crate::source::{FileId, Span};
 /// Modes that are named; of more the first and the last.
 const NAMED: usize = 6;
 
-/// A vehicle whose name stands at `span`: rotors, weight, thrust to weight and hover speed.
+/// A vehicle whose name is at `span`: rotors, weight, thrust to weight and hover speed.
 pub fn vehicle(spec: &Spec, span: Span) -> Option<String> {
     let vehicle = spec.understanding.vehicles.iter().find(|v| v.span == span)?;
     let weight = vehicle.mass * spec.understanding.gravity;
@@ -23,7 +23,7 @@ pub fn vehicle(spec: &Spec, span: Span) -> Option<String> {
     let share = speeds.iter().zip(&vehicle.rotors).map(|(w, r)| w / r.max_speed).fold(0.0, f64::max);
     let (slow, fast) = speeds.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(*w), high.max(*w)));
     let rpm = |w: f64| significant(w * 30.0 / std::f64::consts::PI, 4);
-    // Rotors that turn alike are told once.
+    // Equal rotors are listed once.
     let hover = match fast - slow <= 1e-6 * fast {
         true => format!("{} rad/s ({} rpm)", significant(fast, 4), rpm(fast)),
         false => {
@@ -43,7 +43,7 @@ pub fn vehicle(spec: &Spec, span: Span) -> Option<String> {
     ))
 }
 
-/// A mission whose name stands at `span`.
+/// A mission whose name is at `span`.
 pub fn mission(spec: &Spec, span: Span) -> Option<String> {
     let mission = spec.model.as_ref()?.mission.as_ref().filter(|mission| mission.span == span)?;
     let length: f64 = mission

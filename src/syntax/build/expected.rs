@@ -1,4 +1,4 @@
-//! Where a broken statement fails, and what could have stood there, in people's words.
+//! Where a broken statement fails, and what could follow there.
 
 use super::{Grammar, Rule};
 use crate::language::Place;
@@ -20,14 +20,14 @@ pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Option<Failur
         return None;
     };
     let mut expected: Vec<Expected> = match &error.variant {
-        // A word that is no name here: that is all the grammar forbids.
+        // A word that is not a name here: the grammar forbids nothing else.
         ErrorVariant::ParsingError { positives, negatives } if !negatives.is_empty() => {
             positives.iter().filter_map(|r| meaning(*r)).chain([Expected::Name]).collect()
         }
         ErrorVariant::ParsingError { positives, .. } => positives.iter().filter_map(|r| meaning(*r)).collect(),
         ErrorVariant::CustomError { .. } => Vec::new(),
     };
-    // After an operand, `(` would make a call of it; nobody waits for that.
+    // After an operand, `(` would make it a call; no message mentions that.
     if expected.contains(&Expected::Operator) {
         expected.retain(|e| *e != Expected::Value);
     }

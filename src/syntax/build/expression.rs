@@ -162,6 +162,6 @@ fn too_high(at: Span) -> Box<Diagnostic> {
     Box::new(
         Diagnostic::error("mavc::syntax::expression", at, message)
             .here("one too many")
-            .help("take a part out into a `let`"),
+            .help("move a part into a `let`"),
     )
 }

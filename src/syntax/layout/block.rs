@@ -34,7 +34,7 @@ impl Scanner<'_> {
         let pair = if found == '(' { "( )" } else { "[ ]" };
         let head = cut(self.text[self.statement.unwrap_or(at)..at].trim_end());
         let span = self.span(at, at + 1);
-        let message = format!("the block `{head}` stands in `{{ }}`, not in `{pair}`");
+        let message = format!("the block `{head}` takes `{{ }}`, not `{pair}`");
         self.report(
             Diagnostic::error(BLOCK_HEAD, span, message)
                 .here("opens a list or an expression")
@@ -53,12 +53,12 @@ impl Scanner<'_> {
         else {
             return false;
         };
-        // One mistake, mended by one change.
-        let mended = format!("{{{}}}", &self.text[brace + 1..at]);
+        // One error with one fix.
+        let fixed = format!("{{{}}}", &self.text[brace + 1..at]);
         let (span, whole) = (self.span(brace, brace + 1), self.span(brace, at + 1));
         if let Some(told) = self.layout.diagnostics.iter_mut().find(|d| d.code == BLOCK_HEAD && d.span == span) {
             told.help = told.help.take().map(|help| help + ", and `}` at its end");
-            told.fix = Some(Fix { span: whole, text: mended });
+            told.fix = Some(Fix { span: whole, text: fixed });
         }
         self.out[at] = b'}';
         self.close_block(at);
@@ -103,7 +103,7 @@ impl Scanner<'_> {
         let (word, _) = self.name_at(at);
         if !word.is_empty() {
             let start = self.skip_while(at, is_blank);
-            let message = format!("`{word}` stands at the top level, but a block is still open here");
+            let message = format!("`{word}` is only allowed at the top level, but a block is still open here");
             diagnostic = diagnostic.also(self.span(start, start + word.len()), message);
         }
         if misaligned.is_some() {
@@ -112,7 +112,7 @@ impl Scanner<'_> {
                 diagnostic = diagnostic.fix(self.span(line, line), format!("{indent}}}\n"));
             }
         } else {
-            // Where the indentation tells nothing else, all that is open ends behind the last thing written.
+            // Without evidence from the indentation, all open blocks end after the last thing written.
             let last = self.out[..at].iter().rposition(|b| !b.is_ascii_whitespace());
             let end = self.line_end(last.map_or(at, |last| last + 1)).min(at);
             let braces = open.iter().rev().map(|block| {
@@ -147,7 +147,7 @@ impl Scanner<'_> {
             let message = format!("`{}` was closed here", self.head_text(block));
             diagnostic = diagnostic.also(self.span(close, close + 1), message);
         }
-        // Where statements of a block stand at the top level, the brace before them came too early.
+        // Where statements of a block follow at the top level, the brace before them came too early.
         let extra = self.alone(self.too_early.map_or(at, |(_, close)| close));
         self.report(diagnostic.help("remove the brace that is one too many").fix(extra, ""));
         self.guesses.errors += 1;
@@ -156,7 +156,7 @@ impl Scanner<'_> {
         self.out[at] = b' ';
     }
 
-    /// The brace at `at`, with its line where nothing else stands on it.
+    /// The brace at `at`, with its line if it is alone on it.
     fn alone(&self, at: usize) -> Span {
         let (before, behind) = (self.text[..at].trim_end_matches([' ', '\t']), &self.text[at + 1..]);
         let above = before.strip_suffix("\r\n").or(before.strip_suffix('\n'));
@@ -164,7 +164,8 @@ impl Scanner<'_> {
         self.span(above.filter(|_| is_alone).map_or(at, str::len), at + 1)
     }
 
-    /// Notes what a statement that starts at `start`, outside all blocks, says of the brace before it.
+    /// A statement that starts at `start`, outside all blocks: one that belongs in a block shows that the brace before it came
+    /// too early.
     pub(super) fn note_outside(&mut self, start: usize) {
         let (word, _) = self.name_at(start);
         self.too_early = match word {
@@ -189,7 +190,7 @@ impl Scanner<'_> {
         if head.is_empty() { "{".to_string() } else { cut(head) }
     }
 
-    /// Whether a block that only stands at the top level begins at `at`.
+    /// Whether a block that is only allowed at the top level begins at `at`.
     pub(super) fn top_level_begins(&self, at: usize) -> bool {
         let (word, next) = self.name_at(at);
         match word {

@@ -1,4 +1,4 @@
-//! `( )` and `[ ]`: one statement must close what it opens.
+//! `( )` and `[ ]`: a statement must close what it opens.
 
 use super::{Scanner, is_name};
 use crate::diagnostic::Diagnostic;
@@ -26,7 +26,7 @@ impl Scanner<'_> {
         is_head && !is_list && (behind.is_empty() || behind.starts_with("//"))
     }
 
-    /// A bracket of the wrong kind is read as the right one, one that closes nothing is passed over.
+    /// A bracket of the wrong kind is read as the right one; a bracket that closes nothing is skipped.
     pub(super) fn close_bracket(&mut self, at: usize) {
         let closer = self.text.as_bytes()[at];
         if self.brackets.is_empty() && self.close_mistaken_block(at) {
@@ -117,7 +117,7 @@ impl Scanner<'_> {
     }
 
     /// Whether the line at `at` cannot go on inside a bracket: `name =`, `name <=`, `name value` and `}` never
-    /// stand in an expression.
+    /// are part of an expression.
     pub(super) fn statement_begins(&self, at: usize) -> bool {
         let (name, next) = self.name_at(at);
         let rest = &self.text.as_bytes()[next..];
@@ -125,7 +125,7 @@ impl Scanner<'_> {
             _ if name.is_empty() => rest.first() == Some(&b'}'),
             Some(b'=' | b'<' | b'>' | b'"' | b'[' | b'{') => true,
             Some(b) if is_name(*b as char) => true,
-            // A keyword alone, where an element is over and no comma says that another follows.
+            // A keyword alone after the end of an element, without a comma that announces another element.
             None | Some(b'\r' | b'\n') => {
                 (Place::opens_statement(name) || is_foreign(name)) && self.element_is_over(at)
             }
@@ -133,7 +133,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// Whether what stands before `at` can be the end of an element.
+    /// Whether an element can end before `at`.
     fn element_is_over(&self, at: usize) -> bool {
         let last = self.out[..at].iter().rfind(|b| !b.is_ascii_whitespace());
         last.is_some_and(|b| is_name(*b as char) || matches!(b, b')' | b']' | b'%'))

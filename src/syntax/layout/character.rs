@@ -1,4 +1,4 @@
-//! Characters that have no place outside texts and comments, and what was probably meant.
+//! Characters that are not allowed outside texts and comments, and what was probably meant.
 
 use super::{Scanner, is_name};
 use crate::diagnostic::Diagnostic;
@@ -67,17 +67,21 @@ impl Scanner<'_> {
                 line.char_indices().find(|(_, c)| LOOK_ALIKES.iter().any(|l| l.2 == "\"" && l.0.contains(*c)))?;
             Some((self.span(start, inside + end + close.len_utf8()), format!("\"{}\"", &line[..end])))
         });
-        let (mended, put) = quoted.unwrap_or((span, instead.to_string()));
+        let (fixed, put) = quoted.unwrap_or((span, instead.to_string()));
         let shown = if instead.trim().is_empty() { format!("U+{:04X}", c as u32) } else { c.to_string() };
         let help = match instead {
             "" => "delete it".to_string(),
             " " => "type a plain space".to_string(),
             _ => format!("write `{}`", instead.trim()),
         };
-        Diagnostic::error("mavc::syntax::character", span, format!("`{shown}` ({name}) is no part of the language"))
-            .here("this character")
-            .help(help)
-            .fix(mended, put)
+        Diagnostic::error(
+            "mavc::syntax::character",
+            span,
+            format!("`{shown}` ({name}) does not belong to the language"),
+        )
+        .here("this character")
+        .help(help)
+        .fix(fixed, put)
     }
 
     fn single_quote(&mut self, start: usize) -> Diagnostic {
@@ -88,13 +92,13 @@ impl Scanner<'_> {
         if self.text[..start].ends_with(|c: char| c.is_ascii_digit()) {
             self.at = start + 1;
             let span = self.span(start, start + 1);
-            return Diagnostic::error("mavc::syntax::character", span, "`'` is no unit")
+            return Diagnostic::error("mavc::syntax::character", span, "`'` is not a unit")
                 .here("not expected after a number")
                 .help("the foot is written `ft`")
                 .fix(span, " ft");
         }
         let span = self.span(start, after);
-        let diagnostic = Diagnostic::error("mavc::syntax::character", span, "a text stands between double quotes")
+        let diagnostic = Diagnostic::error("mavc::syntax::character", span, "a text needs double quotes")
             .here("single quotes mean nothing here");
         match close {
             Some(c) => {
@@ -125,10 +129,10 @@ impl Scanner<'_> {
 
     fn unknown_character(&self, start: usize, c: char) -> Diagnostic {
         let shown = if c.is_control() { String::new() } else { format!("`{c}` ") };
-        let message = format!("the character {shown}(U+{:04X}) is no part of the language", c as u32);
+        let message = format!("the character {shown}(U+{:04X}) does not belong to the language", c as u32);
         let span = self.span(start, start + c.len_utf8());
         let diagnostic = Diagnostic::error("mavc::syntax::character", span, message).here("this character");
-        // The wide forms of East Asian keyboards stand in the order of ASCII.
+        // The wide forms of East Asian keyboards are in the order of ASCII.
         match u32::from(c).checked_sub(0xfee0).and_then(char::from_u32).filter(char::is_ascii_graphic) {
             Some(plain) => diagnostic.help(format!("write `{plain}`")).fix(span, plain.to_string()),
             None => diagnostic.help("delete it, or put it in a comment or a text"),

@@ -1,5 +1,5 @@
-//! A `}` that closes nothing is one too many, or the partner of a brace that was forgotten further up. Where such a
-//! guess makes braces match, the text is laid out once more as if it were true, and only its one mistake is told.
+//! A `}` that closes nothing is one too many, or belongs to a `{` that is missing above. Where such a guess makes the braces
+//! match, the text is laid out again under this assumption, and only its one error is reported.
 
 use super::{Scanner, is_blank, is_name};
 use crate::diagnostic::Diagnostic;
@@ -9,17 +9,17 @@ use crate::syntax::cut;
 /// Readings tried for one text.
 const MAX_GUESSES: usize = 8;
 
-/// What may be behind a brace that is left over; offsets into the text.
+/// What may explain a brace that is left over; offsets into the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Guess {
-    /// The head that starts here was to open a block.
+    /// The head that starts here was meant to open a block.
     Head(usize),
-    /// The top-level block on the line that starts here stands inside another one.
+    /// The top-level block on the line that starts here is nested in another one.
     Nested(usize),
 }
 
 pub(super) struct Guesses {
-    /// Those that hold on this pass.
+    /// Those assumed on this pass.
     pub taken: Vec<Guess>,
     /// Heads without a brace for which a `}` seems to be meant.
     heads: Vec<usize>,
@@ -31,7 +31,7 @@ pub(super) struct Guesses {
     pub errors: usize,
 }
 
-/// The head of a block with no `{` behind it.
+/// The head of a block without `{` after it.
 #[derive(Clone, Copy)]
 pub(super) struct Unopened {
     head: usize,
@@ -52,7 +52,7 @@ impl Guesses {
         self.taken.contains(&Guess::Nested(line))
     }
 
-    /// What is to be tried next: the last suspect before the brace that is left over.
+    /// What to try next: the last suspect before the brace that is left over.
     pub fn next(&self) -> Option<Guess> {
         let stray = self.stray.filter(|_| self.taken.len() < MAX_GUESSES)?;
         let heads = self.heads.iter().map(|&at| (at, Guess::Head(at)));
@@ -70,8 +70,8 @@ impl Scanner<'_> {
         }
     }
 
-    /// Whether the `}` at `at` closes a block that was never opened. If so, the head's error is told and a `{` put
-    /// into the blank behind it.
+    /// Whether the `}` at `at` closes a block that was never opened. If so, reports the head and puts a `{` into the blank
+    /// after it.
     pub(super) fn closes_unopened(&mut self, at: usize) -> bool {
         let Some(unopened) = self.unopened.filter(|u| u.depth == self.blocks.len()) else {
             return false;
@@ -94,7 +94,7 @@ impl Scanner<'_> {
             self.span(head, end),
             format!("`{shown}` has no `{{` on its line"),
         );
-        let help = if on_its_line { "write `{` behind it" } else { "write `{` at the end of this line" };
+        let help = if on_its_line { "write `{` after it" } else { "write `{` at the end of this line" };
         self.report(diagnostic.here("a block must open on this line").help(help).fix(self.span(end, end), " {"));
         self.out[end] = b'{';
         self.unopened = None;
@@ -128,7 +128,7 @@ impl Scanner<'_> {
         (opens && self.text[end..].starts_with([' ', '\t', '\n', '\r'])).then_some(end)
     }
 
-    /// The end of the name that stands at `at`, blanks before it aside.
+    /// The end of the name at `at`, after blanks.
     fn name_end(&self, at: usize) -> Option<usize> {
         let start = self.skip_while(at, is_blank);
         (!self.name_at(at).0.is_empty()).then(|| self.skip_while(start, is_name))

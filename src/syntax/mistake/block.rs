@@ -53,7 +53,7 @@ pub(in crate::syntax) fn check_head(block: &mut Block, kind: Place) -> Option<Di
         return Some(match kind {
             Place::Vehicle => diagnostic.fix(behind, " octo"),
             Place::Mission => diagnostic.fix(behind, " survey"),
-            // Modes are told apart by their names.
+            // Modes differ by their names.
             _ => diagnostic,
         });
     }
@@ -78,7 +78,7 @@ pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: S
             _ => (word, "<="),
         };
         return Diagnostic::error("mavc::syntax::relation", span, format!("the limit `{word}` is set with `=`"))
-            .here("a limit is no single value")
+            .here("a limit is a bound, not a single value")
             .help(format!("write `{limit} {relation} {}`", cut(value)))
             .fix(whole, format!("{limit} {relation} {value}"));
     }
@@ -88,9 +88,13 @@ pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: S
         _ => format!("`{}`", cut(word)),
     };
     let Some(home) = kind.home() else {
-        return Diagnostic::error("mavc::syntax::misplaced", span, format!("no field stands {}", place.phrase()))
-            .here("does not belong here")
-            .help(openers(place));
+        return Diagnostic::error(
+            "mavc::syntax::misplaced",
+            span,
+            format!("fields are not allowed {}", place.phrase()),
+        )
+        .here("does not belong here")
+        .help(openers(place));
     };
     let help = match home {
         Place::Top => "move it out of the block",
@@ -100,10 +104,10 @@ pub(in crate::syntax) fn misplaced(kind: Kind, place: Place, text: &str, span: S
         Place::Mode => "name the fault in `faults`: `mode NAME { .. }`",
         Place::Limits => "put it into `limits { .. }` in the mission",
         Place::Simulate if matches!(place, Place::Faults | Place::Mode) => {
-            "declare a mode with `mode NAME { rotor 1 lost }`, and say in `simulate` when it strikes"
+            "declare a mode with `mode NAME { rotor 1 lost }`, and give the time of the fault in `simulate`"
         }
         Place::Simulate if place == Place::Campaign => {
-            "a campaign sets its own faults: take it out, or move it into `simulate { .. }`"
+            "a campaign sets its own faults: remove it, or move it into `simulate { .. }`"
         }
         Place::Simulate => "move it into `simulate { .. }`",
         _ => "move it into a `mission`",
@@ -118,7 +122,7 @@ pub(super) fn headless(statement: &Broken) -> Option<Diagnostic> {
         let message = "a block begins with a keyword";
         return Some(
             Diagnostic::error("mavc::syntax::block_head", statement.span(0, 1), message)
-                .here("no keyword stands before this brace")
+                .here("no keyword before this brace")
                 .help(openers(statement.place)),
         );
     }
@@ -167,10 +171,8 @@ fn bracketed(statement: &Broken, rest: &str) -> Option<Diagnostic> {
     }
     let at = statement.text.len() - named.len();
     let head = cut(statement.text[..at].trim_end());
-    let message = format!(
-        "the block `{head}` stands in `{{ }}`, not in `{}`",
-        if named.starts_with('[') { "[ ]" } else { "( )" }
-    );
+    let message =
+        format!("the block `{head}` takes `{{ }}`, not `{}`", if named.starts_with('[') { "[ ]" } else { "( )" });
     let diagnostic = Diagnostic::error("mavc::syntax::block_head", statement.span(at, at + 1), message)
         .here("opens a list or an expression")
         .help(format!("write it like `{head} {{ .. }}`"));
@@ -184,7 +186,7 @@ fn bracketed(statement: &Broken, rest: &str) -> Option<Diagnostic> {
     })
 }
 
-/// Whether a word and what follows it are the head of a block and nothing else.
+/// Whether a word and what follows it are exactly the head of a block.
 fn opens_block(word: &str, rest: &str) -> bool {
     let title_or_nothing = rest.is_empty() || rest.starts_with('"');
     match word {
@@ -202,7 +204,7 @@ pub(super) fn openers(place: Place) -> String {
     let words: Vec<String> = place.openers().iter().map(|w| format!("`{w}`")).collect();
     match words.split_last() {
         _ if place == Place::Rotors => {
-            "only `rotor at [..] m  spin P` stands here; what all share stands in a `rotor { .. }` block beside it"
+            "only `rotor at [..] m  spin P` is allowed here; what all rotors share goes into a `rotor { .. }` block beside it"
                 .to_string()
         }
         _ if place == Place::Limits => "a limit is written like `speed <= 8 m/s`".to_string(),
@@ -212,6 +214,6 @@ pub(super) fn openers(place: Place) -> String {
         Some((last, others)) if place == Place::Faults => format!("write {} or {last}", others.join(", ")),
         Some((last, [])) => format!("write {last}, or a field like `name = value`"),
         Some((last, others)) => format!("write {} or {last}, or a field like `name = value`", others.join(", ")),
-        None => format!("only fields like `name = value` stand {}", place.phrase()),
+        None => format!("only fields like `name = value` are allowed {}", place.phrase()),
     }
 }

@@ -1,10 +1,10 @@
-//! Words that begin no clause: behind `rotor at [0.2, 0.15, 0] m  spin P`, `start` and `waypoint`.
+//! Words that do not begin a clause, in `rotor at [0.2, 0.15, 0] m  spin P`, `start` and `waypoint`.
 
 use super::{Broken, Expected, Failure, cut};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::Place;
 
-/// Clauses of a rotor, as one reads them.
+/// Clauses of a rotor, in their usual order.
 const OF_ROTOR: [&str; 9] = [
     "at",
     "spin",
@@ -17,7 +17,7 @@ const OF_ROTOR: [&str; 9] = [
     "time_constant",
 ];
 
-/// How people say that an axis is not upright.
+/// Words for an axis that is not upright.
 const TILTED: [&str; 13] = [
     "tilt",
     "tilted",
@@ -58,10 +58,10 @@ pub(super) fn of_rotor(statement: &Broken, failure: &Failure) -> Option<Diagnost
     }
     let span = statement.span(failure.at, failure.at + found.len());
     let error =
-        |message: String| Diagnostic::error("mavc::syntax::unexpected", span, message).here("no clause of a rotor");
+        |message: String| Diagnostic::error("mavc::syntax::unexpected", span, message).here("not a clause of a rotor");
     if TILTED.contains(&found) {
         let message = format!("a rotor has no `{found}`: the axes of all rotors are parallel to the body's z axis");
-        return Some(error(message).help("take it out: rotors with tilted axes cannot be described so far"));
+        return Some(error(message).help("remove it: rotors with tilted axes cannot be described yet"));
     }
     let message = format!("a rotor has no `{}`", cut(found));
     if let Some((_, clause)) = OTHER_WORDS.iter().find(|(word, _)| *word == found) {
@@ -98,13 +98,13 @@ pub(super) fn of_waypoint(statement: &Broken, failure: &Failure) -> Option<Diagn
     );
     let help = match found {
         "speed" | "velocity" | "altitude" | "tilt" => {
-            format!("clauses are {clauses}; limits stand in `limits {{ .. }}`")
+            format!("clauses are {clauses}; limits go into `limits {{ .. }}`")
         }
         "heading" | "course" | "bearing" => {
-            "say it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
+            "write it as `yaw`, counter-clockwise from east: a compass heading h is `yaw 90 deg - h`".to_string()
         }
         "hold" | "wait" | "for" => format!("clauses are {clauses}; `hold 3 s` is a statement on the next line"),
         _ => format!("clauses are {clauses}"),
     };
-    follows_value.then(|| diagnostic.here("no clause of a waypoint").help(help))
+    follows_value.then(|| diagnostic.here("not a clause of a waypoint").help(help))
 }

@@ -9,7 +9,7 @@ use crate::syntax::cut;
 const LANDINGS: [&str; 2] = ["land", "touchdown"];
 const TAKEOFFS: [&str; 3] = ["takeoff", "take_off", "liftoff"];
 
-/// Whether a word stands for a statement that missions have elsewhere.
+/// Whether a word begins a statement of missions in other languages.
 pub(in crate::syntax) fn is_foreign(word: &str) -> bool {
     LANDINGS.contains(&word) || TAKEOFFS.contains(&word)
 }
@@ -19,7 +19,7 @@ pub(super) fn landing(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let rest = statement_of(statement, &LANDINGS)?;
     let error = unknown(statement).here("a mission ends at its last waypoint");
     Some(match token(rest, 0, is_name) {
-        _ if rest.is_empty() => error.help("take it out").fix(line(statement), ""),
+        _ if rest.is_empty() => error.help("remove it").fix(line(statement), ""),
         "at" => error.help("write `waypoint`").fix(first_word(statement), "waypoint"),
         _ => error.help("write it like `waypoint at [6, 4, 1] m`"),
     })
@@ -35,20 +35,20 @@ pub(super) fn takeoff(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let error = error.here("a mission begins at its `start`");
     let [before, behind] = statement.around;
     if token(behind.trim_start(), 0, is_name) == "start" {
-        return Some(error.help("take it out").fix(line(statement), ""));
+        return Some(error.help("remove it").fix(line(statement), ""));
     }
     let is_first = before.trim_end().ends_with('{');
     Some(match height(rest).filter(|_| is_first) {
         Some((number, unit)) => {
-            let mended = format!("start at [0, 0, {number}] {unit}");
+            let fixed = format!("start at [0, 0, {number}] {unit}");
             let whole = statement.span(0, statement.text.len());
-            error.help(format!("write `{}`", cut(&mended))).fix(whole, mended)
+            error.help(format!("write `{}`", cut(&fixed))).fix(whole, fixed)
         }
-        None => error.help("say where it begins, as in `start at [0, 0, 2] m`"),
+        None => error.help("write where it begins, as in `start at [0, 0, 2] m`"),
     })
 }
 
-/// What follows the first word, where it is one of `words` and stands in a mission.
+/// What follows the first word, where it is one of `words` in a mission.
 fn statement_of<'a>(statement: &'a Broken, words: &[&str]) -> Option<&'a str> {
     let word = statement.word();
     let rest = statement.text[word.len()..].trim_start();
@@ -65,7 +65,7 @@ fn first_word(statement: &Broken) -> Span {
     statement.span(0, statement.word().len())
 }
 
-/// The statement, with its line where nothing else stands on it.
+/// The statement, with its line if it is alone on it.
 fn line(statement: &Broken) -> Span {
     let span = statement.span(0, statement.text.len());
     let [before, behind] = statement.around;

@@ -1,5 +1,5 @@
-//! Mistakes that people often make, each recognised by where a statement fails and what stands there: here those in what
-//! a statement is, `value` has those in what it says.
+//! Mistakes that people often make, each recognised by where a statement fails and what follows there: here those in the form
+//! of a statement, in `value` those in its values.
 
 mod value;
 
@@ -76,14 +76,14 @@ fn misspelt_statement(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     let at = if matches!(meant, "start" | "waypoint") && rest.starts_with('[') { " at" } else { "" };
     // The last waypoint is the goal, and may be called so.
     let name = if GOALS.contains(&word) { format!(" {}", word.to_ascii_lowercase()) } else { String::new() };
-    let mended = format!("{meant}{name}{at}");
+    let fixed = format!("{meant}{name}{at}");
     let diagnostic =
         Diagnostic::error("mavc::syntax::unknown_statement", span, format!("no statement begins with `{}`", cut(word)))
             .here(format!("did you mean `{meant}`?"))
-            .fix(span, &mended);
+            .fix(span, &fixed);
     Some(match name.is_empty() {
-        true => diagnostic.help(format!("write `{mended}`")),
-        false => diagnostic.help(format!("write `{mended}`: the last waypoint of a mission is its goal")),
+        true => diagnostic.help(format!("write `{fixed}`")),
+        false => diagnostic.help(format!("write `{fixed}`: the last waypoint of a mission is its goal")),
     })
 }
 
@@ -109,7 +109,7 @@ fn doubled(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     if matches!(found, "=" | ":") && CLAUSES.contains(&before) && failure.expects(Expected::Value) {
         let span = statement.span(failure.at, failure.at + 1);
-        let error = Diagnostic::error("mavc::syntax::unexpected", span, format!("no `{found}` follows `{before}`"));
+        let error = Diagnostic::error("mavc::syntax::unexpected", span, format!("`{before}` takes no `{found}`"));
         return Some(error.here("not expected").help("remove it: a clause is a word and its value").fix(span, ""));
     }
     let is_second = found == "=" && before == "=" && failure.expects(Expected::Value);
@@ -117,10 +117,10 @@ fn doubled(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         Diagnostic::error(
             "mavc::syntax::unexpected",
             statement.span(failure.at, failure.at + 1),
-            "`=` stands twice before one value",
+            "two `=` before one value",
         )
         .here("one too many")
-        .help("take one `=` out")
+        .help("remove one `=`")
         .fix(statement.span(start + 1, failure.at + 1), "")
     })
 }
@@ -132,11 +132,11 @@ fn chained_limit(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     if statement.place != Place::Limits || !name.chars().all(is_name) || low.is_empty() || high.is_empty() {
         return None;
     }
-    let mended = format!("{name} in {low} .. {high}");
+    let fixed = format!("{name} in {low} .. {high}");
     let span = statement.span(0, statement.text.trim_end().len());
-    let error = Diagnostic::error("mavc::syntax::relation", span, "a limit has its name in front");
-    let error = error.here("a value stands before the name");
-    Some(error.help(format!("write `{}`", cut(&mended))).fix(span, mended))
+    let error = Diagnostic::error("mavc::syntax::relation", span, "a limit begins with its name");
+    let error = error.here("a value before the name");
+    Some(error.help(format!("write `{}`", cut(&fixed))).fix(span, fixed))
 }
 
 /// `if a > 3 { .. }`: heads that no block has.
@@ -157,21 +157,22 @@ fn uncounted(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
     if rotors == "rotor" && numbered.starts_with(|c: char| c.is_ascii_digit()) {
         let number = token(numbered, 0, |c| c.is_ascii_digit());
         let span = statement.span(at, statement.text.len() - numbered.len() + number.len());
-        let error = Diagnostic::error("mavc::syntax::unexpected", span, "`every` says how many rotors, not which one")
-            .here("names one rotor")
-            .help("write it like `every 1 rotor lost as M`");
+        let error =
+            Diagnostic::error("mavc::syntax::unexpected", span, "`every` takes a number of rotors, not one rotor")
+                .here("names one rotor")
+                .help("write it like `every 1 rotor lost as M`");
         return Some(if number == "1" { error.fix(span, "1 rotor") } else { error });
     }
     matches!(rotors, "rotor" | "rotors").then(|| {
         let span = statement.span(at, at + rotors.len());
-        Diagnostic::error("mavc::syntax::missing_value", span, "`every` does not say how many rotors")
-            .here("a number must stand before this")
+        Diagnostic::error("mavc::syntax::missing_value", span, "`every` has no number of rotors")
+            .here("expected a number before this")
             .help("write it like `every 1 rotor lost as M`")
             .fix(statement.span(at, at), "1 ")
     })
 }
 
-/// Statements that are blocks wherever they stand.
+/// Statements that are always blocks.
 const BLOCKS: [&str; 5] = ["vehicle", "faults", "mode", "mission", "limits"];
 
 /// `mode worn rotor 3 lost`
@@ -182,15 +183,15 @@ fn braceless(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if !is_block || marks_value || !failure.expects(Expected::Equals) {
         return None;
     }
-    let message = format!("what a block `{word}` says stands in braces");
+    let message = format!("a block `{word}` needs braces");
     let error =
         Diagnostic::error("mavc::syntax::block_head", statement.span(0, word.len()), message).here("no `{` follows");
     Some(match statement.text.find(" rotor").filter(|_| word == "mode") {
         Some(before) => {
             let body = statement.text[before + 1..].trim_end();
-            let mended = format!("{{ {body} }}");
+            let fixed = format!("{{ {body} }}");
             let span = statement.span(before + 1, before + 1 + body.len());
-            error.help(format!("put braces around `{}`", cut(body))).fix(span, mended)
+            error.help(format!("put braces around `{}`", cut(body))).fix(span, fixed)
         }
         None => error.help("open them with `{` on this line, and close them with `}` on a line of its own"),
     })
@@ -245,8 +246,8 @@ fn relation(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let instead = match found {
         _ if is_requirement && found.starts_with(['>', '=']) && found.contains('>') => {
             let span = statement.span(failure.at, failure.at + found.len());
-            let error = Diagnostic::error("mavc::syntax::relation", span, "a requirement is a bound from above");
-            return Some(error.here("asks for no less").help("write `<=`"));
+            let error = Diagnostic::error("mavc::syntax::relation", span, "a requirement is an upper bound");
+            return Some(error.here("a lower bound").help("write `<=`"));
         }
         "==" if is_requirement => "<=",
         "=<" | "<" | "<==" | "=" | ":" => "<=",
@@ -282,7 +283,7 @@ fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if let Some(inside) = inside.filter(|inside| inside.contains(',') && !inside.contains('(')) {
         let whole = statement.span(failure.at, failure.at + inside.len() + 2);
         let error = error("a position is a list behind `at`, in `[ ]`").here("expected `at` before this");
-        return Some(error.help("write `at [x, y, z]`, the unit behind it").fix(whole, format!("at [{inside}]")));
+        return Some(error.help("write `at [x, y, z]` and the unit after it").fix(whole, format!("at [{inside}]")));
     }
     if rest.starts_with('[') {
         let at = statement.span(failure.at, failure.at);
@@ -319,7 +320,7 @@ fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let after_number = failure.expects(Expected::Effect) && !words.contains(&before.1);
     let candidates = [(failure.at, found), if after_number { before } else { (failure.at, "") }];
     let (at, word, meant) = candidates.into_iter().find_map(|(at, word)| {
-        // `as` is a word of the language, said too early.
+        // `as` is a word of the language, written too early.
         let is_word = word != "as" && word.starts_with(|c: char| c.is_ascii_alphabetic());
         // Two letters are near to `at`, and may be a unit as well.
         let follows = statement.text[at + word.len()..].trim_start();
@@ -328,7 +329,7 @@ fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     })?;
     let span = statement.span(at, at + word.len());
     Some(
-        Diagnostic::error("mavc::syntax::unexpected", span, format!("`{}` cannot stand here", cut(word)))
+        Diagnostic::error("mavc::syntax::unexpected", span, format!("`{}` is not allowed here", cut(word)))
             .here(format!("did you mean `{meant}`?"))
             .help(format!("write `{meant}`"))
             .fix(span, meant),

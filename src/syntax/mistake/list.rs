@@ -1,4 +1,4 @@
-//! Positions, ranges and lists of names with other marks around them or between them, or with none.
+//! Positions, ranges and lists of names with other marks around them or between them, or without marks.
 
 use super::wording::unexpected;
 use super::{Broken, CLAUSES, Expected, Failure, is_name};
@@ -11,12 +11,12 @@ pub(super) fn position_in_parentheses(statement: &Broken, failure: &Failure) -> 
     if statement.found(failure.at) != "," || !failure.expects(Expected::Closing(')')) {
         return None;
     }
-    // Nothing that nests stands before the comma, or the parenthesis would be another's.
+    // No bracket between the parenthesis and the comma, or the comma would belong to another bracket.
     let open =
         statement.text[..failure.at].rfind(['(', ')', '[', ']']).filter(|&i| statement.text[i..].starts_with('('))?;
-    let diagnostic = unexpected(statement, open, open + 1, "a list stands in `[ ]`, not in `( )`");
+    let diagnostic = unexpected(statement, open, open + 1, "a list takes `[ ]`, not `( )`");
     let diagnostic = diagnostic.here("opens an expression, which has no commas");
-    let diagnostic = diagnostic.help("write `[x, y, z]`, the unit behind it");
+    let diagnostic = diagnostic.help("write `[x, y, z]` and the unit after it");
     let inside = &statement.text[open + 1..];
     Some(match inside.find(['(', ')', '[', ']']).filter(|&i| inside[i..].starts_with(')')) {
         Some(length) => {
@@ -43,15 +43,15 @@ pub(super) fn position_without_brackets(statement: &Broken, failure: &Failure) -
     if parts.iter().any(|part| part.is_empty() || part.contains(['[', ']', '(', ')'])) {
         return None;
     }
-    // A unit behind the last is that of all where the others have none.
+    // A unit after the last applies to all where the others have none.
     let (z, unit) = match z.split_once([' ', '\t']).filter(|_| !x.contains(' ') && !y.contains(' ')) {
         Some((z, unit)) => (z, unit.trim_start()),
         None => (z, "m"),
     };
-    let mended = format!("[{x}, {y}, {z}] {unit}");
+    let fixed = format!("[{x}, {y}, {z}] {unit}");
     let span = statement.span(at, at + written.len());
-    let error = Diagnostic::error("mavc::syntax::unexpected", span, "a position stands in `[ ]`");
-    Some(error.here("three values without brackets").help(format!("write `at {}`", cut(&mended))).fix(span, mended))
+    let error = Diagnostic::error("mavc::syntax::unexpected", span, "a position is a list in `[ ]`");
+    Some(error.here("three values without brackets").help(format!("write `at {}`", cut(&fixed))).fix(span, fixed))
 }
 
 /// `altitude in (1, 30) m`
@@ -63,7 +63,7 @@ pub(super) fn range_in_parentheses(statement: &Broken, failure: &Failure) -> Opt
     if statement.found(failure.at) != "," || high.contains(',') || !name.chars().all(is_name) {
         return None;
     }
-    let mended = format!("{} .. {}{}", low.trim(), high.trim(), unit.trim_end());
+    let fixed = format!("{} .. {}{}", low.trim(), high.trim(), unit.trim_end());
     let end = statement.text.trim_end().len();
     let error = Diagnostic::error(
         "mavc::syntax::range",
@@ -71,11 +71,14 @@ pub(super) fn range_in_parentheses(statement: &Broken, failure: &Failure) -> Opt
         "a range is written with `..`, not with a comma in `( )`",
     );
     Some(
-        error.here("no range").help(format!("write `{name} in {}`", cut(&mended))).fix(statement.span(at, end), mended),
+        error
+            .here("not a range")
+            .help(format!("write `{name} in {}`", cut(&fixed)))
+            .fix(statement.span(at, end), fixed),
     )
 }
 
-/// `against = [M1 worn]`: modes and planners have no units, so a name behind a name is another one.
+/// `against = [M1 worn]`: modes and planners have no units, so a name after a name is another one.
 pub(super) fn listed_names(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let (field, list) = statement.text.split_once('=')?;
     if !matches!(field.trim(), "against" | "planners") || !failure.expects(Expected::Operator) {
@@ -89,18 +92,18 @@ pub(super) fn listed_names(statement: &Broken, failure: &Failure) -> Option<Diag
     }
     let found = statement.found(failure.at);
     // `W1 to W4` is a range.
-    let mended = format!("[{}]", names.join(", ")).replace(", to, ", " .. ");
-    if mended.contains("..") {
+    let fixed = format!("[{}]", names.join(", ")).replace(", to, ", " .. ");
+    if fixed.contains("..") {
         let span = statement.span(failure.at, failure.at + found.len());
         let error = Diagnostic::error("mavc::syntax::range", span, "a range is written with `..`, not `to`")
             .here("expected `..`");
         let whole = statement.span(start, statement.text.trim_end().len());
-        return Some(error.help(format!("write `{}`", cut(&mended))).fix(whole, mended));
+        return Some(error.help(format!("write `{}`", cut(&fixed))).fix(whole, fixed));
     }
     Some(
         unexpected(statement, failure.at, failure.at + found.len(), "a comma is missing between two elements")
             .here("expected `,` before this")
-            .help(format!("write `{}`", cut(&mended)))
-            .fix(statement.span(start, statement.text.trim_end().len()), mended),
+            .help(format!("write `{}`", cut(&fixed)))
+            .fix(statement.span(start, statement.text.trim_end().len()), fixed),
     )
 }

@@ -1,11 +1,11 @@
-//! Statements that follow one another on a line with nothing between them: `mass = 1 kg  arm = 0.2 m`.
+//! Statements on one line without `;` between them: `mass = 1 kg  arm = 0.2 m`.
 
 use super::{Broken, CLAUSES, Expected, Failure, is_name, token};
 use crate::diagnostic::Diagnostic;
 use crate::language::Place;
 use crate::syntax::cut;
 
-/// Most statements told apart on one line.
+/// Most statements separated on one line.
 const MAX_SEPARATIONS: usize = 64;
 
 /// The places in a line where a statement plainly ends and another begins. `failure` reads a statement alone by the rule
@@ -33,17 +33,17 @@ fn split(
     fails: &Failure,
     failure: &impl Fn(&str, bool) -> Option<Failure>,
 ) -> Option<(usize, usize)> {
-    // What has a head and a body is told by its head.
+    // A statement with a body is explained by its head.
     if Place::of_head(statement.word()).is_some_and(|block| !matches!(block, Place::Rotor | Place::Rotors)) {
         return None;
     }
     let text = statement.text;
     let found = statement.found(fails.at);
-    // `within = 10 cm` behind a waypoint is a clause with a mark too many.
+    // `within = 10 cm` after a waypoint is a clause with a mark too many.
     if found == "=" && fails.expects(Expected::Value) && CLAUSES.contains(&statement.before(fails.at).1) {
         return None;
     }
-    // No field stands among rotors: `tilt = 15 deg` behind one is meant as a clause.
+    // There are no fields among rotors: `tilt = 15 deg` after one is meant as a clause.
     let behind = text[fails.at..].strip_prefix(found).unwrap_or("").trim_start();
     if statement.place == Place::Rotors && statement.word() == "rotor" && behind.starts_with('=') {
         return None;
@@ -66,7 +66,7 @@ fn split(
     })
 }
 
-/// Whether what stands at `at` can only begin a statement here: `name =`, or a keyword of this place.
+/// Whether the text at `at` can only begin a statement here: `name =`, or a keyword of this place.
 fn begins(statement: &Broken, at: usize) -> bool {
     let word = token(statement.text, at, is_name);
     if !word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
@@ -89,7 +89,7 @@ fn error(statement: &Broken, at: usize, next: usize) -> Diagnostic {
             .fix(statement.span(at, at + 1), ";"),
         false => {
             let span = statement.span(next, next + word.len());
-            Diagnostic::error(code, span, "a new line or `;` must stand between two statements")
+            Diagnostic::error(code, span, "two statements need a new line or `;` between them")
                 .here(format!("`{}` begins a statement of its own", cut(word)))
                 .fix(statement.span(at, at), ";")
         }

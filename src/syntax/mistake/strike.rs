@@ -21,11 +21,11 @@ fn error(statement: &Broken, from: usize, length: usize, message: impl Into<Stri
     Diagnostic::error("mavc::syntax::unexpected", statement.span(from, from + length), message)
 }
 
-/// What stands behind `fault` is no name: nothing, `at 5 s`, `"M1"`, `[M1, M2]`, `1`.
+/// What follows `fault` is not a name: nothing, `at 5 s`, `"M1"`, `[M1, M2]`, `1`.
 fn mode(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let (at, found) = (failure.at, statement.found(failure.at));
     Some(match found.chars().next() {
-        None => error(statement, 0, "fault".len(), "`fault` does not say what fails")
+        None => error(statement, 0, "fault".len(), "`fault` names no fault mode")
             .here("the name of a fault mode must follow")
             .help(LIKE),
         Some('"') => {
@@ -40,12 +40,12 @@ fn mode(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         }
         Some('[') => error(statement, at, 1, "`fault` names one mode, not a list")
             .here("opens a list")
-            .help("write a `fault` for each, or declare a mode in which all of it fails"),
+            .help("write a `fault` for each, or declare a mode in which all of them fail"),
         Some(c) if c.is_ascii_digit() => error(statement, at, found.len(), "`fault` names a fault mode, not a rotor")
-            .here("no name")
+            .here("not a name")
             .help("declare a mode in `faults`, as in `mode M1 { rotor 1 lost }`, and name it here"),
-        Some(c) if is_name(c) => error(statement, at, found.len(), "`fault` does not say what fails")
-            .here("the name of a fault mode must stand before this")
+        Some(c) if is_name(c) => error(statement, at, found.len(), "`fault` names no fault mode")
+            .here("expected the name of a fault mode before this")
             .help(LIKE),
         Some(_) => return None,
     })
@@ -63,7 +63,7 @@ fn instant(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         );
     }
     if found.is_empty() {
-        let message = format!("`fault {}` does not say when", cut(name));
+        let message = format!("`fault {}` has no time", cut(name));
         let diagnostic = error(statement, start, name.len(), message).here("`at` and a time must follow");
         let end = start + name.len();
         let diagnostic = diagnostic.help(format!("write `fault {} at 5 s`", cut(name)));
@@ -73,11 +73,11 @@ fn instant(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return Some(
             error(statement, at, found.len(), "`fault` names one mode")
                 .here("does not join modes")
-                .help("write a `fault` for each, or declare a mode in which all of it fails"),
+                .help("write a `fault` for each, or declare a mode in which all of them fail"),
         );
     }
     if matches!(found, "after" | "from" | "when" | "on" | "in" | "time" | "@" | "=" | ":") {
-        return Some(instead(statement, at, found, "at", "a fault's time is said with `at`"));
+        return Some(instead(statement, at, found, "at", "the time of a fault is written with `at`"));
     }
     if found.starts_with(|c: char| c.is_ascii_digit() || c == '(') {
         return Some(
@@ -97,24 +97,24 @@ fn clause(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return None;
     }
     if matches!(found, "to" | "till" | "til" | "through" | "recovers") {
-        return Some(instead(statement, at, found, "until", "the end of a fault is said with `until`"));
+        return Some(instead(statement, at, found, "until", "the end of a fault is written with `until`"));
     }
     if matches!(found, "for" | "lasting" | "during") {
         return Some(
             error(statement, at, found.len(), format!("a fault has no `{found}`"))
-                .here("no clause of a fault")
-                .help("say when it ends, not how long it lasts, as in `at 5 s until 9 s`"),
+                .here("not a clause of a fault")
+                .help("write when it ends, not how long it lasts, as in `at 5 s until 9 s`"),
         );
     }
     let is_word = found.starts_with(|c: char| c.is_ascii_alphabetic());
     (is_word && nearest(found, ["at", "until"]).is_none()).then(|| {
         error(statement, at, found.len(), format!("a fault has no `{}`", cut(found)))
-            .here("no clause of a fault")
-            .help("clauses are `at`, when it strikes, and `until`, when it is over")
+            .here("not a clause of a fault")
+            .help("clauses are `at`, when it strikes, and `until`, when it ends")
     })
 }
 
-/// `found` stands for `ours`.
+/// `found` in place of `ours`.
 fn instead(statement: &Broken, at: usize, found: &str, ours: &str, message: &str) -> Diagnostic {
     error(statement, at, found.len(), message)
         .here(format!("expected `{ours}`"))

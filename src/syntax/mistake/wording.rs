@@ -1,12 +1,11 @@
 //! Words, marks and brackets that people bring along from speech, drawings and data files.
 
 use super::{Broken, Expected, Failure, is_name, token};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::Diagnostic;
 use crate::language::Place;
-use crate::source::Span;
 use crate::syntax::cut;
 
-/// Asked before the habits that hold for any statement; each looks for one wording.
+/// Tried before the habits that apply to any statement; each looks for one wording.
 pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     keyword_colon,
     super::strike::recognise,
@@ -22,18 +21,18 @@ pub(super) const WORDINGS: &[fn(&Broken, &Failure) -> Option<Diagnostic>] = &[
     super::list::position_in_parentheses,
     super::list::position_without_brackets,
     super::list::listed_names,
-    rotor_numbers,
-    motors,
-    choice,
-    effect_word,
-    reduced_by,
+    super::effect::rotor_numbers,
+    super::effect::motors,
+    super::effect::choice,
+    super::effect::effect_word,
+    super::effect::reduced_by,
     joined_conditions,
     per,
     limit_range,
     indexed,
     positive_sign,
     super::clause::of_waypoint,
-    all_rotors,
+    super::effect::all_rotors,
     comma_at_end,
 ];
 
@@ -51,13 +50,11 @@ fn keyword_colon(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if statement.text[..failure.at].trim_end() != word {
         return None;
     }
-    let diagnostic = unexpected(statement, failure.at, failure.at + 1, format!("no `:` follows `{word}`"));
+    let diagnostic = unexpected(statement, failure.at, failure.at + 1, format!("`{word}` takes no `:`"));
     let diagnostic = diagnostic.here("not expected");
     let form = super::form(word, statement.place).unwrap_or(word);
     Some(match is_block {
-        true => {
-            diagnostic.help(format!("a block stands in braces: `{}`", form.split(" {").next()?.to_owned() + " { .. }"))
-        }
+        true => diagnostic.help(format!("a block takes braces: `{}`", form.split(" {").next()?.to_owned() + " { .. }")),
         false => diagnostic.help("remove it").fix(statement.span(failure.at, failure.at + 1), ""),
     })
 }
@@ -68,8 +65,8 @@ fn bare_path(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let is_path = path.ends_with(".mav") && path.chars().all(|c| is_name(c) || "./-\\".contains(c));
     (statement.word() == "use" && is_path && statement.before(failure.at).1 == "use").then(|| {
         let end = failure.at + path.len();
-        unexpected(statement, failure.at, end, "a path stands in double quotes")
-            .here("has none")
+        unexpected(statement, failure.at, end, "a path needs double quotes")
+            .here("no quotes")
             .help(format!("write `use \"{}\"`", cut(path)))
             .fix(statement.span(failure.at, end), format!("\"{path}\""))
     })
@@ -96,12 +93,12 @@ fn name_form(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     }
     let name = token(statement.text, start, |c| is_name(c) || c == '-');
     let span = statement.span(start, start + name.len());
-    let mended = name.replace('-', "_");
+    let fixed = name.replace('-', "_");
     Some(
         Diagnostic::error("mavc::syntax::unexpected", span, format!("the name `{}` has a `-` in it", cut(name)))
             .here("a name is made of letters, digits and `_`")
-            .help(format!("write `{}`", cut(&mended)))
-            .fix(span, mended),
+            .help(format!("write `{}`", cut(&fixed)))
+            .fix(span, fixed),
     )
 }
 
@@ -114,7 +111,7 @@ fn inch(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     }
     let span = statement.span(failure.at, failure.at + 2);
     Some(
-        Diagnostic::error("mavc::syntax::unexpected", span, "`in` is no unit")
+        Diagnostic::error("mavc::syntax::unexpected", span, "`in` is not a unit")
             .here("a word of the language")
             .help("the inch is written `inch`")
             .fix(span, "inch"),
@@ -135,38 +132,7 @@ fn hold_for(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     })
 }
 
-/// `rotors 1, 2 lost`, `rotors 1 and 2 lost`
-fn rotor_numbers(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let is_fault = matches!(statement.word(), "rotor" | "rotors") && failure.expects(Expected::Effect);
-    let found = statement.found(failure.at);
-    let (start, before) = statement.before(failure.at);
-    let at = match (found, before) {
-        (_, "and" | "or") => start,
-        ("," | "and" | "or" | "&" | "&&" | "-", _) => failure.at,
-        _ => return None,
-    };
-    let mark = token(statement.text, at, |c| is_name(c) || "&,-".contains(c));
-    let diagnostic = unexpected(statement, at, at + mark.len().max(1), "several rotors stand in a list");
-    let diagnostic = diagnostic.here("does not join rotors").help("write them like `rotors [1, 2] lost`");
-    if !is_fault {
-        return None;
-    }
-    // `1, 2 and 3`
-    let numbers = statement.text[statement.word().len()..].trim_start();
-    let from = statement.text.len() - numbers.len();
-    let effects = ["lost", "reduced", "stuck"].into_iter().filter_map(|word| numbers.find(word));
-    let Some(end) = effects.min() else { return Some(diagnostic) };
-    let listed = numbers[..end].trim_end();
-    let each: Vec<&str> =
-        listed.split([',', '&']).flat_map(|part| part.split("and")).map(str::trim).filter(|n| !n.is_empty()).collect();
-    let plain = each.len() > 1 && each.iter().all(|n| n.chars().all(|c| c.is_ascii_digit()));
-    Some(match plain {
-        true => diagnostic.fix(statement.span(from, from + listed.len()), format!("[{}]", each.join(", "))),
-        false => diagnostic,
-    })
-}
-
-/// `2 pi m`, `2*pi m`: a unit goes with a number or with what stands in parentheses.
+/// `2 pi m`, `2*pi m`: a unit follows a number or parentheses.
 fn pi_and_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let (start, before) = statement.before(failure.at);
     let unit = token(statement.text, failure.at, |c| is_name(c) || "*/^".contains(c));
@@ -183,104 +149,13 @@ fn pi_and_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
         return None;
     }
     let span = statement.span(from, failure.at + unit.len());
-    let mended = format!("({number}*pi) {unit}");
+    let fixed = format!("({number}*pi) {unit}");
     Some(
-        Diagnostic::error("mavc::syntax::unexpected", span, "`pi` is a number by name, and takes no unit")
-            .here("a unit follows a number, `)` or `]`, never a name")
-            .help(format!("write `{}`", cut(&mended)))
-            .fix(span, mended),
+        Diagnostic::error("mavc::syntax::unexpected", span, "`pi` is a name, and a name takes no unit")
+            .here("a unit follows a number, `)` or `]`, not a name")
+            .help(format!("write `{}`", cut(&fixed)))
+            .fix(span, fixed),
     )
-}
-
-/// `every 1 motor lost as M`, where any word after a number looks like a unit.
-fn motors(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let (start, word) = statement.before(failure.at);
-    let is_rotor = matches!(word, "motor" | "motors" | "propeller" | "propellers" | "prop" | "props");
-    (statement.word() == "every" && is_rotor && failure.expects(Expected::Word("rotors"))).then(|| {
-        let span = statement.span(start, start + word.len());
-        let ours = if word.ends_with('s') { "rotors" } else { "rotor" };
-        unexpected(statement, start, start + word.len(), format!("no `{word}` stands in an `every`"))
-            .here(format!("expected `{ours}`"))
-            .help(format!("write `{ours}`"))
-            .fix(span, ours)
-    })
-}
-
-/// `every 2 neighbours lost as W`, where any word after a number looks like a unit.
-fn choice(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let (start, word) = statement.before(failure.at);
-    let is_word = word.starts_with(|c: char| c.is_ascii_alphabetic());
-    let follows_number = statement.text[..start].trim_end().ends_with(|c: char| c.is_ascii_digit());
-    let is_choice =
-        statement.word() == "every" && is_word && follows_number && failure.expects(Expected::Word("rotors"));
-    is_choice.then(|| no_choice(statement.span(start, start + word.len()), word))
-}
-
-/// The error for a word that would restrict which rotors an `every` covers.
-pub fn no_choice(span: Span, word: &str) -> Diagnostic {
-    let word = cut(word);
-    Diagnostic::error(
-        "mavc::syntax::unexpected",
-        span,
-        format!("`every` cannot select rotors by `{word}`"),
-    )
-    .here("expected `rotors`")
-    .help("`every 2 rotors` covers every pair; to cover only some, write a mode for each: `mode W1 { rotors [1, 2] lost }`")
-}
-
-/// `rotor 1 fails`, where any word after a number looks like a unit.
-fn effect_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    if !matches!(statement.word(), "rotor" | "rotors" | "every") || !failure.expects(Expected::Effect) {
-        return None;
-    }
-    let (start, before) = statement.before(failure.at);
-    let number = |text: &str| text.trim_end().ends_with(|c: char| c.is_ascii_digit() || c == ']');
-    let found = statement.found(failure.at);
-    let is_word = |w: &str| w.starts_with(|c: char| c.is_ascii_alphabetic());
-    let (at, word) = match () {
-        _ if is_word(before) && number(&statement.text[..start]) && !matches!(before, "rotor" | "rotors") => {
-            (start, before)
-        }
-        _ if is_word(found) => (failure.at, found),
-        _ => return None,
-    };
-    let meant = match word {
-        "fails" | "failed" | "fail" | "failing" | "failure" | "dead" | "dies" | "off" | "out" | "broken" | "gone"
-        | "missing" | "stops" => "lost",
-        "jammed" | "locked" | "fixed" | "frozen" => "stuck at 50 %",
-        "limited" | "degraded" | "weak" | "worn" | "down" => "reduced to 60 %",
-        _ if nearest(word, ["lost", "reduced", "stuck"]).is_some() => return None,
-        _ => "",
-    };
-    let message = format!("`{}` is not said of a rotor", cut(word));
-    let diagnostic = unexpected(statement, at, at + word.len(), message);
-    let diagnostic = diagnostic.here("expected `lost`, `reduced to` or `stuck at`");
-    Some(match meant {
-        "" if statement.word() == "every" => diagnostic.help("write it like `every 1 rotor lost as M`"),
-        "" => diagnostic.help("write it like `rotor 3 lost`, `rotor 3 reduced to 60 %` or `rotor 3 stuck at 50 %`"),
-        meant => diagnostic.help(format!("write `{meant}`")).fix(statement.span(at, at + word.len()), meant),
-    })
-}
-
-/// `rotor 1 reduced by 10 %`
-fn reduced_by(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
-    let is_by = statement.found(failure.at) == "by" && statement.before(failure.at).1 == "reduced";
-    if !is_by {
-        return None;
-    }
-    let message = "a rotor is reduced `to` what is left, not `by` what is lost";
-    let diagnostic = unexpected(statement, failure.at, failure.at + 2, message).here("expected `to`");
-    let rest = statement.text[failure.at + 2..].trim_start();
-    let digits = token(rest, 0, |c| c.is_ascii_digit());
-    let unit = rest[digits.len()..].trim_start();
-    Some(match digits.parse::<u32>().ok().filter(|lost| *lost <= 100 && unit.starts_with('%')) {
-        Some(lost) => {
-            let mended = format!("to {} %", 100 - lost);
-            let end = statement.text.len() - unit.len() + 1;
-            diagnostic.help(format!("write `{mended}`")).fix(statement.span(failure.at, end), mended)
-        }
-        None => diagnostic.help("say what is left: a tenth lost is `reduced to 90 %`"),
-    })
 }
 
 /// `against = where rpn > 50 and severity > 3`
@@ -343,12 +218,12 @@ fn limit_range(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     }
     let name = statement.text[..failure.at].trim_end();
     let span = statement.span(failure.at, failure.at + rest.len());
-    let mended = format!("in {low} .. {high}");
+    let fixed = format!("in {low} .. {high}");
     Some(
         Diagnostic::error("mavc::syntax::range", span, "a limit takes a range with `in` and `..`")
             .here("expected `in` before this")
-            .help(format!("write `{}`", cut(&format!("{name} {mended}"))))
-            .fix(span, mended),
+            .help(format!("write `{}`", cut(&format!("{name} {fixed}"))))
+            .fix(span, fixed),
     )
 }
 
@@ -359,13 +234,13 @@ fn indexed(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     if statement.found(failure.at) != "[" || !touches || !failure.expects(Expected::Operator) {
         return None;
     }
-    // What stands before may be the unit of a number.
+    // What comes before may be the unit of a number.
     if statement.text[..start].trim_end().ends_with(|c: char| c.is_ascii_digit() || ")]*/^".contains(c)) {
         return None;
     }
     let end = statement.text[failure.at..].find(']').map_or(failure.at + 1, |i| failure.at + i + 1);
     Some(
-        unexpected(statement, failure.at, end, "an element of a list cannot be asked for by its number")
+        unexpected(statement, failure.at, end, "an element of a list cannot be selected by its number")
             .here(format!("follows the name `{}`", cut(name)))
             .help("give the element a name of its own with `let`, and write that name here"),
     )
@@ -378,19 +253,8 @@ fn positive_sign(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     (failure.expects(Expected::Value) && begins).then(|| {
         unexpected(statement, failure.at, failure.at + 1, "a value has no sign `+`")
             .here("not expected")
-            .help("take the `+` out")
+            .help("remove the `+`")
             .fix(statement.span(failure.at, failure.at + 1), "")
-    })
-}
-
-/// `all rotors lost`
-fn all_rotors(statement: &Broken, _: &Failure) -> Option<Diagnostic> {
-    let is_all = statement.place == Place::Mode && matches!(statement.word(), "all" | "both" | "any");
-    let word = statement.word();
-    is_all.then(|| {
-        unexpected(statement, 0, word.len(), format!("no fault begins with `{word}`"))
-            .here("expected `rotor` or `rotors`")
-            .help("say which rotors: `rotors [1, 2] lost`")
     })
 }
 
@@ -399,7 +263,7 @@ fn comma_at_end(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let is_last = statement.text[failure.at..].trim_end() == ",";
     (is_last && failure.expects(Expected::End)).then(|| {
         let span = statement.span(failure.at, failure.at + 1);
-        Diagnostic::error("mavc::syntax::unexpected", span, "no comma ends a statement")
+        Diagnostic::error("mavc::syntax::unexpected", span, "a statement does not end with a comma")
             .here("not expected")
             .help("remove it: the end of the line is enough")
             .fix(span, "")

@@ -187,9 +187,9 @@ fn renaming_reaches_files_that_are_not_open() {
 fn names_that_are_no_names_or_would_mean_something_else_are_refused() {
     let mut pair = pair(ROOT);
     for (place, new, why) in [
-        (1, "2nd", "is no name"),
-        (1, "", "is no name"),
-        (1, "gipfel höhe", "is no name"),
+        (1, "2nd", "is not a name"),
+        (1, "", "is not a name"),
+        (1, "gipfel höhe", "is not a name"),
         (1, "sin", "belongs to the language"),
         (4, "all", "belongs to the language"),
         (4, "weak3", "a second fault mode is called `weak3`"),
@@ -209,6 +209,6 @@ fn names_that_are_no_names_or_would_mean_something_else_are_refused() {
     let mut pair =
         self::pair("use \"library.mav\"\nmission m {\n start at [0 m, 0 m, t|op]\n waypoint at [top ???\n}\n");
     let (_, message) = pair.rename(0, "summit").unwrap_err();
-    assert!(message.contains("mend it first"), "{message}");
+    assert!(message.contains("fix it first"), "{message}");
     pair.client.stop();
 }

@@ -1,4 +1,4 @@
-//! Habits in values: numbers, lists, ranges and units as they are written elsewhere.
+//! Habits in values: numbers, lists, ranges and units as other formats write them.
 
 use super::super::{Broken, Expected, Failure, is_name, token};
 use super::CLAUSES;
@@ -65,7 +65,7 @@ pub(super) fn listless(statement: &Broken, failure: &Failure) -> Option<Diagnost
         return None;
     }
     let span = statement.span(failure.at, failure.at + 1);
-    let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, "several values stand in a list, in `[ ]`")
+    let diagnostic = Diagnostic::error("mavc::syntax::unexpected", span, "several values need a list, in `[ ]`")
         .here("separates the elements of a list");
     let values = values.trim();
     Some(match values.chars().all(|c| is_name(c) || ", ".contains(c)) && values.len() <= 48 {
@@ -92,12 +92,12 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
         let diagnostic = Diagnostic::error("mavc::syntax::number", span, "a number is written without `_`");
         let start = statement.text[..at].rfind(|c: char| !(is_name(c) || c == '.')).map_or(0, |i| i + 1);
         let whole = &statement.text[start..at + found.len()];
-        let mended = whole.replace('_', "");
+        let fixed = whole.replace('_', "");
         let diagnostic = diagnostic.here("not expected in a number");
-        return Some(match mended.chars().all(|c| c.is_ascii_digit() || c == '.') {
+        return Some(match fixed.chars().all(|c| c.is_ascii_digit() || c == '.') {
             true => diagnostic
-                .help(format!("write `{}`", cut(&mended)))
-                .fix(statement.span(start, start + whole.len()), mended),
+                .help(format!("write `{}`", cut(&fixed)))
+                .fix(statement.span(start, start + whole.len()), fixed),
             false => diagnostic.help("leave out the `_`"),
         });
     }
@@ -128,7 +128,7 @@ pub(super) fn number_point(statement: &Broken, failure: &Failure) -> Option<Diag
     })
 }
 
-/// `5 m^2.5`: only a unit's exponent ends before its point. It stands in `start..end`, the point at `at`.
+/// `5 m^2.5`: only a unit's exponent ends before its point. It is at `start..end`, the point at `at`.
 fn unit_exponent(statement: &Broken, start: usize, at: usize, end: usize) -> Diagnostic {
     let span = statement.span(start, end);
     let error = Diagnostic::error("mavc::unit::exponent", span, "the exponent of a unit is a whole number");
@@ -193,7 +193,7 @@ fn curve_head(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     match found {
         "in" if before == "curve" => Some(
             error("`curve` names no parameter".into())
-                .here("a name must stand before this")
+                .here("expected a name before this")
                 .help("write it like `curve s in 0 .. 2*pi`")
                 .fix(here, "s "),
         ),
@@ -244,16 +244,16 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
     if !follows_operand || !unit.starts_with(|c: char| c.is_ascii_alphabetic() || c == '%') {
         return None;
     }
-    let (mut mended, end) = joined(unit, statement.text, failure.at);
+    let (mut fixed, end) = joined(unit, statement.text, failure.at);
     // Nobody means a square by `ft ft`.
     let is_twice = statement.text[failure.at..end].trim() == unit;
     if is_twice {
-        mended = unit.to_string();
+        fixed = unit.to_string();
     }
     let span = statement.span(start, end);
-    let divides = mended[unit.len()..].starts_with('/');
+    let divides = fixed[unit.len()..].starts_with('/');
     let (written, factor) = (cut(&statement.text[start..end]), cut(&statement.text[failure.at..end]));
-    let (unit, shown) = (cut(unit), cut(&mended));
+    let (unit, shown) = (cut(unit), cut(&fixed));
     let help = match factor.contains([' ', '\t']) {
         _ if is_twice => format!("write it once: `{unit}`"),
         false if divides => format!("write `{shown}`, which is `{unit}*{factor}`"),
@@ -272,7 +272,7 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
         Diagnostic::error("mavc::syntax::unit_blank", span, format!("the unit `{written}` has a blank in it"))
             .here("a unit is one run without blanks")
             .help(help)
-            .fix(span, mended),
+            .fix(span, fixed),
     )
 }
 
@@ -282,7 +282,7 @@ fn is_factor(word: &str) -> bool {
     word == "%" || word.len() <= 3 && word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && !other
 }
 
-/// A unit and the factors that follow it from `at` on, in one run; and where they end. `s^-1` is said with `/`.
+/// A unit and the factors that follow it from `at` on, in one run; and where they end. `s^-1` becomes a division.
 fn joined(unit: &str, text: &str, mut at: usize) -> (String, usize) {
     let (mut whole, mut end) = (unit.to_string(), at);
     while is_factor(token(text, at, is_name)) || text[at..].starts_with('%') {
@@ -310,7 +310,7 @@ pub(super) fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<D
     if !failure.expects(Expected::Operator) || !word(name) || !(word(found) || found == "%") {
         return None;
     }
-    // What stands before may be the end of a unit.
+    // What comes before may be the end of a unit.
     let is_unit = statement.text[..start].trim_end().ends_with(|c: char| c.is_ascii_digit() || ")]*/^".contains(c));
     if is_unit || statement.place.openers().contains(&found) {
         return None;
@@ -320,8 +320,8 @@ pub(super) fn unit_after_name(statement: &Broken, failure: &Failure) -> Option<D
     let whole = statement.span(start, failure.at + found.len());
     let diagnostic =
         Diagnostic::error("mavc::syntax::unexpected", span, format!("`{found}` cannot follow the name `{name}`"))
-            .here("an operator must stand before this")
-            .also(statement.span(start, start + name.len()), "a unit follows a number, `)` or `]`, never a name");
+            .here("expected an operator before this")
+            .also(statement.span(start, start + name.len()), "a unit follows a number, `)` or `]`, not a name");
     Some(match found.as_str() {
         "%" => diagnostic.help(format!("write `({name}) %`")).fix(whole, format!("({name}) %")),
         _ => {
@@ -344,7 +344,7 @@ pub(super) fn list_comma(statement: &Broken, failure: &Failure) -> Option<Diagno
     let error = Diagnostic::error("mavc::syntax::unexpected", span, "a comma is missing between two elements")
         .here("expected `,` before this")
         .help("write `,` between them");
-    // Bare numbers up to the end of the list lack every comma.
+    // If only bare numbers follow in the list, all commas are missing.
     let rest = &statement.text[failure.at..];
     let others: Vec<&str> = rest.split(']').next().unwrap_or("").split_whitespace().collect();
     let bare = others.iter().all(|n| n.starts_with(|c: char| c.is_ascii_digit() || c == '-') && !n.contains(','));
