@@ -10,7 +10,6 @@
 //! | `documents`, `workspace` | open texts, the specs they make up |
 //! | `verdicts` | analyses of fault modes, beside the conversation |
 //! | `names`, `mentions`, `navigation`, `rename` | what every word means, where names are declared and used |
-//! | `lexemes` | words and marks of texts that cannot be read |
 //! | `documentation` | what the language reference says of a word |
 //! | `diagnostics`, `actions`, `hover`, `completion`, `outline`, `tokens`, `hints`, `formatting` | one answer each |
 
@@ -23,7 +22,6 @@ mod documents;
 mod formatting;
 mod hints;
 mod hover;
-mod lexemes;
 mod mentions;
 mod names;
 mod navigation;

@@ -14,6 +14,9 @@ mod build;
 mod layout;
 mod mistake;
 mod print;
+mod repair;
+pub(crate) mod scan;
+mod spans;
 
 pub use crate::language::Place;
 pub use mistake::no_choice;
@@ -43,13 +46,8 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
         let diagnostic = too_large(&source.name, Span::new(file, 0, 0), MAX_FILE_BYTES);
         return Checked { value: None, diagnostics: vec![diagnostic] };
     }
-    let layout = layout::lay_out(file, &source.text);
-    if layout.too_much {
-        return Checked { value: None, diagnostics: layout.diagnostics };
-    }
-    let (value, mut diagnostics) = build::build(file, layout);
+    let (value, mut diagnostics) = repair::read(&source.text, MAX_ERRORS, |text| read_once(file, text));
     crate::diagnostic::sort(&mut diagnostics);
-    one_brace_one_error(&mut diagnostics);
     if diagnostics.len() > MAX_ERRORS {
         diagnostics.truncate(MAX_ERRORS);
         let end = Span::new(file, bytes, bytes);
@@ -59,23 +57,17 @@ pub fn parse(file: FileId, source: &Source) -> Checked<SpecFile> {
             format!("`{}` has more than {MAX_ERRORS} errors; the others are not shown", source.name),
         ));
     }
-    Checked { value: Some(value), diagnostics }
+    Checked { value, diagnostics }
 }
 
-/// A block that does not open leaves its closing brace over: that brace is no second mistake. In source order.
-fn one_brace_one_error(diagnostics: &mut Vec<Diagnostic>) {
-    let mut unopened = 0;
-    diagnostics.retain(|d| match d.code {
-        "mavc::syntax::missing_brace" => {
-            unopened += 1;
-            true
-        }
-        "mavc::syntax::stray_brace" if unopened > 0 => {
-            unopened -= 1;
-            false
-        }
-        _ => true,
-    });
+/// The tree and the mistakes of a text as it stands; no tree where it passes a limit.
+fn read_once(file: FileId, text: &str) -> repair::Reading {
+    let layout = layout::lay_out(file, text);
+    if layout.too_much {
+        return (None, layout.diagnostics);
+    }
+    let (tree, diagnostics) = build::build(file, &layout);
+    (Some(tree), diagnostics)
 }
 
 /// The diagnostic for a spec or a table that passes `limit` bytes.

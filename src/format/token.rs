@@ -1,6 +1,7 @@
 //! Text to words, marks and comments. The text is known to be free of errors.
 
 use super::role::{Role, Roles};
+use crate::syntax::scan::{self, Kind, Lexeme};
 
 /// A word, a mark or a comment, and how it follows what stands before it.
 #[derive(Debug, Clone, Copy)]
@@ -54,68 +55,35 @@ pub fn tokens<'a>(text: &'a str, roles: &Roles) -> Vec<Token<'a>> {
 
 fn all<'a>(text: &'a str, roles: &Roles) -> Vec<Token<'a>> {
     let mut tokens = Vec::new();
-    let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
+    let mut at = scan::byte_order_mark(text);
     let (mut breaks, mut brackets, mut in_statement) = (1, 0_usize, false);
-    while at < text.len() {
-        let rest = &text[at..];
-        let byte = rest.as_bytes()[0];
-        if byte == b'\n' {
-            breaks += 1;
-            in_statement &= brackets > 0;
-        }
-        if byte.is_ascii_whitespace() {
-            at += 1;
-            continue;
-        }
+    while let Some(Lexeme { kind, start, mut end }) = scan::lexeme(text, at) {
         let mut sort = Sort::Word;
-        let length = match roles.words.get(&at) {
-            Some(Role::Unit(end)) => end - at,
-            _ if rest.starts_with("//") => {
-                let is_doc = rest.starts_with("///") && !rest.starts_with("////") && !in_statement;
-                sort = if is_doc { Sort::Doc } else { Sort::Comment };
-                rest.find('\n').unwrap_or(rest.len())
+        match kind {
+            Kind::Newline => {
+                breaks += 1;
+                in_statement &= brackets > 0;
+                at = end;
+                continue;
             }
-            _ => word(rest),
-        };
-        let token = &rest[..length];
-        match token {
-            _ if sort != Sort::Word => {}
-            "(" | "[" => brackets += 1,
-            ")" | "]" => brackets = brackets.saturating_sub(1),
-            _ => {}
+            Kind::Comment | Kind::Doc => {
+                let is_doc = scan::is_doc(&text[start..end]) && !in_statement;
+                sort = if is_doc { Sort::Doc } else { Sort::Comment };
+            }
+            _ => {
+                if let Some(Role::Unit(last)) = roles.words.get(&start) {
+                    end = *last;
+                }
+                match kind {
+                    Kind::Mark('(' | '[') => brackets += 1,
+                    Kind::Mark(')' | ']') => brackets = brackets.saturating_sub(1),
+                    _ => {}
+                }
+                in_statement = !matches!(kind, Kind::Mark('{' | '}' | ';'));
+            }
         }
-        if sort == Sort::Word {
-            in_statement = !matches!(token, "{" | "}" | ";");
-        }
-        tokens.push(Token { text: token.trim_end(), start: at, breaks, sort });
-        breaks = 0;
-        at += length;
+        tokens.push(Token { text: &text[start..end], start, breaks, sort });
+        (breaks, at) = (0, end);
     }
     tokens
-}
-
-/// Bytes of the word or mark that `rest` begins with.
-fn word(rest: &str) -> usize {
-    let run = |from: usize, accept: fn(&u8) -> bool| {
-        from + rest.as_bytes()[from..].iter().position(|b| !accept(b)).unwrap_or(rest.len() - from)
-    };
-    let digits = |from: usize| run(from, u8::is_ascii_digit);
-    let byte_at = |i: usize| rest.as_bytes().get(i).copied().unwrap_or(b' ');
-    match rest.as_bytes()[0] {
-        b'"' => rest[1..].find('"').map_or(rest.len(), |i| i + 2),
-        b'0'..=b'9' => {
-            let mut end = digits(0);
-            if byte_at(end) == b'.' && byte_at(end + 1).is_ascii_digit() {
-                end = digits(end + 1);
-            }
-            let sign = usize::from(matches!(byte_at(end + 1), b'+' | b'-'));
-            if matches!(byte_at(end), b'e' | b'E') && byte_at(end + 1 + sign).is_ascii_digit() {
-                end = digits(end + 1 + sign);
-            }
-            end
-        }
-        b if b.is_ascii_alphabetic() || b == b'_' => run(0, |b| b.is_ascii_alphanumeric() || *b == b'_'),
-        _ if ["<=", ">=", "..", "+-"].iter().any(|mark| rest.starts_with(mark)) => 2,
-        _ => rest.chars().next().map_or(1, char::len_utf8),
-    }
 }

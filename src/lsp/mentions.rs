@@ -242,8 +242,10 @@ impl<'a> Walk<'a> {
     fn expr(&mut self, expr: &'a Expr) {
         match &expr.kind {
             ExprKind::Number { text, unit, .. } => {
-                let end = expr.span.start as usize + text.len();
-                self.note(Span::new(expr.span.file, expr.span.start as usize, end), What::Number);
+                // In a tree that was read as a fix would have it, the number written may be shorter.
+                let most = unit.as_ref().map_or(expr.span.end, |unit| unit.span.start);
+                let end = most.min(expr.span.start + text.len() as u32);
+                self.note(Span { end, ..expr.span }, What::Number);
                 self.unit(unit);
             }
             ExprKind::Text(_) => self.note(expr.span, What::Text),

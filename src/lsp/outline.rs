@@ -1,10 +1,10 @@
 //! The outline of a file, and what of it folds.
 
 use super::documents::range;
-use super::lexemes::{Kind, lexemes};
 use super::workspace::Spec;
 use crate::source::{FileId, Source, Span};
 use crate::syntax::ast::{Block, Clauses, Field, Item, Name, Statement};
+use crate::syntax::scan::{Kind, lexemes};
 use gen_lsp_types::{DocumentSymbol, FoldingRange, FoldingRangeKind, SymbolKind};
 
 /// Blocks, statements that have names, and fields, as they stand in each other.

@@ -1,11 +1,11 @@
 //! Semantic tokens: what every word is, by the tree where there is one and by itself elsewhere.
 
-use super::lexemes::{Kind as Lexical, lexemes};
 use super::mentions::What;
 use super::names::Kind;
 use super::workspace::Spec;
 use crate::source::FileId;
 use crate::syntax::Place;
+use crate::syntax::scan::{Kind as Lexical, lexemes};
 use gen_lsp_types::{SemanticToken, SemanticTokenModifiers, SemanticTokenTypes, SemanticTokensLegend};
 use std::collections::HashMap;
 
@@ -69,8 +69,10 @@ pub fn legend() -> SemanticTokensLegend {
 pub fn tokens(spec: &Spec, file: FileId) -> Vec<SemanticToken> {
     let source = spec.source(file);
     let text = source.text.as_str();
+    // Not those that only a fix would write.
+    let written = spec.mentions().in_file(file).iter().filter(|m| m.span.start < m.span.end);
     let meant: HashMap<usize, (usize, What)> =
-        spec.mentions().in_file(file).iter().map(|m| (m.span.start as usize, (m.span.end as usize, m.what))).collect();
+        written.map(|m| (m.span.start as usize, (m.span.end as usize, m.what))).collect();
     let mut encoder = Encoder { text, line: 0, line_start: 0, seen: 0, last: (0, 0), found: Vec::new() };
     let mut until = 0;
     for lexeme in lexemes(text) {
@@ -90,7 +92,7 @@ pub fn tokens(spec: &Spec, file: FileId) -> Vec<SemanticToken> {
                 modifiers = of_what;
                 token
             }
-            (None, Lexical::Text) => Token::Text,
+            (None, Lexical::Text | Lexical::UnclosedText) => Token::Text,
             (None, Lexical::Number) => Token::Number,
             (None, Lexical::Word) => {
                 let word = lexeme.text(text);
@@ -99,13 +101,9 @@ pub fn tokens(spec: &Spec, file: FileId) -> Vec<SemanticToken> {
                 }
                 Token::Keyword
             }
-            (None, Lexical::Mark('=' | '<' | '>' | '+' | '-' | '*' | '/' | '^')) => {
-                // `<=`, `>=` and `+-` are one mark each.
-                let two = text.get(lexeme.start..lexeme.end + 1);
-                end += usize::from(two.is_some_and(|two| matches!(two, "<=" | ">=" | "+-")));
-                Token::Operator
-            }
-            (None, Lexical::Mark(_)) => continue,
+            (None, Lexical::Mark('=' | '<' | '>' | '+' | '-' | '*' | '/' | '^')) => Token::Operator,
+            (None, Lexical::Pair) if lexeme.text(text) != ".." => Token::Operator,
+            (None, Lexical::Mark(_) | Lexical::Pair | Lexical::Newline) => continue,
         };
         until = end;
         encoder.push(lexeme.start, end, token, modifiers);

@@ -1,5 +1,6 @@
 //! The state of elaboration: the diagnostics found so far, the `let`s, and the remaining evaluation budget.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::allow::Allowed;
@@ -34,7 +35,7 @@ pub(super) struct Context<'a> {
     /// Some fault modes have unknown names, because the statement that declares them has an error.
     pub modes_unnamed: bool,
     /// Every word of the statements that could not be parsed.
-    lost_words: BTreeSet<&'a str>,
+    lost_words: BTreeSet<Cow<'a, str>>,
     /// Warnings that `allow` suppresses.
     pub(super) allowed: Allowed,
     /// Diagnostics past the limit.
@@ -54,6 +55,8 @@ pub(super) struct Context<'a> {
     pub(super) parameter: Option<(&'a str, Quantity)>,
     /// Whether the parameter, a plain number, is an angle in radians.
     pub(super) parameter_turns: bool,
+    /// The unit that the number being read takes, by where its own stands.
+    pub(super) unit_due: Option<(Span, &'static str)>,
     pub(super) depth: u32,
     pub(super) steps: u32,
 }
@@ -82,7 +85,7 @@ impl<'a> Context<'a> {
             gravity: GRAVITY,
             incomplete,
             modes_unnamed: false,
-            lost_words: words.collect(),
+            lost_words: words.map(Cow::Borrowed).collect(),
             allowed: Allowed::default(),
             dropped: 0,
             dropped_softly: 0,
@@ -93,6 +96,7 @@ impl<'a> Context<'a> {
             suspects: Vec::new(),
             parameter: None,
             parameter_turns: false,
+            unit_due: None,
             depth: 0,
             steps: 0,
         }
@@ -121,8 +125,8 @@ impl<'a> Context<'a> {
     }
 
     /// Suppresses "unknown name" errors for `name`, whose declaration has an error.
-    pub fn lose(&mut self, name: &'a str) {
-        self.lost_words.insert(name);
+    pub fn lose(&mut self, name: impl Into<Cow<'a, str>>) {
+        self.lost_words.insert(name.into());
     }
 
     /// Registers every `let`. A second `let` of the same name and a built-in name are errors.

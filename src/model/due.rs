@@ -37,8 +37,18 @@ impl<'t> Due<'t> {
 }
 
 impl<'a> Context<'a> {
+    /// Remembers the unit that the number or list `expr` takes, in case its own is misspelt.
+    pub(super) fn expect_unit(&mut self, due: Due, expr: &Expr) {
+        let unit = match &expr.kind {
+            ExprKind::Number { unit, .. } | ExprKind::List { unit, .. } => unit.as_ref(),
+            _ => None,
+        };
+        self.unit_due = unit.map(|unit| (unit.span, due.unit));
+    }
+
     /// A single quantity of the expected dimension, in SI units.
     pub fn number(&mut self, due: Due, expr: &'a Expr) -> Option<f64> {
+        self.expect_unit(due, expr);
         let q = self.evaluate_quantity(expr)?;
         self.lower(due, q, expr)
     }
@@ -159,7 +169,12 @@ impl<'a> Context<'a> {
 
     /// `[x, y, z] m`: three quantities of the expected dimension, in SI units.
     pub fn triple(&mut self, due: Due, expr: &'a Expr) -> Option<[f64; 3]> {
-        let list = match self.evaluate(expr)? {
+        self.expect_unit(due, expr);
+        let Some(value) = self.evaluate(expr) else {
+            self.bare_beside_errors(due, expr);
+            return None;
+        };
+        let list = match value {
             Value::List(list) => list,
             other => {
                 let message = format!("expected a list of three numbers for `{}`, found {}", due.what, other.kind());
@@ -213,6 +228,17 @@ impl<'a> Context<'a> {
         let [x, y, z] = [x?, y?, z?];
         self.note(expr.span, &[x, y, z], due.unit);
         Some([x, y, z])
+    }
+
+    /// Reports the plain numbers of a list in which another element has an error.
+    fn bare_beside_errors(&mut self, due: Due, expr: &Expr) {
+        let ExprKind::List { elements, unit: None } = &expr.kind else { return };
+        let mut bare = elements.iter().filter(|e| matches!(e.kind, ExprKind::Number { unit: None, .. }));
+        if let Some(first) = bare.next() {
+            let mut error = self.unit_missing(due, 0.0, expr);
+            error.span = first.span;
+            self.report(bare.fold(error, |error, e| error.also(e.span, "and so is this")));
+        }
     }
 
     /// `a .. b` of the expected dimension, in SI units, in the order written.

@@ -159,10 +159,20 @@ impl<'a> Context<'a> {
                 .here("not a product of units with small whole exponents")
                 .help("write it like `kg*m^2` or `m/s^2`, without spaces"),
             UnitError::Unknown { word, .. } if self.names_in_scope().contains(&word.as_str()) => {
-                Diagnostic::error(code, text.span, format!("`{word}` is a name, not a unit"))
-                    .here("expected a unit")
-                    .help(format!("to multiply, write `{}*{}`", self.number_before(text), text.value))
-                    .fix(text.span, format!("*{}", text.value))
+                let error = Diagnostic::error(code, text.span, format!("`{word}` is a name, not a unit"))
+                    .here("expected a unit");
+                // `3 m*a`: what comes before the name may be a unit all the same.
+                let split = text.value.find(&*word).filter(|&at| at > 1);
+                let parts = split.map(|at| (&text.value[..at - 1], &text.value[at - 1..at], &text.value[at..]));
+                match parts.filter(|(unit, ..)| parse_unit(unit, self.gravity).is_ok()) {
+                    Some((unit, operator, name)) => {
+                        let apart = format!("{unit} {operator} {name}");
+                        error.help(format!("write `{} {apart}`", self.number_before(text))).fix(text.span, apart)
+                    }
+                    None => error
+                        .help(format!("to multiply, write `{}*{}`", self.number_before(text), text.value))
+                        .fix(text.span, format!("*{}", text.value)),
+                }
             }
             UnitError::Unknown { word, meant } => {
                 let near = meant.or_else(|| nearest(&word, unit_names()).map(str::to_string));
@@ -170,7 +180,14 @@ impl<'a> Context<'a> {
                 match near {
                     Some(near) => {
                         let whole = text.value.replacen(&word, &near, 1);
-                        diagnostic.here("not a known unit").help(format!("write `{whole}`")).fix(text.span, whole)
+                        let diagnostic = diagnostic.here("not a known unit");
+                        match self.unit_due.filter(|(span, _)| *span == text.span) {
+                            // The unit that was probably meant does not fit either.
+                            Some((_, due)) if !self.fits(&whole, due) => {
+                                diagnostic.help(format!("`{whole}` measures something else: use a unit like `{due}`"))
+                            }
+                            _ => diagnostic.help(format!("write `{whole}`")).fix(text.span, whole),
+                        }
                     }
                     None => diagnostic.here("not a known unit").help(
                         "use a known unit: m g s rad N J W Hz with prefixes (mm, kg, us), or min h deg rev rpm ft inch \
@@ -181,6 +198,17 @@ impl<'a> Context<'a> {
         };
         self.report(diagnostic);
         None
+    }
+
+    /// Whether a unit measures what is due; radians may be left out where they are squared.
+    fn fits(&self, unit: &str, due: &str) -> bool {
+        let dimension = |unit: &str| match unit {
+            "1" => Some(Dimension::PLAIN),
+            unit => parse_unit(unit, self.gravity).ok().map(|unit| unit.dimension),
+        };
+        let (found, due_here) = (dimension(unit), dimension(due));
+        let plainer = |d: Option<Dimension>| d.map(Dimension::without_angle);
+        found.is_none() || found == due_here || due.contains("rad^2") && plainer(found) == plainer(due_here)
     }
 
     /// The number that a unit follows, as written; `(...)` where it follows a bracket.

@@ -110,7 +110,7 @@ impl Modes {
         let numbers = Numbers::read(cx, format!("`every ... as {}`", prefix.value), span, body);
         let most = rotors.unwrap_or(*super::vehicle::ROTORS.end());
         let count = cx.whole("the number of rotors", count, 1..=most, "mavc::fault::count").map(|k| (k, count.span));
-        let (Some(effect), Some(numbers), Some((k, at)), Some(n)) = (effect, numbers, count, rotors) else {
+        let (Some((k, at)), Some(n)) = (count, rotors) else {
             (self.incomplete, cx.modes_unnamed) = (true, true);
             return;
         };
@@ -139,12 +139,21 @@ impl Modes {
                 (self.incomplete, cx.modes_unnamed) = (true, true);
                 return;
             }
+            let (Some(effect), Some(numbers)) = (effect, &numbers) else {
+                // The names are known, whatever is wrong with the rest.
+                cx.lose(name);
+                cx.lose(&prefix.value);
+                self.incomplete = true;
+                continue;
+            };
             let mut mode = numbers.mode(name, n, span);
             mode.doc = doc.clone();
             rotors.iter().for_each(|&rotor| effect.apply(&mut mode, rotor));
             self.push(mode);
         }
-        self.families.add(prefix, first..self.modes.len());
+        if self.modes.len() > first {
+            self.families.add(prefix, first..self.modes.len());
+        }
     }
 
     /// Reports names that belong to both a mode and a family, which only all blocks together show.

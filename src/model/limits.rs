@@ -246,7 +246,13 @@ fn swapped(cx: &Context, range: &Expr) -> Option<String> {
 }
 
 /// Reports waypoints outside the limits on coordinates and yaw, once for each limit.
-pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) {
+pub(super) fn check(
+    cx: &mut Context,
+    limits: &[Limit],
+    waypoints: &[Waypoint],
+    numbers: &[Option<usize>],
+    sure: usize,
+) {
     for limit in limits {
         let coordinate = |waypoint: &Waypoint| match limit.kind {
             LimitKind::X => Some(("x", waypoint.position[0], "m", 1.0)),
@@ -257,7 +263,9 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
         };
         let is_below = |value: f64| limit.lower.is_some_and(|low| value < low - 1e-9);
         let is_above = |value: f64| limit.upper.is_some_and(|high| value > high + 1e-9);
-        let mut outside = waypoints.iter().enumerate().filter_map(|(i, waypoint)| {
+        // The yaw counts on from the waypoint before.
+        let known = if limit.kind == LimitKind::Yaw { &waypoints[..sure] } else { waypoints };
+        let mut outside = known.iter().enumerate().filter_map(|(i, waypoint)| {
             let found = coordinate(waypoint).filter(|&(_, value, ..)| is_below(value) || is_above(value))?;
             Some((i, waypoint, found))
         });
@@ -266,14 +274,19 @@ pub(super) fn check(cx: &mut Context, limits: &[Limit], waypoints: &[Waypoint]) 
         };
         let called = |index: usize, waypoint: &Waypoint| match &waypoint.name {
             Some(name) => format!("waypoint `{name}`"),
-            None if index == 0 => "the first waypoint".to_string(),
-            None => format!("waypoint {}", index + 1),
+            None => match numbers[index] {
+                Some(0) => "the first waypoint".to_string(),
+                Some(number) => format!("waypoint {}", number + 1),
+                None => "a waypoint".to_string(),
+            },
         };
         let which = called(index, waypoint);
         let side = if is_below(value) { "below" } else { "above" };
         let others: Vec<(usize, &Waypoint)> = outside.map(|(i, waypoint, _)| (i, waypoint)).collect();
         // The start counts as waypoint 1, which a number needs to explain.
-        let is_numbered = |index: usize, waypoint: &Waypoint| index > 0 && waypoint.name.is_none();
+        let is_numbered = |index: usize, waypoint: &Waypoint| {
+            numbers[index].is_some_and(|number| number > 0) && waypoint.name.is_none()
+        };
         let numbered = is_numbered(index, waypoint) || matches!(others[..], [(i, w)] if is_numbered(i, w));
         let counted = if numbered { "; the first waypoint is the start" } else { "" };
         let others = match others[..] {

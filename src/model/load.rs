@@ -171,7 +171,15 @@ impl Loader<'_> {
             Ok(bytes) => self.file(target.display().to_string(), &bytes, Some(path.span)),
             Err(diagnostic) => {
                 self.seen.insert(target.clone(), ());
-                self.fail(*diagnostic);
+                // Read the file that was probably meant, so that what it declares is known.
+                let near = diagnostic.fix.as_ref();
+                match near.map(|fix| Spanned::new(fix.text.trim_matches('"').to_string(), path.span)) {
+                    Some(near) => {
+                        self.diagnostics.push(*diagnostic);
+                        self.bring(from, &near);
+                    }
+                    None => self.fail(*diagnostic),
+                }
             }
         }
     }

@@ -137,6 +137,8 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
     let (mut limits, mut limits_whole) = (Vec::new(), true);
     // The number of waypoints before the first statement with an error: these are certain.
     let mut sure = None;
+    // The number of each waypoint as its author counts, where no curve or table with an error comes before it.
+    let (mut numbers, mut unread) = (Vec::new(), Some(0));
     for (index, statement) in block.body.iter().enumerate() {
         let before = route.waypoints.len();
         match statement {
@@ -180,6 +182,17 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
             Statement::Broken(_) => route.broken = true,
             _ => {}
         }
+        match statement {
+            Statement::Start(_) | Statement::Waypoint(_) if route.waypoints.len() == before => {
+                unread = unread.map(|unread| unread + 1);
+            }
+            Statement::Curve { .. } | Statement::WaypointsFrom { .. } if route.waypoints.len() == before => {
+                unread = None
+            }
+            Statement::Broken(_) => unread = None,
+            _ => {}
+        }
+        numbers.extend((before..route.waypoints.len()).map(|index| unread.map(|unread| index + unread)));
         if route.broken {
             // A `hold` changes the waypoint before it.
             let holds = matches!(statement, Statement::Hold { .. });
@@ -208,7 +221,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block, manner: Mann
         sense::check_mission(cx, &name, span, &route.waypoints);
     }
     sense::check_limits(cx, &limits);
-    limits::check(cx, &limits, &route.waypoints[..sure]);
+    limits::check(cx, &limits, &route.waypoints, &numbers, sure);
     route.broken |= !in_order;
     let legs = shares(&route.waypoints, &route.curves, manner.timing);
     let mission = (limits_whole && !route.broken).then(|| Mission {

@@ -61,7 +61,7 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
                     );
                 }
             }
-            one_by_one(cx, placed, &owner)
+            one_by_one(cx, placed, &owner, span)
         }
         None => ring(cx, &fields),
     };
@@ -72,7 +72,15 @@ pub(super) fn elaborate<'a>(cx: &mut Context<'a>, block: &'a Block) -> Outline {
     }
     let written = places.as_ref().map(|places| rotor::written(places, &fields, rotor_fields.as_ref()));
     // With a duplicate block the rotors are unknown.
-    let rotors = places.filter(|_| !twice).and_then(|places| rotor::give_all(cx, places, rotor_fields.as_ref(), base));
+    let rotors = match places {
+        Some(places) if !twice => rotor::give_all(cx, places, rotor_fields.as_ref(), base),
+        None if placed.is_none() => {
+            // The `rotor` block holds for every rotor, wherever the rotors are.
+            base.zip(rotor_fields.as_ref()).iter().for_each(|(base, fields)| base.check(cx, fields));
+            None
+        }
+        _ => None,
+    };
     let layout = match (placed, fields.get("layout").map(|e| &e.kind)) {
         (None, Some(ExprKind::Text(text))) => Some(text.clone()),
         _ => None,
@@ -191,6 +199,8 @@ fn ring<'a>(cx: &mut Context<'a>, fields: &Fields<'a>) -> (Option<Vec<Place<'a>>
     }
     let layout = fields.get("layout").and_then(|e| spins(cx, e));
     let count = layout.as_ref().map(Vec::len);
+    let layout_span = fields.get("layout").map_or(fields.span, |e| e.span);
+    layout.iter().for_each(|spins| whole::check_spins(cx, &fields.owner, layout_span, spins));
     // Without a `layout` the vehicle may not be meant as a ring, so that no missing `arm` is reported.
     let arm = match fields.get("layout") {
         Some(_) => fields.demand(cx, "arm", "arm = 0.2 m"),
@@ -278,8 +288,13 @@ fn spins<'a>(cx: &mut Context<'a>, expr: &'a Expr) -> Option<Vec<Spin>> {
     Some(text.chars().map(|c| if c == 'P' { Spin::P } else { Spin::N }).collect())
 }
 
-/// Rotors placed one by one, and their number, errors or not.
-fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Option<Vec<Place<'a>>>, Option<usize>) {
+/// Rotors placed one by one; the second value is their number, errors or not.
+fn one_by_one<'a>(
+    cx: &mut Context<'a>,
+    block: &'a Block,
+    owner: &str,
+    span: Span,
+) -> (Option<Vec<Place<'a>>>, Option<usize>) {
     let rotors: Vec<&'a Clauses> =
         block.body.iter().filter_map(|s| if let Statement::Rotor(r) = s { Some(r) } else { None }).collect();
     let broken = block.body.iter().any(|s| matches!(s, Statement::Broken(_)));
@@ -308,6 +323,8 @@ fn one_by_one<'a>(cx: &mut Context<'a>, block: &'a Block, owner: &str) -> (Optio
             (list, _) => *list = None,
         }
     }
+    let spins: Option<Vec<Spin>> = places.as_ref().map(|places| places.iter().map(|place| place.spin).collect());
+    spins.iter().for_each(|spins| whole::check_spins(cx, owner, span, spins));
     (places, (!broken).then_some(rotors.len()))
 }
 

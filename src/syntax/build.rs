@@ -7,7 +7,7 @@ mod statement;
 use super::MAX_ERRORS;
 use super::ast::*;
 use super::layout::{Doc, Layout};
-use super::mistake::{self, Separation};
+use super::mistake;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::language::{Kind, Place};
 use crate::source::{FileId, Span, Spanned, visible};
@@ -25,25 +25,9 @@ type Built<T> = Result<T, Box<Diagnostic>>;
 /// Upper bound on rule calls for one parse; a guard that no text within the other limits comes near.
 const MAX_CALLS: usize = 200_000_000;
 
-/// Where a `;` is missing between statements, the text is read once more as if it stood there, so that each of them is
-/// looked at.
-pub(super) fn build(file: FileId, mut layout: Layout) -> (SpecFile, Vec<Diagnostic>) {
+/// The tree of a text that is laid out, and what is wrong with it.
+pub(super) fn build(file: FileId, layout: &Layout) -> (SpecFile, Vec<Diagnostic>) {
     pest::set_call_limit(std::num::NonZeroUsize::new(MAX_CALLS));
-    let (tree, diagnostics, separations) = read(file, &layout, true);
-    if separations.is_empty() {
-        return (tree, diagnostics);
-    }
-    let mut bytes = std::mem::take(&mut layout.text).into_bytes();
-    // Blanks and commas alone give way, so the bytes stay UTF-8.
-    separations.iter().for_each(|s| bytes[s.at] = b';');
-    layout.text = String::from_utf8(bytes).unwrap_or_default();
-    let (tree, mut diagnostics, _) = read(file, &layout, false);
-    diagnostics.extend(separations.into_iter().map(|s| s.diagnostic));
-    (tree, diagnostics)
-}
-
-/// One pass. Where it `separates`, statements with nothing between them are not explained but given back.
-fn read(file: FileId, layout: &Layout, separates: bool) -> (SpecFile, Vec<Diagnostic>, Vec<Separation>) {
     let Layout { text, docs, diagnostics, blocks_unsure, left_open, .. } = layout;
     let mut builder = Builder {
         file,
@@ -54,7 +38,6 @@ fn read(file: FileId, layout: &Layout, separates: bool) -> (SpecFile, Vec<Diagno
         blocks_unsure: *blocks_unsure,
         left_open: left_open.clone(),
         late_brace: None,
-        separations: separates.then(Vec::new),
     };
     builder.settled.sort_unstable();
     let items = match Grammar::parse(Rule::file, text) {
@@ -69,7 +52,7 @@ fn read(file: FileId, layout: &Layout, separates: bool) -> (SpecFile, Vec<Diagno
             vec![Item::Broken(at)]
         }
     };
-    (SpecFile { file, items }, builder.diagnostics, builder.separations.unwrap_or_default())
+    (SpecFile { file, items }, builder.diagnostics)
 }
 
 struct Builder<'a> {
@@ -85,8 +68,6 @@ struct Builder<'a> {
     left_open: Vec<usize>,
     /// A brace on the line after its head, and the block it opens: the head's error covers both.
     late_brace: Option<(usize, Place)>,
-    /// Where a `;` is missing; `None` on the pass that reads them as written.
-    separations: Option<Vec<Separation>>,
 }
 
 /// What a statement turns out to be before its place is looked at.
@@ -349,15 +330,11 @@ impl Builder<'_> {
         if self.is_settled(start, end) || self.diagnostics.len() > MAX_ERRORS {
             return;
         }
-        if let Some(found) = &mut self.separations
-            && found.len() <= MAX_ERRORS
-        {
-            let alone = |text: &str, has_body| expected::failure(text, statement.place, has_body);
-            let separations = mistake::separations(&statement, alone);
-            if !separations.is_empty() {
-                found.extend(separations);
-                return;
-            }
+        let alone = |text: &str, has_body| expected::failure(text, statement.place, has_body);
+        let separations = mistake::separations(&statement, alone);
+        if !separations.is_empty() {
+            self.diagnostics.extend(separations);
+            return;
         }
         let failure = expected::failure(statement.text, statement.place, statement.has_body)
             .unwrap_or_else(|| mistake::Failure { at: statement.text.len(), expected: vec![mistake::Expected::End] });

@@ -11,6 +11,7 @@ mod bracket;
 mod character;
 mod guess;
 
+use super::scan::{self, Kind, Lexeme, is_blank, is_name};
 use super::{MAX_DEPTH, MAX_ERRORS, MAX_STATEMENTS, MAX_TOKENS};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
@@ -125,10 +126,8 @@ struct Scanner<'a> {
 
 impl Scanner<'_> {
     fn run(&mut self) {
-        if self.text.starts_with('\u{feff}') {
-            self.blank(0, 3);
-            self.at = 3;
-        }
+        self.at = scan::byte_order_mark(self.text);
+        self.blank(0, self.at);
         if let Some(at) = self.text.find('\r').filter(|_| !self.text.contains('\n')) {
             let message = "lines end with a carriage return alone, so the file is one long line";
             let diagnostic = Diagnostic::error("mavc::syntax::character", self.span(at, at + 1), message);
@@ -146,29 +145,27 @@ impl Scanner<'_> {
     }
 
     fn step(&mut self) {
-        let (start, rest) = (self.at, &self.text.as_bytes()[self.at..]);
-        match rest[0] {
-            b' ' | b'\t' => self.at += 1,
-            b'\r' if rest.get(1) == Some(&b'\n') => {
-                self.blank(start, start + 1);
-                self.at += 1;
-            }
-            b'\n' => self.newline(),
-            b'/' if rest.starts_with(b"//") => self.comment(),
-            b'/' if rest.starts_with(b"/*") => self.foreign_comment(),
-            b'#' => self.hash(),
-            _ => self.token(),
+        let Some(lexeme) = scan::lexeme(self.text, self.at) else {
+            self.at = self.text.len();
+            return;
+        };
+        self.at = lexeme.start;
+        match lexeme.kind {
+            Kind::Newline => self.newline(),
+            Kind::Comment | Kind::Doc => self.comment(),
+            Kind::Mark('/') if self.text[self.at..].starts_with("/*") => self.foreign_comment(),
+            Kind::Mark('#') => self.hash(),
+            _ => self.token(lexeme),
         }
     }
 
     /// Anything that belongs to a statement.
-    fn token(&mut self) {
-        let start = self.at;
-        let byte = self.text.as_bytes()[start];
-        if self.statement.is_none() && !matches!(byte, b'}' | b';') {
+    fn token(&mut self, lexeme: Lexeme) {
+        let start = lexeme.start;
+        if self.statement.is_none() && !lexeme.is('}') && !lexeme.is(';') {
             self.statement = Some(start);
             self.statements += 1;
-            if byte != b'{' {
+            if !lexeme.is('{') {
                 self.note_head(start);
             }
             if self.blocks.is_empty() {
@@ -176,19 +173,18 @@ impl Scanner<'_> {
             }
         }
         self.tokens += 1;
-        self.at += 1;
-        match byte {
-            b'"' => self.quoted(start),
-            b'(' | b'[' => self.open_bracket(start),
-            b')' | b']' => self.close_bracket(start),
-            b'{' => self.open_block(start),
-            b'}' => self.close_block(start),
-            b';' => {
+        self.at = lexeme.end;
+        match lexeme.kind {
+            Kind::UnclosedText => self.unclosed_text(start),
+            Kind::Mark('(' | '[') => self.open_bracket(start),
+            Kind::Mark(')' | ']') => self.close_bracket(start),
+            Kind::Mark('{') => self.open_block(start),
+            Kind::Mark('}') => self.close_block(start),
+            Kind::Mark(';') => {
                 self.close_brackets(start);
                 self.end_statement();
             }
-            b if is_name_byte(b) => self.at = self.skip_while(start, is_name_byte),
-            0..=31 | 127.. | b'\'' => self.odd_character(start),
+            Kind::Mark(c) if !c.is_ascii_graphic() || c == '\'' => self.odd_character(start),
             _ => {}
         }
         if self.tokens > MAX_TOKENS {
@@ -215,6 +211,9 @@ impl Scanner<'_> {
     fn newline(&mut self) {
         let start = self.at;
         self.at += 1;
+        if self.text[..start].ends_with('\r') {
+            self.blank(start - 1, start);
+        }
         self.begin_line();
         if !self.brackets.is_empty() && !self.statement_begins(self.at) {
             self.out[start] = b' ';
@@ -223,7 +222,9 @@ impl Scanner<'_> {
         self.close_brackets(start);
         self.end_statement();
         if !self.blocks.is_empty() && self.top_level_begins(self.at) && !self.guesses.is_nested(self.at) {
-            self.guesses.cuts.push(self.at);
+            if self.left_open.is_none() {
+                self.guesses.cuts.push(self.at);
+            }
             self.close_blocks(self.skip_while(self.at, is_blank));
             self.out[start] = CUT;
         }
@@ -242,7 +243,7 @@ impl Scanner<'_> {
     fn comment(&mut self) {
         let (start, end) = (self.at, self.line_end(self.at));
         let text = &self.text[start..end];
-        if text.starts_with("///") && !text.starts_with("////") && self.statement.is_none() {
+        if scan::is_doc(text) && self.statement.is_none() {
             let span = self.span(start, end);
             self.layout.docs.push(Doc { span, text: text[3..].trim().to_string() });
         }
@@ -292,13 +293,8 @@ impl Scanner<'_> {
         self.at = end;
     }
 
-    /// A text between double quotes, all on one line.
-    fn quoted(&mut self, start: usize) {
-        let rest = &self.text[start + 1..];
-        if let Some(length) = rest.find(['"', '\n']).filter(|&i| rest.as_bytes()[i] == b'"') {
-            self.at = start + 1 + length + 1;
-            return;
-        }
+    /// A text whose closing quote is not on its line.
+    fn unclosed_text(&mut self, start: usize) {
         let end = self.text_end(start);
         let content = start + self.text[start..end].trim_end().len();
         let span = self.span(start, content);
@@ -346,25 +342,14 @@ impl Scanner<'_> {
         if end > from && self.text.as_bytes()[end - 1] == b'\r' { end - 1 } else { end }
     }
 
-    fn skip_while(&self, from: usize, accept: fn(u8) -> bool) -> usize {
-        let rest = &self.text.as_bytes()[from..];
-        from + rest.iter().position(|b| !accept(*b)).unwrap_or(rest.len())
+    fn skip_while(&self, from: usize, accept: fn(char) -> bool) -> usize {
+        from + scan::run(&self.text[from..], accept).len()
     }
 
     /// The name that starts at `at` (empty where none does) and the offset of what follows it after blanks.
     fn name_at(&self, at: usize) -> (&str, usize) {
         let start = self.skip_while(at, is_blank);
-        let end = self.skip_while(start, is_name_byte);
-        let name = &self.text[start..end];
-        let name = if name.starts_with(|c: char| c.is_ascii_digit()) { "" } else { name };
-        (name, self.skip_while(end, is_blank))
+        let end = self.skip_while(start, is_name);
+        (scan::name(&self.text[start..end]), self.skip_while(end, is_blank))
     }
-}
-
-fn is_name_byte(b: u8) -> bool {
-    b.is_ascii_alphanumeric() || b == b'_'
-}
-
-fn is_blank(b: u8) -> bool {
-    matches!(b, b' ' | b'\t')
 }

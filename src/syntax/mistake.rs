@@ -15,10 +15,11 @@ mod wording;
 pub(super) use block::{check_head, misplaced, unknown_block};
 pub(super) use flight::is_foreign;
 pub(super) use habit::CLAUSES;
-pub(super) use separator::{Separation, separations};
+pub(super) use separator::separations;
 pub use wording::no_choice;
 
 use super::cut;
+use super::scan::{self, is_name};
 use crate::diagnostic::Diagnostic;
 use crate::language::Place;
 use crate::source::{FileId, Span};
@@ -75,7 +76,7 @@ impl Broken<'_> {
 
     /// The statement's first word; empty where it begins with something else.
     fn word(&self) -> &str {
-        if self.text.starts_with(|c: char| c.is_ascii_digit()) { "" } else { token(self.text, 0, is_name) }
+        scan::name(self.text)
     }
 
     /// What stands at `at`: a word, a number, a text, or a run of marks that looks like one operator.
@@ -254,12 +255,7 @@ fn phrases(expected: &Expected, has_body: bool) -> Vec<String> {
     words.iter().map(ToString::to_string).collect()
 }
 
-fn is_name(c: char) -> bool {
-    c.is_ascii_alphanumeric() || c == '_'
-}
-
 /// The run of accepted characters that starts at `at`.
 fn token(text: &str, at: usize, accept: impl Fn(char) -> bool) -> &str {
-    let rest = &text[at..];
-    &rest[..rest.find(|c: char| !accept(c)).unwrap_or(rest.len())]
+    scan::run(&text[at..], accept)
 }

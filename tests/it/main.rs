@@ -21,6 +21,7 @@ mod intervals;
 mod lag;
 mod language;
 mod lsp;
+mod many;
 mod method;
 mod model;
 mod pages;

@@ -1,9 +1,9 @@
 //! Where the cursor stands: in which block, in which statement, behind what. By words and marks alone, for a statement
 //! that is being typed has no tree.
 
-use crate::lsp::lexemes::{Kind, Lexeme, lexemes};
 use crate::model::vocabulary::mode_numbers;
 use crate::syntax::Place;
+use crate::syntax::scan::{Kind, Lexeme, lexemes};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -69,12 +69,12 @@ const FLIGHT: [(&str, &[&str]); 3] = [("hold", &[]), ("waypoints", &["from"]), (
 impl Context {
     /// The context of a byte offset; `None` inside comments and texts, where nothing is offered.
     pub fn at(text: &str, offset: usize) -> Option<Self> {
-        let all = lexemes(text);
+        let all: Vec<Lexeme> = lexemes(text).collect();
         // A comment goes to the end of its line, whatever blanks end it.
         let begun = all[..all.partition_point(|l| l.start < offset)].last();
         let under = begun.filter(|l| offset <= l.end);
         let is_comment = begun.is_some_and(|l| matches!(l.kind, Kind::Comment | Kind::Doc));
-        if is_comment || under.is_some_and(|l| l.kind == Kind::Text && offset < l.end) {
+        if is_comment || under.is_some_and(|l| matches!(l.kind, Kind::Text | Kind::UnclosedText) && offset < l.end) {
             return None;
         }
         let word = under.filter(|l| l.kind == Kind::Word).map_or(offset..offset, |l| l.start..l.end);
@@ -91,7 +91,8 @@ impl Context {
         rest_of_block(text, &all[cut..], &word, &mut present);
         let mut listed = BTreeSet::new();
         if brackets > 0 {
-            let behind = all[cut..].iter().take_while(|l| !(l.is(']') || l.is('\n') || l.is(';') || l.is('}')));
+            let behind =
+                all[cut..].iter().take_while(|l| !(l.is(']') || l.kind == Kind::Newline || l.is(';') || l.is('}')));
             let others = statement.iter().chain(behind).filter(|l| l.kind == Kind::Word && l.start != word.start);
             listed.extend(others.map(|l| l.text(text).to_string()));
         }
@@ -228,9 +229,7 @@ impl Context {
 /// The word of a statement that ends in it and `..`.
 fn range_from(text: &str, statement: &[Lexeme]) -> Option<String> {
     match statement {
-        [.., word, first, second] if word.kind == Kind::Word && first.is('.') && second.is('.') => {
-            Some(word.text(text).to_string())
-        }
+        [.., word, dots] if word.kind == Kind::Word && dots.text(text) == ".." => Some(word.text(text).to_string()),
         _ => None,
     }
 }
@@ -267,12 +266,12 @@ fn step(
     let head = |statement: &[Lexeme]| statement.first().map_or("", |l| l.text(text)).to_string();
     match lexeme.kind {
         Kind::Comment | Kind::Doc => {}
-        Kind::Mark('\n') => {
+        Kind::Newline => {
             // A bracket goes on over lines, unless the next line plainly begins another statement.
-            let next = all[k + 1..].iter().find(|l| !l.is('\n'));
+            let next = all[k + 1..].iter().find(|l| l.kind != Kind::Newline);
             let begins = next.is_none_or(|l| {
                 let word = l.text(text);
-                let assigns = all[k + 1..].iter().filter(|l| !l.is('\n')).nth(1).is_some_and(|l| l.is('='));
+                let assigns = all[k + 1..].iter().filter(|l| l.kind != Kind::Newline).nth(1).is_some_and(|l| l.is('='));
                 l.is('}') || l.kind == Kind::Word && (assigns || Place::opens_statement(word))
             });
             if *brackets == 0 || begins {
@@ -327,7 +326,7 @@ fn rest_of_block(text: &str, rest: &[Lexeme], word: &Range<usize>, present: &mut
             Kind::Mark('{') => depth += 1,
             Kind::Mark('}') if depth == 0 => return,
             Kind::Mark('}') => depth -= 1,
-            Kind::Mark('\n' | ';') => begins = true,
+            Kind::Newline | Kind::Mark(';') => begins = true,
             Kind::Word if begins && depth == 0 && lexeme.start != word.start => {
                 present.insert(lexeme.text(text).to_string());
                 begins = false;

@@ -8,7 +8,7 @@ use crate::model::context::Context;
 use crate::model::due::Due;
 use crate::model::fields::Fields;
 use crate::model::sense::WrittenRotor;
-use crate::model::{Rotor, RotorSpread, Spread};
+use crate::model::{Rotor, RotorSpread, Spin, Spread};
 use crate::number::number;
 use crate::source::Span;
 
@@ -130,6 +130,12 @@ impl Traits {
             max_speed: self.max_speed.or(base.max_speed),
             time_constant: self.time_constant.or(base.time_constant),
         }
+    }
+
+    /// Reports what these traits, which all rotors share, lack or contradict.
+    pub fn check<'a>(&self, cx: &mut Context<'a>, fields: &Fields<'a>) {
+        let anywhere = Place { position: [0.0; 3], spin: Spin::P, own: None };
+        self.rotor(cx, &anywhere, Some(fields), &mut false);
     }
 
     fn rotor<'a>(

@@ -2,10 +2,11 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
-use crate::model::{Rotor, Vehicle};
+use crate::model::{Rotor, Spin, Vehicle};
 use crate::number::number;
+use crate::source::Span;
 
-/// Checks the weight against the thrust, and whether the vehicle can hold its yaw.
+/// Checks the weight against the thrust.
 pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {
     let thrust: f64 = vehicle.rotors.iter().map(Rotor::max_thrust).sum();
     let weight = vehicle.mass * cx.gravity;
@@ -48,11 +49,14 @@ pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {
                 .help("write a lower `min_speed`, or remove it for rotors that may stop"),
         );
     }
-    let same = vehicle.rotors.iter().all(|r| r.spin == vehicle.rotors[0].spin);
-    if same {
-        let message = format!("all rotors of vehicle `{}` turn the same way, so it cannot hold its yaw", vehicle.name);
+}
+
+/// Rotors that all turn the same way leave a drag torque that nothing balances.
+pub(super) fn check_spins(cx: &mut Context, owner: &str, span: Span, spins: &[Spin]) {
+    if spins.iter().all(|spin| *spin == spins[0]) {
+        let message = format!("all rotors of {owner} turn the same way, so it cannot hold its yaw");
         cx.report(
-            Diagnostic::error("mavc::vehicle::spin_balance", vehicle.span, message)
+            Diagnostic::error("mavc::vehicle::spin_balance", span, message)
                 .here("every drag torque points the same way")
                 .help("make some rotors turn the other way: both `P` and `N` are needed"),
         );

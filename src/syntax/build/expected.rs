@@ -3,6 +3,7 @@
 use super::{Grammar, Rule};
 use crate::language::Place;
 use crate::syntax::mistake::{Expected, Failure};
+use crate::syntax::scan;
 use pest::Parser;
 use pest::error::{Error, ErrorVariant, InputLocation};
 
@@ -37,10 +38,10 @@ pub(super) fn failure(text: &str, place: Place, has_body: bool) -> Option<Failur
 
 /// The rule for a statement's first word, here.
 fn strict_rule(text: &str, place: Place, has_body: bool) -> Rule {
-    let word_end = text.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(text.len());
-    let rest = text[word_end..].trim_start();
+    let word = scan::run(text, scan::is_name);
+    let rest = text[word.len()..].trim_start();
     let is_field = rest.starts_with(['=', ':']);
-    match &text[..word_end] {
+    match word {
         "every" if !is_field => Rule::strict_every,
         "curve" if !is_field => Rule::strict_curve,
         _ if has_body => Rule::strict_block,

@@ -106,8 +106,13 @@ impl Scanner<'_> {
             let message = format!("`{word}` stands at the top level, but a block is still open here");
             diagnostic = diagnostic.also(self.span(start, start + word.len()), message);
         }
-        // Where the indentation tells nothing else, all that is open ends behind the last thing written.
-        if misaligned.is_none() {
+        if misaligned.is_some() {
+            if let Some(line) = self.less_indented(block) {
+                let indent = &self.text[block.line..][..block.indent];
+                diagnostic = diagnostic.fix(self.span(line, line), format!("{indent}}}\n"));
+            }
+        } else {
+            // Where the indentation tells nothing else, all that is open ends behind the last thing written.
             let last = self.out[..at].iter().rposition(|b| !b.is_ascii_whitespace());
             let end = self.line_end(last.map_or(at, |last| last + 1)).min(at);
             let braces = open.iter().rev().map(|block| {
@@ -120,6 +125,18 @@ impl Scanner<'_> {
         self.guesses.errors += 1;
         self.layout.blocks_unsure = true;
         self.layout.left_open.push(block.brace);
+    }
+
+    /// The first line in a block that is not indented more than its head: the block should have ended above.
+    fn less_indented(&self, block: OpenBlock) -> Option<usize> {
+        let mut line = self.line_end(block.brace);
+        loop {
+            line += self.out[line..].iter().position(|b| *b == b'\n')? + 1;
+            let content = self.out[line..].iter().position(|b| !is_blank(*b as char))?;
+            if self.out[line + content] != b'\n' && content <= block.indent {
+                return Some(line);
+            }
+        }
     }
 
     fn report_stray(&mut self, at: usize) {
@@ -176,7 +193,7 @@ impl Scanner<'_> {
     pub(super) fn top_level_begins(&self, at: usize) -> bool {
         let (word, next) = self.name_at(at);
         match word {
-            "vehicle" | "mission" => !self.name_at(next).0.is_empty(),
+            "vehicle" | "mission" => !self.name_at(next).0.is_empty() || self.text[next..].starts_with('{'),
             "plan" | "faults" | "simulate" | "campaign" => self.text[next..].starts_with('{'),
             _ => false,
         }

@@ -1,6 +1,6 @@
 //! `( )` and `[ ]`: one statement must close what it opens.
 
-use super::Scanner;
+use super::{Scanner, is_name};
 use crate::diagnostic::Diagnostic;
 use crate::language::Place;
 use crate::syntax::mistake::{CLAUSES, is_foreign};
@@ -107,7 +107,7 @@ impl Scanner<'_> {
         // A name takes no unit; a number's is its own, unless the others have none.
         let others = || inside[..last].trim_end_matches(',').split(',').map(str::trim);
         let for_all = || !others().any(|e| e.contains(' ')) && others().any(|e| e.parse::<f64>().is_ok());
-        let is_name = operand.ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_') && !is_number;
+        let is_name = operand.ends_with(is_name) && !is_number;
         let length = if is_unit && (is_name || is_number && for_all()) { element.len() } else { inside.len() };
         opener + 1 + length
     }
@@ -124,7 +124,7 @@ impl Scanner<'_> {
         match rest.first() {
             _ if name.is_empty() => rest.first() == Some(&b'}'),
             Some(b'=' | b'<' | b'>' | b'"' | b'[' | b'{') => true,
-            Some(b) if b.is_ascii_alphanumeric() || *b == b'_' => true,
+            Some(b) if is_name(*b as char) => true,
             // A keyword alone, where an element is over and no comma says that another follows.
             None | Some(b'\r' | b'\n') => {
                 (Place::opens_statement(name) || is_foreign(name)) && self.element_is_over(at)
@@ -136,6 +136,6 @@ impl Scanner<'_> {
     /// Whether what stands before `at` can be the end of an element.
     fn element_is_over(&self, at: usize) -> bool {
         let last = self.out[..at].iter().rfind(|b| !b.is_ascii_whitespace());
-        last.is_some_and(|b| b.is_ascii_alphanumeric() || matches!(b, b')' | b']' | b'%' | b'_'))
+        last.is_some_and(|b| is_name(*b as char) || matches!(b, b')' | b']' | b'%'))
     }
 }

@@ -1,6 +1,6 @@
 //! Characters that have no place outside texts and comments, and what was probably meant.
 
-use super::{Scanner, is_name_byte};
+use super::{Scanner, is_name};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::cut;
 
@@ -108,7 +108,7 @@ impl Scanner<'_> {
     /// A name with letters beyond ASCII, shown whole.
     fn foreign_letter(&mut self, start: usize) -> Diagnostic {
         let bytes = self.text.as_bytes();
-        let before = bytes[..start].iter().rev().take_while(|b| is_name_byte(**b)).count();
+        let before = bytes[..start].iter().rev().take_while(|b| is_name(**b as char)).count();
         let after = self.text[start..]
             .find(|c: char| !(c.is_alphanumeric() || c == '_'))
             .map_or(self.text.len(), |i| start + i);

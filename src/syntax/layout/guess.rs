@@ -1,7 +1,7 @@
 //! A `}` that closes nothing is one too many, or the partner of a brace that was forgotten further up. Where such a
 //! guess makes braces match, the text is laid out once more as if it were true, and only its one mistake is told.
 
-use super::{Scanner, is_blank, is_name_byte};
+use super::{Scanner, is_blank, is_name};
 use crate::diagnostic::Diagnostic;
 use crate::language::Place;
 use crate::syntax::cut;
@@ -104,7 +104,7 @@ impl Scanner<'_> {
     /// Where the head of a block that starts at `head` ends, if a blank follows it rather than `{`.
     fn head_end(&self, head: usize) -> Option<usize> {
         let (word, next) = self.name_at(head);
-        let stop = self.skip_while(head, |b| !matches!(b, b'\n' | b';' | b'{' | b'}'));
+        let stop = self.skip_while(head, |c| !matches!(c, '\n' | ';' | '{' | '}'));
         let end = match Place::of_block(word) {
             _ if word == "every" => self.name_end(head + self.text[head..stop].find(" as ")? + " as ".len())?,
             Some(place) => {
@@ -131,6 +131,6 @@ impl Scanner<'_> {
     /// The end of the name that stands at `at`, blanks before it aside.
     fn name_end(&self, at: usize) -> Option<usize> {
         let start = self.skip_while(at, is_blank);
-        (!self.name_at(at).0.is_empty()).then(|| self.skip_while(start, is_name_byte))
+        (!self.name_at(at).0.is_empty()).then(|| self.skip_while(start, is_name))
     }
 }

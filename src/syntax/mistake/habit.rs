@@ -321,7 +321,10 @@ fn misspelt_word(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let (at, word, meant) = candidates.into_iter().find_map(|(at, word)| {
         // `as` is a word of the language, said too early.
         let is_word = word != "as" && word.starts_with(|c: char| c.is_ascii_alphabetic());
-        nearest(word, words.iter().copied()).filter(|_| is_word).map(|meant| (at, word, meant))
+        // Two letters are near to `at`, and may be a unit as well.
+        let follows = statement.text[at + word.len()..].trim_start();
+        let is_sure = |meant: &str| word.len() > 2 || meant != "at" || follows.starts_with(['[', '(']);
+        nearest(word, words.iter().copied()).filter(|meant| is_word && is_sure(meant)).map(|meant| (at, word, meant))
     })?;
     let span = statement.span(at, at + word.len());
     Some(

@@ -8,19 +8,12 @@ use crate::syntax::cut;
 /// Most statements told apart on one line.
 const MAX_SEPARATIONS: usize = 64;
 
-/// Where a `;` is missing.
-pub(in crate::syntax) struct Separation {
-    pub diagnostic: Diagnostic,
-    /// Offset in the file of a blank, or of a comma, where the `;` may stand.
-    pub at: usize,
-}
-
 /// The places in a line where a statement plainly ends and another begins. `failure` reads a statement alone by the rule
 /// it was probably meant to follow; `None` where nothing is wrong with it.
 pub(in crate::syntax) fn separations(
     line: &Broken,
     failure: impl Fn(&str, bool) -> Option<Failure>,
-) -> Vec<Separation> {
+) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     let mut from = 0;
     while found.len() < MAX_SEPARATIONS {
@@ -28,7 +21,7 @@ pub(in crate::syntax) fn separations(
         let rest = Broken { text, start: line.start + from, ..*line };
         let Some(fails) = failure(text, line.has_body) else { break };
         let Some((at, next)) = split(&rest, &fails, &failure) else { break };
-        found.push(Separation { diagnostic: error(&rest, at, next), at: rest.start + at });
+        found.push(error(&rest, at, next));
         from += next;
     }
     found

@@ -178,7 +178,8 @@ fn pi_and_unit(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let from = head.rfind(|c| !factor(c)).map_or(0, |i| i + 1);
     let number = head[from..].trim_end_matches('*');
     // Otherwise it is a name, or more than a product.
-    if !number.starts_with(|c: char| c.is_ascii_digit()) || super::CLAUSES.contains(&unit) {
+    let is_field = statement.text[failure.at + unit.len()..].trim_start().starts_with('=');
+    if !number.starts_with(|c: char| c.is_ascii_digit()) || super::CLAUSES.contains(&unit) || is_field {
         return None;
     }
     let span = statement.span(from, failure.at + unit.len());

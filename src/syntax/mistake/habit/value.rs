@@ -147,8 +147,13 @@ fn unit_exponent(statement: &Broken, start: usize, at: usize, end: usize) -> Dia
 pub(super) fn range_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let found = statement.found(failure.at);
     let three = found == "." && statement.text[..failure.at].ends_with("..");
-    if statement.word() == "curve" && found == "=" && failure.expects(Expected::End) {
-        let (start, word) = statement.before(failure.at);
+    let begins_option = statement.text[failure.at + found.len()..].trim_start().starts_with('=');
+    let option = match found {
+        "=" => Some(statement.before(failure.at)),
+        word if begins_option && word.starts_with(is_name) => Some((failure.at, word)),
+        _ => None,
+    };
+    if let Some((start, word)) = option.filter(|_| statement.word() == "curve" && failure.expects(Expected::End)) {
         let message = format!("a comma is missing before `{}`", cut(word));
         return Some(
             Diagnostic::error("mavc::syntax::unexpected", statement.span(start, start + word.len()), message)
@@ -239,12 +244,18 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
     if !follows_operand || !unit.starts_with(|c: char| c.is_ascii_alphabetic() || c == '%') {
         return None;
     }
-    let (mended, end) = joined(unit, statement.text, failure.at);
+    let (mut mended, end) = joined(unit, statement.text, failure.at);
+    // Nobody means a square by `ft ft`.
+    let is_twice = statement.text[failure.at..end].trim() == unit;
+    if is_twice {
+        mended = unit.to_string();
+    }
     let span = statement.span(start, end);
     let divides = mended[unit.len()..].starts_with('/');
     let (written, factor) = (cut(&statement.text[start..end]), cut(&statement.text[failure.at..end]));
     let (unit, shown) = (cut(unit), cut(&mended));
     let help = match factor.contains([' ', '\t']) {
+        _ if is_twice => format!("write it once: `{unit}`"),
         false if divides => format!("write `{shown}`, which is `{unit}*{factor}`"),
         false => {
             // `m2` is a power without its sign.
