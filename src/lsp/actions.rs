@@ -55,7 +55,9 @@ fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic, edit: &Edit) -> Op
 /// What the help says where it is an order; otherwise what the replacement does.
 fn title(told: &Diagnostic, text: &str, replaced: &str) -> String {
     let (text, replaced) = (text.trim(), replaced.trim());
-    let is_order = |help: &&str| ["write ", "add ", "take ", "put "].iter().any(|word| help.starts_with(word));
+    let is_order = |help: &&str| {
+        ["write ", "add ", "take ", "put ", "remove ", "merge "].iter().any(|word| help.starts_with(word))
+    };
     // Of several things that the help names the replacement is one, and `...` is no text to be written.
     let is_one = |help: &&str| help.matches('`').count() <= 2 && !help.contains("...");
     match told.help.as_deref().and_then(|help| help.lines().next()).filter(is_order).filter(is_one) {
