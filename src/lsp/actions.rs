@@ -55,7 +55,9 @@ fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic, edit: &Edit) -> Op
 /// The help, where it is an instruction; otherwise what the replacement does.
 fn title(told: &Diagnostic, text: &str, replaced: &str) -> String {
     let (text, replaced) = (text.trim(), replaced.trim());
-    let is_order = |help: &&str| ["write ", "add ", "take ", "put "].iter().any(|word| help.starts_with(word));
+    let is_order = |help: &&str| {
+        ["write ", "add ", "take ", "put ", "remove ", "merge "].iter().any(|word| help.starts_with(word))
+    };
     // The replacement may be one of several that the help names; `...` is not a text to write.
     let is_one = |help: &&str| help.matches('`').count() <= 2 && !help.contains("...");
     match told.help.as_deref().and_then(|help| help.lines().next()).filter(is_order).filter(is_one) {

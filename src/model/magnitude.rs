@@ -102,3 +102,19 @@ fn beyond(what: &str, value: f64, (low, high): Bounds, unit: &str, span: Span) -
     let error = Diagnostic::error(CODE, span, message).here(format!("this is {}{blank}", number(value)));
     error.help("check the number, its exponent and its unit")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::Group;
+
+    /// A row whose name or unit the language does not have would have no effect.
+    #[test]
+    fn every_row_is_a_field_of_the_language() {
+        for (name, unit, (low, high)) in FIELDS {
+            let is_field = |group: Group| group.entries().iter().any(|e| e.name == name && e.unit() == Some(unit));
+            assert!(name == "hold" || Group::ALL.into_iter().any(is_field), "{name} in {unit}");
+            assert!(low < high, "{name}");
+        }
+    }
+}

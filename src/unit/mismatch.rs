@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn factors_stand_under_each_other() {
+    fn factors_are_aligned() {
         let inertia = Dimension::MASS.times(Dimension::LENGTH).and_then(|d| d.times(Dimension::LENGTH)).unwrap();
         let found = Dimension::MASS.times(Dimension::LENGTH).unwrap();
         let difference = mismatch(inertia, found);
@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_much_stands_apart_from_what_is_missing() {
+    fn surplus_and_missing_factors_have_separate_rows() {
         let unit = |text: &str| crate::unit::parse_unit(text, 1.0).unwrap().dimension;
         let table = |expected: &str, found: &str| mismatch(unit(expected), unit(found)).table;
         assert_eq!(table("kg*m^2", "N*m"), "expected  kg  m^2\n   found  kg  m^2  s^-2\ntoo much           s^-2");

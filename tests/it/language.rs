@@ -2,9 +2,10 @@
 
 use mavc::language::{Absent, Entry, FUNCTIONS, Group, OPENERS, Place, Takes, markdown, statement_markdown};
 use mavc::model::vocabulary::{constants, functions, words};
+use mavc::model::{AfterFault, Allocation, Controller, PlanModel, PlanRotors, PlannerKind};
 use mavc::unit::parse_unit;
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -48,7 +49,7 @@ fn with_tables(page: &str) -> String {
     page
 }
 
-/// `MAVC_UPDATE=1 cargo test --test it language` writes them anew.
+/// `MAVC_UPDATE=1 cargo test --test it language` rewrites them.
 #[test]
 fn the_tables_of_the_reference_are_those_of_the_language() {
     let path = root().join("docs/language.md");
@@ -139,48 +140,114 @@ fn the_grammar_of_tree_sitter_has_the_same_words() {
         quoted(rest.split(']').next().unwrap(), '\'')
     };
     assert_eq!(list("CLAUSE_WORDS"), clauses());
-    let keywords = list("STATEMENT_WORDS");
-    assert_eq!(keywords, openers());
+    assert_eq!(list("STATEMENT_WORDS"), openers());
+}
+
+/// The queries list the same words as the table: a word too many is found as well as one that is missing.
+#[test]
+fn the_queries_of_tree_sitter_have_the_same_words() {
     let queries = read("editors/tree-sitter-mav/queries/highlights.scm");
-    let offered: BTreeSet<String> = quoted(&queries, '"');
-    for word in words_of_fields() {
-        assert!(offered.contains(&word), "highlights.scm has no `{word}`");
+    let any_of = |node: &str| {
+        let (_, rest) = queries.split_once(node).unwrap_or_else(|| panic!("highlights.scm has no {node}"));
+        quoted(rest.split("))").find(|part| part.contains("#any-of?")).unwrap(), '"')
+    };
+    let names = |all: &[&str]| all.iter().map(ToString::to_string).collect::<BTreeSet<String>>();
+    assert_eq!(any_of("(call function: (name)"), names(functions()));
+    assert_eq!(any_of("((reference (name)"), names(constants()));
+    assert_eq!(any_of("((field value: (reference"), words_of(|group, entry| !is_clause(group) && !is_list(entry)));
+    assert_eq!(any_of("((field value: (list"), words_of(|_, entry| is_list(entry)));
+    assert_eq!(any_of("((clause value:"), words_of(|group, _| is_clause(group)));
+    for list in [&queries, &read("editors/emacs/mav-ts-mode.el")] {
+        let keywords = quoted(list, '"');
+        for word in openers() {
+            assert!(keywords.contains(&word), "`{word}` is no keyword in\n{list}");
+        }
     }
 }
 
-/// Every word that some field takes, but for the names of warnings.
-fn words_of_fields() -> BTreeSet<String> {
-    entries().flat_map(|(_, entry)| entry.words()).map(ToString::to_string).collect()
+fn is_clause(group: Group) -> bool {
+    matches!(group, Group::Waypoint | Group::PlacedRotor | Group::Strike)
+}
+
+fn is_list(entry: &Entry) -> bool {
+    matches!(entry.takes, Takes::WordList(_))
+}
+
+/// The words that some entries accept, without the names of warnings. Words of a list may also stand alone.
+fn words_of(wanted: impl Fn(Group, &Entry) -> bool) -> BTreeSet<String> {
+    let found = entries().filter(|(group, entry)| wanted(*group, entry));
+    found.flat_map(|(_, entry)| entry.words()).map(ToString::to_string).collect()
+}
+
+/// The texts of the regular expressions in the TextMate grammar.
+fn patterns(grammar: &serde_json::Value, found: &mut Vec<String>) {
+    match grammar {
+        serde_json::Value::Object(fields) => {
+            let own = ["match", "begin", "end"].into_iter().filter_map(|key| fields.get(key)?.as_str());
+            found.extend(own.map(String::from));
+            fields.values().for_each(|inner| patterns(inner, found));
+        }
+        serde_json::Value::Array(all) => all.iter().for_each(|inner| patterns(inner, found)),
+        _ => {}
+    }
+}
+
+/// The alternatives `a|b|c` of a regular expression, wherever it has several words; `atan2?` is two.
+fn alternatives(pattern: &str) -> Vec<BTreeSet<String>> {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '|' | '?');
+    let runs = pattern.split(|c: char| !is_part(c)).filter(|run| run.contains('|'));
+    let both = |word: &str| match word.trim_start_matches('?').strip_suffix('?') {
+        Some(long) => vec![long.to_string(), long[..long.len() - 1].to_string()],
+        None => vec![word.trim_start_matches('?').to_string()],
+    };
+    runs.map(|run| run.split('|').flat_map(both).filter(|word| !word.is_empty()).collect()).collect()
 }
 
 #[test]
 fn the_textmate_grammar_has_the_same_words() {
-    let folder = root().join("editors/vscode/syntaxes");
-    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let grammar: String = files
-        .filter(|path: &PathBuf| Path::new(path).extension().is_some_and(|e| e == "json"))
-        .map(|path| std::fs::read_to_string(path).unwrap())
-        .collect();
-    let is_there = |word: &str| {
-        let plural = word.strip_suffix('s').is_some_and(|one| grammar.contains(&format!("{one}s?")));
-        let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        let mut rest = grammar.as_str();
-        while let Some(at) = rest.find(word) {
-            let (before, after) = (&rest[..at], &rest[at + word.len()..]);
-            // `\b` before a word ends in a letter that is not part of it.
-            let starts = before.ends_with("\\b") || !before.ends_with(is_letter);
-            if starts && !after.starts_with(is_letter) {
-                return true;
-            }
-            rest = after;
-        }
-        plural
-    };
-    // The letters P and N are one class of characters there.
-    let all = openers().into_iter().chain(clauses()).chain(words_of_fields()).filter(|word| word.len() > 1);
-    for word in all {
-        assert!(is_there(&word), "the TextMate grammar has no `{word}`");
+    let grammar = read("editors/vscode/syntaxes/mav.tmLanguage.json");
+    let mut all = Vec::new();
+    patterns(&serde_json::from_str(&grammar).unwrap(), &mut all);
+    let lists: Vec<BTreeSet<String>> = all.iter().flat_map(|pattern| alternatives(pattern)).collect();
+    let with = |word: &str| lists.iter().filter(|list| list.contains(word)).collect::<Vec<_>>();
+    // Every list of clauses, of which there are several, is complete.
+    let of_clauses = with("yaw_within");
+    assert!(of_clauses.len() >= 4, "{of_clauses:?}");
+    for list in of_clauses {
+        assert!(clauses().is_subset(list), "{:?} are missing", clauses().difference(list).collect::<Vec<_>>());
     }
+    let fields = words_of(|group, entry| !is_clause(group) && !is_list(entry));
+    assert_eq!(with("pseudo_inverse"), [&fields]);
+    let known: BTreeSet<String> = functions().iter().map(ToString::to_string).collect();
+    assert_eq!(with("acos"), [&known]);
+    assert!(constants().iter().all(|name| with("g0")[0].contains(*name)));
+    let planners = words_of(|_, entry| is_list(entry));
+    assert!(with("rip").contains(&&planners), "{planners:?}");
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let words: BTreeSet<&str> =
+        all.iter().flat_map(|pattern| pattern.split(|c| !is_letter(c))).map(|w| w.trim_start_matches('b')).collect();
+    for word in openers() {
+        let plural = word.strip_suffix('s').is_some_and(|one| all.iter().any(|p| p.contains(&format!("{one}s?"))));
+        assert!(plural || words.contains(word.trim_start_matches('b')), "the TextMate grammar has no `{word}`");
+    }
+}
+
+/// The words by which the model names a choice are those of the table.
+#[test]
+fn choices_of_the_model_have_the_words_of_the_table() {
+    use mavc::language::table::{plan, simulate, vehicle};
+    let same = |entry: &Entry, names: &[&str]| {
+        let sorted = |words: &[&str]| words.iter().map(ToString::to_string).collect::<BTreeSet<_>>();
+        assert_eq!(sorted(entry.words()), sorted(names), "{}", entry.name);
+    };
+    same(&plan::PLANNER, &[PlannerKind::Rip, PlannerKind::Rcp, PlannerKind::Rsp].map(PlannerKind::name));
+    same(&plan::MODEL, &[PlanModel::Hover, PlanModel::Exact].map(PlanModel::name));
+    same(&plan::ROTORS, &[PlanRotors::Instant, PlanRotors::Lagging].map(PlanRotors::name));
+    same(&plan::AFTER_FAULT, &[AfterFault::Continue, AfterFault::Hold].map(AfterFault::name));
+    let reactions = [AfterFault::Continue, AfterFault::Hold, AfterFault::Land];
+    same(&simulate::AFTER_FAULT, &reactions.map(AfterFault::name));
+    same(&simulate::CONTROLLER, &[Controller::Geometric, Controller::Pd].map(Controller::name));
+    same(&vehicle::ALLOCATION, &[Allocation::Bounded, Allocation::PseudoInverse].map(Allocation::name));
 }
 
 #[test]
@@ -208,7 +275,7 @@ fn enumerations(schema: &serde_json::Value, found: &mut Vec<BTreeSet<String>>) {
 #[test]
 fn the_schemas_of_reports_have_the_same_words() {
     let mut found = Vec::new();
-    for name in ["report", "campaign", "simulate"] {
+    for name in ["report", "campaign", "simulate", "certificate"] {
         let text = read(&format!("docs/schema/{name}.schema.json"));
         enumerations(&serde_json::from_str(&text).unwrap(), &mut found);
     }

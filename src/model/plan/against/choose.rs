@@ -90,9 +90,13 @@ impl<'a> Choice<'a> {
             "healthy" | "none" => {
                 let message = format!("`{name}` is not a fault mode");
                 let error = Diagnostic::error(CHOICE, span, message).here("not a fault");
-                let error =
-                    error.help("remove it: the healthy vehicle is always included, and `[]` plans for it alone");
-                cx.report(if span == self.whole.span { error.fix(span, "[]") } else { error });
+                cx.report(match span == self.whole.span {
+                    true => {
+                        let help = "write `[]` to plan for the healthy vehicle alone, which is always included";
+                        error.help(help).fix(span, "[]")
+                    }
+                    false => error.help("remove it: the healthy vehicle is always included"),
+                });
             }
             _ if cx.modes_unnamed => {}
             _ => self.misspelt(cx, name, span),
