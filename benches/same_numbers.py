@@ -52,8 +52,8 @@ def numbers(value):
 
 
 def rows(text):
-    """Rows of a campaign without the campaign's name, which holds the program's hash."""
-    return [line.split(",")[1:] for line in text.splitlines()]
+    """Rows of a campaign without its name, which contains the program's hash, and without the checksum, which covers it."""
+    return [line.split(",")[1:-1] for line in text.splitlines()]
 
 
 def run(mavc, spec, folder):
