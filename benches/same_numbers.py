@@ -52,8 +52,8 @@ def numbers(value):
 
 
 def rows(text):
-    """Rows of a campaign without its identity, which depends on the hash of the program."""
-    return [line.split(",")[1:] for line in text.splitlines()]
+    """Rows of a campaign without its identity, which depends on the hash of the program, and without the checksum, which covers it."""
+    return [line.split(",")[1:-1] for line in text.splitlines()]
 
 
 def run(mavc, spec, folder):

@@ -91,7 +91,9 @@ fn headline(explanation: &Explanation, places: usize, model: &Model, mission: &M
             format!("{verdict}: a plan that satisfies this statement{time}; a guess at the cause, not a proof")
         }
         (false, n) => {
-            format!("{verdict}: a plan that satisfies these {n} statements{time}; a guess at the cause, not a proof")
+            format!(
+                "{verdict}: a plan that satisfies these {n} statements together{time}; a guess at the cause, not a proof"
+            )
         }
     }
 }

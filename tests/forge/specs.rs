@@ -190,7 +190,7 @@ fn selecting(name: &str, truth: &Truth, honest: &Trajectory) -> Vec<Trajectory> 
             found.push(motion);
         }
     }
-    assert_eq!(found.len(), truth.model.plan.rounds, "{name}: no plans to select by");
+    assert_eq!(found.len(), truth.model.plan.rounds, "{name}: no plans to select from");
     found
 }
 

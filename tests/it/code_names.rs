@@ -65,7 +65,7 @@ fn functions_named_beside_equations_exist() {
 
 #[test]
 fn a_missing_function_is_noticed() {
-    assert!(exists("flatness::course::Course::wrench") && exists("verify::series"));
-    assert!(!exists("flatness::course::Course::wrenches") && !exists("flatness::cours::Course"));
+    assert!(exists("flatness::intermediates::Intermediates::wrench") && exists("verify::series"));
+    assert!(!exists("flatness::intermediates::Intermediates::wrenches") && !exists("flatness::cours::Course"));
     assert_eq!(named("`flatness::lead` and `mavc::plan::coarse_grid`"), ["flatness::lead"]);
 }

@@ -17,7 +17,7 @@ pub const KINDS: &[Kind] = &[
     evaluated("selected by a motion that does not join", SELECTED, torn),
     evaluated("selected by a motion outside the healthy set", SELECTED, outside),
     evaluated("no plan to select by", SELECTED, none),
-    evaluated("more plans to select by than rounds", SELECTED, surplus),
+    evaluated("more plans to select from than rounds", SELECTED, surplus),
     evaluated("a plan to select by without a selection", SELECTED, unasked),
     evaluated("rounds swapped", &[Premise::SelectedBy, Premise::Selection], swapped),
     evaluated("facets not kept", &[Premise::Selection], unkept),

@@ -234,7 +234,7 @@ fn a_time_too_short_for_lagging_rotors_is_certified() {
             }
         },
         &model,
-        "is not beside node",
+        "is not adjacent to node",
     );
     // At a time that has a plan they show nothing.
     let long = 3.0 * time;

@@ -169,7 +169,7 @@ fn rates_resample_evenly() {
     assert_eq!(*times.last().unwrap(), 6.0);
     let ran = mavc_with(&["plan", "-", "-o", "-", "--rate", "100kHz", "--set", "plan.time=20s"], HOP);
     assert_eq!(code(&ran), 2);
-    let most = "the trajectory would have 2000001 rows of 30 numbers, and 333333 rows are the most";
+    let most = "the trajectory would have 2000001 rows of 30 numbers; at most 333333 rows are allowed";
     assert!(err(&ran).contains(most), "{}", err(&ran));
     let long = ["--set", "simulate.duration=20000s"];
     let ran = mavc_with(&[&["simulate", "-", "-o", "-"], &long[..]].concat(), HOP);

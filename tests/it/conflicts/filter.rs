@@ -200,7 +200,7 @@ fn what_was_not_proved_is_not_called_so() {
     let mission = model.mission.as_ref().unwrap();
     for (proves, wanted) in [
         (true, "proved infeasible with 200 samples: 2 statements of the spec cannot hold together"),
-        (false, "not found: a plan that meets these 2 statements together; a guess at the cause, not a proof"),
+        (false, "not found: a plan that satisfies these 2 statements together; a guess at the cause, not a proof"),
     ] {
         let conflicts = vec![BTreeSet::from([Statement::Limit(0), Statement::Time])];
         let mut known = Known { conflicts, proves, weighs: true, asked: 0 };

@@ -73,7 +73,7 @@ fn certificates_cover_it() {
     let line =
         |start: &str| said.lines().find(|line| line.starts_with(start)).unwrap_or_else(|| panic!("{start}: {said}"));
     for start in ["linear model's wrench inside", "linear model's commands inside"] {
-        assert!(line(start).ends_with("proved for every instant"), "{said}");
+        assert!(line(start).ends_with("proved at every instant"), "{said}");
     }
 }
 
