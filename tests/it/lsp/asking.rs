@@ -25,7 +25,11 @@ fn fields_show_what_they_are_their_unit_and_their_value() {
     let shown =
         hovers(&SPEC.replace("max_speed  ", "ma|x_speed  ").replace("tilt <=", "ti|lt <=").replace("time ", "ti|me "));
     assert!(shown[0].contains("in rad/s") && shown[0].contains("`8500 rpm` = **890.118 rad/s**"), "{}", shown[0]);
-    assert!(shown[1].contains("in deg") && shown[1].contains("angle between thrust and the vertical"), "{}", shown[1]);
+    assert!(
+        shown[1].contains("in deg") && shown[1].contains("angle between the thrust and the vertical"),
+        "{}",
+        shown[1]
+    );
     assert!(shown[1].contains("`20 deg` = **0.349066 rad**"), "{}", shown[1]);
     assert!(shown[2].contains("time of the whole mission") && shown[2].contains("`20 s`"), "{}", shown[2]);
 }

@@ -55,13 +55,13 @@ fn every_clear_mistake_has_a_fix_that_works() {
             "Add `mass = 1.8 kg`, with the values of your vehicle",
         ),
         ("    arm     = 25 cm\n", "", "mavc::name::missing_field", "Add `arm = 0.2 m`"),
-        ("    arm     = 25 cm\n", "    arm     = 25 cm\n    arm = 20 cm\n", "mavc::name::duplicate", "Take one out"),
+        ("    arm     = 25 cm\n", "    arm     = 25 cm\n    arm = 20 cm\n", "mavc::name::duplicate", "Remove one"),
         ("tilt <= 20 deg", "tlit <= 20 deg", "mavc::name::unknown_field", "Write `tilt`"),
         ("mission survey", "mision survey", "mavc::syntax::unknown_statement", "Write `mission`"),
-        ("tilt <= 20 deg", "tilt <= 20 deg; tilt <= 9 deg", "mavc::name::duplicate", "Take out `; tilt <= 9 deg`"),
-        ("    time ", "    against = all\n    time ", "mavc::name::duplicate", "Take one out"),
+        ("tilt <= 20 deg", "tilt <= 20 deg; tilt <= 9 deg", "mavc::name::duplicate", "Remove one of the two"),
+        ("    time ", "    against = all\n    time ", "mavc::name::duplicate", "Remove one"),
         ("/// As high", "let spare = 3 m\n/// As high", "mavc::name::unused", "Take out `let spare = 3 m`"),
-        ("20 s", "-20 s", "mavc::plan::time", "Take the sign out: write `20 s`"),
+        ("20 s", "-20 s", "mavc::plan::time", "Remove the minus sign: write `20 s`"),
     ];
     for (right, wrong, code, title) in cases {
         let broken = SPEC.replacen(right, wrong, 1);

@@ -192,7 +192,7 @@ fn names_that_are_no_names_or_would_mean_something_else_are_refused() {
         (1, "gipfel höhe", "is not a name"),
         (1, "sin", "belongs to the language"),
         (4, "all", "belongs to the language"),
-        (4, "weak3", "a second fault mode is called `weak3`"),
+        (4, "weak3", "fault mode `weak3` is declared twice"),
     ] {
         let (code, message) = pair.rename(place, new).unwrap_err();
         assert_eq!(code, -32803, "{new}: {message}");
