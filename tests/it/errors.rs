@@ -1,11 +1,11 @@
 //! The error corpus: every file under `tests/specs/errors/<stage>/` is rejected at that stage, with the codes that
-//! its first lines name and with the message in the snapshot beside it.
+//! its first lines name and the messages in `messages.snap`.
 
 use mavc::diagnostic::{Diagnostic, render_human, sort};
 use mavc::model::{elaborate, entries, load_among};
 use mavc::source::{Source, SourceMap};
-use std::path::Path;
-use std::sync::Mutex;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 /// All that one file gives, up to the stage its folder names. What it uses stands in folders beside it. `mend` sees the
 /// name and the bytes of every file that is read.
@@ -36,32 +36,54 @@ fn expected(text: &str) -> Vec<&str> {
     text.lines().map_while(|line| line.strip_prefix("// ")).take_while(|line| line.contains(": mavc::")).collect()
 }
 
-/// What is wrong with the corpus at this file, if anything.
-fn check(path: &Path) -> Option<String> {
-    let folder = path.parent().unwrap();
-    let stage = folder.file_name().unwrap().to_str().unwrap();
-    let name = path.file_name().unwrap().to_str().unwrap();
-    let text = std::fs::read_to_string(path).unwrap();
-    let (diagnostics, sources) = compile(path, &|_, bytes| bytes);
-    let found: Vec<String> = diagnostics.iter().map(|d| format!("{}: {}", d.severity.name(), d.code)).collect();
-    let rendered = render_human(&diagnostics, &sources, 100, false);
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(folder);
-    settings.set_snapshot_suffix("");
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!(path.file_stem().unwrap().to_str().unwrap(), rendered));
-    let wanted = expected(&text);
-    (found != wanted || wanted.is_empty())
-        .then(|| format!("{stage}/{name} names {wanted:#?} and gives {found:#?}\n{rendered}"))
+/// The corpus, in order.
+fn corpus() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs/errors");
+    let entries = |folder: &Path| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let stages = entries(&root).filter(|path| path.is_dir());
+    let files = stages.flat_map(|stage| entries(&stage).collect::<Vec<_>>());
+    let mut specs: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|e| e == "mav")).collect();
+    specs.sort();
+    specs
 }
 
+/// Codes, messages and helps of one file.
+fn listed(path: &Path, diagnostics: &[Diagnostic], sources: &SourceMap) -> String {
+    let mut text = format!("{}\n", path.file_name().unwrap().to_str().unwrap());
+    for diagnostic in diagnostics {
+        let line = sources.get(diagnostic.span.file).place(diagnostic.span.start as usize).line;
+        text += &format!("  {line}: {} {}: {}\n", diagnostic.severity.name(), diagnostic.code, diagnostic.message);
+        diagnostic.help.iter().flat_map(|help| help.lines()).for_each(|help| text += &format!("      {help}\n"));
+    }
+    text
+}
+
+/// One snapshot lists the messages of all files; the first file with a code also has one of how it is rendered.
 #[test]
 fn every_file_is_rejected_as_it_says() {
-    let failures = Mutex::new(Vec::new());
-    insta::glob!("../specs/errors", "*/*.mav", |path| failures.lock().unwrap().extend(check(path)));
-    let failures = failures.into_inner().unwrap();
+    let (mut failures, mut messages) = (Vec::new(), String::new());
+    let mut rendered_codes = BTreeSet::new();
+    let mut settings = insta::Settings::clone_current();
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    for path in corpus() {
+        let (diagnostics, sources) = compile(&path, &|_, bytes| bytes);
+        let found: Vec<String> = diagnostics.iter().map(|d| format!("{}: {}", d.severity.name(), d.code)).collect();
+        let rendered = render_human(&diagnostics, &sources, 100, false);
+        let text = std::fs::read_to_string(&path).unwrap();
+        let wanted = expected(&text);
+        if found != wanted || wanted.is_empty() {
+            failures.push(format!("{} names {wanted:#?} and gives {found:#?}\n{rendered}", path.display()));
+        }
+        messages += &listed(&path, &diagnostics, &sources);
+        if diagnostics.iter().filter(|d| rendered_codes.insert(d.code)).count() > 0 {
+            settings.set_snapshot_path(path.parent().unwrap());
+            settings.bind(|| insta::assert_snapshot!(path.file_stem().unwrap().to_str().unwrap(), rendered));
+        }
+    }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+    settings.set_snapshot_path("../specs/errors");
+    settings.bind(|| insta::assert_snapshot!("messages", messages));
 }
 
 #[test]
