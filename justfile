@@ -12,9 +12,9 @@ ci:
 test NAME="":
     cargo test {{ if NAME == "" { "" } else { "--test it " + NAME } }}
 
-# All tests.
-test-all:
-    cargo test -- --include-ignored
+# The long tests.
+test-long:
+    cargo test --test it -- --ignored
 
 # Accept what the stages print now, and show what changed.
 snapshots:

@@ -102,7 +102,7 @@ fn large_files_are_refused_by_size() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn a_megabyte_of_anything_ends() {
     let size = MAX_FILE_BYTES;
     for piece in [

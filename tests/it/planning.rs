@@ -131,7 +131,7 @@ fn case_1_compared() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn two_runs_and_any_number_of_threads_give_the_same_numbers() {
     let mut model = paper_case(PlannerKind::Rsp, &[0, 2]);
     model.plan.samples = 60;

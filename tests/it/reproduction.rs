@@ -140,7 +140,7 @@ fn page() -> String {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn the_page_says_what_is_computed() {
     let page = page();
     let found = differences(&page, &document::whole(|| exact::written(&page).into()));
@@ -150,7 +150,7 @@ fn the_page_says_what_is_computed() {
 /// Searches in the exact model take minutes. Cheaper: the hover model's cells, and that RIP has a plan a little later than
 /// the page says, of which an evaluation of its own finds nothing outside.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn shortest_times_of_the_exact_model_are_reproduced() {
     let page = page();
     let rows: Vec<Vec<&str>> = exact::written(&page)

@@ -167,7 +167,7 @@ fn short(bound: Option<f64>) -> Model {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn a_required_risk_is_kept_in_the_exact_model() {
     let mut model = short(Some(0.9));
     let nothing = run(&model, Scope::Plan);
@@ -197,7 +197,7 @@ fn a_required_risk_is_kept_in_the_exact_model() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn the_facet_passed_last_is_among_what_is_tried() {
     // At the shortest times adding one facet is cheaper than adding all that are violated.
     let finer = |bound: f64| {

@@ -169,7 +169,7 @@ fn short() -> Model {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn rounds_in_the_exact_model_end_inside() {
     let model = short();
     let rip = planned(model.clone(), PlannerKind::Rip, 1);
@@ -193,7 +193,7 @@ fn rounds_in_the_exact_model_end_inside() {
 
 /// Facets that are violated at any instant are selected, at nodes or only between them, whatever the grid.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn facets_passed_only_between_nodes_are_selected() {
     let mut between = 0;
     let short = short();
@@ -271,7 +271,7 @@ fn zero_rounds_are_reported() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn rounds_are_reported_in_the_exact_model() {
     let MissionTime::Fixed(time) = short().plan.time else { panic!("a fixed time") };
     let spec = format!(

@@ -76,7 +76,7 @@ fn a_descent_is_committed_until_it_can_be_braked() {
 
 /// The same with a floor far below: nothing is in the way.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn without_a_floor_the_descent_is_never_committed() {
     for wrench in [PlanModel::Hover, PlanModel::Exact] {
         let mut model = held(descent(wrench));

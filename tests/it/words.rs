@@ -146,7 +146,7 @@ fn rsp_without_a_common_time_is_not_attempted() {
 
 /// A proof about RIP is one about RSP; without a proof and without a plan of RIP there is nothing to select RSP's facets by.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn rsp_without_a_plan_of_rip_is_not_attempted_but_where_that_is_proved() {
     let mut model = on_the_edge();
     let to = &mut model.mission.as_mut().unwrap().waypoints[1];

@@ -235,7 +235,7 @@ fn no_false_claim_passes() {
 
 /// The same of rotors that may not stop, of the pseudo-inverse, and of vehicles known to within intervals.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn no_false_claim_passes_of_other_vehicles() {
     let mut idling = hop(PlannerKind::Rcp, 9.0);
     idling.vehicle.rotors.iter_mut().for_each(|r| r.min_speed = 150.0);
@@ -250,7 +250,7 @@ fn no_false_claim_passes_of_other_vehicles() {
 
 /// The same of rotors that lag, and of what they are commanded.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn no_false_claim_passes_of_lagging_rotors() {
     let plans = [(PlannerKind::Rip, 8.0), (PlannerKind::Rcp, 9.0), (PlannerKind::Rsp, 9.0)];
     let models = plans.map(|(planner, time)| lagging(hop(planner, time), 0.1));

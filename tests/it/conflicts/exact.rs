@@ -58,7 +58,7 @@ fn every_spec_names_its_conflict() {
 
 /// The changes are tried on the mission itself, so the planner has a plan there.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn every_change_offered_gives_a_plan() {
     let mut offered = 0;
     for Case { text, explanation, .. } in CASES.iter() {
@@ -111,7 +111,7 @@ impl Oracle for Recording<'_> {
 
 /// A plan answers every question that requires a part of the statements it satisfies; the planner is not called for it again.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn nothing_is_asked_that_is_known() {
     let mut checked = 0;
     for Case { text, model, explanation, .. } in CASES.iter().filter(|case| case.model.plan.against.is_empty()) {

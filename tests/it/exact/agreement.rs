@@ -103,21 +103,21 @@ fn a_campaign_flies_the_plan() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn a_comparison_shows_the_plan() {
     one_plan_at_a_time(Scope::Everything, &[PlannerKind::Rip, PlannerKind::Rcp, PlannerKind::Rsp]);
 }
 
-/// Ten random missions.
+/// Five random missions.
 #[test]
-#[ignore = "minutes long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn every_command_finds_the_same_times_in_the_order_of_the_sets() {
-    (0..10).into_par_iter().for_each(|seed| commands_agree(&random_mission(seed)));
+    (0..5).into_par_iter().for_each(|seed| commands_agree(&random_mission(seed)));
 }
 
-/// Times 1.02 to 2 times the shortest, without lower bounds on rates.
+/// Times 1.02 to 2 times the shortest, without lower bounds on rates. `benches/longer.py` tries 200 missions.
 #[test]
-#[ignore = "minutes long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn longer_times_have_plans() {
     let asked = |seed: u64| -> Vec<(u64, f64)> {
         let mission = random_mission(seed);
@@ -129,6 +129,6 @@ fn longer_times_have_plans() {
         };
         [1.02, 1.05, 1.1, 1.3, 2.0].into_iter().filter(is_missed).map(|factor| (seed, factor)).collect()
     };
-    let missed: Vec<(u64, f64)> = (0..20).into_par_iter().flat_map(asked).collect();
-    assert!(missed.len() <= 1, "of 100 times: {missed:?}");
+    let missed: Vec<(u64, f64)> = (0..6).into_par_iter().flat_map(asked).collect();
+    assert!(missed.is_empty(), "of 30 times: {missed:?}");
 }

@@ -47,7 +47,7 @@ fn nothing_before_a_fixed_time_gives_time_back() {
 /// Legs that one limit governs, against the plan with that limit relaxed by ten units: within a fifth of the difference, and the
 /// 0.02 s to which times are rounded.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn figures_are_what_relaxed_specs_give_back() {
     let governed = [
         ([60.0, 0.0, 2.0], limit(LimitKind::Speed, 4.0)),

@@ -102,7 +102,7 @@ fn fewer_rows_do_not_make_a_plan_dearer() {
 
 /// Few waypoints and many samples make stiff splines: a fine grid must still give what a coarse one gives, or better.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn fine_grids_are_no_dearer_than_coarse_ones() {
     let hop = || {
         let mut hop = mission(vec![

@@ -34,7 +34,7 @@ static CHOSEN: LazyLock<f64> = LazyLock::new(|| shortest(&quick(uneven(), true))
 
 /// The shortest time over shares of the first leg from 15 % to 60 %, each planned for itself.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
     let chosen = *CHOSEN;
     let with_share = |percent: u32| -> Option<f64> {
@@ -55,7 +55,7 @@ fn chosen_times_are_as_good_as_the_best_shares_of_a_grid() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn chosen_times_are_never_slower_than_even_ones() {
     let turned = [false, true].map(|chooses| shortest(&quick(turning(), chooses)));
     for [given, chosen] in [turned, [*EVEN, *CHOSEN]] {
@@ -72,7 +72,7 @@ fn a_time_too_short_for_even_legs_is_met() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn fixed_times_and_holds_are_kept() {
     let mut held = uneven();
     held.waypoints[1].hold = 1.0;
@@ -122,7 +122,7 @@ fn legs_between_fixed_times_divide_their_time_anew() {
 
 /// Who chooses times can choose these, so what is proved of all times is proved of these.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn a_proof_covers_every_division_of_time() {
     let at = |mission: Mission, chooses_times: bool| {
         let mut model = quick(mission, chooses_times);

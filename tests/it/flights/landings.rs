@@ -56,7 +56,7 @@ const INSTANTS: usize = 150;
 const MOST_BRAKING: f64 = 8.0;
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn no_stop_leads_into_the_ground() {
     let mut saved = 0;
     for (name, model, plan) in PLANS.iter() {
@@ -88,7 +88,7 @@ fn no_stop_leads_into_the_ground() {
 
 /// A sound vehicle that takes itself for faulty lands, whenever that comes. What it meets is its own path.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn landings_from_any_instant_end_on_the_ground_and_not_in_it() {
     for (name, model, plan) in PLANS.iter() {
         let mut model = model.clone();

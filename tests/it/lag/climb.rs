@@ -62,7 +62,7 @@ fn reach(model: &Model) -> (f64, f64) {
 
 /// The tolerance at both ends shortens the way; the grid costs a little.
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn the_quickest_climb_is_that_of_the_closed_form() {
     let (up, down) = reach(&climb(PlanModel::Hover, None));
     let mut last = shortest(&climb(PlanModel::Hover, None));

@@ -106,7 +106,7 @@ fn rows_hold_at_every_instant_in_the_exact_model() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn shortest_times_of_the_exact_model_keep_the_rows() {
     let mut model = lagging(planning(turning(), PlanModel::Exact, MissionTime::Minimum), TAU);
     model.plan.samples = 24;
@@ -131,7 +131,7 @@ fn time_grows_with_the_constant_and_vanishes_with_it() {
 }
 
 #[test]
-#[ignore = "seconds long: cargo test -- --include-ignored"]
+#[ignore = "long"]
 fn the_exact_models_time_grows_too() {
     let mut instant = planning(shuttle(), PlanModel::Exact, MissionTime::Minimum);
     instant.plan.samples = 16;
