@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares what two builds of mavc compute: python3 benches/same_numbers.py OLD NEW [SPEC...]
 
-For every shipped spec (or those named) it runs plan, simulate and campaign with both, and compares the trajectory, the
+For every shipped spec (or those named) it runs analyze, plan, simulate and campaign with both, and compares the trajectory, the
 certificate, the reports and the rows byte for byte. Words of reports may differ where RENAMED maps one to the other, and
 so may the hash of the program in campaign rows. Prints one line for each spec and ends with 1 if any number differs.
 """
@@ -36,6 +36,8 @@ RENAMED = {
     "rank_worth": "rank_strength",
     # --report of simulate, schema 2 -> 3
     "alike": "indistinguishable_modes",
+    # analyze, schema 2 -> 3
+    "given_away": "unreached_share",
 }
 
 # Values that are sentences for people.
@@ -63,7 +65,10 @@ def run(mavc, spec, folder):
     def call(name, *args):
         done = subprocess.run([mavc, *args], capture_output=True, text=True, cwd=ROOT, check=False)
         out[name + " exit"] = done.returncode
+        return done.stdout
 
+    analysis = call("analyze", "analyze", spec, "-q", "--format", "json")
+    out["a.json"] = numbers(json.loads(analysis)) if analysis else None
     call("plan", "plan", spec, "-q", "-o", f"{folder}/t.csv", "--certificate", f"{folder}/c.json", "--report", f"{folder}/r.json")
     call("simulate", "simulate", spec, "-q", "-o", f"{folder}/f.csv", "--report", f"{folder}/s.json")
     call("campaign", "campaign", spec, "-q", "--times", "3", "--seeds", "1", "-o", f"{folder}/k.csv", "--report", f"{folder}/k.json")

@@ -11,12 +11,12 @@ pub mod body;
 pub mod control;
 pub mod estimate;
 pub mod heading;
+pub mod indistinguishable;
 mod knowledge;
 pub mod loss;
 pub mod reference;
 pub mod rotors;
 mod sensors;
-pub mod twins;
 
 use crate::actuation::Wrench;
 use crate::model::{AfterFault, Model, Simulation, Strike};

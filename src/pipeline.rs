@@ -17,7 +17,7 @@ pub use tasks::{Explained, NO_MISSION, Planning, Refusal, Task, compare, explain
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::admissible::verdict::{ModeAnalysis, analyze_each};
 use crate::diagnostic::{Checked, Diagnostic, Severity, sort};
-use crate::flight::twins;
+use crate::flight::indistinguishable;
 use crate::source::{FileId, Source};
 use crate::spec::{Compiled, Compiler, Spec};
 use std::io::{Error, ErrorKind};
@@ -86,7 +86,7 @@ pub fn analyze(spec: &Spec) -> Vec<ModeAnalysis> {
 /// ```
 pub fn check(spec: &Spec) -> Vec<Diagnostic> {
     let mut diagnostics = diagnose(spec.model());
-    diagnostics.extend(twins::diagnose(spec.model()));
+    diagnostics.extend(indistinguishable::diagnose(spec.model()));
     sort(&mut diagnostics);
     diagnostics
 }

@@ -95,7 +95,7 @@ pub struct ModeAnalysis {
     pub headroom: Option<Headroom>,
     /// The share of the zonotope's volume that the pseudo-inverse does not reach without clipping, 0 to 1. `None` with
     /// the bounded allocation, which reaches all of it, and if the set is flat.
-    pub given_away: Option<f64>,
+    pub unreached_share: Option<f64>,
     /// The two rows of the actuation matrix with the smallest angle between them.
     pub nearest_rows: Option<Parallel>,
     /// Verdict and margin over the spec's intervals; `None` if it has none.
@@ -179,7 +179,7 @@ pub fn analyze(model: &Model, set: &AdmissibleSet) -> ModeAnalysis {
         residual4: residual4.into(),
         residual3: residual3.into(),
         headroom: (verdict == Verdict::Controllable).then(|| headroom(set, &u_ref, size)),
-        given_away: given_away(set),
+        unreached_share: unreached_share(set),
         nearest_rows: nearest_rows(set),
         robust: robust(model, set),
     }
@@ -253,8 +253,8 @@ fn heaviest<const D: usize, O: Clone>(polytope: &Polytope<D, O>, size: f64) -> O
     lift(polytope, size).map(|(_, high)| high)
 }
 
-/// See [`ModeAnalysis::given_away`].
-fn given_away(set: &AdmissibleSet) -> Option<f64> {
+/// See [`ModeAnalysis::unreached_share`].
+fn unreached_share(set: &AdmissibleSet) -> Option<f64> {
     if set.allocation == Allocation::Bounded || !set.polytope.equalities.is_empty() {
         return None;
     }

@@ -57,10 +57,10 @@ pub fn certificate(
     (selected_by, sha256): (&[Trajectory], String),
 ) -> Result<Certificate, String> {
     let healthy = AdmissibleSet::healthy(model);
-    let mut engine = HoverPlanner::new(model, mission, &healthy);
+    let mut planner = HoverPlanner::new(model, mission, &healthy);
     let (kind, overshoot) = match model.plan.model {
-        PlanModel::Hover => (DynamicModel::Hover, about_hover(&mut engine, run, total)?),
-        PlanModel::Exact => (DynamicModel::Exact, relaxed(&mut engine, run, total)?),
+        PlanModel::Hover => (DynamicModel::Hover, about_hover(&mut planner, run, total)?),
+        PlanModel::Exact => (DynamicModel::Exact, relaxed(&mut planner, run, total)?),
     };
     let z = match solve_graded(&overshoot.program).0 {
         Outcome::Solved(solution) => solution.z,
@@ -101,9 +101,9 @@ pub fn certificate(
 }
 
 /// The hover model's program, with the overshoot of waypoint tolerances as its objective.
-fn about_hover(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Overshoot, String> {
-    let (model, mission) = (engine.model, engine.mission);
-    let layout = match engine.layout(total, model.plan.samples) {
+fn about_hover(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Overshoot, String> {
+    let (model, mission) = (planner.model, planner.mission);
+    let layout = match planner.layout(total, model.plan.samples) {
         Ok(Some(layout)) => layout,
         Ok(None) => return Err(NO_TIME.into()),
         Err(_) => return Err("yaw alone has no plan".into()),
@@ -123,10 +123,10 @@ fn about_hover(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Resul
 }
 
 /// The exact model's relaxation, with the same objective.
-fn relaxed(engine: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Overshoot, String> {
-    let flown = time_grid(engine.mission, total, engine.model.plan.samples).ok_or(NO_TIME)?.flown();
+fn relaxed(planner: &mut HoverPlanner, run: &PlannerRun, total: f64) -> Result<Overshoot, String> {
+    let flown = time_grid(planner.mission, total, planner.model.plan.samples).ok_or(NO_TIME)?.flown();
     let Relaxed { program, taus, thrust } =
-        ScpPlanner::new(engine, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
+        ScpPlanner::new(planner, WrenchModel::Exact, &run.set).overshoot(&flown, COST);
     Ok(Overshoot { program, taus, thrust: thrust.weights })
 }
 

@@ -78,8 +78,8 @@ impl Oracle for Planners<'_> {
         let mut sets = known.unwrap_or_else(|| Sets::new(model));
         let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.working_sets);
         let mut planner = planner(model, mission, &sets.imposed.healthy, None);
-        let mut decide = |set: &PlanningSet, pool: &mut WorkingSet, settled: bool| {
-            let decision = planner.attempt_at(time, set, settled, pool);
+        let mut decide = |set: &PlanningSet, working_set: &mut WorkingSet, minimise: bool| {
+            let decision = planner.attempt_at(time, set, minimise, working_set);
             let weights = planner.take_weights();
             let decision = match proofs_are_about(model, mission) {
                 // Without weights, the proof is about the yaw waypoints alone, or does not involve yaw.

@@ -6,7 +6,7 @@ use crate::admissible::AdmissibleSet;
 use crate::admissible::diagnose::diagnose_by;
 use crate::admissible::verdict::{ModeAnalysis, analyze};
 use crate::diagnostic::{Diagnostic, sort};
-use crate::flight::twins;
+use crate::flight::indistinguishable;
 use crate::model::{Model, Vehicle};
 use crate::source::Span;
 use crossbeam_channel::{Receiver, Sender, unbounded};
@@ -132,7 +132,7 @@ impl Analyst {
             (self.round.load(Ordering::Relaxed) == round).then(|| self.analysis(model, mode))
         });
         let Some(mut diagnostics) = answers else { return };
-        diagnostics.extend(twins::diagnose(model));
+        diagnostics.extend(indistinguishable::diagnose(model));
         sort(&mut diagnostics);
         let _ = self.answers.send(Found::Answers { round, root, diagnostics });
     }

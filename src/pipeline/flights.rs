@@ -6,7 +6,7 @@ use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
 use crate::campaign::tally::Tally;
 use crate::diagnostic::{Diagnostic, Severity, sort};
-use crate::flight::{Flight, Sample, Sortie, fly as fly_sortie, longest, twins};
+use crate::flight::{Flight, Sample, Sortie, fly as fly_sortie, indistinguishable, longest};
 use crate::model::{coarse_step, past_the_end, too_many_steps};
 use crate::observer::{Observer, Silent, timed};
 use crate::planner::studies::{Comparison, MissionPlan};
@@ -60,8 +60,8 @@ pub fn fly_plan(
 
 /// The groups of modes, by name, that the estimator cannot distinguish at the rotor speeds that a plan needs.
 pub fn indistinguishable<'s>(spec: &'s Spec, plan: &MissionPlan) -> Vec<Vec<&'s str>> {
-    let groups = twins::along(spec.model(), &plan.trajectory);
-    groups.iter().map(|group| twins::names(spec.model(), group)).collect()
+    let groups = indistinguishable::along(spec.model(), &plan.trajectory);
+    groups.iter().map(|group| indistinguishable::names(spec.model(), group)).collect()
 }
 
 /// Simulates a campaign of flights: every planner's plan at the common time T_d, with every declared fault mode, at many

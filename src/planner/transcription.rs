@@ -318,10 +318,10 @@ impl<'a> Transcription<'a> {
                     let (row, at) = (&self.set.rows[facet], (instant, slope));
                     let map = self.commands.and_then(|commands| commands.get(&at));
                     let straight = |_, _, _| Affine::default();
-                    let lead = commands.entry(at).or_insert_with(|| self.command_expression(map?, at, &straight));
+                    let command = commands.entry(at).or_insert_with(|| self.command_expression(map?, at, &straight));
                     // Rows that come from another grid may lie outside all intervals.
-                    let Some(lead) = lead else { continue };
-                    let mut expression = lead.along(&-row.normal).plus_constant(row.offset);
+                    let Some(command) = command else { continue };
+                    let mut expression = command.along(&-row.normal).plus_constant(row.offset);
                     expression.add(&widening, 1.0);
                     builder.nonnegative(expression, RowOrigin::Lag { facet, node, after: slope == Slope::After });
                 }

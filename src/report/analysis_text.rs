@@ -59,7 +59,8 @@ pub fn analysis(model: &Model, modes: &[ModeAnalysis]) -> String {
         ];
         if is_restricted {
             cells.push(
-                optional(m.given_away.map(|share| 100.0 * share), 3) + if m.given_away.is_some() { " %" } else { "" },
+                optional(m.unreached_share.map(|share| 100.0 * share), 3)
+                    + if m.unreached_share.is_some() { " %" } else { "" },
             );
         }
         table.row(cells);

@@ -23,7 +23,7 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
         proved.extend(by_proof);
         checked.extend(on_grid);
     }
-    let exceeded: Vec<usize> = exceeded_limits(model, solved).iter().map(|excess| excess.limit).collect();
+    let exceeded: Vec<usize> = exceeded_limits(model, solved).iter().map(|violation| violation.limit).collect();
     let satisfied = |shown: Shown| {
         let satisfied = limits.iter().enumerate().filter(|(i, b)| b.shown == shown && !exceeded.contains(i));
         let mut names: Vec<&str> = satisfied.map(|(_, b)| b.rows).collect();

@@ -40,8 +40,8 @@ pub enum CaveatKind {
 pub fn exceeded_limits(model: &Model, solved: &MissionPlan) -> Vec<LimitViolation> {
     let limits = model.mission.as_ref().map_or(&[][..], |m| &m.limits);
     let mut exceeded = limit_violations(&solved.trajectory, model, 0.0);
-    exceeded.retain(|excess| {
-        let limit = &limits[excess.limit];
+    exceeded.retain(|violation| {
+        let limit = &limits[violation.limit];
         let worst = peak(&solved.trajectory, |state| past_as_checked(limit, state, model.gravity));
         worst.value > MOST_PAST_LIMIT * limit.size()
     });

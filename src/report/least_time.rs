@@ -15,8 +15,8 @@ const DIGITS: usize = 4;
 pub fn bound_for(model: &Model, mission: &Mission, run: &PlannerRun) -> LeastTime {
     let mut past = vec![0.0; mission.limits.len()];
     if let PlanOutcome::Planned(solved) = &run.outcome {
-        for excess in exceeded_limits(model, solved) {
-            past[excess.limit] = excess.by;
+        for exceeded in exceeded_limits(model, solved) {
+            past[exceeded.limit] = exceeded.by;
         }
     }
     least_time(model, mission, &past)

@@ -8,7 +8,7 @@ use super::table::Table;
 use super::verdict_text::{self, statement};
 use super::waypoints;
 use crate::admissible::row::VIOLATED;
-use crate::flight::twins::listed;
+use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Mission, Model, PlanModel, PlannerKind};
 use crate::motion::outside::Outside;
 use crate::motion::risk::rated_risk;

@@ -98,7 +98,7 @@ fn margins_are_those_of_the_formula() {
     for (mode, all) in clipped.iter().zip(&bounded).skip(1) {
         assert!((mode.acai.unwrap() - 0.134).abs() < 5e-4, "{:?}", mode.acai);
         assert!((all.acai.unwrap() - 0.1956).abs() < 5e-5, "{:?}", all.acai);
-        assert!(all.given_away.is_none());
+        assert!(all.unreached_share.is_none());
         assert_eq!(mode.verdict, Verdict::Controllable);
     }
 }
@@ -120,11 +120,11 @@ fn some_double_losses_hover_only_with_bounded_allocation() {
 }
 
 #[test]
-fn the_share_given_away_is_what_sampling_finds() {
+fn the_share_that_is_unreached_is_what_sampling_finds() {
     let mut model = pseudo(octocopter("PPNNPPNN"));
     model.modes.push(lost(&model, &[1]));
     let set = AdmissibleSet::of_mode(&model, 0);
-    let share = analyze(&model, &set).given_away.unwrap();
+    let share = analyze(&model, &set).unreached_share.unwrap();
     let bounded = set.zonotope.facets();
     let (scale, center) = (set.zonotope.scale(), set.zonotope.center);
     let middle = center + 0.5 * set.zonotope.generators.iter().sum::<Wrench>();

@@ -146,11 +146,11 @@ fn violated_rows(form: &Transcription, states: &[NodeState], sigma: f64, accepte
     };
     for (node, (state, map)) in states.iter().zip(form.maps).enumerate() {
         let facet = most_violated(&map.at(state)).map(Row::Facet);
-        let lead = |slope: Slope| {
+        let command = |slope: Slope| {
             let facet = most_violated(&form.command_wrench(states, (node, slope))?)?;
             Some(Row::Command { facet, slope })
         };
-        let commands = [Slope::Before, Slope::After].into_iter().filter_map(lead);
+        let commands = [Slope::Before, Slope::After].into_iter().filter_map(command);
         let limits = form.mission.limits.iter().enumerate();
         let limits = limits.filter(|(_, l)| form.limit_violation(l, states, node, sigma) > accepted);
         for row in facet.into_iter().chain(commands).chain(limits.map(|(i, _)| Row::Limit(i))) {

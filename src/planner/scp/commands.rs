@@ -186,9 +186,10 @@ impl Transcription<'_> {
         let linearised = commands.linearised.get(&at)?;
         let row = &self.set.rows[facet];
         let jump = |node: usize, axis: usize, order: usize| self.jump(step, node, axis, order);
-        let lead = known.entry(at).or_insert_with(|| self.command_expression(&linearised.map, at, &jump)).as_ref()?;
+        let command =
+            known.entry(at).or_insert_with(|| self.command_expression(&linearised.map, at, &jump)).as_ref()?;
         let kept = step.tightening[facet] + commands.local_tightening[facet];
-        let mut slack = lead.along(&-row.normal).plus_constant(row.offset - kept);
+        let mut slack = command.along(&-row.normal).plus_constant(row.offset - kept);
         let free = row.offset - row.normal.dot(&linearised.wrench);
         let change = ORDER_OF_TIME * free - row.normal.dot(&linearised.time_sensitivity);
         let interval = interval_of(at, self.parts, self.grid.intervals())?;

@@ -1,7 +1,7 @@
 //! Terminal text of a simulated flight.
 
 use super::record::{FlightRecord, Flown, OutcomeRecord};
-use crate::flight::twins::listed;
+use crate::flight::indistinguishable::listed;
 use crate::model::{AfterFault, Allocation, Controller, Detection, LimitKind, Model};
 use crate::number::{fixed, number, significant};
 use crate::report::table::Table;

@@ -3,7 +3,7 @@
 use super::client::{Client, SPEC, uri_of};
 use mavc::admissible::diagnose::diagnose;
 use mavc::diagnostic::{Diagnostic, Severity, sort};
-use mavc::flight::twins;
+use mavc::flight::indistinguishable;
 use mavc::input::read_named;
 use mavc::model::{elaborate, entries, load_among};
 use mavc::source::SourceMap;
@@ -19,7 +19,7 @@ fn check(path: &Path) -> (Vec<Diagnostic>, SourceMap) {
     let broken = diagnostics.iter().any(|d| d.severity == Severity::Error);
     if let Some(model) = checked.value.filter(|_| !broken) {
         diagnostics.extend(diagnose(&model));
-        diagnostics.extend(twins::diagnose(&model));
+        diagnostics.extend(indistinguishable::diagnose(&model));
     }
     sort(&mut diagnostics);
     (diagnostics, files.sources)
