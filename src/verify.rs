@@ -106,7 +106,7 @@ impl Refusal {
                     Claim::Plan(_) => "the motion is not a plan of this spec",
                     Claim::Infeasible(_) | Claim::TooEarly(_) => "it is open whether there is a plan",
                 };
-                error.here("not shown for this").help(format!(
+                error.here("this plan is not proved").help(format!(
                     "write a new certificate with `mavc plan --certificate`; if it is rejected too, {open}"
                 ))
             }
@@ -290,7 +290,13 @@ fn decided(certificate: &Certificate, model: &Model, settings: Settings, between
     };
     if settings.premises.has(Premise::Equations) && certificate.model != required {
         let name = model.plan.model.name();
-        let why = format!("the certificate uses another one; the spec plans with `model = {name}`");
+        let why = {
+            let of = match certificate.model {
+                DynamicModel::Hover => "hover",
+                DynamicModel::Exact => "exact",
+            };
+            format!("the certificate is for `model = {of}`, the spec for `model = {name}`")
+        };
         return Err(Rejection::new("the model", why).into());
     }
     let setting = Setting::new(model, mission, certificate.model, settings.premises);

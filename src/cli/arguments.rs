@@ -44,7 +44,7 @@ pub(super) struct Cli {
 pub(super) enum Command {
     /// Check specs: every mistake, and the fault modes that the plan must tolerate but cannot
     Check(CheckArgs),
-    /// Analyse what each fault mode leaves: verdict, margins, heaviest mass, headroom
+    /// Report verdict, margins, heaviest mass and headroom of each fault mode
     Analyze(AnalyzeArgs),
     /// Plan the mission and write the trajectory
     Plan(PlanArgs),

@@ -142,7 +142,7 @@ impl Statement {
             Statement::Hold(i) => format!("holding for {} s", number(mission.waypoints[i].hold)),
             Statement::RestAtStart => "starting at rest".into(),
             Statement::RestAtEnd => "ending at rest".into(),
-            Statement::Limit(i) => format!("`{}` satisfied", written(&mission.limits[i])),
+            Statement::Limit(i) => format!("keeping `{}`", written(&mission.limits[i])),
             Statement::Mode(mode) => format!("{} tolerated", model.modes[mode].name),
             Statement::Reserve => {
                 let default = model.defaults.iter().any(|d| d.field == "plan.reserve");

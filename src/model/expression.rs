@@ -175,15 +175,20 @@ impl<'a> Context<'a> {
                 }
             }
             UnitError::Unknown { word, meant } => {
-                let near = meant.or_else(|| nearest(&word, unit_names()).map(str::to_string));
+                let due = self.unit_due.filter(|(span, _)| *span == text.span).map(|(_, due)| due);
+                let whole = |near: &str| text.value.replacen(&word, near, 1);
+                // Of the names as near as each other, one that fits is meant.
+                let fitting = |due: &str| nearest(&word, unit_names().filter(|name| self.fits(&whole(name), due)));
+                let near = meant
+                    .or_else(|| due.and_then(fitting).or_else(|| nearest(&word, unit_names())).map(str::to_string));
                 let diagnostic = Diagnostic::error(code, text.span, format!("unknown unit `{word}`"));
                 match near {
                     Some(near) => {
-                        let whole = text.value.replacen(&word, &near, 1);
+                        let whole = whole(&near);
                         let diagnostic = diagnostic.here("not a known unit");
-                        match self.unit_due.filter(|(span, _)| *span == text.span) {
+                        match due {
                             // The unit that was probably meant does not fit either.
-                            Some((_, due)) if !self.fits(&whole, due) => {
+                            Some(due) if !self.fits(&whole, due) => {
                                 diagnostic.help(format!("`{whole}` measures something else: use a unit like `{due}`"))
                             }
                             _ => diagnostic.help(format!("write `{whole}`")).fix(text.span, whole),

@@ -29,7 +29,7 @@ use std::sync::PoisonError;
 pub type Progress<'a> = Option<&'a (dyn Fn(&str, f64) + Sync)>;
 
 /// Why RSP is not attempted.
-pub const NOTHING_TO_SELECT_BY: &str = "no RIP plan was found to select facets by";
+pub const NOTHING_TO_SELECT_BY: &str = "RSP selects facets from a RIP plan, and no RIP plan was found";
 
 /// Runs the planners of a scope. Hover must be admissible in every mode of `against`; see `crate::admissible::verdict`.
 ///

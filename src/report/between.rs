@@ -31,8 +31,8 @@ pub fn between(model: &Model, solved: &MissionPlan, found: &[Between]) -> String
         names.dedup();
         match names[..] {
             [] => None,
-            [one] => Some(format!("the limit on {one}")),
-            _ => Some(format!("the limits on {}", names.join("; "))),
+            [one] => Some(format!("the limit on {one} holds")),
+            [ref all @ .., last] => Some(format!("the limits on {} and {last} hold", all.join(", "))),
         }
     };
     proved.extend(satisfied(Shown::Proved));

@@ -32,7 +32,8 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Read, Box<Diagnostic>> {
     // The text in messages also starts after the byte order mark.
     let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
     let malformed = |at: usize, why: &str, here: String| {
-        let error = Diagnostic::error(MALFORMED, Span::new(file, at, at), format!("this is not a certificate: {why}"));
+        let error =
+            Diagnostic::error(MALFORMED, Span::new(file, at, at), format!("cannot read this certificate: {why}"));
         Box::new(error.here(here).help("give the file that `mavc plan --certificate` wrote"))
     };
     if bytes.len() > MAX_BYTES {
@@ -48,7 +49,7 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Read, Box<Diagnostic>> {
         let written = serde_json::from_str::<Version>(text).ok().filter(|found| found.schema != SCHEMA)?;
         let at = text.find("\"schema\"").unwrap_or(0);
         let here = format!("schema {}, but this program reads {SCHEMA}", written.schema);
-        let error = malformed(at, "it has another version", here);
+        let error = malformed(at, "its format has another version", here);
         Some(Box::new(error.help("write it again with `mavc plan --certificate`")))
     };
     let certificate: Certificate = serde_json::from_str(text).map_err(|e| {
@@ -56,10 +57,10 @@ pub fn read(bytes: &[u8], file: FileId) -> Result<Read, Box<Diagnostic>> {
             return older;
         }
         let why = match e.classify() {
-            Category::Eof => "it ends too early",
-            Category::Data => "it is JSON of another kind",
+            Category::Eof => "the file is cut off",
+            Category::Data => "it is not the JSON of a certificate",
             // A claim without its kind is also reported as a syntax error.
-            _ if serde_json::from_str::<IgnoredAny>(text).is_ok() => "it is JSON of another kind",
+            _ if serde_json::from_str::<IgnoredAny>(text).is_ok() => "it is not the JSON of a certificate",
             Category::Syntax | Category::Io => "it is not JSON",
         };
         // The end is shown at the last character before it: there can be no label after the text.

@@ -313,7 +313,7 @@ fn what_the_command_line_says_is_changed_there() {
     let told = diagnose(&explanation, &model, model.mission.as_ref().unwrap(), &files.sources);
     let labels: Vec<&str> = told.labels.iter().map(|label| label.message.as_str()).collect();
     assert!(labels.contains(&"in 9 s, set by `--set`"), "{labels:?}");
-    assert!(labels.contains(&"`speed <= 5.5 m/s` satisfied, set by `--set`"), "{labels:?}");
+    assert!(labels.contains(&"keeping `speed <= 5.5 m/s`, set by `--set`"), "{labels:?}");
     // Labels of the spec's own text come first.
     assert_eq!(file_name(&files.sources.get(told.span.file).name), text.name);
     let mut offered = 0;

@@ -1,12 +1,16 @@
 //! Plain lines of progress, for logs: the first after ten seconds, then one every ten seconds.
 
 use crate::cli::files;
+use std::sync::LazyLock;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// The time between two lines, and before the first.
 const EVERY: Duration = Duration::from_secs(10);
+
+/// When the first display started: a command may plan several times, and counts from its start.
+static STARTED: LazyLock<Instant> = LazyLock::new(Instant::now);
 
 /// A thread that prints the latest message, so that a line appears even during one long step.
 pub struct Lines {
@@ -16,9 +20,10 @@ pub struct Lines {
 
 impl Lines {
     pub fn new() -> Self {
+        LazyLock::force(&STARTED);
         let (sender, messages) = channel();
         let printer = std::thread::spawn(move || {
-            follow(&messages, EVERY, EVERY, |elapsed, message| files::eprint(&line(elapsed, message)));
+            follow(&messages, EVERY, EVERY, |_, message| files::eprint(&line(STARTED.elapsed(), message)));
         });
         Lines { sender, printer }
     }

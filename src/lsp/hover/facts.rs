@@ -113,7 +113,9 @@ pub fn verdicts(model: &Model, analyses: &[ModeAnalysis]) -> String {
             let mass = one.critical_mass_kg.filter(|m| *m > 0.0);
             let heaviest = mass.map_or(String::new(), |m| format!(", hovers up to {} kg", down(m, 4)));
             let axes = match one.verdict {
-                Verdict::Controllable if one.hover == Place::OnEdge => " (hover lies on the edge of what is left)",
+                Verdict::Controllable if one.hover == Place::OnEdge => {
+                    " (hover lies on the edge of the admissible set)"
+                }
                 Verdict::Controllable => "",
                 Verdict::Stabilizable => " (hovers, but yaw is lost)",
                 Verdict::Unstable => " (cannot hover)",

@@ -144,8 +144,12 @@ pub(in crate::model) fn warn_unused(
         // Which modes are controllable is known only from their sets, which this stage does not have.
         let list = format!("as in `[{}]`", all.join(", "));
         cx.report(warning.help(match count {
-            1 => format!("remove it, or add it to `against`, {list}, if `mavc analyze` calls it controllable and not on the edge"),
-            _ => format!("remove them, or add some to `against`, {list}, if `mavc analyze` calls them controllable and not on the edge"),
+            1 => format!(
+                "remove it, or add it to `against`, {list}; `mavc analyze` shows whether a plan can tolerate it"
+            ),
+            _ => format!(
+                "remove them, or add some to `against`, {list}; `mavc analyze` shows which ones a plan can tolerate"
+            ),
         }));
     }
 }

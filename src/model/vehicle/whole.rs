@@ -3,7 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::context::Context;
 use crate::model::{Rotor, Spin, Vehicle};
-use crate::number::number;
+use crate::number::{number, significant};
 use crate::source::Span;
 
 /// Checks the weight against the thrust.
@@ -31,7 +31,10 @@ pub(super) fn check(cx: &mut Context, vehicle: &Vehicle) {
             Diagnostic::error("mavc::vehicle::too_heavy", vehicle.mass_span, message)
                 .here("too heavy for these rotors")
                 .also(vehicle.span, format!("it has {} rotors", vehicle.rotors.len()))
-                .help(format!("write a mass well below {} kg, or stronger rotors", number(thrust / cx.gravity))),
+                .help(format!(
+                    "write a mass well below {} kg, or stronger rotors",
+                    significant(thrust / cx.gravity, 3)
+                )),
         );
     }
     let idle: f64 = vehicle.rotors.iter().map(Rotor::idle_thrust).sum();

@@ -217,20 +217,24 @@ fn what_breaks_a_certificate_is_shown_in_it() {
     let folder = Folder::new(SPEC);
     let proof = folder.at("cert.json");
     for (text, told, label) in [
-        ("{\n  \"schema\": 1,\n", "it ends too early", "the file ends in a value"),
-        ("{ \"claim\": { \"plan\": { \"motion\": {", "it ends too early", "the file ends in"),
+        ("{\n  \"schema\": 1,\n", "the file is cut off", "the file ends in a value"),
+        ("{ \"claim\": { \"plan\": { \"motion\": {", "the file is cut off", "the file ends in"),
         (" \n", "it is empty", ""),
         ("t,x,y\n0,1,2\n", "it is not JSON", "expected ident"),
-        ("\u{feff}{\n  \"schema\": 2,\n  \"sets\": []\n}", "it is JSON of another kind", "unknown field `sets`"),
+        (
+            "\u{feff}{\n  \"schema\": 2,\n  \"sets\": []\n}",
+            "it is not the JSON of a certificate",
+            "unknown field `sets`",
+        ),
         ("{ \"schema\": 1, \"sets\": [] }", "it has another version", "schema 1, but this program reads 2"),
-        ("[]", "it is JSON of another kind", "expected a certificate"),
+        ("[]", "it is not the JSON of a certificate", "expected a certificate"),
     ] {
         std::fs::write(&proof, text).unwrap();
         let ran = mavc(&["verify", &proof, &folder.spec()]);
         let message = said(&ran);
         assert_eq!(code(&ran), 5, "{message}");
         assert!(
-            message.contains(&format!("this is not a certificate: {told}")) && message.contains(label),
+            message.contains(&format!("cannot read this certificate: {told}")) && message.contains(label),
             "{message}"
         );
         assert!(message.contains("cert.json") && !message.contains("spec.mav"), "{message}");

@@ -29,7 +29,7 @@ pub(super) fn decimal_comma(statement: &Broken, failure: &Failure) -> Option<Dia
         });
     }
     Some(
-        error(end, "a number has a decimal point, no comma")
+        error(end, "a number has a decimal point, not a comma")
             .help(format!("write `{}`", number.replace(',', ".")))
             .fix(statement.span(at, at + 1), "."),
     )
