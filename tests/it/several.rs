@@ -1,7 +1,7 @@
 //! Several mistakes in one file, all reported in one run, in order, and each once: every file of `tests/specs/several` names
 //! at its top the line and the code of every diagnostic that it gives.
 
-use super::errors::compile;
+use super::errors::{compile, specs};
 
 /// `// 12 mavc::unit::missing`, one for each comment line at the top of the file, after a byte order mark if there is one.
 fn expected(text: &str) -> Vec<(usize, &str)> {
@@ -13,10 +13,10 @@ fn expected(text: &str) -> Vec<(usize, &str)> {
 #[test]
 fn every_mistake_is_reported_once_and_in_order() {
     let (mut files, mut failures) = (0, Vec::new());
-    insta::glob!("../specs/several", "*.mav", |path| {
-        let bytes = std::fs::read(path).unwrap();
+    for path in specs(&["several"]) {
+        let bytes = std::fs::read(&path).unwrap();
         let text = String::from_utf8(bytes).unwrap();
-        let (diagnostics, sources) = compile(path, &|_, bytes| bytes);
+        let (diagnostics, sources) = compile(&path, &|_, bytes| bytes);
         let found: Vec<(usize, &str)> =
             diagnostics.iter().map(|d| (sources.get(d.span.file).place(d.span.start as usize).line, d.code)).collect();
         let wanted = expected(&text);
@@ -26,7 +26,7 @@ fn every_mistake_is_reported_once_and_in_order() {
             let rendered = mavc::diagnostic::render_human(&diagnostics, &sources, 100, false);
             failures.push(format!("{} names {wanted:#?} and gives {found:#?}\n{rendered}", path.display()));
         }
-    });
+    }
     assert!(failures.is_empty(), "{} files differ\n{}", failures.len(), failures.join("\n"));
     assert!(files >= 30, "{files} files");
 }

@@ -226,7 +226,7 @@ fn what_breaks_a_certificate_is_shown_in_it() {
             "it is not the JSON of a certificate",
             "unknown field `sets`",
         ),
-        ("{ \"schema\": 1, \"sets\": [] }", "it has another version", "schema 1, but this program reads 2"),
+        ("{ \"schema\": 1, \"sets\": [] }", "its format has another version", "schema 1, but this program reads 2"),
         ("[]", "it is not the JSON of a certificate", "expected a certificate"),
     ] {
         std::fs::write(&proof, text).unwrap();

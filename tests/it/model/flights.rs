@@ -1,6 +1,7 @@
 //! `simulate` and `campaign`: what they mean, what they leave to defaults, and what waits for the plan.
 
 use super::{QUAD, check, codes, model};
+use mavc::language::Group;
 use mavc::model::{
     AfterFault, Controller, Detection, Model, PlannerKind, Simulation, coarse_step, past_the_end, too_many_steps,
 };
@@ -55,6 +56,11 @@ campaign {
 
 #[test]
 fn every_field_is_read() {
+    for (group, block) in [(Group::Simulate, "simulate"), (Group::Campaign, "campaign")] {
+        let body = WHOLE.split(&format!("{block} {{\n")).nth(1).unwrap().split("\n}").next().unwrap();
+        let lacks = group.names().find(|name| !format!("\n{body}").contains(&format!("\n    {name} = ")));
+        assert_eq!(lacks, None, "a field of `{block}` that this spec does not set");
+    }
     let model = flown(WHOLE);
     let s = &model.simulation;
     assert_eq!((s.duration, s.rate, s.control_rate, s.estimator_rate), (Some(25.0), 2000.0, 400.0, 80.0));
