@@ -251,7 +251,7 @@ fn call(program: &QuadraticProgram, scaled: bool, tolerance: Tolerance) -> (Opti
     (Some(Raw { status: found.status, x: found.x, z: found.z }), effort)
 }
 
-/// The bound R on the entries of points for which infeasibility is proved, in the program's scaling: ten times the
+/// The bound X on the entries of points for which infeasibility is proved, in the program's scaling: ten times the
 /// largest number on a right-hand side (which contains the waypoints), at least 100. A proof in floating-point
 /// arithmetic needs such a bound, because A'z is not exactly zero.
 pub fn reach(program: &QuadraticProgram) -> f64 {

@@ -1,9 +1,10 @@
 //! The convex subproblem (73) of one step: the wrench linear about the last iterate, durations free or fixed.
 //!
 //! Variables are the derivatives at the nodes as if no duration changed, the violation sigma, and epsilon for each leg whose
-//! duration may change. With its relative change delta, (1 + delta)^4 = 1 + 4 epsilon (69). A derivative of order m in the new
-//! time is D (1 + delta)^-m, so the wrench along the leg changes by -m dw/dD D delta to first order (70). Rows are multiplied
-//! by 1 + 4 epsilon (71), in which the snap, whose torques bind first, enters without linearisation error.
+//! duration may change. With its relative change delta, (1 + delta)^4 = 1 + 4 epsilon (69), so delta = epsilon to first order.
+//! A derivative of order m in the new time is D (1 + delta)^-m, so the wrench along the leg changes by -m dw/dD D epsilon to
+//! first order (70). Rows are multiplied by 1 + 4 epsilon (71); by this factor the snap, whose torques bind first, enters
+//! without linearisation error.
 
 use super::settings::ScpSettings;
 use crate::actuation::Wrench;
@@ -172,7 +173,7 @@ impl Transcription<'_> {
     }
 
     /// The jump (72) of a derivative at a waypoint, later side minus earlier side: in the new time both legs share one
-    /// trajectory, `D (1 - m delta) = D' (1 - m delta')` to first order.
+    /// trajectory, `D (1 - m epsilon) = D' (1 - m epsilon')` to first order.
     pub(super) fn jump(&self, step: &Step, node: usize, axis: usize, order: usize) -> Affine {
         if node == 0 || order == 0 {
             return Affine::default();
