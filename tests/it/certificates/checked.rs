@@ -36,25 +36,25 @@ fn planned(spec: &str, more: &[&str]) -> Planned {
     }
 }
 
+fn fails_the_check(spec: &str, why: &str) {
+    let Planned { code, text, report, is_written } = planned(&finding(spec), &[]);
+    assert!(code == 4 && !is_written, "{spec}: {code} {text}");
+    assert!(text.contains(&format!("not found: the trajectory planned for {why}")), "{spec}: {text}");
+    let planner = &report["planners"][0];
+    assert_eq!((&planner["verdict"], &planner["check"]), (&"not found".into(), &Value::Null), "{planner:#}");
+}
+
+/// In six nanoseconds everything is as near as rounding.
 #[test]
 fn a_plan_that_fails_is_not_found_and_not_written() {
-    // In six nanoseconds everything is as near as rounding; in a set that drag hardly widens most planes are lost.
-    for (spec, why) in [
-        (
-            "tiny_time.mav",
-            "the trajectory planned for 6e-9 s fails the check of plans: waypoint 1 at 0 s: its position is missed",
-        ),
-        (
-            "degenerate_facets.mav",
-            "the trajectory planned for 17.5 s fails the check of plans: a facet of pair that RSP selects",
-        ),
-    ] {
-        let Planned { code, text, report, is_written } = planned(&finding(spec), &[]);
-        assert!(code == 4 && !is_written, "{spec}: {code} {text}");
-        assert!(text.contains(&format!("not found: {why}")), "{spec}: {text}");
-        let planner = &report["planners"][0];
-        assert_eq!((&planner["verdict"], &planner["check"]), (&"not found".into(), &Value::Null), "{planner:#}");
-    }
+    fails_the_check("tiny_time.mav", "6e-9 s fails the check of plans: waypoint 1 at 0 s: its position is missed");
+}
+
+/// In a set that drag hardly widens most planes are lost.
+#[test]
+#[ignore = "long"]
+fn a_plan_in_a_nearly_flat_set_is_not_found_and_not_written() {
+    fails_the_check("degenerate_facets.mav", "17.5 s fails the check of plans: a facet of pair that RSP selects");
 }
 
 #[test]
