@@ -10,7 +10,8 @@ impl ScpPlanner<'_, '_> {
     }
 
     /// Shortens a feasible iterate by steps in which each leg has its own change of duration. Each step is restored with the new
-    /// durations and kept if the mission has become shorter, so the time never grows. The steps end at `target` s of flight.
+    /// durations and kept if the mission has become shorter; only a change of grid can lengthen it, by at most the largest of
+    /// [`settings::GridSettings::slowdowns`]. The steps end at `target` s of flight.
     /// `cost_weights` are the relative weights of the cost, one after the other ([`settings::DurationSettings`]).
     pub(super) fn optimise_durations(
         &mut self,
@@ -60,7 +61,7 @@ impl ScpPlanner<'_, '_> {
             // The rows of a working set are numbered by the instants of one grid.
             let mut known = BTreeSet::new();
             let slower = self.lasting(&there, factor * own.total);
-            if let Some(inside) = self.restore_feasibility_unless(slower, patient, &mut known) {
+            if let Some(inside) = self.restore_feasibility_within(slower, patient, &mut known) {
                 *working_set = known;
                 return inside;
             }
@@ -105,8 +106,8 @@ impl ScpPlanner<'_, '_> {
             known.extend(violated);
             // If restoration fails, half of the gained time is often enough.
             let halfway = self.lasting(&reached, 0.5 * (iterate.grid.total + reached.grid.total));
-            let restored = self.restore_feasibility_unless(reached, patient, &mut known);
-            match restored.or_else(|| self.restore_feasibility_unless(halfway, patient, &mut known)) {
+            let restored = self.restore_feasibility_within(reached, patient, &mut known);
+            match restored.or_else(|| self.restore_feasibility_within(halfway, patient, &mut known)) {
                 Some(inside) => {
                     (*working_set, iterate) = (known, inside);
                     proximal.weight = (proximal.weight / settings.proximal_factor).max(settings.proximal_weight);

@@ -10,11 +10,11 @@ impl ScpPlanner<'_, '_> {
         iterate: Iterate,
         working_set: &mut BTreeSet<RowAt>,
     ) -> Option<Iterate> {
-        self.restore_feasibility_unless(iterate, self.settings.feasibility.max_predicted, working_set)
+        self.restore_feasibility_within(iterate, self.settings.feasibility.max_predicted, working_set)
     }
 
     /// The same, ended if the linear model predicts more violation than `max_predicted`.
-    pub(super) fn restore_feasibility_unless(
+    pub(super) fn restore_feasibility_within(
         &mut self,
         mut iterate: Iterate,
         max_predicted: f64,
@@ -88,7 +88,7 @@ impl ScpPlanner<'_, '_> {
         // If only a share of a step or no step was taken, gaps remain at waypoints where durations have changed.
         if !iterate.is_joined(self.settings.subproblem.joined_within) {
             let joined = self.joined(&iterate, working_set)?;
-            return self.restore_feasibility_unless(joined, max_predicted, working_set);
+            return self.restore_feasibility_within(joined, max_predicted, working_set);
         }
         self.prune(&iterate, working_set);
         Some(iterate)

@@ -136,7 +136,7 @@ impl ScpPlanner<'_, '_> {
             if let Some(reached) = reached {
                 working_set.extend(self.rows_violated_most(&reached));
                 let now = self.violation_by(&reached, working_set);
-                let restored = self.restore_feasibility_unless(reached.clone(), patient, &mut working_set.clone());
+                let restored = self.restore_feasibility_within(reached.clone(), patient, &mut working_set.clone());
                 if restored.is_some() {
                     return restored;
                 }

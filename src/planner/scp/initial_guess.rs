@@ -36,7 +36,7 @@ impl ScpPlanner<'_, '_> {
         let fine = fine.flown();
         let same = iterate.on(&fine);
         let patient = self.settings.feasibility.max_predicted_after_change;
-        if let Some(restored) = self.restore_feasibility_unless(same.clone(), patient, &mut BTreeSet::new()) {
+        if let Some(restored) = self.restore_feasibility_within(same.clone(), patient, &mut BTreeSet::new()) {
             return Some(restored);
         }
         if let Some(restored) = self.restore_feasibility_slower(&same, &mut BTreeSet::new()) {

@@ -141,7 +141,7 @@ pub struct CostSettings {
     pub max_penalty: f64,
     /// Line search: share of the predicted gain of the merit function that a step has to reach. 0.3.
     pub sufficient_gain: f64,
-    /// Line search: no share below this is tried. 0.05.
+    /// Line search: the share is halved while it exceeds this, so the last share tried is 1/32. 0.05.
     pub min_share: f64,
     /// On the way to another mission time. 2 steps, 3 %.
     pub rough: StoppingRule,
@@ -163,9 +163,11 @@ pub struct TighteningSettings {
     pub max_violation: f64,
     /// Parts of each interval between instants at which it is measured. 4.
     pub parts: usize,
-    /// Rows are tightened by this many times the violation, at the instants on both sides. 1.5.
+    /// Rows are tightened by this many times the violation, at the instants on both sides; those on the commanded wrench at all
+    /// instants. 1.5.
     pub factor: f64,
-    /// Most rounds of tightening and restoration. 8.
+    /// Most rounds of evaluation, tightening and restoration. The result of the last restoration is not evaluated, so at most
+    /// seven restorations can lead to a plan. 8.
     pub max_rounds: usize,
 }
 

@@ -266,7 +266,7 @@ impl Transcription<'_> {
         }
     }
 
-    /// The proximal term and the curvature of the Lagrangian, the last two lines of (73). The term is in accelerations and psi,
+    /// The proximal terms and the curvature of the Lagrangian, the last three lines of (73). The first is in accelerations and psi,
     /// because the wrench is most curved in these.
     fn add_proximal_term(&self, builder: &mut Builder, step: &Step) {
         let (g, settings) = (self.model.gravity, &step.settings.proximal);

@@ -19,8 +19,8 @@ impl ScpPlanner<'_, '_> {
         kept
     }
 
-    /// Rows that are violated between the instants are tightened by as much at the instants beside, and the feasibility phase is
-    /// repeated.
+    /// Rows that are violated between the instants are tightened at the instants on both sides (those on the commanded wrench at all
+    /// instants), and the feasibility phase is repeated. The iterate restored in the last round is not evaluated.
     fn tighten_until_inside(
         &mut self,
         iterate: Iterate,
