@@ -8,11 +8,16 @@ mod sweep;
 mod tasks;
 
 pub use certificates::{Rejected, Uncertified, certify, verify, verify_within};
-pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict, sized};
+pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
 pub use records::defaults_text;
 pub use stages::{CONES_IN_MPS, ConesInMps, Program, actuation_text, sets_text};
 pub use sweep::{Flip, Sweep};
-pub use tasks::{Explained, NO_MISSION, Planning, Refusal, Task, compare, explain, no_mission, plan};
+pub use tasks::{
+    Explained, NO_MISSION, OtherSpec, Planning, Refusal, Task, Unexplained, compare, explain, no_mission, plan,
+};
+
+#[cfg(feature = "cli")]
+pub(crate) use flights::sized;
 
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::admissible::verdict::{ModeAnalysis, analyze_each};
