@@ -61,6 +61,8 @@ impl Error for Uncertified {}
 /// from the certificate's trajectory or multipliers in interval and exact arithmetic. It uses neither the planner nor the
 /// solver (docs/certificates.md).
 ///
+/// The default [`Budget`] is 10 s of one core and 500,000,000 bytes; [`verify_within`] takes another.
+///
 /// The verdict lists what is shown, and in what the certificate proves less than the spec requires.
 ///
 /// # Errors
@@ -69,9 +71,11 @@ impl Error for Uncertified {}
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
+/// let certificate = serde_json::to_vec(&mavc::certify(&spec, &mavc::plan(&spec)?)?)?;
+/// assert!(mavc::verify(&certificate, &spec).is_ok());
 /// let rejected = mavc::verify(b"{}", &spec).unwrap_err();
 /// assert_eq!(rejected.diagnostic.code, "mavc::verify::malformed");
-/// # Ok::<(), mavc::CompileError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn verify(certificate: &[u8], spec: &Spec) -> Result<Verdict, Rejected> {
     verify_within(Budget::default(), "<certificate>", certificate, spec)

@@ -68,7 +68,8 @@ pub fn indistinguishable<'s>(spec: &'s Spec, plan: &MissionPlan) -> Vec<Vec<&'s 
 /// Simulates a campaign of flights: every planner's plan at the common time T_d, with every declared fault mode, at many
 /// instants and with many noise seeds (docs/campaigns.md). The `campaign` block of the spec sets their numbers.
 ///
-/// Returns the record of `mavc campaign --report`: shares of flights that survived, and times in s.
+/// Returns the record of `mavc campaign --report`: shares (0 to 1) of flights that survived, and times in s. All flights are
+/// simulated in parallel before it returns.
 ///
 /// # Errors
 /// The mission cannot be planned, the campaign has too many flights, or the `simulate` block does not fit the plan. If no

@@ -24,11 +24,11 @@ use std::time::Instant;
 pub const NO_MISSION: &str = "mavc::plan::no_mission";
 
 /// Plans the spec's mission with the spec's planner ([RIP, RCP or RSP](crate::model::PlannerKind)), at the time that the spec
-/// fixes or at the shortest time found. The planners are those of sections 5.2 and 5.3 of the paper; docs/method.md describes
-/// them for the exact model.
+/// fixes or at the shortest time found. The planners are those of sections 5.2 and 5.3 of the paper; see docs/method.md,
+/// sections 8 and 12, the latter for the exact model.
 ///
-/// The outcome is a plan that passed the check of finished plans, a proof of infeasibility, or neither. All numbers are in SI
-/// units.
+/// The outcome is a plan that passed the check of finished plans, a proof of infeasibility, or neither. The plan's time is in
+/// s; its nodes hold derivatives as `[axis][order]` in SI units ([`NodeState`](crate::motion::NodeState)).
 ///
 /// # Errors
 /// The spec has no mission, its sets are too large, or a fault mode that the plan must tolerate cannot hover.
@@ -51,8 +51,11 @@ pub fn plan(spec: &Spec) -> Result<Planning, Refusal> {
 /// Plans with RIP, RCP for each mode, RCP for all modes jointly, and RSP: each at its own shortest time, and all at the common
 /// time T_d (section 5.3 of the paper). All numbers are in SI units.
 ///
+/// [`Comparison::runs`] has a run of each planner at its own time, then one at T_d if there is such a time; both in the order
+/// RIP, RCP for each mode in the order of `against`, the joint RCP if there are several modes, RSP.
+///
 /// # Errors
-/// As for [`plan`]; also if the spec has more samples than a comparison may have.
+/// As for [`plan`]; also if the spec has more than [`MAX_SAMPLES_OF_A_SEARCH`] samples.
 ///
 /// ```
 /// let compiler = mavc::Compiler::new().set("plan.model=hover").set("plan.samples=60");
