@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     match mavc::plan(&spec)?.outcome() {
         PlanOutcome::Planned(plan) => println!("found: {:.2} s, inside the set without rotor 1", plan.time),
         PlanOutcome::Infeasible(proof) => println!("proved infeasible at {:?} s", proof.proved),
-        PlanOutcome::NotFound(why) => println!("not found: {why:?}"),
+        PlanOutcome::NotFound(why) => println!("not found: {why}"),
         PlanOutcome::NotAttempted { why, .. } => println!("not attempted: {why}"),
     }
     Ok(())

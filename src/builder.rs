@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Severity, nearest};
 use crate::format;
 use crate::language::{Entry, Group, Takes};
-use crate::spec::{CompileError, Compiler, Spec};
+use crate::spec::{Compiled, Compiler, Spec};
 use crate::unit::parse_unit;
 use std::error::Error;
 use std::fmt::{self, Write};
@@ -12,11 +12,13 @@ use std::io::ErrorKind;
 /// The name of a built text among the sources of its spec.
 const NAME: &str = "<builder>";
 
-/// Builds a [`Spec`] from values in SI units. Every field of the language can be set by its name (docs/language.md); a field
-/// that is not set has the default of the language.
+/// Builds a [`Spec`] from values in SI units. Fields of the language are set by their names (docs/language.md); a field that is
+/// not set has the default of the language. [`Spec::set`] writes what has no Rust value, such as an interval
+/// (`spec.set("vehicle.mass = 1.7 kg .. 1.9 kg")`).
 ///
 /// The builder writes a text ([`Builder::text`]) and compiles it. So a built spec is checked like a written one, it can be
-/// saved, and certificates refer to this text. [`Builder::build`] reports all mistakes together.
+/// saved, and certificates refer to this text. [`Builder::build`] reports all mistakes together, those of the calls before
+/// those that a text is checked for.
 ///
 /// ```
 /// use mavc::builder::Builder;
@@ -60,6 +62,14 @@ pub struct Builder {
 struct Line {
     path: String,
     text: String,
+    /// The call has a [`Problem`] already; what the compiler finds in its line is not reported again.
+    is_reported: bool,
+}
+
+impl Line {
+    fn new(path: impl Into<String>, text: impl Into<String>) -> Self {
+        Line { path: path.into(), text: text.into(), is_reported: false }
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -144,21 +154,21 @@ impl Builder {
     /// Sets a field outside all blocks, such as `gravity` (m/s^2).
     pub fn top(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Top, "", field, value.into(), " = ");
-        self.top.extend(line);
+        self.top.push(line);
         self
     }
 
     /// Sets a field of the vehicle, such as `mass` (kg) or `layout`.
     pub fn vehicle(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Vehicle, "vehicle.", field, value.into(), " = ");
-        self.vehicle.extend(line);
+        self.vehicle.push(line);
         self
     }
 
     /// Sets a field of all rotors, such as `max_thrust` (N).
     pub fn rotor(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Rotor, "vehicle.rotor.", field, value.into(), " = ");
-        self.rotor.extend(line);
+        self.rotor.push(line);
         self
     }
 
@@ -168,13 +178,8 @@ impl Builder {
         let path = format!("vehicle.rotors[{}].", self.placed.len() + 1);
         let given = [("at", Value::from(position)), ("spin", Value::from(spin))];
         let given = given.into_iter().chain(fields.iter().map(|(name, value)| (*name, Value::from(*value))));
-        let mut text = "rotor".to_string();
-        for (name, value) in given {
-            if let Some(line) = self.field(Group::PlacedRotor, &path, name, value, " ") {
-                let _ = write!(text, " {}", line.text);
-            }
-        }
-        self.placed.push(Line { path: path.trim_end_matches('.').into(), text });
+        let line = self.clauses(Group::PlacedRotor, &path, "rotor", given);
+        self.placed.push(line);
         self
     }
 
@@ -195,10 +200,11 @@ impl Builder {
 
     fn effect(mut self, mode: &str, rotors: &[usize], effect: String, numbers: &[f64]) -> Self {
         let path = format!("modes.{mode}");
+        let before = self.problems.len();
         self.name(&path, mode);
         self.finite(&path, numbers);
         let rotors: Vec<String> = rotors.iter().map(usize::to_string).collect();
-        let line = Line { path, text: format!("rotors [{}] {effect}", rotors.join(", ")) };
+        let line = self.line(before, path, format!("rotors [{}] {effect}", rotors.join(", ")));
         match self.modes.iter_mut().find(|known| known.name == mode) {
             Some(known) => known.effects.push(line),
             None => self.modes.push(Mode { name: mode.into(), effects: vec![line], fields: Vec::new() }),
@@ -211,8 +217,12 @@ impl Builder {
         let path = format!("modes.{mode}.");
         let line = self.field(Group::Mode, &path, field, value.into(), " = ");
         match self.modes.iter_mut().find(|known| known.name == mode) {
-            Some(known) => known.fields.extend(line),
-            None => self.problem(path.trim_end_matches('.'), BuildCode::UnknownMode, unknown_mode(mode)),
+            Some(known) => known.fields.push(line),
+            None => {
+                let message = format!("unknown fault mode `{mode}`");
+                let help = "add it before its fields, for example by `lost`";
+                self.problem(path.trim_end_matches('.'), BuildCode::UnknownMode, message, Some(help.into()));
+            }
         }
         self
     }
@@ -226,34 +236,49 @@ impl Builder {
     pub fn waypoint_with(mut self, position: [f64; 3], clauses: &[(&str, f64)]) -> Self {
         self.waypoints += 1;
         let path = format!("mission.waypoints[{}].", self.waypoints);
-        let mut text = if self.waypoints == 1 { "start".to_string() } else { "waypoint".to_string() };
+        let head = if self.waypoints == 1 { "start" } else { "waypoint" };
         let given = [("at", Value::from(position))].into_iter();
-        for (name, value) in given.chain(clauses.iter().map(|(name, value)| (*name, Value::from(*value)))) {
-            if let Some(line) = self.field(Group::Waypoint, &path, name, value, " ") {
-                let _ = write!(text, " {}", line.text);
-            }
-        }
-        self.mission.push(Line { path: path.trim_end_matches('.').into(), text });
+        let given = given.chain(clauses.iter().map(|(name, value)| (*name, Value::from(*value))));
+        let line = self.clauses(Group::Waypoint, &path, head, given);
+        self.mission.push(line);
         self
+    }
+
+    /// A statement with clauses: `waypoint at [0, 0, 2] m yaw 0.5 rad`.
+    fn clauses<'v>(
+        &mut self,
+        group: Group,
+        path: &str,
+        head: &str,
+        given: impl Iterator<Item = (&'v str, Value)>,
+    ) -> Line {
+        let before = self.problems.len();
+        let mut text = head.to_string();
+        for (name, value) in given {
+            let _ = write!(text, " {}", self.field(group, path, name, value, " ").text);
+        }
+        self.line(before, path.trim_end_matches('.'), text)
     }
 
     /// Holds at rest at the last waypoint, for a time in s.
     pub fn hold(mut self, seconds: f64) -> Self {
         let path = format!("mission.hold[{}]", self.waypoints);
+        let before = self.problems.len();
         self.finite(&path, &[seconds]);
-        self.mission.push(Line { path, text: format!("hold {} s", digits(seconds)) });
+        let line = self.line(before, path, format!("hold {} s", digits(seconds)));
+        self.mission.push(line);
         self
     }
 
     /// The mission does not start at rest.
     pub fn start_moving(mut self) -> Self {
-        self.mission.push(Line { path: "mission.start_moving".into(), text: "start moving".into() });
+        self.mission.push(Line::new("mission.start_moving", "start moving"));
         self
     }
 
     /// The mission does not end at rest.
     pub fn end_moving(mut self) -> Self {
-        self.mission.push(Line { path: "mission.end_moving".into(), text: "end moving".into() });
+        self.mission.push(Line::new("mission.end_moving", "end moving"));
         self
     }
 
@@ -274,45 +299,49 @@ impl Builder {
 
     fn limit(mut self, limit: &str, form: &str, bounds: &[f64]) -> Self {
         let path = format!("mission.limits.{limit}");
-        let Some(entry) = self.entry(Group::Limits, &path, limit) else { return self };
+        let before = self.problems.len();
+        let unit = self.entry(Group::Limits, &path, limit).map_or(String::new(), unit);
         self.finite(&path, bounds);
-        let unit = unit(entry);
         let bounds: Vec<String> = bounds.iter().map(|bound| format!("{}{unit}", digits(*bound))).collect();
-        self.limits.push(Line { path, text: format!("{limit} {form} {}", bounds.join(" .. ")) });
+        let line = self.line(before, path, format!("{} {form} {}", word(limit), bounds.join(" .. ")));
+        self.limits.push(line);
         self
     }
 
     /// Sets a field of the plan, such as `time` (s), `planner` or `against`.
     pub fn plan(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Plan, "plan.", field, value.into(), " = ");
-        self.plan.extend(line);
+        self.plan.push(line);
         self
     }
 
     /// Sets a field of the simulation, such as `drag` (N s/m).
     pub fn simulate(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Simulate, "simulate.", field, value.into(), " = ");
-        self.simulate.extend(line);
+        self.simulate.push(line);
         self
     }
 
     /// Lets a fault mode strike in the simulation, at a time in s after the start.
     pub fn strike(mut self, mode: &str, at: f64) -> Self {
         let path = format!("simulate.fault.{mode}");
+        let before = self.problems.len();
         self.name(&path, mode);
         self.finite(&path, &[at]);
-        self.simulate.push(Line { path, text: format!("fault {mode} at {} s", digits(at)) });
+        let line = self.line(before, path, format!("fault {} at {} s", word(mode), digits(at)));
+        self.simulate.push(line);
         self
     }
 
     /// Sets a field of the campaign, such as `seeds`.
     pub fn campaign(mut self, field: &str, value: impl Into<Value>) -> Self {
         let line = self.field(Group::Campaign, "campaign.", field, value.into(), " = ");
-        self.campaign.extend(line);
+        self.campaign.push(line);
         self
     }
 
-    /// The formatted text of the spec so far.
+    /// The formatted text of the spec so far. Where a call has a problem, another word or number that is wrong too replaces
+    /// the value.
     pub fn text(&self) -> String {
         let text: String = self.lines().into_iter().map(|line| line.text + "\n").collect();
         // Formatting keeps lines, so each line still belongs to the same call.
@@ -325,35 +354,51 @@ impl Builder {
     /// The error lists every mistake with the call that made it: a field that does not exist, a value that is not finite or of
     /// the wrong kind, and everything that a text is checked for.
     pub fn build(self) -> Result<Spec, BuildError> {
+        self.build_with_warnings().map(|(spec, _)| spec)
+    }
+
+    /// As [`Builder::build`], with the warnings and the advice about the spec.
+    ///
+    /// # Errors
+    /// As for [`Builder::build`].
+    pub fn build_with_warnings(self) -> Result<(Spec, Vec<Problem>), BuildError> {
         let lines = self.lines();
         let text = self.text();
-        if !self.problems.is_empty() {
-            return Err(BuildError { problems: self.problems, text });
-        }
         let no_files = |_: &std::path::Path| Err(ErrorKind::NotFound.into());
-        let compiled = Compiler::new().reading(&no_files).text(NAME, text.as_bytes());
-        compiled.into_result().map_err(|CompileError { diagnostics, files }| {
-            let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
-            let place = |d: &Diagnostic| {
-                let line = files.sources.get(d.span.file).place(d.span.start as usize).line;
-                lines.get(line.saturating_sub(1)).map_or(String::new(), |line| line.path.clone())
-            };
-            let problem = |d: &Diagnostic| Problem { field: place(d), code: d.code, message: d.message.clone() };
-            BuildError { problems: errors.map(problem).collect(), text }
-        })
+        let Compiled { spec, diagnostics, files } = Compiler::new().reading(&no_files).text(NAME, text.as_bytes());
+        let line_of = |d: &Diagnostic| {
+            let line = files.sources.get(d.span.file).place(d.span.start as usize).line;
+            lines.get(line.saturating_sub(1))
+        };
+        let mut problems = self.problems;
+        let is_new = |d: &&Diagnostic| line_of(d).is_none_or(|line| !line.is_reported);
+        let (errors, warnings): (Vec<_>, Vec<_>) =
+            diagnostics.iter().filter(is_new).partition(|d| d.severity == Severity::Error);
+        let problem = |d: &Diagnostic| Problem {
+            field: line_of(d).map_or(String::new(), |line| line.path.clone()),
+            code: d.code,
+            message: d.message.clone(),
+            label: Some(d.label.clone()).filter(|label| !label.is_empty()),
+            help: d.help.clone(),
+        };
+        problems.extend(errors.into_iter().map(problem));
+        match spec {
+            Some(spec) if problems.is_empty() => Ok((spec, warnings.into_iter().map(problem).collect())),
+            _ => Err(BuildError { problems, text }),
+        }
     }
 
     /// The text, each line with the call that it comes from.
     fn lines(&self) -> Vec<Line> {
         let mut lines = self.top.clone();
         let mut block = |path: &str, head: &str, body: Vec<Line>| {
-            let line = |text: String| Line { path: path.into(), text };
+            let line = |text: String| Line::new(path, text);
             lines.push(line(format!("{head} {{")));
             lines.extend(body.into_iter().map(|inner| Line { text: format!("    {}", inner.text), ..inner }));
             lines.push(line("}".into()));
         };
         let nested = |path: &str, head: &str, body: &[Line]| -> Vec<Line> {
-            let line = |text: String| Line { path: path.into(), text };
+            let line = |text: String| Line::new(path, text);
             let inner = body.iter().map(|inner| Line { text: format!("    {}", inner.text), ..inner.clone() });
             [line(format!("{head} {{"))].into_iter().chain(inner).chain([line("}".into())]).collect()
         };
@@ -368,7 +413,7 @@ impl Builder {
         if !self.modes.is_empty() {
             let of_mode = |mode: &Mode| {
                 let body: Vec<Line> = mode.effects.iter().chain(&mode.fields).cloned().collect();
-                nested(&format!("modes.{}", mode.name), &format!("mode {}", mode.name), &body)
+                nested(&format!("modes.{}", mode.name), &format!("mode {}", word(&mode.name)), &body)
             };
             block("modes", "faults", self.modes.iter().flat_map(of_mode).collect());
         }
@@ -387,38 +432,44 @@ impl Builder {
         lines
     }
 
-    fn problem(&mut self, field: &str, code: BuildCode, message: String) {
-        self.problems.push(Problem { field: field.into(), code: code.code(), message });
+    fn problem(&mut self, field: &str, code: BuildCode, message: String, help: Option<String>) {
+        self.problems.push(Problem { field: field.into(), code: code.code(), message, label: None, help });
+    }
+
+    /// The line of a call that began with `before` problems.
+    fn line(&self, before: usize, path: impl Into<String>, text: String) -> Line {
+        Line { is_reported: self.problems.len() > before, ..Line::new(path, text) }
     }
 
     fn finite(&mut self, path: &str, numbers: &[f64]) {
         if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
-            self.problem(path, BuildCode::NotFinite, format!("{number} is not a finite number"));
+            self.problem(path, BuildCode::NotFinite, format!("{number} is not a finite number"), None);
         }
     }
 
     fn name(&mut self, path: &str, name: &str) {
-        let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
-        if !name.starts_with(is_letter) || !name.chars().all(|c| is_letter(c) || c.is_ascii_digit()) {
-            let message =
-                format!("{name:?} is not a name: use letters, digits and `_`, and start with a letter or `_`");
-            self.problem(path, BuildCode::NotAName, message);
+        if word(name) != name {
+            let help = "use letters, digits and `_`, and start with a letter or `_`";
+            self.problem(path, BuildCode::NotAName, format!("{name:?} is not a name"), Some(help.into()));
         }
     }
 
     fn entry(&mut self, group: Group, path: &str, field: &str) -> Option<&'static Entry> {
         let entry = group.entry(field);
         if entry.is_none() {
-            let near = nearest(field, group.names()).map_or(String::new(), |near| format!("; did you mean `{near}`?"));
-            self.problem(path, BuildCode::UnknownField, format!("there is no field `{field}` here{near}"));
+            let help = nearest(field, group.names()).map(|near| format!("did you mean `{near}`?"));
+            self.problem(path, BuildCode::UnknownField, format!("there is no field `{field}` here"), help);
         }
         entry
     }
 
     /// `field = value`, or `field value` for a clause.
-    fn field(&mut self, group: Group, path: &str, field: &str, value: Value, sign: &str) -> Option<Line> {
+    fn field(&mut self, group: Group, path: &str, field: &str, value: Value, sign: &str) -> Line {
         let path = format!("{path}{field}");
-        let entry = self.entry(group, &path, field)?;
+        let before = self.problems.len();
+        let Some(entry) = self.entry(group, &path, field) else {
+            return self.line(before, path, format!("{}{sign}{NOT_FINITE}", word(field)));
+        };
         let written = match (&value, entry.takes) {
             (Value::Number(number), Takes::Quantity(..) | Takes::QuantityOr(..)) => {
                 self.finite(&path, &[*number]);
@@ -435,29 +486,42 @@ impl Builder {
             (Value::Word(text), Takes::Text) if !text.contains(|c: char| c.is_control() || matches!(c, '"' | '\\')) => {
                 format!("\"{text}\"")
             }
-            (Value::Word(word), Takes::Words(_) | Takes::WordList(_) | Takes::Names(_) | Takes::QuantityOr(..)) => {
-                self.name(&path, word);
-                word.clone()
+            (Value::Word(text), Takes::Words(_) | Takes::WordList(_) | Takes::Names(_) | Takes::QuantityOr(..)) => {
+                self.name(&path, text);
+                word(text)
             }
             (Value::Names(names), Takes::WordList(_) | Takes::Names(_)) => {
                 names.iter().for_each(|name| self.name(&path, name));
-                format!("[{}]", names.join(", "))
+                format!("[{}]", names.iter().map(|name| word(name)).collect::<Vec<_>>().join(", "))
             }
             _ => {
-                self.problem(&path, BuildCode::WrongKind, format!("`{field}` takes {}, not {value}", taken(entry)));
-                return None;
+                let message = format!("`{field}` takes {}, not {value}", taken(entry));
+                self.problem(&path, BuildCode::WrongKind, message, None);
+                NOT_FINITE.into()
             }
         };
-        Some(Line { path, text: format!("{field}{sign}{written}") })
+        self.line(before, path, format!("{field}{sign}{written}"))
     }
 }
+
+/// A number that the compiler rejects as too large. It replaces a value with a [`Problem`], so that its field is not missing.
+const NOT_FINITE: &str = "1e999";
 
 /// A number with all its digits, so that reading it gives the same number.
 fn digits(number: f64) -> String {
     match number.abs() {
+        _ if !number.is_finite() => NOT_FINITE.into(),
         size if size == 0.0 || (1e-5..1e15).contains(&size) => format!("{number}"),
         _ => format!("{number:e}"),
     }
+}
+
+/// A word as a name of the language: with `_` for every character that a name may not have there.
+fn word(text: &str) -> String {
+    let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
+    let first = if text.starts_with(is_letter) { "" } else { "_" };
+    let rest = text.chars().map(|c| if is_letter(c) || c.is_ascii_digit() { c } else { '_' });
+    first.chars().chain(rest).collect()
 }
 
 /// The SI unit of an entry after a space; empty for a plain number.
@@ -497,10 +561,6 @@ impl fmt::Display for Value {
     }
 }
 
-fn unknown_mode(mode: &str) -> String {
-    format!("unknown fault mode `{mode}`: add it before its fields, for example by `lost`")
-}
-
 /// Mistakes that the builder finds before the text is compiled.
 enum BuildCode {
     NotFinite,
@@ -522,17 +582,36 @@ impl BuildCode {
     }
 }
 
-/// One mistake of a built spec.
+/// One mistake in a built spec, or a warning about it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     /// The call that made it, such as `plan.samples` or `mission.waypoints[2]`; the block, if something is missing in it.
     pub field: String,
     /// The code of the mistake, for `mavc explain`.
     pub code: &'static str,
+    /// What is wrong, in one sentence.
     pub message: String,
+    /// What is wrong with the value that was given, such as `this is 9`.
+    pub label: Option<String>,
+    /// One action that fixes the problem.
+    pub help: Option<String>,
 }
 
-/// Every mistake of a built spec.
+/// `{field}: {message}: {label}; {help} ({code})`
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.field, self.message)?;
+        if let Some(label) = &self.label {
+            write!(f, ": {label}")?;
+        }
+        if let Some(help) = &self.help {
+            write!(f, "; {}", help.lines().map(str::trim).collect::<Vec<_>>().join("; "))?;
+        }
+        write!(f, " ({})", self.code)
+    }
+}
+
+/// The mistakes in a built spec.
 #[derive(Clone, PartialEq)]
 pub struct BuildError {
     pub problems: Vec<Problem>,
@@ -542,8 +621,7 @@ pub struct BuildError {
 
 impl fmt::Display for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let line = |problem: &Problem| format!("{}: {} ({})", problem.field, problem.message, problem.code);
-        f.write_str(&self.problems.iter().map(line).collect::<Vec<_>>().join("\n"))
+        f.write_str(&self.problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("\n"))
     }
 }
 

@@ -62,7 +62,7 @@ use crate::language::Entry;
 use crate::source::Span;
 use grid::Spacing;
 
-/// A checked spec.
+/// A checked spec. A changed copy is not checked again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     /// Acceleration of gravity g, m/s^2.

@@ -68,6 +68,12 @@ impl Trajectory {
         self.times == other.times && self.nodes.iter().zip(&other.nodes).all(|(p, q)| is_near(p, q))
     }
 
+    /// Each node with its time, s. A node holds position (m) and yaw (rad) and their derivatives in SI units:
+    /// `node[axis][order]`, with the axes [`X`], [`Y`], [`Z`] and [`YAW`].
+    pub fn rows(&self) -> impl Iterator<Item = (f64, &NodeState)> {
+        self.times.iter().copied().zip(&self.nodes)
+    }
+
     /// The time of the last node, s.
     pub fn duration(&self) -> f64 {
         self.times[self.times.len() - 1]

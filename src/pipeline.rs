@@ -8,11 +8,16 @@ mod sweep;
 mod tasks;
 
 pub use certificates::{Rejected, Uncertified, certify, verify, verify_within};
-pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict, sized};
+pub use flights::{NoFlight, campaign, departure, fly, fly_plan, indistinguishable, missing_verdict};
 pub use records::defaults_text;
 pub use stages::{CONES_IN_MPS, ConesInMps, Program, actuation_text, sets_text};
 pub use sweep::{Flip, Sweep};
-pub use tasks::{Explained, NO_MISSION, Planning, Refusal, Task, compare, explain, no_mission, plan};
+pub use tasks::{
+    Explained, NO_MISSION, OtherSpec, Planning, Refusal, Task, Unexplained, compare, explain, no_mission, plan,
+};
+
+#[cfg(feature = "cli")]
+pub(crate) use flights::sized;
 
 use crate::admissible::diagnose::{diagnose, is_too_large};
 use crate::admissible::verdict::{ModeAnalysis, analyze_each};
@@ -25,7 +30,7 @@ use std::io::{Error, ErrorKind};
 /// Compiles the text of a spec (docs/language.md). Syntax, names, units, ranges and plausibility are checked, and all
 /// mistakes are reported together.
 ///
-/// The result holds the [`Spec`] if the text has no errors, and every diagnostic. All numbers of a spec are in SI units.
+/// Never fails: [`Compiled::into_result`] gives the error. The result holds the [`Spec`] if the text has no errors, and every diagnostic. All numbers of a spec are in SI units.
 ///
 /// The text may not name other files. A [`Compiler`] reads such files, compiles a file, and takes overrides.
 ///
@@ -44,7 +49,7 @@ pub fn compile(text: &str) -> Compiled {
 /// their line breaks and every comment are kept. Returns the formatted text.
 ///
 /// # Errors
-/// The text has errors of syntax, or would exceed the largest size of a file. The diagnostics are returned.
+/// The text has errors of syntax, or the formatted text would exceed 1 MiB. The diagnostics are returned.
 ///
 /// ```
 /// assert_eq!(mavc::format("let  m=2 kg").unwrap(), "let m = 2 kg\n");
@@ -56,7 +61,7 @@ pub fn format(text: &str) -> Result<String, Vec<Diagnostic>> {
 }
 
 /// Analyses what the vehicle can still do in each fault mode: the verdict, the margins of hover (N, N m), the heaviest mass
-/// (kg) and the headroom (N, N m). The healthy vehicle comes first, then every declared mode in its order.
+/// (kg) and the headroom (N, N m). [`ModeAnalysis`] lists the fields with their units. Never fails. The healthy vehicle comes first, then every declared mode in its order.
 ///
 /// The verdicts are those of section 3 of the paper: the available control authority index (ACAI, equation 31) for
 /// controllability, the rank of the controllability matrix, and the residual of the nearest admissible wrench. See

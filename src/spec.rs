@@ -49,7 +49,7 @@ impl Spec {
         &self.files
     }
 
-    /// SHA-256 of all texts that were read, each with its length, in the order in which they were named; 64 hexadecimal
+    /// SHA-256 of all texts that were read, including the overrides, each with its length, in the order in which they were named; 64 hexadecimal
     /// digits. A certificate identifies its spec by it.
     pub fn sha256(&self) -> &str {
         &self.sha256
@@ -76,12 +76,27 @@ impl Spec {
         elaborated(files, overrides, self.flights, Vec::new()).into_result()
     }
 
+    /// What distinguishes this spec from every other one.
+    pub(crate) fn identity(&self) -> Identity {
+        let campaign = &self.model.campaign;
+        Identity { sha256: self.sha256.clone(), campaign: (campaign.times, campaign.seeds) }
+    }
+
     /// The same spec with another size of its campaign, within the bounds of [`crate::campaign::cases`].
     pub(crate) fn with_campaign(&self, times: usize, seeds: usize) -> Self {
         let mut spec = self.clone();
         (spec.model.campaign.times, spec.model.campaign.seeds) = (times, seeds);
         spec
     }
+}
+
+/// Two specs with the same identity are the same spec.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Identity {
+    /// Of all texts, including the overrides.
+    sha256: String,
+    /// Instants and seeds, which `mavc campaign` can change without a text.
+    campaign: (usize, usize),
 }
 
 /// The result of compiling a text: a spec if there are no errors, and every diagnostic.

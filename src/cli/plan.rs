@@ -30,7 +30,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
         Start::Ended(code) => return Ok(code),
     };
     let planning = task.plan(&watch);
-    let explained = task.explain(&planning, &watch);
+    let explained = task.explain(&planning, &watch).map_err(|e| e.to_string())?;
     let mut results = Results::new(&places);
     if places.certificate.is_some() {
         watch.begins("making the certificate");
@@ -39,7 +39,7 @@ pub fn run(args: &PlanArgs, options: &Options) -> Result<u8, Problem> {
             Err(why) => files::eprint(&format!("mavc: no certificate was written: {why}\n")),
         }
     }
-    let between = planning.between(&task, &watch);
+    let between = planning.between(&task, &watch).map_err(|e| e.to_string())?;
     let conflict = task.diagnose(&explained);
     timed(&watch, "report", || {
         if let Some(plan) = planning.plan().filter(|_| places.table.is_some()) {

@@ -256,9 +256,9 @@ impl Effects {
                 }
                 _ => continue,
             };
-            any = true;
             let loss = Loss::read(cx, effect);
             let indices = indices(cx, list, rotors);
+            any |= indices.as_ref().is_none_or(|known| !known.is_empty());
             for &(k, span) in indices.iter().flatten() {
                 if let Some(&first) = touched.get(&k) {
                     let message = format!("rotor {k} is listed twice in {owner}");

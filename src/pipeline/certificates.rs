@@ -1,6 +1,6 @@
 //! Certificates: making one from an outcome, and deciding whether it holds.
 
-use super::tasks::Planning;
+use super::tasks::{OtherSpec, Planning};
 use crate::certificate::Certificate;
 use crate::certify as write;
 use crate::diagnostic::{Diagnostic, render_human};
@@ -22,7 +22,7 @@ const MOST_ESCAPED: usize = 1 << 20;
 /// docs/certificates.md states what a certificate shows, as a theorem.
 ///
 /// # Errors
-/// The outcome is neither a plan nor a proof, or the proof covers more mission times than one certificate can show.
+/// The outcome is for another spec; it is neither a plan nor a proof; or the proof covers more mission times than one certificate can show.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -32,17 +32,26 @@ const MOST_ESCAPED: usize = 1 << 20;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn certify(spec: &Spec, planning: &Planning) -> Result<Certificate, Uncertified> {
-    let Some(mission) = spec.mission() else { return Err(Uncertified("the spec has no mission".into())) };
-    write::of(spec.model(), mission, planning.comparison(), spec.sha256().into()).map_err(Uncertified)
+    planning.check_spec(spec).map_err(Uncertified::OtherSpec)?;
+    let Some(mission) = spec.mission() else { return Err(Uncertified::Other("the spec has no mission".into())) };
+    write::of(spec.model(), mission, planning.comparison(), spec.sha256().into()).map_err(Uncertified::Other)
 }
 
-/// Why an outcome has no certificate, as a text.
+/// Why an outcome has no certificate.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Uncertified(pub String);
+pub enum Uncertified {
+    /// The outcome is for another spec.
+    OtherSpec(OtherSpec),
+    /// The reason, as a text.
+    Other(String),
+}
 
 impl fmt::Display for Uncertified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        match self {
+            Uncertified::OtherSpec(other) => other.fmt(f),
+            Uncertified::Other(reason) => f.write_str(reason),
+        }
     }
 }
 
@@ -52,6 +61,8 @@ impl Error for Uncertified {}
 /// from the certificate's trajectory or multipliers in interval and exact arithmetic. It uses neither the planner nor the
 /// solver (docs/certificates.md).
 ///
+/// The default [`Budget`] is 10 s of one core and 500,000,000 bytes; [`verify_within`] takes another.
+///
 /// The verdict lists what is shown, and in what the certificate proves less than the spec requires.
 ///
 /// # Errors
@@ -60,9 +71,11 @@ impl Error for Uncertified {}
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
+/// let certificate = serde_json::to_vec(&mavc::certify(&spec, &mavc::plan(&spec)?)?)?;
+/// assert!(mavc::verify(&certificate, &spec).is_ok());
 /// let rejected = mavc::verify(b"{}", &spec).unwrap_err();
 /// assert_eq!(rejected.diagnostic.code, "mavc::verify::malformed");
-/// # Ok::<(), mavc::CompileError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn verify(certificate: &[u8], spec: &Spec) -> Result<Verdict, Rejected> {
     verify_within(Budget::default(), "<certificate>", certificate, spec)

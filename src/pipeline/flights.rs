@@ -1,6 +1,6 @@
 //! Simulated flights along plans: one with the faults of the spec, or a campaign.
 
-use super::tasks::{Planning, Refusal, Task};
+use super::tasks::{OtherSpec, Planning, Refusal, Task};
 use crate::campaign::cases::{MAX_FLIGHTS, Shard};
 use crate::campaign::design::{Design, Missing};
 use crate::campaign::run::fly_all;
@@ -24,7 +24,7 @@ use std::time::Instant;
 /// Returns how the flight ended, with distances in m, times in s and angles in rad. A simulated flight proves nothing.
 ///
 /// # Errors
-/// There is no plan to fly, or the `simulate` block does not fit the plan: a fault after its end, or too many steps.
+/// The outcome is for another spec; there is no plan to fly; or the `simulate` block does not fit the plan: a fault after its end, or too many steps.
 ///
 /// ```
 /// let spec = mavc::compile(mavc::TEMPLATE).into_result()?;
@@ -33,6 +33,7 @@ use std::time::Instant;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn fly(spec: &Spec, planning: &Planning) -> Result<Flight, NoFlight> {
+    planning.check_spec(spec).map_err(NoFlight::OtherSpec)?;
     let Some(plan) = planning.plan() else { return Err(NoFlight::NoPlan(planning.verdict())) };
     let remarks = departure(spec, plan.time);
     if remarks.iter().any(|d| d.severity == Severity::Error) {
@@ -67,7 +68,8 @@ pub fn indistinguishable<'s>(spec: &'s Spec, plan: &MissionPlan) -> Vec<Vec<&'s 
 /// Simulates a campaign of flights: every planner's plan at the common time T_d, with every declared fault mode, at many
 /// instants and with many noise seeds (docs/campaigns.md). The `campaign` block of the spec sets their numbers.
 ///
-/// Returns the record of `mavc campaign --report`: shares of flights that survived, and times in s.
+/// Returns the record of `mavc campaign --report`: shares (0 to 1) of flights that survived, and times in s. All flights are
+/// simulated in parallel before it returns.
 ///
 /// # Errors
 /// The mission cannot be planned, the campaign has too many flights, or the `simulate` block does not fit the plan. If no
@@ -105,7 +107,7 @@ pub fn campaign(spec: &Spec) -> Result<CampaignRecord, NoFlight> {
 ///
 /// # Errors
 /// The campaign would have more flights than [`MAX_FLIGHTS`].
-pub fn sized(spec: &Spec, times: usize, seeds: usize) -> Result<Spec, NoFlight> {
+pub(crate) fn sized(spec: &Spec, times: usize, seeds: usize) -> Result<Spec, NoFlight> {
     let (modes, planners) = (spec.model().modes.len(), spec.model().campaign.planners.len());
     let blocks = times.checked_mul(modes).and_then(|n| n.checked_add(1));
     let flights = blocks.and_then(|n| n.checked_mul(seeds)?.checked_mul(planners));
@@ -151,6 +153,8 @@ pub fn departure(spec: &Spec, time: f64) -> Vec<Diagnostic> {
 pub enum NoFlight {
     /// The mission cannot be planned.
     Refused(Refusal),
+    /// The outcome is for another spec.
+    OtherSpec(OtherSpec),
     /// There is no plan to fly, with this verdict.
     NoPlan(Verdict),
     /// The campaign would have more flights than [`MAX_FLIGHTS`].
@@ -163,6 +167,7 @@ impl fmt::Display for NoFlight {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NoFlight::Refused(refusal) => refusal.fmt(f),
+            NoFlight::OtherSpec(other) => other.fmt(f),
             NoFlight::NoPlan(verdict) => write!(f, "there is no plan to fly: {verdict}"),
             NoFlight::TooMany => {
                 f.write_str("a campaign has at most 100 million flights: take fewer modes, instants or seeds")

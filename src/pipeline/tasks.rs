@@ -13,7 +13,7 @@ use crate::planner::studies::rounds::{Round, rounds};
 use crate::planner::studies::{
     Comparison, MissionPlan, NotFound, PlanOutcome, PlannerRun, Scope, compare as compare_planners,
 };
-use crate::spec::Spec;
+use crate::spec::{Identity, Spec};
 use crate::verdict::Verdict;
 use std::cell::Cell;
 use std::error::Error;
@@ -24,11 +24,11 @@ use std::time::Instant;
 pub const NO_MISSION: &str = "mavc::plan::no_mission";
 
 /// Plans the spec's mission with the spec's planner ([RIP, RCP or RSP](crate::model::PlannerKind)), at the time that the spec
-/// fixes or at the shortest time found. The planners are those of sections 5.2 and 5.3 of the paper; docs/method.md describes
-/// them for the exact model.
+/// fixes or at the shortest time found. The planners are those of sections 5.2 and 5.3 of the paper; see docs/method.md,
+/// sections 8 and 12, the latter for the exact model.
 ///
-/// The outcome is a plan that passed the check of finished plans, a proof of infeasibility, or neither. All numbers are in SI
-/// units.
+/// The outcome is a plan that passed the check of finished plans, a proof of infeasibility, or neither. The plan's time is in
+/// s; its nodes hold derivatives as `[axis][order]` in SI units ([`NodeState`](crate::motion::NodeState)).
 ///
 /// # Errors
 /// The spec has no mission, its sets are too large, or a fault mode that the plan must tolerate cannot hover.
@@ -51,8 +51,11 @@ pub fn plan(spec: &Spec) -> Result<Planning, Refusal> {
 /// Plans with RIP, RCP for each mode, RCP for all modes jointly, and RSP: each at its own shortest time, and all at the common
 /// time T_d (section 5.3 of the paper). All numbers are in SI units.
 ///
+/// [`Comparison::runs`] has a run of each planner at its own time, then one at T_d if there is such a time; both in the order
+/// RIP, RCP for each mode in the order of `against`, the joint RCP if there are several modes, RSP.
+///
 /// # Errors
-/// As for [`plan`]; also if the spec has more samples than a comparison may have.
+/// As for [`plan`]; also if the spec has more than [`MAX_SAMPLES_OF_A_SEARCH`] samples.
 ///
 /// ```
 /// let compiler = mavc::Compiler::new().set("plan.model=hover").set("plan.samples=60");
@@ -73,7 +76,7 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
 /// `planning` is the outcome of [`plan`] for this spec. If it is a plan, both parts of the result are empty.
 ///
 /// # Errors
-/// As for [`plan`].
+/// As for [`plan`]; also if `planning` is the outcome for another spec.
 ///
 /// ```
 /// let compiler = mavc::Compiler::new().set("plan.time = 6 s").without_flights();
@@ -83,9 +86,55 @@ pub fn compare(spec: &Spec) -> Result<Comparison, Refusal> {
 /// assert!(conflict.conflict.proved && !conflict.fixes.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn explain(spec: &Spec, planning: &Planning) -> Result<Explained, Refusal> {
-    Ok(Task::new(spec)?.explain(planning, &Silent))
+pub fn explain(spec: &Spec, planning: &Planning) -> Result<Explained, Unexplained> {
+    planning.check_spec(spec)?;
+    Ok(Task::new(spec)?.explain(planning, &Silent)?)
 }
+
+/// Why a spec was not explained.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Unexplained {
+    /// The mission cannot be planned.
+    Refused(Refusal),
+    /// The outcome is for another spec.
+    OtherSpec(OtherSpec),
+}
+
+impl From<Refusal> for Unexplained {
+    fn from(refusal: Refusal) -> Self {
+        Unexplained::Refused(refusal)
+    }
+}
+
+impl From<OtherSpec> for Unexplained {
+    fn from(other: OtherSpec) -> Self {
+        Unexplained::OtherSpec(other)
+    }
+}
+
+impl fmt::Display for Unexplained {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unexplained::Refused(refusal) => refusal.fmt(f),
+            Unexplained::OtherSpec(other) => other.fmt(f),
+        }
+    }
+}
+
+impl Error for Unexplained {}
+
+/// The outcome of [`plan`] was given together with another spec than the one that was planned: another text, or other
+/// overrides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OtherSpec;
+
+impl fmt::Display for OtherSpec {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("this plan was made for another spec: plan this spec again")
+    }
+}
+
+impl Error for OtherSpec {}
 
 /// Why planning was not attempted for a spec.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,6 +178,8 @@ pub struct Task<'s> {
 #[derive(Debug, Clone)]
 pub struct Planning {
     comparison: Comparison,
+    /// The spec that was planned.
+    spec: Identity,
 }
 
 impl Planning {
@@ -157,12 +208,22 @@ impl Planning {
     }
 
     /// Which rows of the plan are proved to hold between its nodes; `None` if there is no plan.
-    pub fn between(&self, task: &Task, observer: &dyn Observer) -> Option<Vec<Between>> {
+    ///
+    /// # Errors
+    /// `task` is that of another spec.
+    pub fn between(&self, task: &Task, observer: &dyn Observer) -> Result<Option<Vec<Between>>, OtherSpec> {
+        self.check_spec(task.spec)?;
         observer.begins("looking for a proof of every instant");
-        timed(observer, "prove", || {
+        Ok(timed(observer, "prove", || {
             let run = self.run();
             run.outcome.plan().map(|plan| between(task.model(), task.mission, run, plan))
-        })
+        }))
+    }
+
+    /// # Errors
+    /// Another spec was planned.
+    pub(super) fn check_spec(&self, spec: &Spec) -> Result<(), OtherSpec> {
+        if self.spec == spec.identity() { Ok(()) } else { Err(OtherSpec) }
     }
 }
 
@@ -228,7 +289,7 @@ impl<'s> Task<'s> {
 
     /// As [`plan`], with an observer.
     pub fn plan(&self, observer: &dyn Observer) -> Planning {
-        Planning { comparison: self.run(Scope::Plan, observer) }
+        Planning { comparison: self.run(Scope::Plan, observer), spec: self.spec.identity() }
     }
 
     /// As [`compare`], with an observer.
@@ -262,7 +323,11 @@ impl<'s> Task<'s> {
     }
 
     /// As [`explain`](explain()), with an observer.
-    pub fn explain(&self, planning: &Planning, observer: &dyn Observer) -> Explained {
+    ///
+    /// # Errors
+    /// `planning` is the outcome for another spec.
+    pub fn explain(&self, planning: &Planning, observer: &dyn Observer) -> Result<Explained, OtherSpec> {
+        planning.check_spec(self.spec)?;
         let nearby = self.nearby(planning, observer);
         let is_failed = matches!(planning.outcome(), PlanOutcome::NotFound(NotFound::Check { .. }));
         // No statement of the spec is to blame if the planner has a plan at another time, found a trajectory that fails the
@@ -272,7 +337,7 @@ impl<'s> Task<'s> {
             || nearby.times().next().is_some()
             || !planning.comparison.trade_off.is_empty();
         let conflict = if is_settled { None } else { self.conflict(observer) };
-        Explained { nearby, conflict }
+        Ok(Explained { nearby, conflict })
     }
 
     fn nearby(&self, planning: &Planning, observer: &dyn Observer) -> Nearby {

@@ -43,7 +43,7 @@ fn last_row(duration: f64, rate: f64) -> u64 {
 /// Whether a table of `rows` rows under the columns of `header` is small enough; messages call it `name`.
 ///
 /// # Errors
-/// It would have more than [`MAX_NUMBERS`] numbers.
+/// It would have more than `MAX_NUMBERS` numbers.
 pub fn few_enough(name: &str, rows: u64, header: &str) -> Result<(), String> {
     let columns = header.split(',').count() as u64;
     let most = MAX_NUMBERS / columns;

@@ -16,7 +16,8 @@ pub enum Kind {
     UnclosedText,
     /// `// ...`, up to the end of the line.
     Comment,
-    /// `/// ...` on a line of its own; only [`lexemes`] distinguishes it from another comment.
+    /// `/// ...` on a line of its own; only `lexemes` distinguishes it from another comment.
+    #[cfg_attr(not(feature = "lsp"), expect(dead_code, reason = "only `lexemes` makes it"))]
     Doc,
     Newline,
     /// One character of any other kind.
@@ -34,6 +35,7 @@ pub struct Lexeme {
 }
 
 impl Lexeme {
+    #[cfg(feature = "lsp")]
     /// Its text in the whole that it was read from.
     pub fn text<'t>(&self, whole: &'t str) -> &'t str {
         whole.get(self.start..self.end).unwrap_or("")
@@ -44,6 +46,7 @@ impl Lexeme {
     }
 }
 
+#[cfg(feature = "lsp")]
 /// All lexemes of a text in their order, without a byte order mark.
 pub fn lexemes(text: &str) -> impl Iterator<Item = Lexeme> {
     let (mut at, mut line_is_blank) = (byte_order_mark(text), true);

@@ -187,3 +187,68 @@ fn fields_and_values_that_do_not_fit_are_all_reported_at_once() {
     assert!(text.contains("plan.planer: there is no field `planer` here; did you mean `planner`?"), "{text}");
     assert!(text.contains("vehicle.rotor.max_thrust: `max_thrust` takes a number, not \"strong\""), "{text}");
 }
+
+#[test]
+fn mistakes_of_calls_do_not_hide_those_of_the_text() {
+    let wrong = octocopter()
+        .vehicle("allocation", 3)
+        .waypoint([f64::NAN, 0.0, 5.0])
+        .lost("M2", &[9])
+        .lost("M 3", &[2])
+        .plan("reserve", 2.0)
+        .plan("against", ["M9"]);
+    let error = wrong.build().unwrap_err();
+    let mut found: Vec<&str> = error.problems.iter().map(|p| p.field.as_str()).collect();
+    found.sort();
+    let fields =
+        ["mission.waypoints[3].at", "modes.M 3", "modes.M2", "plan.against", "plan.reserve", "vehicle.allocation"];
+    assert_eq!(found, fields, "{error}");
+}
+
+#[test]
+fn a_field_with_a_wrong_value_is_not_missing_as_well() {
+    let builder = Builder::new()
+        .vehicle("layout", "PPNNPPNN")
+        .vehicle("arm", f64::NAN)
+        .vehicle("mass", "heavy")
+        .vehicle("inertia", 0.04)
+        .rotor("max_thrust", 6.53)
+        .rotor("torque_per_thrust", 0.016)
+        .rotor("max_speed", f64::INFINITY);
+    let found: Vec<String> = problems(builder).into_iter().map(|(field, _)| field).collect();
+    assert_eq!(found, ["vehicle.arm", "vehicle.mass", "vehicle.inertia", "vehicle.rotor.max_speed"]);
+}
+
+#[test]
+fn a_mode_without_rotors_is_an_error() {
+    assert_eq!(problems(octocopter().lost("M2", &[])), [("modes.M2".into(), "mavc::fault::empty")]);
+}
+
+#[test]
+fn problems_name_the_value_and_the_fix() {
+    let shown = |builder: Builder| builder.build().unwrap_err().to_string();
+    let mode = shown(octocopter().plan("against", ["M9"]));
+    assert!(
+        mode.starts_with("plan.against: unknown fault mode `M9`") && mode.contains("; use a declared name: `M1`"),
+        "{mode}"
+    );
+    let rotor = shown(octocopter().lost("M2", &[9]));
+    assert!(rotor.contains("a whole number from 1 to 8: this is 9"), "{rotor}");
+}
+
+#[test]
+fn warnings_are_returned_with_the_spec() {
+    let (_, warnings) = octocopter().build_with_warnings().unwrap();
+    assert!(warnings.is_empty(), "{warnings:?}");
+    let (spec, warnings) = octocopter().simulate("wind", [1.0, 0.0, 0.0]).build_with_warnings().unwrap();
+    assert_eq!(spec.model().simulation.wind, [1.0, 0.0, 0.0]);
+    let found: Vec<(&str, &str)> = warnings.iter().map(|w| (w.field.as_str(), w.code)).collect();
+    assert_eq!(found, [("simulate.wind", "mavc::simulate::no_drag")]);
+}
+
+#[test]
+fn the_guide_of_the_library_shows_the_example_that_plans() {
+    let (guide, example) = (include_str!("../../docs/library.md"), include_str!("../../examples/plan_without_text.rs"));
+    let code = &example[example.find("use mavc").unwrap()..];
+    assert!(guide.contains(code), "docs/library.md shows another program than examples/plan_without_text.rs");
+}

@@ -24,6 +24,7 @@ mod lsp;
 mod many;
 mod method;
 mod model;
+mod other_spec;
 mod pages;
 mod parallel_rows;
 mod planning;

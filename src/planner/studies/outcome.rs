@@ -5,12 +5,14 @@ use crate::model::{Mission, MissionTime, Model, PlanModel, PlannerKind};
 use crate::motion::Trajectory;
 use crate::motion::outside::Outside;
 use crate::motion::time_grid::determined;
+use crate::number::number;
 use crate::planner::hover::Planned;
 use crate::planner::scp::sensitivity::LegBinding;
 use crate::planner::selection::PlanningSet;
 use crate::planner::studies::protect::Addition;
 use crate::solve::Effort;
 use crate::verdict::Verdict;
+use std::fmt;
 
 /// Each planner at its own shortest time, or all at one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,6 +55,17 @@ pub enum NotFound {
     Search { at: f64, status: String },
     /// The trajectory found at a mission time of `at` s fails the check of finished plans ([`crate::certify::check`]).
     Check { at: f64, why: String },
+}
+
+impl fmt::Display for NotFound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotFound::Search { at, status } => write!(f, "search at a mission time of {} s: {status}", number(*at)),
+            NotFound::Check { at, why } => {
+                write!(f, "the trajectory planned for {} s fails the check of plans: {why}", number(*at))
+            }
+        }
+    }
 }
 
 impl PlanOutcome {
