@@ -21,6 +21,14 @@ use crate::planner::selection::PlanningSet;
 use crate::planner::transcription::UNBOUNDED;
 use crate::solve::Effort;
 
+/// Ratio of consecutive durations tried. With [`TRIES`] and [`MIDDLE`] a constant, whose powers the compiler may compute: those of
+/// a setting can differ from them in the last bit.
+const LONGER: f64 = 1.6;
+/// How many durations are tried.
+const TRIES: i32 = 9;
+/// The index of the duration tried first, while no stop is known.
+const MIDDLE: i32 = 3;
+
 /// Limits are widened by this share of themselves, places by this much (m or rad): a plan holds them to tolerances only, and a fault
 /// may strike at a limit.
 const LEEWAY: f64 = 1e-4;
@@ -75,8 +83,8 @@ impl<'a> Stops<'a> {
 fn durations(struck: &NodeState, gravity: f64, near: Option<f64>, settings: &StopSettings) -> Vec<f64> {
     let speed = [X, Y, Z].map(|axis| struck[axis][1].powi(2)).iter().sum::<f64>().sqrt();
     let shortest = settings.min_duration.max(0.5 * speed / gravity);
-    let near = near.unwrap_or(shortest * settings.duration_ratio.powi(settings.initial_duration));
-    let mut all: Vec<f64> = (0..settings.tried_durations).map(|i| shortest * settings.duration_ratio.powi(i)).collect();
+    let near = near.unwrap_or(shortest * LONGER.powi(MIDDLE));
+    let mut all: Vec<f64> = (0..TRIES).map(|i| shortest * LONGER.powi(i)).collect();
     all.sort_by(|a, b| (a / near).ln().abs().total_cmp(&(b / near).ln().abs()));
     all
 }

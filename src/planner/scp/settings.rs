@@ -343,14 +343,8 @@ pub struct StopSettings {
     pub shares: [f64; 5],
     /// Intervals in each part. 5.
     pub intervals_per_part: usize,
-    /// The shortest duration tried, s, unless braking with 2 g takes longer. 0.4.
+    /// The shortest duration tried, s, unless braking with 2 g takes longer; `stop` tries longer ones in a fixed ratio. 0.4.
     pub min_duration: f64,
-    /// Ratio of consecutive durations tried. 1.6.
-    pub duration_ratio: f64,
-    /// How many durations are tried. 9.
-    pub tried_durations: i32,
-    /// The index of the duration tried first, while no stop is known. 3.
-    pub initial_duration: i32,
 }
 
 /// How near waypoints that require nothing are kept in quick attempts: a wide tolerance and a small weight.
@@ -470,9 +464,6 @@ impl ScpSettings {
             shares: [1.0, 2.0, 3.0, 2.0, 1.0],
             intervals_per_part: 5,
             min_duration: 0.4,
-            duration_ratio: 1.6,
-            tried_durations: 9,
-            initial_duration: 3,
         },
         guidance: GuidanceSettings { weight: 0.01, min_distance: 100.0, lengths: 3.0, yaw: 20.0 },
     };
