@@ -2,7 +2,7 @@
 //!
 //! [`lay_out`] returns a text of the same length in which every remaining byte keeps its offset. Comments become blanks,
 //! and so do newlines inside `( )` and `[ ]`. A bracket left open ends where the next line can only begin a statement; a
-//! block left open ends where the next top-level block begins, marked by [`CUT`]. Both errors are reported here, because
+//! block left open ends where the next top-level block begins, marked by [`CUT`]. Both errors are taken here, because
 //! only here the whole text is known. There is one pass, and another one for each guess (`guess`) about a brace that is
 //! left over.
 
@@ -44,9 +44,9 @@ pub(super) struct Doc {
 pub(super) fn lay_out(file: FileId, text: &str) -> Layout {
     let mut best = scan(file, text, Vec::new());
     while let Some(guess) = best.guesses.next() {
-        let mut told = best.guesses.taken.clone();
-        told.push(guess);
-        let other = scan(file, text, told);
+        let mut taken = best.guesses.taken.clone();
+        taken.push(guess);
+        let other = scan(file, text, taken);
         if other.layout.too_much || other.guesses.errors >= best.guesses.errors {
             break;
         }
@@ -115,7 +115,7 @@ struct Scanner<'a> {
     line_indent: usize,
     /// Where the current statement began.
     statement: Option<usize>,
-    /// This statement's odd characters have been reported.
+    /// This statement's odd characters have been taken.
     quiet: bool,
     /// False once no `*/` follows.
     comment_ends: bool,
