@@ -2,7 +2,7 @@
 //!
 //! [`lay_out`] returns a text of the same length in which every remaining byte keeps its offset. Comments become blanks,
 //! and so do newlines inside `( )` and `[ ]`. A bracket left open ends where the next line can only begin a statement; a
-//! block left open ends where the next top-level block begins, marked by [`CUT`]. Both errors are taken here, because
+//! block left open ends where the next top-level block begins, marked by [`CUT`]. Both errors are reported here, because
 //! only here the whole text is known. There is one pass, and another one for each guess (`guess`) about a brace that is
 //! left over.
 
@@ -115,7 +115,7 @@ struct Scanner<'a> {
     line_indent: usize,
     /// Where the current statement began.
     statement: Option<usize>,
-    /// This statement's odd characters have been taken.
+    /// This statement's odd characters have been reported.
     quiet: bool,
     /// False once no `*/` follows.
     comment_ends: bool,
