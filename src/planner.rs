@@ -30,6 +30,15 @@ use selection::PlanningSet;
 use timing::search::{Hint, NoTime, Shortest};
 use working_set::WorkingSet;
 
+/// A quick decision on a mission time; see [`Planner::attempt_at`].
+#[derive(Debug)]
+pub struct Attempt {
+    pub decision: Decision,
+    /// The weight of each row in the multipliers of the last program; after a proof, of those that prove it. Rows with a large
+    /// weight limit the mission even if nothing is decided.
+    pub weights: Vec<(RowOrigin, f64)>,
+}
+
 /// A planner of one mission in one model of the wrench.
 pub trait Planner {
     /// Plans a mission time, s, against a set: a plan, a proof that there is none, or neither. `initial_guesses` are plans of any
@@ -44,9 +53,8 @@ pub trait Planner {
     ) -> Decision;
 
     /// A quick decision on a mission time, s, for callers that need dozens: [`Self::plan_at`], or in the exact model fewer initial
-    /// guesses and a cost phase that is short, or left out unless `minimised`. Rows with a large weight in [`Self::take_weights`]
-    /// limit the mission even if nothing is decided.
-    fn attempt_at(&mut self, time: f64, set: &PlanningSet, minimised: bool, working_set: &mut WorkingSet) -> Decision;
+    /// guesses and a cost phase that is short, or left out unless `minimised`.
+    fn attempt_at(&mut self, time: f64, set: &PlanningSet, minimised: bool, working_set: &mut WorkingSet) -> Attempt;
 
     /// The shortest mission time for a set, with its plan.
     ///
@@ -58,9 +66,6 @@ pub trait Planner {
         hint: Hint,
         working_set: &mut WorkingSet,
     ) -> Result<Shortest, NoTime>;
-
-    /// The weight of each row in the multipliers of the last program; after a proof, of those that prove it.
-    fn take_weights(&mut self) -> Vec<(RowOrigin, f64)>;
 
     /// What the solver has done so far.
     fn effort(&self) -> Effort;

@@ -124,20 +124,20 @@ pub fn bounded(columns: &[Wrench], bounds: Bounds, w: &Wrench, weights: &Wrench,
 fn lowest(columns: &[Wrench], bounds: Bounds, w: &Wrench, softness: &Wrench, lambda: &Wrench, step: &Wrench) -> f64 {
     let n = columns.len();
     let (mut shares, mut changes) = ([0.0; MOST_ROTORS], [0.0; MOST_ROTORS]);
-    let mut bends = [0.0; 2 * MOST_ROTORS];
+    let mut kinks = [0.0; 2 * MOST_ROTORS];
     let mut count = 0;
     for (k, b) in columns.iter().enumerate() {
         (shares[k], changes[k]) = (b.dot(lambda), b.dot(step));
         for bound in [bounds.least[k], bounds.most[k]] {
             let t = (bound - shares[k]) / changes[k];
             if t > 0.0 && t.is_finite() {
-                bends[count] = t;
+                kinks[count] = t;
                 count += 1;
             }
         }
     }
     // Without a kink the function is quadratic along the step, and the full Newton step ends at its minimum.
-    if bends[..count].iter().all(|t| *t >= 1.0) {
+    if kinks[..count].iter().all(|t| *t >= 1.0) {
         return 1.0;
     }
     let linear = (lambda.component_mul(softness) - w).dot(step);
@@ -146,11 +146,11 @@ fn lowest(columns: &[Wrench], bounds: Bounds, w: &Wrench, softness: &Wrench, lam
         let rotors = shares[..n].iter().zip(&changes[..n]).enumerate();
         linear + square * t + rotors.map(|(k, (s, c))| c * bounds.clip(k, s + c * t)).sum::<f64>()
     };
-    let bends = &mut bends[..count];
-    bends.sort_unstable_by(f64::total_cmp);
-    let falling = bends.partition_point(|t| slope(*t) < 0.0);
-    let low = if falling > 0 { bends[falling - 1] } else { 0.0 };
-    let high = bends.get(falling).copied().unwrap_or(low + 1.0);
+    let kinks = &mut kinks[..count];
+    kinks.sort_unstable_by(f64::total_cmp);
+    let falling = kinks.partition_point(|t| slope(*t) < 0.0);
+    let low = if falling > 0 { kinks[falling - 1] } else { 0.0 };
+    let high = kinks.get(falling).copied().unwrap_or(low + 1.0);
     let (at_low, at_high) = (slope(low), slope(high));
     if at_high > at_low { (low - at_low * (high - low) / (at_high - at_low)).max(0.0) } else { low }
 }

@@ -12,7 +12,7 @@ use crate::planner::selection::sets::PlanningSets;
 use crate::planner::studies::{THESE_TIMES, proofs_are_about};
 use crate::planner::timing::kinematics::least_time_within;
 use crate::planner::working_set::WorkingSet;
-use crate::planner::{finds_local_optima, planner};
+use crate::planner::{Attempt, finds_local_optima, planner};
 use crate::qp::RowOrigin;
 use crate::solve::Effort;
 
@@ -79,8 +79,7 @@ impl Oracle for Planners<'_> {
         let [mut of_rip, mut of_joint] = std::mem::take(&mut sets.working_sets);
         let mut planner = planner(model, mission, &sets.imposed.healthy, None);
         let mut decide = |set: &PlanningSet, working_set: &mut WorkingSet, minimise: bool| {
-            let decision = planner.attempt_at(time, set, minimise, working_set);
-            let weights = planner.take_weights();
+            let Attempt { decision, weights } = planner.attempt_at(time, set, minimise, working_set);
             let decision = match proofs_are_about(model, mission) {
                 // Without weights, the proof is about the yaw waypoints alone, or does not involve yaw.
                 Some(about) if about == THESE_TIMES || !weights.is_empty() => not_for_all(decision),

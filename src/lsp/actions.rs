@@ -11,18 +11,18 @@ use url::Url;
 /// Makes an edit of what changes in each text, as the editor can take it.
 pub type Edit<'a> = dyn Fn(HashMap<Url, Vec<TextEdit>>) -> WorkspaceEdit + 'a;
 
-/// The fixes of those diagnostics in `told` that a range of one file touches.
+/// The fixes of those diagnostics in `reported` that a range of one file touches.
 pub fn fixes(
     workspace: &Workspace,
     spec: &Spec,
     name: &str,
     asked: Range,
-    told: &[Diagnostic],
+    reported: &[Diagnostic],
     edit: &Edit,
 ) -> Vec<CodeActionResponse> {
     let Some(file) = spec.file(name) else { return Vec::new() };
     let (start, end) = offsets(spec.source(file), asked);
-    let touched = told.iter().filter(|d| {
+    let touched = reported.iter().filter(|d| {
         // A missing field is reported at the head of its block; the cursor may be anywhere in the block.
         let near =
             |span: crate::source::Span| span.file == file && (span.start as usize) <= end && start <= span.end as usize;
@@ -31,8 +31,8 @@ pub fn fixes(
     touched.filter_map(|d| fix(workspace, spec, d, edit)).map(CodeActionResponse::CodeAction).collect()
 }
 
-fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic, edit: &Edit) -> Option<CodeAction> {
-    let fix = told.fix.as_ref()?;
+fn fix(workspace: &Workspace, spec: &Spec, reported: &Diagnostic, edit: &Edit) -> Option<CodeAction> {
+    let fix = reported.fix.as_ref()?;
     let source = spec.source(fix.span.file);
     let (start, end) = (fix.span.start as usize, fix.span.end as usize);
     // `mass: 1` becomes `mass = 1`, as everybody writes it.
@@ -41,26 +41,26 @@ fn fix(workspace: &Workspace, spec: &Spec, told: &Diagnostic, edit: &Edit) -> Op
     let change = TextEdit { range: range(source, start, end), new_text };
     let changes = HashMap::from([(workspace.uri(&source.name)?, vec![change])]);
     Some(CodeAction {
-        title: title(told, &fix.text, spec.snippet(fix.span)),
+        title: title(reported, &fix.text, spec.snippet(fix.span)),
         kind: Some(CodeActionKind::QuickFix),
-        diagnostics: Some(vec![diagnostic(workspace, spec, told)]),
+        diagnostics: Some(vec![diagnostic(workspace, spec, reported)]),
         // The value of a field that is missing is only an example, and a missing unit one of several: to be looked at before
         // they are taken.
-        is_preferred: Some(!matches!(told.code, "mavc::name::missing_field" | "mavc::unit::missing")),
+        is_preferred: Some(!matches!(reported.code, "mavc::name::missing_field" | "mavc::unit::missing")),
         edit: Some(edit(changes)),
         ..CodeAction::default()
     })
 }
 
 /// The help, where it is an instruction; otherwise what the replacement does.
-fn title(told: &Diagnostic, text: &str, replaced: &str) -> String {
+fn title(reported: &Diagnostic, text: &str, replaced: &str) -> String {
     let (text, replaced) = (text.trim(), replaced.trim());
     let is_order = |help: &&str| {
         ["write ", "add ", "take ", "put ", "remove ", "merge "].iter().any(|word| help.starts_with(word))
     };
     // The replacement may be one of several that the help names; `...` is not a text to write.
     let is_one = |help: &&str| help.matches('`').count() <= 2 && !help.contains("...");
-    match told.help.as_deref().and_then(|help| help.lines().next()).filter(is_order).filter(is_one) {
+    match reported.help.as_deref().and_then(|help| help.lines().next()).filter(is_order).filter(is_one) {
         Some(help) => {
             let mut letters = help.chars();
             let first = letters.next().map(|c| c.to_ascii_uppercase());

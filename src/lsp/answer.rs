@@ -280,10 +280,10 @@ fn code_actions(server: &mut Server, params: CodeActionParams) -> Answered<Optio
     }
     let name = name_of(&params.text_document.uri);
     let Some((spec, _)) = look_up(server, &params.text_document.uri) else { return Ok(None) };
-    let told = server.told(&spec);
+    let reported = server.reported(&spec);
     let server = &*server;
     let edit = |changes| workspace_edit(server, changes);
-    Ok(Some(actions::fixes(&server.workspace, &spec, &name, params.range, &told, &edit)))
+    Ok(Some(actions::fixes(&server.workspace, &spec, &name, params.range, &reported, &edit)))
 }
 
 fn inlay_hints(server: &mut Server, params: InlayHintParams) -> Answered<Option<Vec<InlayHint>>> {

@@ -10,34 +10,34 @@ use gen_lsp_types::{DiagnosticRelatedInformation, DiagnosticSeverity, Diagnostic
 const UNNECESSARY: [&str; 3] = ["mavc::name::unused", "mavc::fault::unused", "mavc::syntax::dangling_doc"];
 
 /// The diagnostic with headline, label and help as its message; labels elsewhere become related places.
-pub fn diagnostic(workspace: &Workspace, spec: &Spec, told: &Diagnostic) -> lsp::Diagnostic {
-    let source = spec.source(told.span.file);
-    let related = told.labels.iter().filter_map(|label| {
+pub fn diagnostic(workspace: &Workspace, spec: &Spec, reported: &Diagnostic) -> lsp::Diagnostic {
+    let source = spec.source(reported.span.file);
+    let related = reported.labels.iter().filter_map(|label| {
         let location = workspace.location(spec, label.span)?;
         Some(DiagnosticRelatedInformation { location, message: label.message.clone() })
     });
     lsp::Diagnostic {
-        range: range(source, told.span.start as usize, told.span.end as usize),
-        severity: Some(match told.severity {
+        range: range(source, reported.span.start as usize, reported.span.end as usize),
+        severity: Some(match reported.severity {
             Severity::Error => DiagnosticSeverity::Error,
             Severity::Warning => DiagnosticSeverity::Warning,
             Severity::Advice => DiagnosticSeverity::Information,
         }),
-        code: Some(told.code.to_string().into()),
+        code: Some(reported.code.to_string().into()),
         source: Some("mavc".into()),
-        message: message(told).into(),
-        tags: UNNECESSARY.contains(&told.code).then(|| vec![DiagnosticTag::Unnecessary]),
+        message: message(reported).into(),
+        tags: UNNECESSARY.contains(&reported.code).then(|| vec![DiagnosticTag::Unnecessary]),
         related_information: Some(related.collect()).filter(|r: &Vec<_>| !r.is_empty()),
         ..lsp::Diagnostic::default()
     }
 }
 
-fn message(told: &Diagnostic) -> String {
-    let mut text = told.message.clone();
-    if !told.label.is_empty() {
-        text.push_str(&format!("\n{}", told.label));
+fn message(reported: &Diagnostic) -> String {
+    let mut text = reported.message.clone();
+    if !reported.label.is_empty() {
+        text.push_str(&format!("\n{}", reported.label));
     }
-    if let Some(help) = &told.help {
+    if let Some(help) = &reported.help {
         text.push_str(&format!("\nhelp: {help}"));
     }
     text

@@ -67,13 +67,13 @@ impl Server<'_> {
     }
 
     /// Everything that is known to be wrong with a spec, in the order shown.
-    pub fn told(&self, spec: &Arc<Spec>) -> Vec<Diagnostic> {
-        let mut told = spec.diagnostics.clone();
+    pub fn reported(&self, spec: &Arc<Spec>) -> Vec<Diagnostic> {
+        let mut reported = spec.diagnostics.clone();
         if let Some((_, answers)) = self.answers.get(&spec.root).filter(|(of, _)| Arc::ptr_eq(of, spec)) {
-            told.extend(answers.iter().cloned());
-            sort(&mut told);
+            reported.extend(answers.iter().cloned());
+            sort(&mut reported);
         }
-        told
+        reported
     }
 
     /// Sends the editor what has changed since the last publication.
@@ -83,9 +83,9 @@ impl Server<'_> {
             now.insert(document.uri.clone(), Vec::new());
         }
         for spec in self.workspace.specs() {
-            for told in self.told(&spec) {
-                let Some(uri) = self.workspace.uri(&spec.source(told.span.file).name) else { continue };
-                let diagnostic = diagnostic(&self.workspace, &spec, &told);
+            for reported in self.reported(&spec) {
+                let Some(uri) = self.workspace.uri(&spec.source(reported.span.file).name) else { continue };
+                let diagnostic = diagnostic(&self.workspace, &spec, &reported);
                 let list = now.entry(uri).or_default();
                 // Two specs may share a file and what is wrong with it.
                 if !list.contains(&diagnostic) {

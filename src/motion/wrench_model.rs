@@ -162,6 +162,9 @@ impl WrenchModel {
     }
 }
 
+/// Eigenvalues below this share of the largest are left out: they add directions to the program and hardly any curvature.
+const NEGLIGIBLE_CURVATURE: f64 = 1e-3;
+
 /// The positive part of a Hessian as factors: eigenvectors times the square roots of their eigenvalues. `inputs` gives
 /// axis and order of each row. Eigenvectors are taken with accelerations in units of g and time in units of `tau` (s).
 /// Empty if the Hessian is not finite.
@@ -177,6 +180,10 @@ fn upward(inputs: &[(usize, usize)], hessian: DMatrix<f64>, gravity: f64, tau: f
     }
     let eigen = scaled.symmetric_eigen();
     let most = eigen.eigenvalues.amax();
-    let upward = eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).filter(|(l, _)| **l > 1e-3 * most);
+    let upward = eigen
+        .eigenvalues
+        .iter()
+        .zip(eigen.eigenvectors.column_iter())
+        .filter(|(l, _)| **l > NEGLIGIBLE_CURVATURE * most);
     upward.map(|(l, v)| v.component_div(&scale) * l.sqrt()).collect()
 }

@@ -332,11 +332,11 @@ impl<'s> Task<'s> {
         let is_failed = matches!(planning.outcome(), PlanOutcome::NotFound(NotFound::Check { .. }));
         // No statement of the spec is to blame if the planner has a plan at another time, found a trajectory that fails the
         // check, or only misses the required risk.
-        let is_settled = planning.plan().is_some()
+        let needs_no_conflict = planning.plan().is_some()
             || is_failed
             || nearby.times().next().is_some()
             || !planning.comparison.trade_off.is_empty();
-        let conflict = if is_settled { None } else { self.conflict(observer) };
+        let conflict = if needs_no_conflict { None } else { self.conflict(observer) };
         Ok(Explained { nearby, conflict })
     }
 

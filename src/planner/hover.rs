@@ -19,13 +19,13 @@ use crate::model::{Mission, Model};
 use crate::motion::NodeState;
 use crate::motion::time_grid::time_grid;
 use crate::motion::wrench_model::WrenchModel;
-use crate::planner::Planner;
 use crate::planner::limits::place;
 use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::{Hint, NoTime, Shortest};
 use crate::planner::transcription::Purpose;
 use crate::planner::working_set::WorkingSet;
 use crate::planner::yaw::plan_yaw;
+use crate::planner::{self, Planner};
 use crate::qp::RowOrigin;
 use crate::solve::{Effort, Outcome, Solution};
 
@@ -67,8 +67,9 @@ impl Planner for HoverPlanner<'_> {
         self.decide(time, self.model.plan.samples, set, working_set)
     }
 
-    fn attempt_at(&mut self, time: f64, set: &PlanningSet, _: bool, working_set: &mut WorkingSet) -> Decision {
-        self.plan_at(time, set, &[], working_set)
+    fn attempt_at(&mut self, time: f64, set: &PlanningSet, _: bool, working_set: &mut WorkingSet) -> planner::Attempt {
+        let decision = self.plan_at(time, set, &[], working_set);
+        planner::Attempt { decision, weights: std::mem::take(&mut self.weights) }
     }
 
     fn shortest_time(
@@ -78,10 +79,6 @@ impl Planner for HoverPlanner<'_> {
         working_set: &mut WorkingSet,
     ) -> Result<Shortest, NoTime> {
         self.shortest(set, hint, working_set)
-    }
-
-    fn take_weights(&mut self) -> Vec<(RowOrigin, f64)> {
-        std::mem::take(&mut self.weights)
     }
 
     fn effort(&self) -> Effort {

@@ -15,19 +15,14 @@ use crate::motion::wrench_model::WrenchModel;
 use crate::motion::{NodeState, X, Y, YAW, Z};
 use crate::planner::hover::HoverPlanner;
 use crate::planner::limits::place;
-use crate::planner::scp::{Iterate, ScpPlanner};
+use crate::planner::scp::settings::StopSettings;
+use crate::planner::scp::{Iterate, ScpPlanner, ScpSettings};
 use crate::planner::selection::PlanningSet;
 use crate::planner::transcription::UNBOUNDED;
 use crate::solve::Effort;
 
-/// A stop is divided into parts of these shares of its duration, each with this many intervals. Body rates are stopped at its
-/// beginning and the vehicle is levelled at its end, which needs shorter steps than braking in between.
-const SHARES: [f64; 5] = [1.0, 2.0, 3.0, 2.0, 1.0];
-const INTERVALS: usize = 5;
-
-/// The shortest duration tried, s, unless braking with 2 g takes longer.
-const SHORTEST: f64 = 0.4;
-/// Ratio of consecutive durations tried.
+/// Ratio of consecutive durations tried. With [`TRIES`] and [`MIDDLE`] a constant, whose powers the compiler may compute: those of
+/// a setting can differ from them in the last bit.
 const LONGER: f64 = 1.6;
 /// How many durations are tried.
 const TRIES: i32 = 9;
@@ -67,15 +62,16 @@ impl<'a> Stops<'a> {
 
     /// A stop from the state of a plan in which the fault strikes; `None` if none is found at any of the durations tried.
     pub fn find(&mut self, struck: &NodeState) -> Option<Iterate> {
-        let mission = stop_mission(self.mission, struck);
+        let settings = ScpSettings::DEFAULT;
+        let mission = stop_mission(self.mission, struck, &settings.stops);
         let mut hover = HoverPlanner::new(self.model, &mission, self.healthy);
         hover.struck = Some(*struck);
-        let mut steps = ScpPlanner::new(&mut hover, self.wrench, self.set);
+        let mut steps = ScpPlanner::with_settings(&mut hover, self.wrench, self.set, settings);
         let near = self.last.as_ref().map(|last| last.grid.total);
         let about = self.last.as_ref().and_then(|last| steps.stop_about(last.clone()));
         let found = about.or_else(|| {
-            let mut tried = durations(struck, self.model.gravity, near).into_iter();
-            tried.find_map(|duration| steps.stop(&grid(&mission, duration)))
+            let mut tried = durations(struck, self.model.gravity, near, &settings.stops).into_iter();
+            tried.find_map(|duration| steps.stop(&grid(&mission, duration, &settings.stops)))
         });
         self.effort += hover.effort;
         self.last = found.clone();
@@ -84,23 +80,23 @@ impl<'a> Stops<'a> {
 }
 
 /// The durations to try, s, those with the ratio to `near` closest to 1 first.
-fn durations(struck: &NodeState, gravity: f64, near: Option<f64>) -> Vec<f64> {
+fn durations(struck: &NodeState, gravity: f64, near: Option<f64>, settings: &StopSettings) -> Vec<f64> {
     let speed = [X, Y, Z].map(|axis| struck[axis][1].powi(2)).iter().sum::<f64>().sqrt();
-    let shortest = SHORTEST.max(0.5 * speed / gravity);
+    let shortest = settings.min_duration.max(0.5 * speed / gravity);
     let near = near.unwrap_or(shortest * LONGER.powi(MIDDLE));
     let mut all: Vec<f64> = (0..TRIES).map(|i| shortest * LONGER.powi(i)).collect();
     all.sort_by(|a, b| (a / near).ln().abs().total_cmp(&(b / near).ln().abs()));
     all
 }
 
-fn grid(mission: &Mission, duration: f64) -> TimeGrid {
-    let all: f64 = SHARES.iter().sum();
-    let legs = SHARES.map(|share| LegGrid::new(duration * share / all, INTERVALS));
+fn grid(mission: &Mission, duration: f64, settings: &StopSettings) -> TimeGrid {
+    let all: f64 = settings.shares.iter().sum();
+    let legs = settings.shares.map(|share| LegGrid::new(duration * share / all, settings.intervals_per_part));
     TimeGrid::with_legs(mission, &legs, duration)
 }
 
 /// A stop as a mission, whose waypoints only divide its duration and constrain nothing.
-fn stop_mission(flown: &Mission, struck: &NodeState) -> Mission {
+fn stop_mission(flown: &Mission, struck: &NodeState, settings: &StopSettings) -> Mission {
     let waypoint = Waypoint {
         name: None,
         position: [struck[X][0], struck[Y][0], struck[Z][0]],
@@ -115,8 +111,8 @@ fn stop_mission(flown: &Mission, struck: &NodeState) -> Mission {
         hold_span: None,
     };
     Mission {
-        waypoints: vec![waypoint; SHARES.len() + 1],
-        legs: SHARES.map(|share| Leg { share }).to_vec(),
+        waypoints: vec![waypoint; settings.shares.len() + 1],
+        legs: settings.shares.map(|share| Leg { share }).to_vec(),
         spacing: Spacing::Even,
         start_at_rest: false,
         end_at_rest: false,

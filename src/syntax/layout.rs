@@ -44,9 +44,9 @@ pub(super) struct Doc {
 pub(super) fn lay_out(file: FileId, text: &str) -> Layout {
     let mut best = scan(file, text, Vec::new());
     while let Some(guess) = best.guesses.next() {
-        let mut told = best.guesses.taken.clone();
-        told.push(guess);
-        let other = scan(file, text, told);
+        let mut taken = best.guesses.taken.clone();
+        taken.push(guess);
+        let other = scan(file, text, taken);
         if other.layout.too_much || other.guesses.errors >= best.guesses.errors {
             break;
         }

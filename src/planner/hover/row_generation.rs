@@ -9,6 +9,14 @@ use crate::planner::transcription::{Purpose, Row, RowAt, Transcription};
 use crate::planner::working_set::WorkingSet;
 use crate::solve::{Outcome, Solution, solve};
 
+/// Where the violation is minimised: after this many rounds, a violation within 1 % of its lower bound ends row generation, because
+/// the estimate does not use such a value.
+const FIRST_ROUNDS: usize = 2;
+/// See [`FIRST_ROUNDS`]: the share of the (negative) lower bound.
+const NEAR_LEAST: f64 = 0.99;
+/// Where the violation is minimised, rows violated by less than this share of it are not added: the result is an estimate.
+const ACCEPTED_SHARE: f64 = 0.2;
+
 /// The outcome of one program with row generation.
 pub(super) struct Attempt {
     pub outcome: Outcome,
@@ -114,8 +122,8 @@ impl HoverPlanner<'_> {
             let (sigma, accepted) = match purpose {
                 Purpose::Violation { least, .. } => {
                     let sigma = x.last().copied().unwrap_or(0.0);
-                    let far = round >= 2 && sigma <= 0.99 * least;
-                    (sigma, if far { f64::INFINITY } else { accepted.max(0.2 * sigma.abs()) })
+                    let far = round >= FIRST_ROUNDS && sigma <= NEAR_LEAST * least;
+                    (sigma, if far { f64::INFINITY } else { accepted.max(ACCEPTED_SHARE * sigma.abs()) })
                 }
                 _ => (0.0, accepted),
             };

@@ -1,5 +1,5 @@
-//! Every parameter of the hover planner. What its proofs rest on ([`super::FEASIBLE`], [`super::ACCEPTED`] and the bounds of
-//! `reach`) are constants.
+//! The parameters of the hover planner. What its proofs rest on ([`super::FEASIBLE`], [`super::ACCEPTED`] and the bounds of
+//! `reach`) are constants, and so are the rules of `row_generation` and `timing::search` that have names there.
 
 /// Parameters of [`super::HoverPlanner`].
 #[derive(Debug, Clone, Copy, PartialEq)]

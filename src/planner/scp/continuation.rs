@@ -54,20 +54,21 @@ impl ScpPlanner<'_, '_> {
             slow.states.iter().enumerate().all(|(node, s)| self.violation_at(&form, s, node * PARTS) <= 0.0)
                 && (0..slow.states.len()).all(commands_inside)
         };
+        let settings = self.settings.descent;
         let (mut low, mut high) = (0.0, 1.0);
         while !inside(high) {
-            (low, high) = (high, 1.5 * high);
+            (low, high) = (high, settings.bracket_growth * high);
             if high * iterate.grid.total > MAX_MISSION_TIME {
                 return None;
             }
         }
-        while low == 0.0 || high - low > self.settings.descent.precision * high {
-            let middle = if low == 0.0 { 0.7 * high } else { 0.5 * (low + high) };
+        while low == 0.0 || high - low > settings.precision * high {
+            let middle = if low == 0.0 { settings.bracket_shrink * high } else { 0.5 * (low + high) };
             match inside(middle) {
                 true => high = middle,
                 false => low = middle,
             }
-            if high < 1e-3 {
+            if high < settings.min_factor {
                 break;
             }
         }

@@ -56,12 +56,12 @@ impl ScpPlanner<'_, '_> {
         let due: Vec<LegGrid> = due.collect();
         let own = TimeGrid::with_legs(mission, &due, iterate.grid.total + self.held()).flown();
         let there = iterate.on(&own);
-        let patient = self.settings.feasibility.max_predicted_after_change;
+        let max_predicted = self.settings.feasibility.max_predicted_after_change;
         for factor in self.settings.grids.slowdowns {
             // The rows of a working set are numbered by the instants of one grid.
             let mut known = BTreeSet::new();
             let slower = self.lasting(&there, factor * own.total);
-            if let Some(inside) = self.restore_feasibility_within(slower, patient, &mut known) {
+            if let Some(inside) = self.restore_feasibility_within(slower, max_predicted, &mut known) {
                 *working_set = known;
                 return inside;
             }
@@ -81,7 +81,7 @@ impl ScpPlanner<'_, '_> {
         let spans = self.spans();
         let legs = self.changing(&spans);
         let settings = self.settings.durations;
-        let patient = self.settings.feasibility.max_predicted_after_change;
+        let max_predicted = self.settings.feasibility.max_predicted_after_change;
         let (objective, penalty) = (Objective::Time, settings.penalty);
         let weights = Weights { objective, penalty, cost_weight, input_weight: 0.0 };
         let mut proximal = ProximalWeight { weight: settings.proximal_weight };
@@ -106,8 +106,8 @@ impl ScpPlanner<'_, '_> {
             known.extend(violated);
             // If restoration fails, half of the gained time is often enough.
             let halfway = self.lasting(&reached, 0.5 * (iterate.grid.total + reached.grid.total));
-            let restored = self.restore_feasibility_within(reached, patient, &mut known);
-            match restored.or_else(|| self.restore_feasibility_within(halfway, patient, &mut known)) {
+            let restored = self.restore_feasibility_within(reached, max_predicted, &mut known);
+            match restored.or_else(|| self.restore_feasibility_within(halfway, max_predicted, &mut known)) {
                 Some(inside) => {
                     (*working_set, iterate) = (known, inside);
                     proximal.weight = (proximal.weight / settings.proximal_factor).max(settings.proximal_weight);

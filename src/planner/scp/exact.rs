@@ -3,7 +3,6 @@
 use super::ScpSettings;
 use crate::model::Mission;
 use crate::motion::wrench_model::WrenchModel;
-use crate::planner::Planner;
 use crate::planner::hover::{Decision, HoverPlanner, Planned};
 use crate::planner::scp::ScpPlanner;
 use crate::planner::scp::settings::GuidanceSettings;
@@ -11,7 +10,7 @@ use crate::planner::selection::PlanningSet;
 use crate::planner::timing::search::{Hint, NoTime, Shortest};
 use crate::planner::transcription::UNBOUNDED;
 use crate::planner::working_set::WorkingSet;
-use crate::qp::RowOrigin;
+use crate::planner::{Attempt, Planner};
 use crate::solve::Effort;
 
 /// Plans one mission in the exact model.
@@ -37,7 +36,7 @@ impl Planner for ExactPlanner<'_> {
     }
 
     /// If nothing is decided, the rows that bind in the hover model are left in the weights.
-    fn attempt_at(&mut self, time: f64, set: &PlanningSet, minimised: bool, working_set: &mut WorkingSet) -> Decision {
+    fn attempt_at(&mut self, time: f64, set: &PlanningSet, minimised: bool, working_set: &mut WorkingSet) -> Attempt {
         let (model, mission) = (self.hover.model, self.hover.mission);
         let guided_mission = guided(mission, &self.settings.guidance);
         let mut near = ExactPlanner {
@@ -54,16 +53,12 @@ impl Planner for ExactPlanner<'_> {
         if matches!(decision, Decision::Inconclusive(_)) {
             self.hover.decide(time, model.plan.samples, set, working_set);
         }
-        decision
+        Attempt { decision, weights: std::mem::take(&mut self.hover.weights) }
     }
 
     fn shortest_time(&mut self, set: &PlanningSet, hint: Hint, _: &mut WorkingSet) -> Result<Shortest, NoTime> {
         let guesses: Vec<&Planned> = hint.planned.as_deref().into_iter().chain(&hint.initial_guesses).collect();
         self.against(set).shortest(&guesses, hint.larger)
-    }
-
-    fn take_weights(&mut self) -> Vec<(RowOrigin, f64)> {
-        std::mem::take(&mut self.hover.weights)
     }
 
     fn effort(&self) -> Effort {

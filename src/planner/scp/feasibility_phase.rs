@@ -33,19 +33,19 @@ impl ScpPlanner<'_, '_> {
         self.forget_multipliers();
         while violation > 0.0 {
             history.push(violation);
-            let stuck = violation > settings.nearly_feasible
+            let is_slow = violation > settings.nearly_feasible
                 && history.len() > settings.patience
                 && violation > settings.required_fall * history[history.len() - 1 - settings.patience];
-            if history.len() > settings.max_steps || stuck || proximal.is_exhausted(&proximal_settings) {
+            if history.len() > settings.max_steps || is_slow || proximal.is_exhausted(&proximal_settings) {
                 return None;
             }
             working_set.extend(self.rows_between(&iterate));
             let stepped = self.step(&iterate, &durations, proximal, weights, working_set)?;
             predicted.push(stepped.sigma);
             let (unavoidable, steady) = (settings.unavoidable, settings.steady_ratio);
-            let is_stuck =
+            let is_unavoidable =
                 matches!(predicted[..], [.., before, _, last] if last > f64::max(unavoidable, steady * before));
-            if stepped.sigma > max_predicted || is_stuck {
+            if stepped.sigma > max_predicted || is_unavoidable {
                 if weights.input_weight == 0.0 {
                     return None;
                 }

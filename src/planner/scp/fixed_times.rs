@@ -119,7 +119,7 @@ impl ScpPlanner<'_, '_> {
         let spans = self.spans_of_all();
         let legs = self.changing(&spans);
         let settings = self.settings.durations;
-        let patient = self.settings.feasibility.max_predicted_after_change;
+        let max_predicted = self.settings.feasibility.max_predicted_after_change;
         let input_weight = self.settings.proximal.input_weight;
         let weights = Weights { objective: Objective::Violation, penalty: 1.0, cost_weight: 0.0, input_weight };
         let mut violation = self.violation_by(&iterate, working_set);
@@ -136,7 +136,8 @@ impl ScpPlanner<'_, '_> {
             if let Some(reached) = reached {
                 working_set.extend(self.rows_violated_most(&reached));
                 let now = self.violation_by(&reached, working_set);
-                let restored = self.restore_feasibility_within(reached.clone(), patient, &mut working_set.clone());
+                let restored =
+                    self.restore_feasibility_within(reached.clone(), max_predicted, &mut working_set.clone());
                 if restored.is_some() {
                     return restored;
                 }

@@ -35,8 +35,8 @@ impl ScpPlanner<'_, '_> {
         self.forget_multipliers();
         let fine = fine.flown();
         let same = iterate.on(&fine);
-        let patient = self.settings.feasibility.max_predicted_after_change;
-        if let Some(restored) = self.restore_feasibility_within(same.clone(), patient, &mut BTreeSet::new()) {
+        let max_predicted = self.settings.feasibility.max_predicted_after_change;
+        if let Some(restored) = self.restore_feasibility_within(same.clone(), max_predicted, &mut BTreeSet::new()) {
             return Some(restored);
         }
         if let Some(restored) = self.restore_feasibility_slower(&same, &mut BTreeSet::new()) {

@@ -1,9 +1,12 @@
-//! Every parameter of the SCP planner, in one struct. Section 12 of `docs/method.md` lists the algorithms that use them.
+//! The parameters of the SCP planner, in one struct. Section 12 of `docs/method.md` lists the algorithms that use them. Constants
+//! beside the code are what proofs and checks rest on (`FEASIBLE`, `ACCEPTED`, `PARTS`, `UPRIGHT`), the resolution of times,
+//! the scaling of programs (`TAU_STEPS`, `EVEN`), the solver's tolerances, rounding, and the rules that both planners share
+//! (`timing::kinematics`, `timing::search`).
 //!
 //! "Violation" is in widths of the healthy set for facets and a share of the bound for limits. Where a field names a
 //! measurement, this is what its value was chosen by; the other values have only their role.
 
-/// Parameters of [`super::ScpPlanner`]. The planner's results depend on all of them.
+/// Parameters of [`super::ScpPlanner`]. The planner's results depend on all of them. Their values are not checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScpSettings {
     /// Rows and multipliers of one convex subproblem.
@@ -262,6 +265,12 @@ pub struct DescentSettings {
     pub slowdowns: [f64; 10],
     /// Relative precision of the slowing down of a minimum-snap initial guess. 1e-4.
     pub precision: f64,
+    /// Slowing down: factor from one duration to the next while none is feasible. 1.5.
+    pub bracket_growth: f64,
+    /// Slowing down: factor from one duration to the next while all are feasible. 0.7.
+    pub bracket_shrink: f64,
+    /// Slowing down: no duration below this many times the initial guess's is sought. 1e-3.
+    pub min_factor: f64,
 }
 
 /// The search for the shortest mission time around the steps.
@@ -329,6 +338,13 @@ pub struct StopSettings {
     pub sufficient_decrease: f64,
     /// Line search: no share below this is tried. 0.1.
     pub min_share: f64,
+    /// A stop is divided into parts of these shares of its duration. Body rates are stopped at its beginning and the vehicle is
+    /// levelled at its end, which needs shorter steps than braking in between. 1, 2, 3, 2, 1.
+    pub shares: [f64; 5],
+    /// Intervals in each part. 5.
+    pub intervals_per_part: usize,
+    /// The shortest duration tried, s, unless braking with 2 g takes longer; `stop` tries longer ones in a fixed ratio. 0.4.
+    pub min_duration: f64,
 }
 
 /// How near waypoints that require nothing are kept in quick attempts: a wide tolerance and a small weight.
@@ -422,6 +438,9 @@ impl ScpSettings {
             given_duration: ShorteningWeights { proximal: 1.0, cost: 0.05 },
             slowdowns: [1.0, 1.01, 1.03, 1.06, 1.1, 1.15, 1.25, 1.4, 1.7, 2.5],
             precision: 1e-4,
+            bracket_growth: 1.5,
+            bracket_shrink: 0.7,
+            min_factor: 1e-3,
         },
         search: SearchSettings {
             max_multiple: 20.0,
@@ -442,6 +461,9 @@ impl ScpSettings {
             required_fall: 0.5,
             sufficient_decrease: 0.2,
             min_share: 0.1,
+            shares: [1.0, 2.0, 3.0, 2.0, 1.0],
+            intervals_per_part: 5,
+            min_duration: 0.4,
         },
         guidance: GuidanceSettings { weight: 0.01, min_distance: 100.0, lengths: 3.0, yaw: 20.0 },
     };

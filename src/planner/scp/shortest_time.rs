@@ -90,7 +90,7 @@ impl ScpPlanner<'_, '_> {
     fn shortest_about_fixed_times(&mut self, initial_guesses: &[&Planned]) -> Result<Shortest, NoTime> {
         let mission = self.hover.mission;
         let after = self.spans().last().map_or(0, |span| span.end);
-        let unhurried: f64 = kinematics::initial(self.hover.model, mission)[after..].iter().sum();
+        let initial_total: f64 = kinematics::initial(self.hover.model, mission)[after..].iter().sum();
         let mut tried: Vec<f64> = initial_guesses.iter().map(|planned| planned.grid.total).collect();
         tried.sort_by(f64::total_cmp);
         tried.dedup();
@@ -99,7 +99,7 @@ impl ScpPlanner<'_, '_> {
             self.settings
                 .search
                 .ample
-                .map(|factor| ((earliest(mission) + factor * unhurried) / GRID).ceil() / (1.0 / GRID).round()),
+                .map(|factor| ((earliest(mission) + factor * initial_total) / GRID).ceil() / (1.0 / GRID).round()),
         );
         let mut found =
             (0..tried.len()).find_map(|nth| Some((nth, self.on_first_divisions(tried[nth], initial_guesses)?)));

@@ -30,10 +30,10 @@ impl ScpPlanner<'_, '_> {
         self.multipliers.clear();
         while violation > 0.0 {
             history.push(violation);
-            let stuck = !linear
+            let is_slow = !linear
                 && history.len() > settings.patience
                 && violation > settings.required_fall * history[history.len() - 1 - settings.patience];
-            if history.len() > settings.max_steps || stuck || proximal.is_exhausted(&proximal_settings) {
+            if history.len() > settings.max_steps || is_slow || proximal.is_exhausted(&proximal_settings) {
                 return None;
             }
             working_set.extend(self.rows_between(&iterate));

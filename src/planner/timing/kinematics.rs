@@ -27,12 +27,12 @@ impl Pace {
             return 0.0;
         }
         let (Pace { rate, acceleration, jerk }, k) = (self, rests as f64);
-        let hurried = (2.0 * k * displacement / acceleration).sqrt();
+        let unsaturated = (2.0 * k * displacement / acceleration).sqrt();
         let smooth = ([0.0, 6.0, 32.0][rests.min(2)] * displacement / jerk).cbrt();
         // The rate is reached if half of `k v^2/a`, what starting and stopping take, is no more than the displacement.
         let bounded = match rate.is_finite() && 0.5 * k * rate * rate / acceleration <= displacement {
             true => displacement / rate + 0.5 * k * rate / acceleration,
-            false => hurried,
+            false => unsaturated,
         };
         bounded.max(smooth)
     }
@@ -205,9 +205,12 @@ pub fn least_time_within(model: &Model, mission: &Mission) -> LeastTime {
 }
 
 /// The initial duration of a leg is at least this many times its least duration.
-const UNHURRIED: f64 = 1.25;
+const OVER_LEAST: f64 = 1.25;
 /// It is also at least this many times the flight from rest to rest at half of g.
 const FLOWN_THROUGH: f64 = 0.7;
+
+/// And at least this share of the mean, because every leg needs some time.
+const LEAST_SHARE: f64 = 0.05;
 
 /// Initial durations of the legs, s: by the distance, turn and limits of each leg.
 pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
@@ -215,12 +218,11 @@ pub fn initial(model: &Model, mission: &Mission) -> Vec<f64> {
     let half = Pace { rate: f64::INFINITY, acceleration: 0.5 * model.gravity, jerk: f64::INFINITY };
     let legs = mission.waypoints.windows(2).zip(least).map(|(pair, least)| {
         let apart = (0..3).map(|i| (pair[1].position[i] - pair[0].position[i]).powi(2)).sum::<f64>().sqrt();
-        (UNHURRIED * least.seconds).max(FLOWN_THROUGH * half.least(apart, 2))
+        (OVER_LEAST * least.seconds).max(FLOWN_THROUGH * half.least(apart, 2))
     });
     let durations: Vec<f64> = legs.collect();
-    // Every leg has some time, as every leg has a share.
     let mean = durations.iter().sum::<f64>() / durations.len().max(1) as f64;
-    durations.into_iter().map(|d| if mean > 0.0 { d.max(0.05 * mean) } else { 1.0 }).collect()
+    durations.into_iter().map(|d| if mean > 0.0 { d.max(LEAST_SHARE * mean) } else { 1.0 }).collect()
 }
 
 #[cfg(test)]

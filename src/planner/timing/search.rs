@@ -57,6 +57,19 @@ pub struct Hint {
 /// Mission times in ticks of [`GRID`].
 type Ticks = i64;
 
+/// Estimate: the slack of hover counts as at least this (widths of the healthy set), because precision is relative to it.
+const MIN_HOVER_MARGIN: f64 = 1e-3;
+/// Estimate: a violation within 1 % of its (negative) lower bound was not minimised further, and is not interpolated.
+const NEAR_LEAST: f64 = 0.99;
+/// Estimate: interpolation changes the time by factors between these, because the rule 1/T^2 holds only nearby.
+const MIN_RATIO: f64 = 0.4;
+/// See [`MIN_RATIO`].
+const MAX_RATIO: f64 = 2.5;
+/// Estimate without interpolation: factor to the next time while none is known to be feasible.
+const LONGER: f64 = 1.3;
+/// Estimate without interpolation: factor to the next time while all are feasible.
+const SHORTER: f64 = 0.7;
+
 /// [`RESOLUTION`] in ticks.
 const STEP: Ticks = 5;
 
@@ -163,7 +176,7 @@ impl Search<'_, '_> {
     fn root(&mut self, guess: f64, samples: usize) -> f64 {
         let settings = self.planner.settings.search;
         let floor = seconds(self.floor);
-        let hover = self.planner.hover_margin(self.set).max(1e-3);
+        let hover = self.planner.hover_margin(self.set).max(MIN_HOVER_MARGIN);
         // For very long times the plan has the slack of hover.
         let mut known: Vec<(f64, f64)> = vec![(0.0, -hover)];
         let (mut low, mut high) = (0.0_f64, f64::INFINITY);
@@ -178,14 +191,14 @@ impl Search<'_, '_> {
                 Some(e) if e.sigma <= 0.0 => high = high.min(time),
                 _ => low = low.max(time),
             }
-            let interpolated = violation.filter(|e| e.sigma > 0.99 * e.least).and_then(|e| {
+            let interpolated = violation.filter(|e| e.sigma > NEAR_LEAST * e.least).and_then(|e| {
                 known.push((time.powi(-2), e.sigma));
-                Some(root_of(&known)?.powf(-0.5).clamp(0.4 * time, 2.5 * time))
+                Some(root_of(&known)?.powf(-0.5).clamp(MIN_RATIO * time, MAX_RATIO * time))
             });
             let next = match interpolated {
                 Some(next) if low < next && next < high => next,
-                _ if high.is_infinite() => 1.3 * low,
-                _ if low == 0.0 => 0.7 * high,
+                _ if high.is_infinite() => LONGER * low,
+                _ if low == 0.0 => SHORTER * high,
                 _ => 0.5 * (low + high),
             };
             if (next - time).abs() <= settings.precision * time {

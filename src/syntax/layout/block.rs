@@ -56,9 +56,9 @@ impl Scanner<'_> {
         // One error with one fix.
         let fixed = format!("{{{}}}", &self.text[brace + 1..at]);
         let (span, whole) = (self.span(brace, brace + 1), self.span(brace, at + 1));
-        if let Some(told) = self.layout.diagnostics.iter_mut().find(|d| d.code == BLOCK_HEAD && d.span == span) {
-            told.help = told.help.take().map(|help| help + ", and `}` at its end");
-            told.fix = Some(Fix { span: whole, text: fixed });
+        if let Some(reported) = self.layout.diagnostics.iter_mut().find(|d| d.code == BLOCK_HEAD && d.span == span) {
+            reported.help = reported.help.take().map(|help| help + ", and `}` at its end");
+            reported.fix = Some(Fix { span: whole, text: fixed });
         }
         self.out[at] = b'}';
         self.close_block(at);
