@@ -51,8 +51,9 @@ pub fn plan(spec: &Spec) -> Result<Planning, Refusal> {
 /// Plans with RIP, RCP for each mode, RCP for all modes jointly, and RSP: each at its own shortest time, and all at the common
 /// time T_d (section 5.3 of the paper). All numbers are in SI units.
 ///
-/// [`Comparison::runs`] has a run of each planner at its own time, then one at T_d if there is such a time; both in the order
-/// RIP, RCP for each mode in the order of `against`, the joint RCP if there are several modes, RSP.
+/// [`Comparison::runs`] has a run of each planner at its own time, then one of each at T_d, both in the order RIP, RCP for each
+/// mode in the order of `against`, the joint RCP if there are several modes, RSP. If there is no T_d, RSP and the runs at T_d are
+/// missing.
 ///
 /// # Errors
 /// As for [`plan`]; also if the spec has more than [`MAX_SAMPLES_OF_A_SEARCH`] samples.
