@@ -14,7 +14,7 @@ const NAME: &str = "<builder>";
 
 /// Builds a [`Spec`] from values in SI units. Fields of the language are set by their names (docs/language.md); a field that is
 /// not set has the default of the language. [`Spec::set`] writes what has no Rust value, such as an interval
-/// (`spec.set("vehicle.mass = 1.7 kg .. 1.9 kg")`).
+/// (`spec.set("vehicle.mass = 1.8 kg +- 0.1 kg")`).
 ///
 /// The builder writes a text ([`Builder::text`]) and compiles it. So a built spec is checked like a written one, it can be
 /// saved, and certificates refer to this text. [`Builder::build`] reports all mistakes together, those of the calls before

@@ -40,7 +40,7 @@ impl Text {
             Some(text) => Ok(text.clone().into_bytes()),
             None => std::fs::read(self.folder.join(used)),
         };
-        let compiler = self.overrides.iter().fold(mavc::Compiler::new().reading(&reader), |c, text| c.set(text));
+        let compiler = self.overrides.iter().fold(mavc::Compiler::new().reading(&reader), mavc::Compiler::set);
         let compiled = compiler.text(&self.name, self.files[&self.name].as_bytes());
         let spec =
             compiled.into_result().unwrap_or_else(|e| panic!("{:?}\n{}{e:?}", self.overrides, self.files[&self.name]));
