@@ -183,7 +183,7 @@ async def test_a_session(client: LanguageClient, folder: pathlib.Path):
         types.DefinitionParams(text_document=root.identifier, position=root.position("top]"))
     )
     assert place.uri == library
-    with pytest.raises(Exception, match="is no name"):
+    with pytest.raises(Exception, match="is not a name"):
         await client.text_document_rename_async(
             types.RenameParams(text_document=root.identifier, position=root.position("top]"), new_name="8 m")
         )
