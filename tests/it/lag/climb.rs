@@ -80,6 +80,7 @@ fn the_quickest_climb_is_that_of_the_closed_form() {
 
 /// In the exact model the thrust is twice differentiable and never falls below a tenth of the weight.
 #[test]
+#[ignore = "long"]
 fn the_exact_model_climbs_as_quickly_as_it_may() {
     let (up, down) = reach(&climb(PlanModel::Exact, None));
     let tau = 0.2;
