@@ -153,11 +153,11 @@ impl<'a> Context<'a> {
     }
 
     fn no_exponent<T>(&mut self, span: Span) -> Option<T> {
-        let message = "the exponent of a quantity with a unit must be a small fraction";
+        let message = "the exponent of a quantity with a unit must be a whole number or a simple fraction";
         self.report(
             Diagnostic::error("mavc::unit::exponent", span, message)
-                .here("not a small fraction")
-                .help("use a whole number or a simple fraction such as `1/2`, at most 1000"),
+                .here("too large, or no simple fraction")
+                .help("write an exponent such as `2` or `1/2`, of at most 1000"),
         );
         None
     }

@@ -153,8 +153,8 @@ impl<'a> Context<'a> {
         let error = Diagnostic::error(INTERVAL, span, "an interval is not allowed here").here("expected one number");
         let [value, by] = [value, by].map(|e| self.sources.snippet(e.span).to_string());
         self.report(error.help(format!(
-            "write `{value}` without `+- {by}`; only `mass` and a rotor's coefficients, `max_thrust`, `torque_per_thrust` \
-             and `max_speed` take an interval, written directly in the field"
+            "write `{value}` without `+- {by}`; an interval is allowed only in the fields `mass`, and in a rotor \
+             `max_thrust`, `thrust_coefficient`, `torque_per_thrust`, `drag_coefficient` and `max_speed`"
         )));
         None
     }

@@ -211,7 +211,7 @@ fn one<'a>(
             Some(("must be greater than zero", format!("write a value above 0 {unit}")))
         }
         (Form::Norm, Some(upper)) if kind == LimitKind::Tilt && upper >= std::f64::consts::FRAC_PI_2 => {
-            let rule = "must be below 90 deg, where thrust no longer carries weight";
+            let rule = "must be below 90 deg: there the thrust has no vertical component";
             Some((rule, "write a smaller angle, as in `tilt <= 35 deg`".to_string()))
         }
         (Form::OneSided, Some(upper)) if upper < 0.0 => {

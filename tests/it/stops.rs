@@ -210,7 +210,7 @@ fn what_is_found_is_a_stop() {
         let mission = model.mission.as_ref().unwrap();
         let mut stops = Stops::new(&model, mission, &sets.healthy, &sets.modes[0], s.trajectory.model);
         let mut found = 0;
-        for node in (0..s.trajectory.nodes.len() - 1).step_by(4) {
+        for node in (0..s.trajectory.nodes.len() - 1).step_by(8) {
             let struck = &s.trajectory.nodes[node];
             if let Some(stop) = stops.find(struck) {
                 // Derivatives of the plan's derivatives are the next ones.
@@ -220,6 +220,6 @@ fn what_is_found_is_a_stop() {
                 found += 1;
             }
         }
-        assert!(found >= 5, "{found}");
+        assert!(found >= 3, "{found}");
     }
 }

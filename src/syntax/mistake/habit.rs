@@ -296,9 +296,9 @@ fn clause_marks(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     }
     let word_follows = rest.strip_prefix(',')?.trim_start().starts_with(|c: char| c.is_ascii_alphabetic());
     word_follows.then(|| {
-        error("clauses of a statement are not separated by commas")
+        error("no comma is allowed between the clauses of a statement")
             .here("not expected")
-            .help("remove it; blanks separate clauses")
+            .help("remove the comma: a space is enough")
             .fix(span, "")
     })
 }

@@ -125,7 +125,7 @@ fn hold_for(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let follows = statement.text[..start].trim_end() == "hold";
     let value = statement.text[failure.at..].trim_end();
     (statement.word() == "hold" && is_filler && follows && !value.is_empty()).then(|| {
-        unexpected(statement, start, start + word.len(), "a word between `hold` and its time")
+        unexpected(statement, start, start + word.len(), "there is a word between `hold` and its time")
             .here("not expected")
             .help(format!("write `hold {}`", cut(value)))
             .fix(statement.span(start, failure.at), "")
@@ -251,7 +251,7 @@ fn positive_sign(statement: &Broken, failure: &Failure) -> Option<Diagnostic> {
     let value = statement.text[failure.at..].strip_prefix('+')?;
     let begins = value.trim_start().starts_with(|c: char| is_name(c) || c == '(');
     (failure.expects(Expected::Value) && begins).then(|| {
-        unexpected(statement, failure.at, failure.at + 1, "a value has no sign `+`")
+        unexpected(statement, failure.at, failure.at + 1, "a value must not begin with `+`")
             .here("not expected")
             .help("remove the `+`")
             .fix(statement.span(failure.at, failure.at + 1), "")

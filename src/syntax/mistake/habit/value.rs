@@ -261,7 +261,8 @@ pub(super) fn spaced_unit(statement: &Broken, failure: &Failure) -> Option<Diagn
             // `m2` is a power without its sign.
             let letters = factor.trim_end_matches(|c: char| c.is_ascii_digit());
             let factor = match &factor[letters.len()..] {
-                "" => factor.to_string(),
+                _ if letters.ends_with('^') => factor,
+                "" => factor,
                 power => format!("{letters}^{power}"),
             };
             format!("write `{unit}*{factor}` for a product, `{unit}/{factor}` for a quotient")
